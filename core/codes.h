@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The codes of all diagnostics. A code never changes its meaning and is never used again.
+//
+//   CV1xxx  reading: text, merging, finding modules      CV5xxx  shaders
+//   CV2xxx  references between the parts of a config     CV6xxx  devices and contexts
+//   CV3xxx  keys and types                               CV7xxx  scenes, images, files
+//   CV4xxx  values and ranges                            CV8xxx  the command line
+#pragma once
+
+namespace crevice {
+
+enum class Code : int {
+    internal = 1,  ///< A fault in crevice itself.
+
+    // reading
+    syntax = 1001,            ///< Not JSON.
+    duplicate_key = 1002,     ///< The same key twice in one object.
+    number_range = 1003,      ///< A number that no double holds, such as 1e999.
+    bad_utf8 = 1004,          ///< Text that is not UTF-8, or that begins with a byte order mark.
+    too_deep = 1005,          ///< More than 64 levels.
+    too_large = 1006,         ///< More than 1 MiB.
+    not_an_object = 1007,     ///< A file whose top value is not an object.
+    empty_text = 1008,        ///< Nothing but white space.
+    merge_missing = 1101,     ///< A patch deletes what is not there.
+    merge_kind = 1102,        ///< A patch turns an object into something else, or the reverse.
+    module_missing = 1201,    ///< `extends` or the command line names what does not exist.
+    module_cycle = 1202,      ///< `extends` leads back to itself.
+    module_depth = 1203,      ///< `extends` is more than 8 deep.
+    module_escape = 1204,     ///< A path climbs above its root.
+    variant_missing = 1205,   ///< No such variant.
+    override_syntax = 1206,   ///< An override that is not name=value.
+    format_version = 1207,    ///< `format` is missing or newer than this library.
+
+    // references and graph
+    shader_missing = 2101,      ///< A pass names a shader that is not declared.
+    reference_missing = 2102,   ///< A name that refers to nothing (import, interface, param, ...).
+    target_missing = 2103,      ///< A pass or output names a target that does not exist.
+    file_missing = 2104,        ///< A shader names a GLSL file that does not exist.
+    feature_missing = 2105,     ///< A condition names neither a feature nor a trait.
+    feature_value = 2106,       ///< A condition names a value that the feature does not have.
+    name_collision = 2107,      ///< One name for two things that GLSL would see under one name.
+    two_writers = 2201,         ///< Two active passes write one target.
+    never_written = 2202,       ///< Something reads a target that no active pass writes.
+    reads_own_output = 2203,    ///< A pass reads what it writes.
+    cycle = 2204,               ///< Passes wait for each other.
+    no_outputs = 2205,          ///< Nothing is asked for.
+    attachment_size = 2206,     ///< Attachments of one pass differ in size.
+    attachment_kind = 2207,     ///< A depth format as colour, or a colour format as depth.
+    bypass_class = 2208,        ///< A bypass or identity stands in for a target of another class.
+    output_missing = 2209,      ///< An output that the config does not export was asked for.
+
+    // keys and types
+    unknown_key = 3001,    ///< A key that the format does not have.
+    wrong_type = 3002,     ///< A value of another type than wanted.
+    missing_key = 3003,    ///< A key that must be there is not.
+    bad_name = 3004,       ///< A name that is not snake_case or that GLSL reserves.
+    bad_enum = 3005,       ///< A word that is not among the allowed ones.
+    bad_length = 3006,     ///< A list with too few or too many entries.
+
+    // values
+    out_of_range = 4001,   ///< A value outside its range.
+    bad_range = 4002,      ///< min above max, or a default outside them.
+    not_finite = 4003,     ///< NaN or infinity.
+    unknown_param = 4004,  ///< A parameter name that the config does not have.
+    bad_size = 4005,       ///< A size that is not positive or that the device cannot hold.
+
+    // shaders
+    shader_compile = 5001,   ///< GLSL does not compile.
+    shader_link = 5002,      ///< GLSL does not link.
+    uniform_unbound = 5003,  ///< GLSL declares a uniform that nothing in the config supplies.
+    uniform_type = 5004,     ///< GLSL and the config disagree about a type or an array length.
+    include_missing = 5005,  ///< An #include names what does not exist.
+    include_cycle = 5006,    ///< An #include leads back to itself.
+    input_unused = 5007,     ///< A pass renames an input that its shader does not declare.
+    output_mismatch = 5008,  ///< A fragment shader's outputs are not the pass's colour targets.
+    preprocessor = 5009,     ///< A directive that cannot be read.
+
+    // devices and contexts
+    no_egl = 6001,             ///< No EGL library, display or configuration.
+    no_osmesa = 6002,          ///< No OSMesa library or context.
+    gl_function = 6003,        ///< A GL function that must be there is not.
+    gl_version = 6004,         ///< A context older than OpenGL ES 3.0.
+    gl_error = 6005,           ///< The driver reported an error.
+    no_format = 6006,          ///< No format of a preference list can be rendered to.
+    too_big_for_device = 6007, ///< A texture larger than the device holds.
+    too_many = 6008,           ///< More attachments, samplers or uniforms than the device has.
+    out_of_memory = 6009,      ///< The device has no memory left.
+    missing_import = 6010,     ///< The host did not supply something that is not optional.
+    bad_input = 6011,          ///< The host supplied something unusable.
+    no_backend = 6012,         ///< A backend that does not exist or was not built.
+
+    // scenes, images, files
+    scene_missing = 7001,   ///< A scene file that does not exist.
+    scene_broken = 7002,    ///< A scene file that cannot be read.
+    scene_empty = 7003,     ///< A scene without a triangle.
+    camera_missing = 7004,  ///< A camera that the scene does not have.
+    image_broken = 7005,    ///< An image that cannot be read.
+    image_size = 7006,      ///< Images that differ in size.
+    cannot_write = 7007,    ///< A file or folder that cannot be written.
+
+    // command line
+    usage = 8001,  ///< Arguments that cannot be understood.
+};
+
+}  // namespace crevice

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The abstract device: what a plan needs from a graphics API, and nothing else.
+//
+// Plain structs go in, typed ids come out; zero is null. A device belongs to one context and one
+// thread. Objects are created between frames, never inside one. Validation is core's task: a device
+// may assert that what it gets makes sense.
+#pragma once
+
+#include "core/description.h"
+#include "core/glsl.h"
+#include "core/image.h"
+#include "core/result.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+struct TextureId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct MeshId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct ProgramId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct FramebufferId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+
+/// Any of the above, for `Device::destroy`.
+struct ObjectId {
+    enum class Kind { texture, mesh, program, framebuffer };
+
+    Kind kind;
+    std::uint32_t value;
+
+    ObjectId(TextureId id) : kind(Kind::texture), value(id.value) {}          // NOLINT
+    ObjectId(MeshId id) : kind(Kind::mesh), value(id.value) {}                // NOLINT
+    ObjectId(ProgramId id) : kind(Kind::program), value(id.value) {}          // NOLINT
+    ObjectId(FramebufferId id) : kind(Kind::framebuffer), value(id.value) {}  // NOLINT
+};
+
+/// What a device can do; read once when it is made.
+struct DeviceCaps {
+    std::string name;      ///< Renderer and version as the driver tells them.
+    int version = 300;     ///< 300, 310 or 320; a desktop context counts as what it is compatible with.
+    bool software = false; ///< Rendered by the CPU: timer queries lie, time with finish().
+    bool compute = false;
+    int max_texture_size = 2048;
+    int max_color_attachments = 4;
+    int max_texture_units = 16;           ///< Of the fragment stage.
+    int max_fragment_uniform_vectors = 224;
+    int max_vertex_uniform_vectors = 256;
+    bool renderable[kFormatCount + 1] = {};  ///< By Format.
+
+    bool canRender(Format format) const { return renderable[static_cast<int>(format)]; }
+};
+
+/// The least that every OpenGL ES 3.0 device has.
+DeviceCaps minimumCaps();
+
+struct TextureDesc {
+    std::string label = {};
+    Format format = Format::rgba8;
+    Extent extent = {};
+    int mips = 1;
+};
+
+struct FramebufferDesc {
+    std::string label = {};
+    std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
+    TextureId depth = {};
+};
+
+struct ProgramDesc {
+    std::string label = {};
+    GlslStage vertex = {};
+    GlslStage fragment = {};
+};
+
+/// Interleaved vertices: position (3 floats), normal (3), uv (2), at locations 0, 1, 2.
+struct Vertex {
+    float position[3] = {0, 0, 0};
+    float normal[3] = {0, 0, 1};
+    float uv[2] = {0, 0};
+};
+
+struct MeshDesc {
+    std::string label = {};
+    std::vector<Vertex> vertices = {};
+    std::vector<std::uint32_t> indices = {};  ///< Triangles.
+};
+
+/// A uniform that a linked program really has.
+struct UniformInfo {
+    std::string name;  ///< Without "[0]".
+    GlslType type = GlslType::float_;
+    int count = 1;
+    int location = -1;
+};
+
+struct SamplerDesc {
+    Filter filter = Filter::nearest;
+    Wrap wrap = Wrap::clamp;
+};
+
+enum class LoadOp { load, clear, discard };
+enum class StoreOp { store, discard };
+
+constexpr int kMaxColorAttachments = 8;
+
+/// How a pass begins and ends: its framebuffer and what happens to each attachment.
+struct PassInfo {
+    const char* label = "";
+    FramebufferId framebuffer = {};
+    Extent extent = {};
+    int color_count = 0;
+    LoadOp color_load[kMaxColorAttachments] = {};
+    StoreOp color_store[kMaxColorAttachments] = {};
+    float clear_color[kMaxColorAttachments][4] = {};
+    bool has_depth = false;
+    LoadOp depth_load = LoadOp::discard;
+    StoreOp depth_store = StoreOp::discard;
+    float clear_depth = 1.0f;
+};
+
+/// The host's own framebuffer and the rectangle to fill in it, in pixels from the lower left.
+struct HostFramebuffer {
+    std::uint32_t name = 0;  ///< The API's own name.
+    int x = 0, y = 0;
+    Extent extent = {};
+};
+
+/// One context's worth of graphics. Every function must be called with that context current.
+class Device {
+public:
+    virtual ~Device() = default;
+
+    virtual const DeviceCaps& caps() const = 0;
+
+    /// Creates an object; the caller owns it and gives it to `destroy`.
+    /// Errors: CV6005, CV6007, CV6009; CV5001 and CV5002 for programs. A texture's content is undefined.
+    virtual Result<TextureId> createTexture(const TextureDesc& desc) = 0;
+    virtual Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) = 0;
+    virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
+    virtual Result<MeshId> createMesh(const MeshDesc& desc) = 0;
+
+    /// Wraps a texture that the host owns; `destroy` forgets it and leaves it alive.
+    virtual Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) = 0;
+
+    /// Destroys one object of any kind. A null id is ignored.
+    virtual void destroy(ObjectId id) = 0;
+
+    /// Replaces level 0 of a texture; channels are converted to the texture's format.
+    virtual Status writeTexture(TextureId id, const Image& image) = 0;
+
+    /// Reads level 0 as floats: what the GPU holds, depth included. Slow; waits for the GPU.
+    virtual Result<Image> readTexture(TextureId id) = 0;
+
+    /// The active uniforms, without built-ins.
+    virtual const std::vector<UniformInfo>& uniforms(ProgramId id) const = 0;
+
+    /// Brackets all drawing of a frame: keeps the host's state and puts it back.
+    /// endFrame returns CV6005 with the pass's name when the driver reported an error.
+    virtual void beginFrame() = 0;
+    virtual Status endFrame() = 0;
+
+    virtual void beginPass(const PassInfo& pass) = 0;
+    virtual void endPass() = 0;
+    virtual void setProgram(ProgramId id, const StateDesc& state) = 0;
+
+    /// Binds a texture to the sampler at `location`, through texture unit `unit`.
+    virtual void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) = 0;
+
+    /// `data` holds `count` values of `type`: floats, or 32-bit ints for the integer types; matrices
+    /// by columns.
+    virtual void setUniform(int location, GlslType type, int count, const void* data) = 0;
+
+    /// Draws triangles [first, first + count) of indices.
+    virtual void draw(MeshId id, std::uint32_t first, std::uint32_t count) = 0;
+
+    /// Draws one triangle that covers the viewport; the vertex shader builds it from gl_VertexID.
+    virtual void drawFullscreen() = 0;
+
+    /// Copies a colour texture into the host's framebuffer, scaled to its rectangle.
+    virtual void present(TextureId id, const HostFramebuffer& host) = 0;
+
+    /// Waits until everything issued is done.
+    virtual void finish() = 0;
+};
+
+}  // namespace crevice

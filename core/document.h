@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Documents: JSON as a tree in which every key and value keeps its place.
+//
+// Reading is strict, because a swallowed typo costs an afternoon: duplicate keys, numbers that no
+// double holds, bad UTF-8, a byte order mark, more than 64 levels and more than 1 MiB are errors.
+// nlohmann-json's SAX parser does the reading; its DOM is too lenient (it keeps the last of two
+// equal keys and reads 16.7 as the int 16).
+#pragma once
+
+#include "core/result.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crevice {
+
+constexpr int kMaxDocumentDepth = 64;
+constexpr std::size_t kMaxDocumentBytes = 1u << 20;
+
+struct Member;
+
+/// One JSON value. `place` is where it stands now; `origins` are the places that set it before,
+/// oldest first (empty when nothing was overridden).
+struct Node {
+    enum class Kind { null, boolean, number, string, array, object };
+
+    Kind kind = Kind::null;
+    bool boolean = false;
+    bool integer = false;  ///< The number was written without '.', 'e' and fits 53 bits.
+    double number = 0.0;
+    std::string text;             ///< The string, or the number as it was written.
+    std::vector<Node> items;      ///< Of an array.
+    std::vector<Member> members;  ///< Of an object, in the order of the text.
+    Place place;
+    std::vector<Place> origins;
+
+    /// The member's value, or null when there is none or this is no object.
+    const Node* find(std::string_view key) const;
+    Node* find(std::string_view key);
+};
+
+struct Member {
+    std::string key;
+    Place key_place;
+    Node value;
+};
+
+/// The value as a user would write it on one line, cut to about 40 characters.
+std::string brief(const Node& node);
+
+/// "null", "boolean", "number", "string", "array" or "object".
+const char* kindName(Node::Kind kind);
+
+/// Reads a document. Its top value must be an object.
+///
+/// Errors: CV1001 to CV1008, with the place of the first offending character.
+Result<Node> parseDocument(const SourceRef& source);
+
+/// Reads one value of any kind, such as the right side of `--set radius=0.8`. A word that is not
+/// JSON is taken as a string.
+Result<Node> parseValue(const SourceRef& source);
+
+}  // namespace crevice

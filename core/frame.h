@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What the host supplies for a frame: camera, draw list, materials, lights, textures.
+//
+// GLSL sees them under these names. All vectors are in view space unless the name says otherwise.
+//
+//   camera     mat4 clip_from_view, view_from_clip, view_from_world, world_from_view
+//   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
+//              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
+//              sampler2D base_color_map (white when the material has none)
+//   lights     int light_count; vec4 light_position[MAX_LIGHTS] (w 1: a point, w 0: the direction
+//              towards the light); vec3 light_color[MAX_LIGHTS];
+//              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2)); vec3 ambient_light
+//   pass       vec2 viewport_size, in pixels of the pass
+#pragma once
+
+#include "core/device.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace crevice {
+
+/// Lights that one frame may have: 16 take 48 of the 224 uniform vectors every device has.
+constexpr int kMaxLights = 16;
+
+/// A right-handed view (the camera looks along -z) and any projection that OpenGL can express.
+struct Camera {
+    glm::mat4 view_from_world = glm::mat4(1.0f);
+    glm::mat4 clip_from_view = glm::mat4(1.0f);
+
+    /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
+    bool orthographic() const;
+};
+
+/// Light in world space.
+struct Light {
+    bool directional = false;
+    glm::vec3 position = glm::vec3(0.0f);             ///< Of a point light.
+    glm::vec3 direction = glm::vec3(0.0f, 0.0f, -1);  ///< In which a directional light shines.
+    glm::vec3 color = glm::vec3(1.0f);                ///< Linear, >= 0.
+    glm::vec3 attenuation = glm::vec3(1.0f, 0, 0);    ///< Constant, linear (1/unit), quadratic.
+};
+
+struct Material {
+    glm::vec4 base_color = glm::vec4(1.0f);  ///< Linear.
+    TextureId base_color_map = {};           ///< Null means white.
+    glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
+    float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
+    float alpha_cutoff = 0.0f;               ///< Below this alpha a pixel is discarded; 0 is opaque.
+};
+
+/// A mesh at a place.
+struct DrawItem {
+    MeshId mesh = {};
+    std::uint32_t first = 0;  ///< First index.
+    std::uint32_t count = 0;  ///< Indices.
+    glm::mat4 world_from_model = glm::mat4(1.0f);
+    int material = 0;  ///< Into Frame::materials.
+};
+
+/// A texture for an import of that name.
+struct ImportedTexture {
+    std::string name;
+    TextureId texture = {};
+};
+
+/// A frame's input. The host keeps it and changes it in place, so that a steady frame allocates
+/// nothing.
+struct Frame {
+    Camera camera;
+    std::vector<DrawItem> draws;
+    std::vector<Material> materials;
+    std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
+    glm::vec3 ambient_light = glm::vec3(0.3f);
+    std::vector<ImportedTexture> textures;
+};
+
+/// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
+struct SceneTraits {
+    int lights = 0;              ///< scene.lights
+    bool alpha_tested = false;   ///< scene.alpha_tested
+    bool specular = false;       ///< scene.specular
+    bool textured = false;       ///< scene.textured: some material has a base_color_map
+    bool orthographic = false;   ///< camera.orthographic
+
+    bool operator==(const SceneTraits& other) const;
+};
+
+SceneTraits traitsOf(const Frame& frame);
+
+}  // namespace crevice

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Loading a config: its `extends`, itself, a variant and overrides, merged into one document.
+#pragma once
+
+#include "core/document.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+constexpr int kMaxExtendsDepth = 8;
+
+/// What to load and what to lay over it.
+struct LoadRequest {
+    std::string config;  ///< A shipped config's name ("learnopengl"), or the path of a file.
+    std::string variant = {};  ///< A name under `variants`; empty for none.
+    std::vector<std::string> overrides = {};  ///< "radius=0.8": a param's default or a feature's,
+                                              ///< or a pointer, "/passes/blur/when=null".
+};
+
+/// Finds the config and everything that it extends, and merges them: modules from left to right,
+/// then the file, then the variant, then the overrides. The result has neither `extends` nor
+/// `variants`. A name is looked up as "configs/NAME.json" in `sources`; what ends in ".json" is a
+/// file on disk first. `extends` entries are module names ("ssao/hemisphere", found as
+/// "ssao/hemisphere.json" in `sources`), config names, or paths relative to the file ("./mine.json").
+///
+/// Errors: CV1xxx of any file, CV1201 to CV1207, CV4004 for an override of nothing.
+Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
+
+/// The names of the configs in `sources`, sorted.
+std::vector<std::string> configNames(const SourceSet& sources);
+
+}  // namespace crevice

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// A plan: what will run, in which order, on which textures, and what was left out and why.
+//
+// `compile` is a pure and deterministic function: no GL, no clock, no files. The same input gives
+// the same plan on every machine, so tests compare plans as text.
+#pragma once
+
+#include "core/description.h"
+#include "core/device.h"
+#include "core/frame.h"
+#include "core/glsl.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// A texture that the renderer creates. Targets whose lifetimes do not meet share one.
+struct PlanTexture {
+    Format format = Format::none;
+    Extent extent;
+    int mips = 1;
+    std::vector<std::string> targets;  ///< In the order in which they use it.
+};
+
+/// A target that some active pass writes.
+struct PlanTarget {
+    std::string name;
+    int texture = -1;     ///< Index into Plan::textures.
+    int first_pass = -1;  ///< The writer.
+    int last_pass = -1;   ///< The last reader; the number of passes when it is an output.
+};
+
+/// Where a sampler's texture comes from.
+enum class InputKind { target, generated, imported, material, constant };
+
+struct PlanInput {
+    std::string sampler;  ///< GLSL name.
+    InputKind kind = InputKind::target;
+    int index = -1;  ///< Into targets, generated, imports or constants of the plan.
+    SamplerDesc sampling;
+};
+
+struct PlanAttachment {
+    int target = -1;  ///< Into Plan::targets; -1: nobody reads it, so no texture stands behind it.
+    std::string name;
+    LoadOp load = LoadOp::discard;
+    StoreOp store = StoreOp::store;
+    std::array<float, 4> clear = {0, 0, 0, 0};
+    std::string reason;  ///< Why this load and store.
+};
+
+/// What a uniform is fed from: a name of the value table (a param, a camera matrix, ...).
+struct PlanUniform {
+    std::string glsl;
+    std::string value;
+};
+
+struct PlanPass {
+    std::string name;
+    PassType type = PassType::fullscreen;
+    int program = -1;  ///< Into Plan::programs.
+    std::vector<PlanAttachment> color;
+    bool has_depth = false;
+    PlanAttachment depth;
+    Extent extent;
+    StateDesc state;
+    std::vector<PlanInput> inputs;
+    std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.
+    double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel.
+    double bytes_written = 0;  ///< An estimate a frame.
+};
+
+/// A program: the same key means the same text, compiled once.
+struct PlanProgram {
+    std::string key;    ///< 16 hex digits of a hash over the text.
+    std::string label;  ///< The shader's name in the config.
+    GlslStage vertex;
+    GlslStage fragment;
+    Place place;         ///< Of the shader in the config.
+    std::string pointer;
+};
+
+/// One thing that the plan does not do.
+struct LeftOut {
+    std::string what;    ///< "pass filter_x", "attachment albedo"
+    std::string rule;    ///< "unread", "condition", "identity"
+    std::string reason;  ///< One sentence.
+    double bytes = 0;    ///< Estimated bytes a frame that are not moved.
+};
+
+struct PlanConstant {
+    float value = 0.0f;  ///< In all four channels of a 1x1 texture.
+};
+
+/// An exported output: a target, or a constant when `constant` is not -1.
+struct PlanOutput {
+    std::string name;
+    int target = -1;
+    int constant = -1;
+};
+
+struct Plan {
+    std::string config;
+    Extent extent;
+    std::vector<PlanPass> passes;
+    std::vector<PlanTarget> targets;
+    std::vector<PlanTexture> textures;
+    std::vector<PlanProgram> programs;
+    std::vector<PlanConstant> constants;
+    std::vector<GeneratedDesc> generated;  ///< Those that a pass uses, with `count` resolved.
+    std::vector<ImportDesc> imports;       ///< Those that a pass uses.
+    std::vector<PlanOutput> outputs;
+    std::vector<LeftOut> left_out;
+    double texture_bytes = 0;  ///< Of `textures`.
+};
+
+struct CompileOptions {
+    Extent extent;
+    std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
+    std::vector<std::string> keep = {};     ///< Rules to switch off: "unread", "condition",
+                                            ///< "identity", "sharing", or "all".
+};
+
+/// Plans a description for a scene, a device and a size. The description's param and feature values
+/// are the ones in force. Warnings come with the plan.
+///
+/// Errors: CV2xxx graph rules, CV4005 and CV6xxx for what the device cannot do, CV5xxx for what
+/// GLSL and config disagree about; all of them, each at its place in the config or the shader.
+Result<Plan> compile(const Description& description, const SceneTraits& traits,
+                     const DeviceCaps& caps, const CompileOptions& options);
+
+/// Text for people, stable enough to compare in tests.
+std::string toText(const Plan& plan);
+std::string toJson(const Plan& plan);
+std::string toDot(const Plan& plan);
+std::string toMermaid(const Plan& plan);
+
+}  // namespace crevice

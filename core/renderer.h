@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The renderer: a description running on a device.
+//
+//     auto document = loadConfig(shippedSources(), {"learnopengl"});
+//     auto description = decode(*document, shippedSources());
+//     auto renderer = Renderer::create(device, *description, {{1920, 1080}}, traitsOf(frame));
+//     (*renderer)->render(frame);
+//     TextureId ao = (*renderer)->output("ao");
+//
+// After the first frame, `render` allocates no memory and creates no GL object, until a size, a
+// trait or a param that is bound as a define changes.
+#pragma once
+
+#include "core/frame.h"
+#include "core/plan.h"
+
+#include <memory>
+#include <string>
+
+namespace crevice {
+
+class Renderer {
+public:
+    /// Compiles the plan and creates every object that it needs. The device must outlive it.
+    ///
+    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6005 to CV6009.
+    static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
+                                                    const CompileOptions& options,
+                                                    const SceneTraits& traits);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Runs the plan. A frame with other traits than the plan was made for is planned anew first;
+    /// where that fails, the old plan and its pictures stay.
+    ///
+    /// Errors: CV6010 and CV6011 for the frame, CV6005 from the driver.
+    Status render(const Frame& frame);
+
+    /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
+    /// bound as defines and values at which a pass is or was an identity: those plan anew.
+    ///
+    /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.
+    Status setParam(std::string_view name, const float* values, int count);
+    Status setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
+
+    /// Sets a feature ("true", "false" or an enum's word); plans anew.
+    ///
+    /// Errors: CV2105, CV2106; the old value stays.
+    Status setFeature(std::string_view name, std::string_view value);
+
+    /// Plans anew for another size. Errors: those of `create`; the old size stays.
+    Status resize(Extent extent);
+
+    /// The texture behind an output: owned by the renderer, valid until the next plan. Null when there is none.
+    TextureId output(std::string_view name) const;
+
+    const Plan& plan() const;
+    const Description& description() const;
+
+private:
+    struct State;
+    explicit Renderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# What all targets share: warnings, sanitizers, and the rules for libraries.
+
+add_library(crevice_flags INTERFACE)
+target_compile_options(crevice_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+  $<$<BOOL:${CREVICE_WERROR}>:-Werror>)
+if(CREVICE_SANITIZE)
+  add_compile_options(-fsanitize=${CREVICE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${CREVICE_SANITIZE})
+endif()
+
+# crevice_library(NAME SOURCES... ) makes crevice_NAME, exported as crevice::NAME. Host applications
+# link it, so it neither throws nor uses run-time types. Headers are included as "NAME/file.h".
+function(crevice_library name)
+  add_library(crevice_${name} STATIC ${ARGN})
+  add_library(crevice::${name} ALIAS crevice_${name})
+  set_target_properties(crevice_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(crevice_${name} PUBLIC cxx_std_17)
+  target_compile_options(crevice_${name} PRIVATE -fno-exceptions -fno-rtti)
+  target_link_libraries(crevice_${name} PRIVATE $<BUILD_INTERFACE:crevice_flags>)
+  target_include_directories(crevice_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/crevice>)
+endfunction()
