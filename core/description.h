@@ -92,14 +92,12 @@ struct SizeDesc {
 struct TargetDesc : Named {
     std::vector<Format> formats;  ///< Preference list: the first one that the device renders to.
     SizeDesc size = {};
-    int mips = 1;          ///< Levels; 0 means down to 1x1.
-    bool history = false;  ///< Last frame's content can be read as `<name>_history`.
+    int mips = 1;  ///< Levels; 0 means down to 1x1.
 };
 
 struct ShaderDesc : Named {
     Reference vertex = {};    ///< Path in the sources.
     Reference fragment = {};
-    Reference compute = {};
     std::map<std::string, std::string> defines = {};
 };
 
@@ -131,7 +129,7 @@ struct IdentityDesc {
     std::vector<Gives> gives = {};
 };
 
-enum class PassType { draw, fullscreen, compute };
+enum class PassType { draw, fullscreen };
 enum class Cull { none, back, front };
 enum class Blend { none, alpha, add, multiply };
 enum class Compare { always, less, less_equal, greater, greater_equal, equal };

@@ -118,8 +118,8 @@ struct Plan {
 struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
-    std::vector<std::string> keep = {};     ///< Rules to switch off: "unread", "condition",
-                                            ///< "identity", "sharing", or "all".
+    std::vector<std::string> keep = {};     ///< Rules to switch off: "unread", "identity",
+                                            ///< "sharing", or "all". Conditions are meaning.
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values
