@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Sets up what is missing and runs every check: all tests, those without GL under sanitizers, and a
+# build with clang. Warnings are errors everywhere. Safe to run again.
+#
+#   tools/test.sh          all of it
+#   tools/test.sh --quick  the tests alone
+#
+# With CI=true a missing GL context is a failure, not a skip.
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+
+quick=false
+for argument in "$@"; do
+    case $argument in
+        --quick) quick=true ;;
+        *) echo "usage: tools/test.sh [--quick]" >&2; exit 2 ;;
+    esac
+done
+if [[ ${CI:-} == true ]]; then
+    export CREVICE_REQUIRE_GL=1
+fi
+
+failed=()
+# Runs a stage, a function below, and goes on where it fails, so that one run shows everything.
+stage() {
+    local title=$1 command=$2
+    printf '\n== %s\n' "$title"
+    "$command" || failed+=("$title")
+}
+
+all_tests() {
+    cmake --preset ci && cmake --build --preset ci && ctest --preset ci --parallel 2
+}
+sanitized_tests() {
+    cmake --preset asan -DCREVICE_WERROR=ON &&
+        cmake --build --preset asan --target crevice_tests &&
+        build/asan/tests/crevice_tests
+}
+clang_build() {
+    cmake -G Ninja -S . -B build/clang -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
+        -DCREVICE_WERROR=ON -DCREVICE_TESTS=OFF && cmake --build build/clang
+}
+
+printf '== Packages (tools/packages.txt)\n'
+if $quick; then
+    tools/install_packages.sh
+    stage "All tests" all_tests
+else
+    tools/install_packages.sh clang
+    stage "All tests" all_tests
+    stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
+    stage "Build with clang" clang_build
+fi
+
+if ((${#failed[@]})); then
+    printf '\nFAILED: %s\n' "${failed[@]}"
+    exit 1
+fi
+printf '\nAll stages passed.\n'
