@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// The architecture as a test: who may include whom, where GL may be named, the licence line.
+#include "tests/catch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"core", {"core"}},
+    {"backends", {"backends", "core"}},
+    {"effects", {"effects", "core"}},
+    {"tools", {"tools", "core", "backends", "effects"}},
+    {"tests", {"tests", "tools", "core", "backends", "effects"}},
+};
+
+std::string readText(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// Files below the project's own folders, as paths relative to the checkout.
+std::vector<fs::path> projectFiles(const std::set<std::string>& folders)
+{
+    const fs::path root = CREVICE_SOURCE_DIR;
+    std::vector<fs::path> files;
+    for (const std::string& folder : folders) {
+        if (!fs::is_directory(root / folder)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), root));
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+bool isCpp(const fs::path& path)
+{
+    return path.extension() == ".h" || path.extension() == ".cpp";
+}
+
+/// The folder of the checkout that a file belongs to.
+std::string topFolder(const fs::path& path) { return path.begin()->string(); }
+
+/// The code without comments, and without the content of string literals if `strings` is false.
+std::string codeOf(const std::string& text, bool strings)
+{
+    static const std::regex kTokens(R"re(//[^\n]*|/\*[^]*?\*/|"(?:\\.|[^"\\\n])*")re");
+    std::string code;
+    auto last = text.begin();
+    const std::sregex_iterator end;
+    for (std::sregex_iterator match(text.begin(), text.end(), kTokens); match != end; ++match) {
+        code.append(last, (*match)[0].first);
+        if (strings && *(*match)[0].first == '"') code += match->str();
+        last = (*match)[0].second;
+    }
+    return code.append(last, text.end());
+}
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern, int group)
+{
+    const std::regex regex(pattern);
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), regex), end; match != end; ++match)
+        found.push_back(match->str(group));
+    return found;
+}
+
+/// Includes of a file in `folder` that point sideways or upwards.
+std::vector<std::string> wrongIncludes(const std::string& folder, const std::string& text)
+{
+    std::vector<std::string> wrong;
+    static const std::string kInclude = R"re((?:^|\n)\s*#\s*include "([^"]+)")re";
+    for (const std::string& include : matches(codeOf(text, true), kInclude, 1)) {
+        const std::string target = include.substr(0, include.find('/'));
+        if (!kMayInclude.at(folder).count(target)) wrong.push_back(include);
+    }
+    return wrong;
+}
+
+std::vector<std::string> graphicsHeaders(const std::string& text)
+{
+    return matches(text, R"re((?:^|\n)\s*#\s*include [<"]((?:GL\w*|EGL|KHR)/[^>"]+))re", 1);
+}
+
+/// GL, EGL and OSMesa functions, types and constants. GLSL's own gl_ names are none.
+std::vector<std::string> graphicsNames(const std::string& text)
+{
+    return matches(codeOf(text, false),
+                   R"re(\b(gl[A-Z]\w+|egl[A-Z]\w+|OSMesa[A-Z]\w*|E?GL_[A-Z]\w+|)re"
+                   R"re(GL(?:u?int|enum|float|sizei|boolean|bitfield)|EGL(?:Display|Context)))re"
+                   R"re((?=\s*\(|\b))re", 0);
+}
+
+std::string firstLines(const std::string& text, int count)
+{
+    std::size_t end = 0;
+    for (int line = 0; line < count && end != std::string::npos; ++line)
+        end = text.find('\n', end == 0 ? 0 : end + 1);
+    return text.substr(0, end);
+}
+
+std::vector<std::string> configStems()
+{
+    std::vector<std::string> stems;
+    for (const fs::path& path : projectFiles({"configs"}))
+        if (path.extension() == ".json") stems.push_back(path.stem().string());
+    return stems;
+}
+
+}  // namespace
+
+TEST_CASE("the include check finds an include that points sideways or upwards")
+{
+    CHECK(wrongIncludes("core", "#include \"core/plan.h\"\n#include <vector>\n").empty());
+    CHECK(wrongIncludes("core", "#include \"backends/context.h\"\n").size() == 1);
+    CHECK(wrongIncludes("effects", "#include \"backends/context.h\"\n").size() == 1);
+    CHECK(wrongIncludes("backends", "#include \"effects/catalog.h\"\n").size() == 1);
+    CHECK(wrongIncludes("core", "#include \"plan.h\"\n").size() == 1);
+    CHECK(wrongIncludes("core", "// #include \"tools/scene.h\"\n").empty());
+    CHECK(graphicsHeaders("#include <GLES3/gl3.h>\n").size() == 1);
+    CHECK(graphicsNames("glClear(GL_COLOR_BUFFER_BIT); GLuint name; gl_VertexID;").size() == 3);
+    CHECK(graphicsNames("// glClear\nconst char* text = \"GL_ES\";").empty());
+}
+
+TEST_CASE("includes point downwards only")
+{
+    int files = 0;
+    for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools", "tests"})) {
+        if (!isCpp(path) || path.string().rfind("tests/outside/", 0) == 0) continue;
+        ++files;
+        for (const std::string& include :
+             wrongIncludes(topFolder(path), readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+            FAIL_CHECK(path.string() << " includes " << include);
+    }
+    CHECK(files > 30);
+}
+
+TEST_CASE("graphics headers are included in backends alone")
+{
+    for (const fs::path& path : projectFiles({"core", "effects", "tools", "tests"})) {
+        if (!isCpp(path)) continue;
+        for (const std::string& header :
+             graphicsHeaders(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+            FAIL_CHECK(path.string() << " includes " << header);
+    }
+}
+
+TEST_CASE("core, effects and tools name nothing of GL")
+{
+    for (const fs::path& path : projectFiles({"core", "effects", "tools"})) {
+        if (!isCpp(path)) continue;
+        for (const std::string& name : graphicsNames(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+            FAIL_CHECK(path.string() << " names " << name);
+    }
+}
+
+TEST_CASE("no library source names a config")
+{
+    const std::vector<std::string> configs = configStems();
+    CHECK(configs.size() >= 3);
+    for (const fs::path& path : projectFiles({"core", "backends", "effects"})) {
+        if (!isCpp(path)) continue;
+        const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), true);
+        for (const std::string& config : configs) {
+            INFO(path.string() << " names the config " << config);
+            CHECK(code.find('"' + config + '"') == std::string::npos);
+            CHECK(code.find(config + ".json") == std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("every source file carries the licence line")
+{
+    static const std::set<std::string> kKinds = {".h",    ".cpp",   ".cmake", ".sh",
+                                                 ".frag", ".vert",  ".glsl",  ".comp",
+                                                 ".in"};
+    for (const fs::path& path :
+         projectFiles({"core", "backends", "effects", "configs", "tools", "tests", ".ci"})) {
+        const bool listed = kKinds.count(path.extension().string()) != 0;
+        if (!listed && path.filename() != "CMakeLists.txt") continue;
+        INFO(path.string());
+        const std::string head = firstLines(readText(fs::path(CREVICE_SOURCE_DIR) / path), 2);
+        CHECK(head.find("SPDX-License-Identifier: MIT") != std::string::npos);
+    }
+}
