@@ -74,7 +74,7 @@ struct Frame {
     std::vector<DrawItem> draws;
     std::vector<Material> materials;
     std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
-    glm::vec3 ambient_light = glm::vec3(0.3f);
+    glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
 };
 

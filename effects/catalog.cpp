@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "effects/catalog.h"
+
+#include "effects/catalog_data.h"
+
+namespace crevice {
+
+const SourceSet& shippedSources()
+{
+    static const MemorySources sources = [] {
+        MemorySources filled;
+        for (const CatalogEntry& entry : catalogEntries())
+            filled.add(entry.path, std::string(entry.text, entry.size), entry.name);
+        return filled;
+    }();
+    return sources;
+}
+
+}  // namespace crevice

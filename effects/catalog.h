@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The shipped modules and configs, embedded in the library at build time.
+#pragma once
+
+#include "core/source.h"
+
+namespace crevice {
+
+/// All of effects/ by path ("ssao/hemisphere.json", "ssao/hemisphere.frag") and all of configs/ under
+/// "configs/" ("configs/learnopengl.json"). To edit them while a program runs, layer
+/// DirectorySources over this set.
+const SourceSet& shippedSources();
+
+}  // namespace crevice

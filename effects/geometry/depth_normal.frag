@@ -1,0 +1,22 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// A G-buffer without positions: depth is kept and the position rebuilt from it.
+//
+//   normal  view space, stored as n * 0.5 + 0.5; alpha 1 on a surface, 0 (the clear value) elsewhere
+//   albedo  linear colour; alpha is the strength of the highlight
+precision highp float;
+
+#include "geometry/material.glsl"
+
+in vec3 point;
+in vec3 facing;
+in vec2 uv;
+
+layout(location = 0) out vec4 normal;
+layout(location = 1) out vec4 albedo;
+
+void main()
+{
+    albedo = materialAlbedo(uv);
+    normal = vec4(seenNormal(point, facing) * 0.5 + 0.5, 1.0);
+}

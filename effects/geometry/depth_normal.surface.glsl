@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Interface `surface`, from depth and stored normals; works for any projection.
+//
+// A shader that needs no normals defines SURFACE_WITHOUT_NORMAL before it includes this, so that a plan
+// sees that nobody reads them.
+
+#include "common/view_space.glsl"
+
+uniform highp sampler2D depth;
+
+// View depth that stands for the background: behind everything.
+const highp float kBackgroundZ = -1e30;
+
+// The point in view space of the texel at uv; false in the background, which the clear left at 1.
+bool pointAt(highp vec2 at, out highp vec3 point)
+{
+    highp vec2 size = vec2(textureSize(depth, 0));
+    highp vec2 texel = min(floor(at * size), size - 1.0);
+    highp float stored = texelFetch(depth, ivec2(texel), 0).r;
+    point = viewFromWindow((texel + 0.5) / size, stored);
+    return stored < 1.0;
+}
+
+// View-space z of the texel at uv; kBackgroundZ in the background.
+highp float viewZAt(highp vec2 at)
+{
+    highp vec3 point;
+    return pointAt(at, point) ? point.z : kBackgroundZ;
+}
+
+#ifndef SURFACE_WITHOUT_NORMAL
+uniform mediump sampler2D normal;
+
+// The unit normal in view space at uv, towards the camera's side.
+highp vec3 normalAt(highp vec2 at)
+{
+    return normalize(texture(normal, at).xyz * 2.0 - 1.0);
+}
+#endif

@@ -1,0 +1,47 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Ambient occlusion by counting offsets, in the hemisphere over the surface, that lie behind what the
+// camera sees.
+//
+//   surface         interface: point and normal in view space
+//   kernel          SAMPLES offsets in the unit hemisphere about +z
+//   rotation_noise  a tile of unit vectors, one rotation about the normal a pixel
+//   ao              visibility, 1 open .. 0 blocked; 1 in the background
+//
+// [Filion, McNaughton 2008, "StarCraft II: Effects & Techniques"; Chapman 2013, "SSAO Tutorial"]
+precision highp float;  // positions and depths; mediump bands
+
+#include "common/tangent_frame.glsl"
+#include "common/view_space.glsl"
+#include <surface>
+#include "ssao/occlusion_curve.glsl"
+#include "ssao/range_check.glsl"
+
+uniform vec3 kernel[SAMPLES];
+uniform mediump sampler2D rotation_noise;
+uniform float radius;
+uniform float bias;
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+void main()
+{
+    vec3 origin;
+    if (!pointAt(uv, origin)) {
+        ao = 1.0;
+        return;
+    }
+    vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
+    mat3 view_from_kernel = rotatedFrame(normalAt(uv), rotation);
+
+    float occlusion = 0.0;
+    for (int i = 0; i < SAMPLES; ++i) {
+        vec3 probe = origin + view_from_kernel * kernel[i] * radius;
+        vec2 at;
+        if (!uvFromView(probe, at)) continue;
+        float seen_z = viewZAt(at);
+        if (seen_z >= probe.z + bias) occlusion += rangeWeight(origin.z - seen_z, radius);
+    }
+    ao = visibilityOf(occlusion / float(SAMPLES));
+}

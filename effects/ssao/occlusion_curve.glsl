@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// From the occluded share of the samples to the visibility that is stored.
+
+uniform highp float intensity;
+uniform highp float power;
+
+// 1 open .. 0 blocked; `occlusion` in 0..1.
+highp float visibilityOf(highp float occlusion)
+{
+    return pow(clamp(1.0 - intensity * occlusion, 0.0, 1.0), power);
+}

@@ -1,0 +1,41 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Ambient occlusion by counting offsets, all round a point, that lie behind what the camera sees.
+// Half of them are inside the surface, so that a flat wall is grey: the method's own look.
+//
+//   surface  interface: point in view space; normals are not read
+//   kernel   SAMPLES offsets, the same for each pixel
+//   ao       visibility, 1 open .. 0 blocked; 1 in the background
+//
+// [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45]
+precision highp float;  // positions and depths; mediump bands
+
+#define SURFACE_WITHOUT_NORMAL
+#include "common/view_space.glsl"
+#include <surface>
+#include "ssao/occlusion_curve.glsl"
+#include "ssao/range_check.glsl"
+
+uniform vec3 kernel[SAMPLES];
+uniform float radius;
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+void main()
+{
+    vec3 origin;
+    if (!pointAt(uv, origin)) {
+        ao = 1.0;
+        return;
+    }
+    float occlusion = 0.0;
+    for (int i = 0; i < SAMPLES; ++i) {
+        vec3 probe = origin + kernel[i] * radius;
+        vec2 at;
+        if (!uvFromView(probe, at)) continue;
+        float seen_z = viewZAt(at);
+        if (seen_z >= probe.z) occlusion += rangeWeight(origin.z - seen_z, radius);
+    }
+    ao = visibilityOf(occlusion / float(SAMPLES));
+}
