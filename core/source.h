@@ -16,6 +16,7 @@ namespace crevice {
 struct SourceText {
     std::string name;
     std::string text;
+    std::string path = {};  ///< Its path in the SourceSet it came from; empty for a file on disk.
 };
 
 using SourceRef = std::shared_ptr<const SourceText>;
@@ -80,7 +81,8 @@ private:
 
 /// `path` seen from the folder of `from`: ("configs/a.json", "./b.frag") gives "configs/b.frag".
 /// A path that does not begin with "./" or "../" is returned as it is. Empty when it would climb
-/// above the root of a catalog path; a path on disk may climb as far as it likes.
+/// above the root of a catalog path; a path on disk, which is one that begins with '/', "./" or
+/// "../", may climb as far as it likes.
 std::string resolvePath(std::string_view from, std::string_view path);
 
 /// Reads a whole file. Null when it cannot be read.

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Diagnostics as text and as JSON, and the search for the name that was meant.
+#include "core/diagnostic.h"
+
+#include "core/text.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace crevice {
+
+namespace {
+
+constexpr std::size_t kMaxExcerpt = 160;  // bytes of a source line; more wraps in any terminal
+constexpr std::size_t kExcerptLead = 50;  // bytes kept in front of the place when a line is cut
+
+std::string_view lineOf(std::string_view text, int line)
+{
+    for (int at = 1; at < line; ++at) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    return text;
+}
+
+// A line ready to be shown, and where in it the underlined bytes are.
+struct Excerpt {
+    std::string_view line;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    bool cut_before = false;
+    bool cut_after = false;
+};
+
+Excerpt cutExcerpt(const Place& place)
+{
+    Excerpt cut;
+    cut.line = lineOf(place.source->text, place.line);
+    cut.begin = std::min<std::size_t>(std::max(place.column - 1, 0), cut.line.size());
+    if (cut.line.size() > kMaxExcerpt) {
+        std::size_t skipped = cut.begin > kExcerptLead ? cut.begin - kExcerptLead : 0;
+        skipped = utf8Prefix(cut.line, skipped).size();
+        cut.line.remove_prefix(skipped);
+        cut.begin -= skipped;
+        cut.cut_before = skipped > 0;
+        cut.cut_after = cut.line.size() > kMaxExcerpt;
+        cut.line = utf8Prefix(cut.line, kMaxExcerpt);
+    }
+    cut.end = std::min(cut.begin + static_cast<std::size_t>(std::max(place.length, 1)),
+                       cut.line.size());
+    return cut;
+}
+
+// The source line with a line below that marks the place: one column for each character, so that
+// the marks stay below it, and tabs as tabs. Bytes that would upset a terminal become '?'.
+void appendExcerpt(std::string& out, const Place& place)
+{
+    const Excerpt cut = cutExcerpt(place);
+    std::string shown = cut.cut_before ? "..." : "";
+    std::string marks(shown.size(), ' ');
+    bool marked = false;
+    for (std::size_t at = 0; at < cut.line.size();) {
+        const std::size_t length = utf8Length(cut.line, at);
+        const bool tab = cut.line[at] == '\t';
+        const bool printable = tab || static_cast<unsigned char>(cut.line[at]) >= 32;
+        shown += length > 0 && printable ? cut.line.substr(at, length) : "?";
+        if (at < cut.begin) marks += tab ? '\t' : ' ';
+        else if (at < cut.end) marks += marked ? '~' : '^';
+        marked = at >= cut.begin;
+        at += std::max<std::size_t>(length, 1);
+    }
+    if (!marked) marks += '^';  // the place is the end of the line
+    if (cut.cut_after) shown += "...";
+
+    char margin[24];
+    const int width = std::snprintf(margin, sizeof(margin), "%5d", place.line);
+    out += margin + (" | " + shown) + '\n';
+    if (place.column > 0) out += std::string(width, ' ') + " | " + marks + '\n';
+}
+
+// A name between quotes in a help line.
+std::string quoted(std::string_view name)
+{
+    return '\'' + std::string(name) + '\'';
+}
+
+char lowered(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string lowered(std::string_view text)
+{
+    std::string out;
+    for (const char c : text) out += lowered(c);
+    return out;
+}
+
+// Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b` (the
+// optimal string alignment distance).
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> two_up, up, row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        two_up = std::move(up);
+        up = row;
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = up[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({up[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], two_up[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name
+// and the last part of a path ("hemisphere" for "ssao/hemisphere") count as just near enough.
+std::size_t nameDistance(const std::string& written, const std::string& candidate,
+                         std::size_t limit)
+{
+    const bool beginning = written.size() > 1 && candidate.compare(0, written.size(), written) == 0;
+    const std::size_t slash = candidate.rfind('/');
+    const bool last_part = slash != std::string::npos && candidate.substr(slash + 1) == written;
+    const std::size_t far = beginning || last_part ? limit : limit + 1;
+    const std::size_t longer = std::max(written.size(), candidate.size());
+    const std::size_t shorter = std::min(written.size(), candidate.size());
+    if (longer - shorter > limit || longer > 64) return far;
+    return std::min(far, editDistance(written, candidate));
+}
+
+const std::string* nearestName(std::string_view name, const std::vector<std::string>& names)
+{
+    const std::string written = lowered(name);
+    const std::size_t limit = std::max<std::size_t>(1, written.size() / 3);
+    const std::string* nearest = nullptr;
+    std::size_t smallest = limit + 1;
+    for (const std::string& candidate : names) {
+        const std::size_t distance = nameDistance(written, lowered(candidate), limit);
+        if (distance < smallest) {
+            smallest = distance;
+            nearest = &candidate;
+        }
+    }
+    return nearest;
+}
+
+std::string jsonPlace(const Place& place)
+{
+    const std::string file = place.source ? jsonString(place.source->name) : "null";
+    return "\"file\": " + file + ", \"line\": " + std::to_string(place.line) + ", \"column\": " +
+           std::to_string(place.column) + ", \"length\": " + std::to_string(place.length);
+}
+
+const char* severityName(Severity severity)
+{
+    return severity == Severity::error ? "error" : "warning";
+}
+
+std::string jsonDiagnostic(const Diagnostic& diagnostic)
+{
+    std::string notes;
+    for (const Note& note : diagnostic.notes) {
+        if (!notes.empty()) notes += ", ";
+        notes += "{" + jsonPlace(note.place) + ", \"text\": " + jsonString(note.text) + "}";
+    }
+    return "{\"code\": " + jsonString(codeName(diagnostic.code)) +
+           ", \"severity\": " + jsonString(severityName(diagnostic.severity)) +
+           ", \"message\": " + jsonString(diagnostic.message) + ", " + jsonPlace(diagnostic.place) +
+           ", \"pointer\": " + jsonString(diagnostic.pointer) + ", \"notes\": [" + notes +
+           "], \"help\": " + jsonString(diagnostic.help) + "}";
+}
+
+}  // namespace
+
+bool hasErrors(const Diagnostics& diagnostics)
+{
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::string codeName(Code code)
+{
+    char name[16];
+    std::snprintf(name, sizeof(name), "CV%04d", static_cast<int>(code));
+    return name;
+}
+
+std::string placeName(const Place& place)
+{
+    if (!place.source) return {};
+    std::string name = place.source->name;
+    if (place.line > 0) name += ':' + std::to_string(place.line);
+    if (place.line > 0 && place.column > 0) name += ':' + std::to_string(place.column);
+    return name;
+}
+
+std::string toText(const Diagnostic& diagnostic)
+{
+    const std::string place = placeName(diagnostic.place);
+    std::string out = place.empty() ? "" : place + ": ";
+    out += std::string(severityName(diagnostic.severity)) + ' ' + codeName(diagnostic.code) + ": " +
+           diagnostic.message + '\n';
+    if (diagnostic.place.source && diagnostic.place.line > 0) appendExcerpt(out, diagnostic.place);
+    if (!diagnostic.pointer.empty()) out += "  at " + diagnostic.pointer + '\n';
+    for (const Note& note : diagnostic.notes) {
+        const std::string where = placeName(note.place);
+        out += "  note: " + (where.empty() ? "" : where + ": ") + note.text + '\n';
+    }
+    if (!diagnostic.help.empty()) out += "  help: " + diagnostic.help + '\n';
+    return out;
+}
+
+std::string toText(const Diagnostics& diagnostics)
+{
+    std::string out;
+    for (const Diagnostic& diagnostic : diagnostics) out += toText(diagnostic);
+    return out;
+}
+
+std::string toJson(const Diagnostics& diagnostics)
+{
+    std::string out = "[";
+    for (const Diagnostic& diagnostic : diagnostics) {
+        if (out.size() > 1) out += ",";
+        out += "\n  " + jsonDiagnostic(diagnostic);
+    }
+    return out + (diagnostics.empty() ? "]\n" : "\n]\n");
+}
+
+std::string suggestName(std::string_view name, std::vector<std::string> names,
+                        std::string_view what)
+{
+    constexpr std::size_t kMaxListed = 12;  // about two lines of a terminal
+    if (names.empty()) return "there are no " + std::string(what);
+    std::sort(names.begin(), names.end());
+    const std::string* nearest = nearestName(name, names);
+    std::string help = nearest ? "did you mean " + quoted(*nearest) + "? " : "";
+    help += std::string(what) + ": ";
+    for (std::size_t i = 0; i < std::min(names.size(), kMaxListed); ++i)
+        help += (i > 0 ? ", " : "") + names[i];
+    return names.size() > kMaxListed ? help + ", ..." : help;
+}
+
+}  // namespace crevice

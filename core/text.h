@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Small helpers for text that messages and documents share.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace crevice {
+
+/// Bytes of the UTF-8 character that begins at `at`, 1 to 4; 0 when the bytes there are none
+/// (overlong forms, surrogates and code points above U+10FFFF included). Requires at < text.size().
+std::size_t utf8Length(std::string_view text, std::size_t at);
+
+/// The first `bytes` of `text`, fewer where a character would be cut in two.
+std::string_view utf8Prefix(std::string_view text, std::size_t bytes);
+
+/// `text` as a JSON string in double quotes. Bytes that are not UTF-8 become U+FFFD.
+std::string jsonString(std::string_view text);
+
+/// The RFC 6901 pointer of the member `key` of what `parent` points at: ("/passes", "a/b") gives
+/// "/passes/a~1b".
+std::string memberPointer(std::string_view parent, std::string_view key);
+
+}  // namespace crevice
