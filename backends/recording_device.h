@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A device that draws nothing: it keeps a log of every call and watches how it is called.
+//
+// Most tests run on it. It knows what a picture-making device cannot tell: which calls came in an
+// order that makes no sense, which textures were read before anything was in them, what was never
+// destroyed. It can also fail on demand, as a device without memory would.
+#pragma once
+
+#include "core/device.h"
+
+#include <array>
+#include <deque>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crevice {
+
+/// A device that can do everything: all formats, 16384 pixels a side, 8 attachments.
+DeviceCaps generousCaps();
+
+/// 32-bit words in one uniform of that type.
+int uniformWords(GlslType type);
+
+class RecordingDevice : public Device {
+public:
+    explicit RecordingDevice(DeviceCaps caps = generousCaps());
+
+    /// The calls so far, one line each, by the labels of the objects:
+    ///
+    ///     beginPass ssao 256x144 color0 discard store
+    ///     setTexture normal unit 1 <- texture 'normal' nearest clamp
+    ///     setUniform radius 0.5
+    ///     draw mesh 'bunny' 0..300
+    ///
+    /// A uniform's values past the sixteenth are left out; `lastUniform` has them.
+    std::string log() const;
+
+    /// Forgets the calls but keeps the memory, so that a steady frame allocates nothing.
+    void clearLog();
+
+    /// The values of the last setUniform for that name in the log; empty when there is none.
+    std::vector<float> lastUniform(std::string_view name) const;
+
+    /// What callers did wrong, one sentence each. A test that draws asserts that it is empty.
+    const std::vector<std::string>& misuse() const { return misuse_; }
+
+    /// Makes the n-th coming call that creates or fills an object fail with CV6009; 0 makes none.
+    void failAt(int n) { fail_in_ = n; }
+
+    /// Calls so far that created or filled an object, or failed to.
+    int attempts() const { return attempts_; }
+
+    /// Objects that exist: of one kind, or all.
+    int live(ObjectId::Kind kind) const;
+    int live() const;
+
+    const DeviceCaps& caps() const override { return caps_; }
+    Result<TextureId> createTexture(const TextureDesc& desc) override;
+    Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
+    Result<ProgramId> createProgram(const ProgramDesc& desc) override;
+    Result<MeshId> createMesh(const MeshDesc& desc) override;
+    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    void destroy(ObjectId id) override;
+    Status writeTexture(TextureId id, const Image& image) override;
+
+    /// What writeTexture put there, or zeros.
+    Result<Image> readTexture(TextureId id) override;
+
+    /// Every uniform that the program's stages declare, in the order of the text.
+    const std::vector<UniformInfo>& uniforms(ProgramId id) const override;
+
+    void beginFrame() override;
+    Status endFrame() override;
+    void beginPass(const PassInfo& pass) override;
+    void endPass() override;
+    void setProgram(ProgramId id, const StateDesc& state) override;
+    void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) override;
+    void setUniform(int location, GlslType type, int count, const void* data) override;
+    void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
+    void drawFullscreen() override;
+    void present(TextureId id, const HostFramebuffer& host) override;
+    void finish() override;
+
+private:
+    enum class Call {
+        create_texture, create_framebuffer, create_program, create_mesh, adopt_texture, destroy,
+        write_texture, read_texture, begin_frame, end_frame, begin_pass, end_pass, set_program,
+        set_texture, set_uniform, draw, draw_fullscreen, present, finish,
+    };
+
+    /// One call; what it was given beyond the object lies in `words_`.
+    struct Record {
+        Call call;
+        std::uint32_t object;
+        std::uint32_t program;  // the running one
+        std::size_t words;
+    };
+
+    struct Object {
+        ObjectId::Kind kind;
+        std::string label;
+        bool alive = true;
+        TextureDesc texture = {};
+        bool defined = false;  // something is in the texture
+        Image image = {};
+        FramebufferDesc framebuffer = {};
+        std::vector<UniformInfo> uniforms = {};
+        std::vector<bool> uniform_set = {};  // a sampler's lasts for one setProgram
+        std::uint32_t index_count = 0;
+    };
+
+    void record(Call call, std::uint32_t object = 0, std::initializer_list<std::uint32_t> words = {});
+    void blame(std::string what);
+    bool failsNow(Diagnostics& errors, const std::string& what);
+    std::uint32_t add(Object object, Call call);
+    Object* find(ObjectId id, const char* caller);
+    int uniformAt(int location, const char* caller);
+    bool attached(std::uint32_t texture) const;
+    void checkPass(const PassInfo& pass);
+    void loadAttachment(TextureId id, LoadOp load);
+    void checkDraw(const char* caller);
+    std::string label(std::uint32_t object) const;
+    const UniformInfo* uniformOf(const Record& call) const;
+    std::vector<float> values(const Record& call) const;
+    std::string uniformText(const Record& call) const;
+    std::string createdText(const Object& object) const;
+    std::string arguments(const Record& call) const;
+
+    DeviceCaps caps_;
+    std::deque<Object> objects_;  // by id - 1; ids are never used again
+    std::vector<Record> records_;
+    std::vector<std::uint32_t> words_;
+    std::vector<PassInfo> passes_;  // those in the log
+    std::set<std::string, std::less<>> pass_labels_;
+    std::vector<std::string> misuse_;
+    PassInfo pass_ = {};  // the one that runs
+    std::uint32_t program_ = 0;
+    bool in_frame_ = false;
+    bool in_pass_ = false;
+    bool drawn_ = false;  // something, in this pass
+    int fail_in_ = 0;
+    int attempts_ = 0;
+};
+
+}  // namespace crevice

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The recording device inside a frame: what is drawn in which order, and with which content.
+#include "backends/recording_device.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace crevice {
+
+void RecordingDevice::beginFrame()
+{
+    if (in_frame_) blame("beginFrame inside a frame");
+    in_frame_ = true;
+    record(Call::begin_frame);
+}
+
+Status RecordingDevice::endFrame()
+{
+    if (!in_frame_ || in_pass_) blame("endFrame without beginFrame, or inside a pass");
+    in_frame_ = false;
+    record(Call::end_frame);
+    return {};
+}
+
+/// Whether the running pass draws into that texture.
+bool RecordingDevice::attached(std::uint32_t texture) const
+{
+    const FramebufferDesc& desc = objects_[pass_.framebuffer.value - 1].framebuffer;
+    const auto is = [&](TextureId id) { return id.value == texture; };
+    return is(desc.depth) || std::any_of(desc.color.begin(), desc.color.end(), is);
+}
+
+void RecordingDevice::loadAttachment(TextureId id, LoadOp load)
+{
+    Object* texture = id ? find(id, "beginPass") : nullptr;
+    if (!texture) return;
+    if (texture->texture.extent != pass_.extent)
+        blame("pass '" + std::string(pass_.label) + "' has another size than texture '" +
+              texture->label + "'");
+    if (load == LoadOp::load && !texture->defined)
+        blame("pass '" + std::string(pass_.label) + "' loads texture '" + texture->label +
+              "', with undefined content");
+    if (load == LoadOp::clear) texture->defined = true;
+    if (load == LoadOp::discard) texture->defined = false;
+}
+
+void RecordingDevice::beginPass(const PassInfo& pass)
+{
+    auto name = pass_labels_.find(std::string_view(pass.label));
+    if (name == pass_labels_.end()) name = pass_labels_.emplace(pass.label).first;
+    pass_ = pass;
+    pass_.label = name->c_str();
+    record(Call::begin_pass, pass.framebuffer.value, {static_cast<std::uint32_t>(passes_.size())});
+    passes_.push_back(pass_);
+
+    if (!in_frame_ || in_pass_) blame("beginPass outside a frame, or inside a pass");
+    const Object* framebuffer = find(pass.framebuffer, "beginPass");
+    if (!framebuffer) return;
+    in_pass_ = true;
+    drawn_ = false;
+    program_ = 0;
+    const FramebufferDesc& desc = framebuffer->framebuffer;
+    if (pass.color_count != static_cast<int>(desc.color.size()) ||
+        pass.has_depth != static_cast<bool>(desc.depth))
+        blame("pass '" + std::string(pass.label) + "' has other attachments than its framebuffer");
+    const int count = std::min(pass.color_count, static_cast<int>(desc.color.size()));
+    for (int i = 0; i < count; ++i) loadAttachment(desc.color[i], pass.color_load[i]);
+    loadAttachment(desc.depth, pass.depth_load);
+}
+
+void RecordingDevice::endPass()
+{
+    record(Call::end_pass);
+    if (!in_pass_) return blame("endPass outside a pass");
+    in_pass_ = false;
+    const FramebufferDesc& desc = objects_[pass_.framebuffer.value - 1].framebuffer;
+    const auto storeAttachment = [&](TextureId id, StoreOp store) {
+        if (!id) return;
+        Object& texture = objects_[id.value - 1];
+        texture.defined = store == StoreOp::store && (texture.defined || drawn_);
+    };
+    for (std::size_t i = 0; i < desc.color.size(); ++i)
+        storeAttachment(desc.color[i], pass_.color_store[i]);
+    storeAttachment(desc.depth, pass_.depth_store);
+}
+
+void RecordingDevice::setProgram(ProgramId id, const StateDesc& state)
+{
+    record(Call::set_program, id.value,
+           {static_cast<std::uint32_t>(state.depth_test), state.depth_write ? 1u : 0u,
+            static_cast<std::uint32_t>(state.cull), static_cast<std::uint32_t>(state.blend)});
+    if (!in_pass_) blame("setProgram outside a pass");
+    Object* program = find(id, "setProgram");
+    program_ = program ? id.value : 0;
+    if (!program) return;
+    for (std::size_t i = 0; i < program->uniforms.size(); ++i)
+        if (isSampler(program->uniforms[i].type)) program->uniform_set[i] = false;
+}
+
+/// The index of the running program's uniform at that location, or -1.
+int RecordingDevice::uniformAt(int location, const char* caller)
+{
+    if (program_ == 0) {
+        blame(std::string(caller) + " without a program");
+        return -1;
+    }
+    const Object& program = objects_[program_ - 1];
+    for (std::size_t i = 0; i < program.uniforms.size(); ++i)
+        if (program.uniforms[i].location == location) return static_cast<int>(i);
+    blame(std::string(caller) + " at a location that program '" + program.label +
+          "' does not have");
+    return -1;
+}
+
+void RecordingDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler)
+{
+    record(Call::set_texture, id.value,
+           {static_cast<std::uint32_t>(location), static_cast<std::uint32_t>(unit),
+            static_cast<std::uint32_t>(sampler.filter), static_cast<std::uint32_t>(sampler.wrap)});
+    const int index = uniformAt(location, "setTexture");
+    const Object* texture = find(id, "setTexture");
+    if (index < 0 || !texture) return;
+    Object& program = objects_[program_ - 1];
+    const UniformInfo& uniform = program.uniforms[index];
+    program.uniform_set[index] = true;
+    const auto blameSampler = [&](const std::string& what) {
+        blame("sampler '" + uniform.name + "' of program '" + program.label + "' " + what);
+    };
+    if (!isSampler(uniform.type)) blameSampler("is not a sampler");
+    if (unit < 0 || unit >= caps_.max_texture_units) blameSampler("gets a unit that is not there");
+    if (!texture->defined)
+        blameSampler("reads texture '" + texture->label + "', with undefined content");
+    if (in_pass_ && attached(id.value))
+        blameSampler("reads texture '" + texture->label + "', which the pass draws into");
+}
+
+void RecordingDevice::setUniform(int location, GlslType type, int count, const void* data)
+{
+    record(Call::set_uniform, 0,
+           {static_cast<std::uint32_t>(location), static_cast<std::uint32_t>(type),
+            static_cast<std::uint32_t>(count)});
+    const std::size_t size = static_cast<std::size_t>(std::max(count, 0)) * uniformWords(type);
+    words_.resize(words_.size() + size);
+    if (size) std::memcpy(words_.data() + words_.size() - size, data, size * sizeof(words_[0]));
+
+    const int index = uniformAt(location, "setUniform");
+    if (index < 0) return;
+    Object& program = objects_[program_ - 1];
+    const UniformInfo& uniform = program.uniforms[index];
+    program.uniform_set[index] = true;
+    if (uniform.type != type || count < 1 || count > uniform.count)
+        blame("uniform '" + uniform.name + "' of program '" + program.label +
+              "' gets another type or more values than it has");
+}
+
+void RecordingDevice::checkDraw(const char* caller)
+{
+    drawn_ = true;
+    if (!in_pass_ || program_ == 0)
+        return blame(std::string(caller) + " outside a pass, or without a program");
+    const Object& program = objects_[program_ - 1];
+    for (std::size_t i = 0; i < program.uniforms.size(); ++i)
+        if (!program.uniform_set[i])
+            blame("uniform '" + program.uniforms[i].name + "' of program '" + program.label +
+                  "' was never set");
+}
+
+void RecordingDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
+{
+    record(Call::draw, id.value, {first, count});
+    const Object* mesh = find(id, "draw");
+    if (mesh && std::uint64_t{first} + count > mesh->index_count)
+        blame("mesh '" + mesh->label + "' is drawn past its last index");
+    checkDraw("draw");
+}
+
+void RecordingDevice::drawFullscreen()
+{
+    record(Call::draw_fullscreen);
+    checkDraw("drawFullscreen");
+}
+
+void RecordingDevice::present(TextureId id, const HostFramebuffer& host)
+{
+    record(Call::present, id.value,
+           {host.name, static_cast<std::uint32_t>(host.x), static_cast<std::uint32_t>(host.y),
+            static_cast<std::uint32_t>(host.extent.width),
+            static_cast<std::uint32_t>(host.extent.height)});
+    if (in_pass_) blame("present inside a pass");
+    const Object* texture = find(id, "present");
+    if (texture && !texture->defined)
+        blame("texture '" + texture->label + "' is presented, with undefined content");
+}
+
+void RecordingDevice::finish() { record(Call::finish); }
+
+}  // namespace crevice
