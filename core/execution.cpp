@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Running a prepared plan: no allocation, no creation, no decision that could be made before.
+#include "core/execution.h"
+
+namespace crevice {
+namespace {
+
+TextureId findTexture(const std::vector<ImportedTexture>& textures, std::string_view name)
+{
+    for (const ImportedTexture& texture : textures)
+        if (texture.name == name) return texture.texture;
+    return {};
+}
+
+Diagnostic missing(const ImportDesc& import)
+{
+    Diagnostic error{Code::missing_import,
+                     "the frame has no texture for import '" + import.name + "'"};
+    error.place = import.place;
+    error.pointer = import.pointer;
+    error.help = "add one of that name to Frame::textures, or make the import optional";
+    return error;
+}
+
+}  // namespace
+
+Status Execution::setImports(const std::vector<ImportedTexture>& textures)
+{
+    for (const ImportDesc& import : plan_.imports)
+        if (import.type == ImportType::texture && !import.optional &&
+            !findTexture(textures, import.name)) return missing(import);
+    for (PreparedPass& pass : passes_) {
+        for (TextureBinding& binding : pass.textures) {
+            if (binding.import < 0) continue;
+            const TextureId texture = findTexture(textures, plan_.imports[binding.import].name);
+            binding.texture = texture ? texture : black_.id();
+        }
+    }
+    return {};
+}
+
+Status Execution::run(const Frame& frame)
+{
+    const CameraMatrices camera = cameraMatrices(frame.camera);
+    values_.setFrame(frame, camera);
+    device_.beginFrame();
+    for (const PreparedPass& pass : passes_) runPass(pass, frame, camera);
+    return device_.endFrame();
+}
+
+void Execution::runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
+{
+    values_.setViewport(pass.info.extent);
+    device_.beginPass(pass.info);
+    device_.setProgram(pass.program, pass.state);
+    setTextures(pass.textures);
+    setUniforms(pass.uniforms);
+    if (pass.type == PassType::draw)
+        runDraws(pass, frame, camera);
+    else
+        device_.drawFullscreen();
+    device_.endPass();
+}
+
+void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
+{
+    for (const DrawItem& item : frame.draws) {
+        if (item.count == 0) continue;
+        const Material& material = frame.materials[item.material];
+        values_.setDraw(item, material, camera);
+        setUniforms(pass.draw_uniforms);
+        const TextureId map = material.base_color_map ? material.base_color_map : white_.id();
+        for (const TextureBinding& binding : pass.material_textures)
+            device_.setTexture(binding.location, binding.unit, map, binding.sampling);
+        device_.draw(item.mesh, item.first, item.count);
+    }
+}
+
+void Execution::setTextures(const std::vector<TextureBinding>& textures)
+{
+    for (const TextureBinding& binding : textures)
+        device_.setTexture(binding.location, binding.unit, binding.texture, binding.sampling);
+}
+
+void Execution::setUniforms(const std::vector<UniformBinding>& uniforms)
+{
+    for (const UniformBinding& uniform : uniforms)
+        device_.setUniform(uniform.location, uniform.type, uniform.count,
+                           values_.data(uniform.offset));
+}
+
+TextureId Execution::output(std::string_view name) const
+{
+    for (const PlanOutput& output : plan_.outputs) {
+        if (output.name != name) continue;
+        return output.constant >= 0 ? constants_[output.constant].id() : targetTexture(output.target);
+    }
+    return {};
+}
+
+}  // namespace crevice

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A plan's objects on a device, and the commands that a frame of it consists of.
+//
+// Private to the renderer. Everything that can fail or allocate happens in `create`; `run` walks
+// flat lists of prepared commands.
+#pragma once
+
+#include "core/owned.h"
+#include "core/plan.h"
+#include "core/value_table.h"
+
+#include <memory>
+#include <vector>
+
+namespace crevice {
+
+class Execution {
+public:
+    /// Makes the plan's textures, programs and framebuffers. Programs that `previous` has under the
+    /// same key are shared with it, not compiled again; it may be null and may die at any time.
+    ///
+    /// Errors: the device's; CV5003 and CV5004 where a linked program has a uniform that the plan
+    /// knows nothing of. Then nothing is left behind.
+    static Result<std::unique_ptr<Execution>> create(Device& device, const Description& description,
+                                                     Plan plan, const Execution* previous);
+
+    /// Takes the host's textures for the plan's imports. Errors: CV6010; then nothing changed.
+    Status setImports(const std::vector<ImportedTexture>& textures);
+
+    /// Draws the plan. Requires that `checkFrame` had nothing against the frame and that its
+    /// imports were set. Errors: CV6005.
+    Status run(const Frame& frame);
+
+    void setParam(const ParamDesc& param) { values_.setParam(param); }
+
+    TextureId output(std::string_view name) const;
+    const Plan& plan() const { return plan_; }
+
+private:
+    struct UniformBinding {
+        int location;
+        GlslType type;
+        int count;
+        std::size_t offset;  // in the value table
+    };
+
+    struct TextureBinding {
+        int location;
+        int unit;
+        TextureId texture;
+        SamplerDesc sampling;
+        int import = -1;  // into the plan's imports; the texture is then set a frame
+    };
+
+    struct PreparedPass {
+        PassInfo info;
+        ProgramId program;
+        StateDesc state;
+        PassType type;
+        std::vector<TextureBinding> textures;
+        std::vector<TextureBinding> material_textures;  // set for each draw
+        std::vector<UniformBinding> uniforms;
+        std::vector<UniformBinding> draw_uniforms;      // sent for each draw
+        Owned<FramebufferId> framebuffer;
+    };
+
+    Execution(Device& device, const Description& description, Plan plan);
+
+    // execution_build.cpp
+    Status build(const Execution* previous);
+    Status createTextures();
+    Status createGenerated();
+    Status createPrograms(const Execution* previous);
+    Status createPasses();
+    Status createFilled(const std::string& label, Format format, const Image& image,
+                        Owned<TextureId>& texture);
+    Status createFramebuffer(const PlanPass& pass, PreparedPass& prepared);
+    std::shared_ptr<Owned<ProgramId>> programOf(const std::string& key) const;
+    void bindUniform(const PlanPass& pass, const UniformInfo& uniform, PreparedPass& prepared,
+                     Diagnostics& errors);
+    void bindTexture(const PlanPass& pass, const PlanInput& input, int location,
+                     PreparedPass& prepared);
+    TextureId textureOf(const PlanInput& input) const;
+    TextureId targetTexture(int target) const;
+
+    // execution.cpp
+    void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
+    void runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
+    void setTextures(const std::vector<TextureBinding>& textures);
+    void setUniforms(const std::vector<UniformBinding>& uniforms);
+
+    Device& device_;
+    Plan plan_;
+    ValueTable values_;
+
+    // Destroyed from the last to the first: framebuffers before the textures that they draw into.
+    std::vector<Owned<TextureId>> textures_;
+    std::vector<Owned<TextureId>> constants_;
+    std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
+    Owned<TextureId> white_;  // for materials without a map
+    Owned<TextureId> black_;  // for optional imports that are absent
+    std::vector<std::shared_ptr<Owned<ProgramId>>> programs_;
+    std::vector<PreparedPass> passes_;
+};
+
+}  // namespace crevice

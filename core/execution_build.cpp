@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Making a plan's objects and preparing its commands.
+#include "core/execution.h"
+
+#include "core/generators.h"
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+Image pixel(float value) { return Image({1, 1}, 4, value); }
+
+bool uses(const Plan& plan, InputKind kind)
+{
+    for (const PlanPass& pass : plan.passes)
+        for (const PlanInput& input : pass.inputs)
+            if (input.kind == kind) return true;
+    return false;
+}
+
+bool declares(const GlslStage& stage, std::string_view uniform)
+{
+    return std::any_of(stage.uniforms.begin(), stage.uniforms.end(),
+                       [&](const GlslUniform& each) { return each.name == uniform; });
+}
+
+const PlanInput* inputOf(const PlanPass& pass, std::string_view sampler)
+{
+    for (const PlanInput& input : pass.inputs)
+        if (input.sampler == sampler) return &input;
+    return nullptr;
+}
+
+std::string_view valueOf(const PlanPass& pass, std::string_view glsl)
+{
+    for (const PlanUniform& renamed : pass.renamed_uniforms)
+        if (renamed.glsl == glsl) return renamed.value;
+    return glsl;
+}
+
+PassInfo passInfo(const PlanPass& pass)
+{
+    PassInfo info;
+    info.label = pass.name.c_str();
+    info.extent = pass.extent;
+    info.color_count = static_cast<int>(pass.color.size());
+    for (int i = 0; i < info.color_count; ++i) {
+        const PlanAttachment& color = pass.color[i];
+        info.color_load[i] = color.load;
+        info.color_store[i] = color.store;
+        std::copy(color.clear.begin(), color.clear.end(), info.clear_color[i]);
+    }
+    info.has_depth = pass.has_depth && pass.depth.target >= 0;
+    info.depth_load = pass.depth.load;
+    info.depth_store = pass.depth.store;
+    info.clear_depth = pass.depth.clear[0];
+    return info;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Execution>> Execution::create(Device& device, const Description& description,
+                                                     Plan plan, const Execution* previous)
+{
+    std::unique_ptr<Execution> execution(new Execution(device, description, std::move(plan)));
+    if (Status status = execution->build(previous); !status) return status.diagnostics();
+    return execution;
+}
+
+Execution::Execution(Device& device, const Description& description, Plan plan)
+    : device_(device), plan_(std::move(plan)), values_(description.params)
+{
+}
+
+Status Execution::build(const Execution* previous)
+{
+    Status status = createTextures();
+    if (status) status = createGenerated();
+    if (status) status = createPrograms(previous);
+    if (status) status = createPasses();
+    return status;
+}
+
+Status Execution::createTextures()
+{
+    for (const PlanTexture& texture : plan_.textures) {
+        const std::string label = texture.targets.empty() ? "unused" : texture.targets.front();
+        Result<TextureId> id =
+            device_.createTexture({label, texture.format, texture.extent, texture.mips});
+        if (!id) return id.diagnostics();
+        textures_.emplace_back(device_, *id);
+    }
+    for (const PlanConstant& constant : plan_.constants) {
+        constants_.emplace_back();
+        if (Status status = createFilled("constant", Format::rgba8, pixel(constant.value),
+                                         constants_.back()); !status) return status;
+    }
+    Status status;
+    if (uses(plan_, InputKind::material))
+        status = createFilled("white", Format::rgba8, pixel(1.0f), white_);
+    if (status && uses(plan_, InputKind::imported))
+        status = createFilled("black", Format::rgba8, pixel(0.0f), black_);
+    return status;
+}
+
+/// Creates a texture and writes the image into it.
+Status Execution::createFilled(const std::string& label, Format format, const Image& image,
+                               Owned<TextureId>& texture)
+{
+    Result<TextureId> id = device_.createTexture({label, format, image.extent, 1});
+    if (!id) return id.diagnostics();
+    texture = Owned<TextureId>(device_, *id);
+    return device_.writeTexture(*id, image);
+}
+
+Status Execution::createGenerated()
+{
+    for (const GeneratedDesc& generated : plan_.generated) {
+        generated_.emplace_back();
+        if (!generatesTexture(generated.generator)) {
+            if (Status status = values_.addKernel(generated); !status) return status;
+            continue;
+        }
+        Result<Image> noise = makeRotationNoise(generated.count, generated.seed);
+        if (!noise) return noise.diagnostics();
+        // Half floats: every OpenGL ES 3.0 device samples and filters them, and -1 to 1 fits.
+        if (Status status = createFilled(generated.name, Format::rgba16f, *noise,
+                                         generated_.back()); !status) return status;
+    }
+    return {};
+}
+
+Status Execution::createPrograms(const Execution* previous)
+{
+    for (const PlanProgram& program : plan_.programs) {
+        programs_.push_back(previous ? previous->programOf(program.key) : nullptr);
+        if (programs_.back()) continue;
+        Result<ProgramId> id =
+            device_.createProgram({program.label, program.vertex, program.fragment});
+        if (!id) {
+            Diagnostics errors = id.diagnostics();
+            for (Diagnostic& error : errors) {
+                error.pointer = program.pointer;
+                error.notes.push_back({program.place, "in shader '" + program.label + "'"});
+            }
+            return errors;
+        }
+        programs_.back() = std::make_shared<Owned<ProgramId>>(device_, *id);
+    }
+    return {};
+}
+
+std::shared_ptr<Owned<ProgramId>> Execution::programOf(const std::string& key) const
+{
+    for (std::size_t i = 0; i < plan_.programs.size(); ++i)
+        if (plan_.programs[i].key == key) return programs_[i];
+    return nullptr;
+}
+
+Status Execution::createPasses()
+{
+    Diagnostics errors;
+    passes_.reserve(plan_.passes.size());
+    for (const PlanPass& pass : plan_.passes) {
+        PreparedPass& prepared = passes_.emplace_back();
+        prepared.info = passInfo(pass);
+        prepared.program = programs_[pass.program]->id();
+        prepared.state = pass.state;
+        prepared.type = pass.type;
+        if (Status status = createFramebuffer(pass, prepared); !status) return status;
+        for (const UniformInfo& uniform : device_.uniforms(prepared.program))
+            bindUniform(pass, uniform, prepared, errors);
+    }
+    return errors;
+}
+
+Status Execution::createFramebuffer(const PlanPass& pass, PreparedPass& prepared)
+{
+    FramebufferDesc desc;
+    desc.label = pass.name;
+    for (const PlanAttachment& color : pass.color)
+        desc.color.push_back(targetTexture(color.target));
+    if (pass.has_depth) desc.depth = targetTexture(pass.depth.target);
+    Result<FramebufferId> id = device_.createFramebuffer(desc);
+    if (!id) return id.diagnostics();
+    prepared.framebuffer = Owned<FramebufferId>(device_, *id);
+    prepared.info.framebuffer = *id;
+    return {};
+}
+
+TextureId Execution::targetTexture(int target) const
+{
+    return target < 0 ? TextureId{} : textures_[plan_.targets[target].texture].id();
+}
+
+/// The texture behind an input; null for those that a frame brings.
+TextureId Execution::textureOf(const PlanInput& input) const
+{
+    switch (input.kind) {
+    case InputKind::target: return targetTexture(input.index);
+    case InputKind::generated: return generated_[input.index].id();
+    case InputKind::constant: return constants_[input.index].id();
+    case InputKind::imported: case InputKind::material: break;
+    }
+    return {};
+}
+
+/// Finds what feeds an active uniform. The plan was checked against a scan of the text; where the
+/// driver sees more than the scan did, the uniform would silently stay 0.
+void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
+                            PreparedPass& prepared, Diagnostics& errors)
+{
+    const PlanProgram& program = plan_.programs[pass.program];
+    const auto report = [&](Code code, const std::string& what) {
+        Diagnostic error{code, "shader '" + program.label + "' of pass '" + pass.name +
+                                   "' has uniform '" + uniform.name + "', " + what};
+        error.place = program.place;
+        error.pointer = program.pointer;
+        error.help = "declare it on a line of its own, without macros";
+        errors.push_back(std::move(error));
+    };
+    if (!declares(program.vertex, uniform.name) && !declares(program.fragment, uniform.name))
+        return report(Code::uniform_unbound, "which its text does not declare in a form known here");
+    if (isSampler(uniform.type)) {
+        const PlanInput* input = inputOf(pass, uniform.name);
+        if (!input) return report(Code::uniform_unbound, "which no texture is bound to");
+        return bindTexture(pass, *input, uniform.location, prepared);
+    }
+    const Value* value = values_.find(valueOf(pass, uniform.name));
+    if (!value) return report(Code::uniform_unbound, "which nothing supplies");
+    if (value->type != uniform.type)
+        return report(Code::uniform_type, "of type " + std::string(glslName(uniform.type)) +
+                                              ", and its value is " + glslName(value->type));
+    auto& uniforms = value->per_draw ? prepared.draw_uniforms : prepared.uniforms;
+    uniforms.push_back({uniform.location, uniform.type, std::min(uniform.count, value->count),
+                        value->offset});
+}
+
+void Execution::bindTexture(const PlanPass& pass, const PlanInput& input, int location,
+                            PreparedPass& prepared)
+{
+    TextureBinding binding;
+    binding.location = location;
+    binding.unit = static_cast<int>(&input - pass.inputs.data());
+    binding.texture = textureOf(input);
+    binding.sampling = input.sampling;
+    if (input.kind == InputKind::imported) binding.import = input.index;
+    const bool material = input.kind == InputKind::material;
+    (material ? prepared.material_textures : prepared.textures).push_back(binding);
+}
+
+}  // namespace crevice

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Checks of a frame and the matrices made of it.
+#include "core/frame_math.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+// Volume of the columns over the product of their lengths: below this a double's rounding is all
+// that keeps the matrix from being singular. Near and far planes do not matter to it.
+constexpr double kLeastVolume = 1e-14;
+
+bool finite(const float* values, int count)
+{
+    for (int i = 0; i < count; ++i)
+        if (!std::isfinite(values[i])) return false;
+    return true;
+}
+
+bool finite(const glm::mat4& matrix) { return finite(&matrix[0][0], 16); }
+bool finite(const glm::vec3& vector) { return finite(&vector[0], 3); }
+
+bool finite(const Light& light)
+{
+    return finite(light.position) && finite(light.direction) && finite(light.color) &&
+           finite(light.attenuation);
+}
+
+bool invertible(const glm::mat4& matrix)
+{
+    const glm::dmat4 columns(matrix);
+    double lengths = 1.0;
+    for (int i = 0; i < 4; ++i) lengths *= glm::length(columns[i]);
+    return std::abs(glm::determinant(columns)) > kLeastVolume * lengths &&
+           finite(glm::mat4(glm::inverse(columns)));
+}
+
+Diagnostic bad(std::string what, std::string help)
+{
+    Diagnostic diagnostic{Code::bad_input, std::move(what)};
+    diagnostic.help = std::move(help);
+    return diagnostic;
+}
+
+Status checkCamera(const Camera& camera)
+{
+    const auto check = [](const glm::mat4& matrix, const char* name) -> Status {
+        if (!finite(matrix))
+            return bad(std::string("the camera's ") + name + " is not finite",
+                       "look for a zero aspect ratio, near plane or up vector");
+        if (!invertible(matrix))
+            return bad(std::string("the camera's ") + name + " has no inverse",
+                       "near and far plane must differ, and neither width nor height be 0");
+        return {};
+    };
+    if (Status status = check(camera.clip_from_view, "clip_from_view"); !status) return status;
+    return check(camera.view_from_world, "view_from_world");
+}
+
+Diagnostic whyNotDrawable(const Frame& frame, std::size_t index)
+{
+    const DrawItem& item = frame.draws[index];
+    const std::string name = "draw " + std::to_string(index);
+    if (!item.mesh) return bad(name + " has no mesh", "create one, or set its count to 0");
+    if (!finite(item.world_from_model))
+        return bad("the matrix of " + name + " is not finite", "set its count to 0 to leave it out");
+    return bad(name + " has material " + std::to_string(item.material) + ", and the frame has " +
+                   std::to_string(frame.materials.size()) + " materials",
+               "materials count from 0");
+}
+
+bool drawable(const Frame& frame, const DrawItem& item)
+{
+    return item.mesh && finite(item.world_from_model) && item.material >= 0 &&
+           static_cast<std::size_t>(item.material) < frame.materials.size();
+}
+
+}  // namespace
+
+CameraMatrices cameraMatrices(const Camera& camera)
+{
+    const glm::dmat4 clip_from_view(camera.clip_from_view);
+    const glm::dmat4 view_from_world(camera.view_from_world);
+    return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
+            glm::inverse(view_from_world)};
+}
+
+glm::mat3 normalMatrix(const glm::dmat4& matrix)
+{
+    const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
+    glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    const double size = std::sqrt((glm::dot(cofactors[0], cofactors[0]) +
+                                   glm::dot(cofactors[1], cofactors[1]) +
+                                   glm::dot(cofactors[2], cofactors[2])) / 3.0);
+    if (!(size > 0.0)) return glm::mat3(1.0f);
+    const double sign = glm::dot(x, cofactors[0]) < 0.0 ? -1.0 : 1.0;  // of the determinant
+    return glm::mat3(cofactors * (sign / size));
+}
+
+glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)
+{
+    if (!light.directional)
+        return glm::vec4(view_from_world * glm::dvec4(glm::dvec3(light.position), 1.0));
+    const glm::dvec3 towards = -(glm::dmat3(view_from_world) * glm::dvec3(light.direction));
+    const double length = glm::length(towards);
+    return glm::vec4(length > 0.0 ? towards / length : towards, 0.0);
+}
+
+Status checkFrame(const Frame& frame)
+{
+    if (Status status = checkCamera(frame.camera); !status) return status;
+    for (std::size_t i = 0; i < frame.draws.size(); ++i)
+        if (frame.draws[i].count > 0 && !drawable(frame, frame.draws[i])) 
+            return whyNotDrawable(frame, i);
+    for (std::size_t i = 0; i < frame.lights.size(); ++i)
+        if (!finite(frame.lights[i]))
+            return bad("light " + std::to_string(i) + " is not finite", "leave it out of the list");
+    if (!finite(frame.ambient_light)) return bad("ambient_light is not finite", "0 is no light");
+    return {};
+}
+
+}  // namespace crevice

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a frame's matrices become before a shader sees them. Products and inverses are made in
+// double: a camera far from the origin would otherwise shake by the last bits of its position.
+#pragma once
+
+#include "core/frame.h"
+
+#include <glm/mat3x3.hpp>
+
+namespace crevice {
+
+/// A camera's matrices and their inverses.
+struct CameraMatrices {
+    glm::dmat4 clip_from_view;
+    glm::dmat4 view_from_clip;
+    glm::dmat4 view_from_world;
+    glm::dmat4 world_from_view;
+};
+
+/// Requires that `checkFrame` had nothing against the camera.
+CameraMatrices cameraMatrices(const Camera& camera);
+
+/// Turns normals as `matrix` turns the surface they stand on: proportional to the inverse transpose,
+/// but also right for a matrix that flattens, which has no inverse. Rotations keep their length.
+glm::mat3 normalMatrix(const glm::dmat4& matrix);
+
+/// A light in view space: (x, y, z, 1) of a point, (x, y, z, 0) towards a directional one.
+glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
+
+/// What no shader could draw: numbers that are not finite, a camera without an inverse, a draw
+/// without a mesh or with a material that is not there. Errors: CV6011.
+Status checkFrame(const Frame& frame);
+
+}  // namespace crevice

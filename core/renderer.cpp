@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// The renderer: keeps a description's plan in step with params, size and scene, and runs it.
+#include "core/renderer.h"
+
+#include "core/execution.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace crevice {
+namespace {
+
+Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
+{
+    Diagnostic error{code, param.name + " " + what};
+    error.place = param.place;
+    error.pointer = param.pointer;
+    error.help = std::move(help);
+    return error;
+}
+
+std::string rangeText(const ParamDesc& param)
+{
+    std::ostringstream text;
+    text << '[' << param.min << ", " << param.max << ']';
+    if (!param.unit.empty()) text << ' ' << param.unit;
+    return text.str();
+}
+
+std::string numberText(float value)
+{
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+bool wholeInt(float value)
+{
+    constexpr float kLimit = 2147483648.0f;  // the least float that no int holds
+    return value == std::floor(value) && value >= -kLimit && value < kLimit;
+}
+
+Status checkParam(const ParamDesc& param, const float* values, int count)
+{
+    const int components = componentCount(param.type);
+    if (count != components)
+        return paramError(Code::bad_length, param,
+                          "has " + std::to_string(components) + " components, and " +
+                              std::to_string(count) + " values were given",
+                          "give one value for each component");
+    for (int i = 0; i < count; ++i) {
+        if (!std::isfinite(values[i]))
+            return paramError(Code::not_finite, param, "must be finite", "in " + rangeText(param));
+        if (double{values[i]} < param.min || double{values[i]} > param.max)
+            return paramError(Code::out_of_range, param,
+                              numberText(values[i]) + " is outside " + rangeText(param),
+                              "give a value in that range");
+        if (param.type == ParamType::int_ && !wholeInt(values[i]))
+            return paramError(Code::out_of_range, param, numberText(values[i]) + " is no whole number",
+                              "give a whole number in " + rangeText(param));
+    }
+    return {};
+}
+
+/// Whether all components are `value`: where an identity holds.
+bool isAll(const std::array<float, 4>& values, ParamType type, float value)
+{
+    return std::all_of(values.begin(), values.begin() + componentCount(type),
+                       [&](float each) { return each == value; });
+}
+
+/// Whether a plan made with the param's present value does not hold for `next`.
+bool changesPlan(const Description& description, const ParamDesc& param,
+                 const std::array<float, 4>& next)
+{
+    if (param.bind == Bind::define) return true;
+    for (const GeneratedDesc& generated : description.generated)
+        if (generated.count_param.name == param.name) return true;
+    for (const PassDesc& pass : description.passes)
+        for (const IdentityDesc& identity : pass.identity)
+            if (identity.param.name == param.name &&
+                isAll(param.value, param.type, identity.at) != isAll(next, param.type, identity.at))
+                return true;
+    return false;
+}
+
+Diagnostic unknown(Code code, const char* what, std::string_view name,
+                   std::vector<std::string> names, const char* heading)
+{
+    Diagnostic error{code, std::string("there is no ") + what + " '" + std::string(name) + "'"};
+    error.help = suggestName(name, std::move(names), heading);
+    return error;
+}
+
+}  // namespace
+
+struct Renderer::State {
+    Device& device;
+    Description description;
+    CompileOptions options;
+    SceneTraits traits;
+    std::unique_ptr<Execution> execution = nullptr;
+
+    /// Plans and makes the objects. `previous` may be null; it is left as it is.
+    static Result<std::unique_ptr<State>> make(Device& device, Description description,
+                                               const CompileOptions& options,
+                                               const SceneTraits& traits, const State* previous);
+
+    /// Puts a new state in the place of `state`, or leaves it where that fails.
+    static Status replan(std::unique_ptr<State>& state, Description description,
+                         const CompileOptions& options);
+};
+
+auto Renderer::State::make(Device& device, Description description, const CompileOptions& options,
+                           const SceneTraits& traits, const State* previous)
+    -> Result<std::unique_ptr<State>>
+{
+    Result<Plan> plan = compile(description, traits, device.caps(), options);
+    if (!plan) return plan.diagnostics();
+    auto execution = Execution::create(device, description, std::move(*plan),
+                                       previous ? previous->execution.get() : nullptr);
+    if (!execution) return execution.diagnostics();
+    std::unique_ptr<State> state(
+        new State{device, std::move(description), options, traits, std::move(*execution)});
+    return {std::move(state), plan.diagnostics()};
+}
+
+Status Renderer::State::replan(std::unique_ptr<State>& state, Description description,
+                               const CompileOptions& options)
+{
+    auto next = make(state->device, std::move(description), options, state->traits, state.get());
+    if (next) state = std::move(*next);
+    return next.diagnostics();
+}
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description description,
+                                                   const CompileOptions& options,
+                                                   const SceneTraits& traits)
+{
+    auto state = State::make(device, std::move(description), options, traits, nullptr);
+    if (!state) return state.diagnostics();
+    std::unique_ptr<Renderer> renderer(new Renderer(std::move(*state)));
+    return {std::move(renderer), state.diagnostics()};
+}
+
+Status Renderer::render(const Frame& frame)
+{
+    if (Status status = checkFrame(frame); !status) return status;
+    const SceneTraits traits = traitsOf(frame);
+    if (traits == state_->traits) {
+        if (Status status = state_->execution->setImports(frame.textures); !status) return status;
+        return state_->execution->run(frame);
+    }
+    auto next = State::make(state_->device, state_->description, state_->options, traits,
+                            state_.get());
+    if (!next) return next.diagnostics();
+    if (Status status = (*next)->execution->setImports(frame.textures); !status) return status;
+    state_ = std::move(*next);
+    return state_->execution->run(frame);
+}
+
+Status Renderer::setParam(std::string_view name, const float* values, int count)
+{
+    std::vector<ParamDesc>& params = state_->description.params;
+    const auto param = std::find_if(params.begin(), params.end(),
+                                    [&](const ParamDesc& each) { return each.name == name; });
+    if (param == params.end())
+        return unknown(Code::unknown_param, "param", name, namesOf(params), "params");
+    if (Status status = checkParam(*param, values, count); !status) return status;
+
+    std::array<float, 4> next = param->value;
+    std::copy(values, values + count, next.begin());
+    if (next == param->value) return {};
+    if (!changesPlan(state_->description, *param, next)) {
+        param->value = next;
+        state_->execution->setParam(*param);
+        return {};
+    }
+    Description description = state_->description;
+    description.params[param - params.begin()].value = next;
+    return State::replan(state_, std::move(description), state_->options);
+}
+
+Status Renderer::setFeature(std::string_view name, std::string_view value)
+{
+    const std::vector<FeatureDesc>& features = state_->description.features;
+    const FeatureDesc* feature = findNamed(features, name);
+    if (!feature)
+        return unknown(Code::feature_missing, "feature", name, namesOf(features), "features");
+    const auto& all = feature->values;
+    const auto word = std::find(all.begin(), all.end(), value);
+    if (word == all.end())
+        return unknown(Code::feature_value, "value", value, all, feature->name.c_str());
+    const int index = static_cast<int>(word - all.begin());
+    if (index == feature->value) return {};
+    Description description = state_->description;
+    description.features[feature - features.data()].value = index;
+    return State::replan(state_, std::move(description), state_->options);
+}
+
+Status Renderer::resize(Extent extent)
+{
+    if (extent == state_->options.extent) return {};
+    CompileOptions options = state_->options;
+    options.extent = extent;
+    return State::replan(state_, state_->description, options);
+}
+
+TextureId Renderer::output(std::string_view name) const { return state_->execution->output(name); }
+const Plan& Renderer::plan() const { return state_->execution->plan(); }
+const Description& Renderer::description() const { return state_->description; }
+
+}  // namespace crevice
