@@ -11,6 +11,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace crevice {
@@ -21,7 +22,12 @@ enum class GlslType {
     mat3, mat4, sampler2d, other,
 };
 
+/// The GLSL spelling; "other" for other.
 const char* glslName(GlslType type);
+
+/// The type of that spelling; other when it is none of the above.
+GlslType glslTypeFromName(std::string_view name);
+
 bool isSampler(GlslType type);
 
 /// One `uniform` declaration.
@@ -55,7 +61,7 @@ using GlslDefines = std::map<std::string, std::string>;
 /// mentions are written, so that a shader is the same text, and the same program, whatever else a
 /// config defines. `interfaces` maps an interface's name to the path of its file.
 ///
-/// Errors: CV5005, CV5006, CV5009 with the place in the GLSL file.
+/// Errors: CV5005, CV5006, CV5009 with the place in the GLSL file; CV2104 when there is no `path`.
 Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
                                 const std::map<std::string, std::string>& interfaces,
                                 const std::string& path, const GlslDefines& defines);
