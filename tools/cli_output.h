@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the crevice command says: diagnostics, exit codes, progress.
+#pragma once
+
+#include "core/diagnostic.h"
+
+#include <string>
+
+namespace crevice {
+
+/// How the command ends; docs/command_line.md explains each.
+enum ExitCode {
+    kExitOk = 0,
+    kExitBadInput = 1,  ///< A config, scene, image or value is wrong.
+    kExitUsage = 2,     ///< The arguments cannot be understood.
+    kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
+    kExitOutput = 4,    ///< A result cannot be written.
+    kExitDiffers = 5,   ///< `compare`: over a limit that was given.
+};
+
+/// The exit code that stands for the first error; kExitOk when there are only warnings.
+int exitCodeOf(const Diagnostics& diagnostics);
+
+/// Prints to stderr as text or, for programs, to stdout as {"diagnostics": [...]}. Prints nothing for
+/// an empty list. Returns `exitCodeOf`.
+int report(const Diagnostics& diagnostics, bool json);
+
+/// Appends one list to another.
+void append(Diagnostics& all, const Diagnostics& more);
+
+/// One line on a terminal that says what long work is at; silent where stderr is no terminal. The
+/// destructor wipes the line.
+class Progress {
+public:
+    Progress();
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Names what comes next: "drawing".
+    void begin(std::string what);
+
+    /// How far it is, [0, 1]. Cheap to call often: prints only when the whole percentage changes.
+    void update(double done);
+
+    /// Wipes the line, so that something else can be printed.
+    void wipe();
+
+private:
+    std::string what_;
+    int percent_ = 0;
+    bool terminal_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// crevice explain: the plan of a config, what it leaves out and why, and where a value came from.
+#include "tools/cli_output.h"
+#include "tools/commands.h"
+#include "tools/config_options.h"
+#include "tools/explain_value.h"
+#include "tools/open_device.h"
+#include "tools/output_request.h"
+#include "tools/planning.h"
+#include "tools/scene_options.h"
+#include "tools/scene_upload.h"
+
+#include "backends/recording_device.h"
+#include "core/load.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace crevice {
+namespace {
+
+struct ExplainOptions {
+    ConfigOptions config;
+    SceneOptions scene;
+    std::string backend;
+    std::vector<std::string> outputs;
+    std::vector<std::string> keep;
+    std::string why;
+    std::string format = "text";
+};
+
+int explainValue(const ExplainOptions& options, const SourceSet& sources)
+{
+    const bool json = options.format == "json";
+    const Result<Node> document =
+        loadConfig(sources, {options.config.config, options.config.variant, options.config.overrides});
+    if (!document) return report(document.diagnostics(), json);
+    const Result<FoundValue> value = findValue(*document, options.why);
+    if (!value) return report(value.diagnostics(), json);
+    std::fputs((json ? explainJson : explainText)(*value).c_str(), stdout);
+    return kExitOk;
+}
+
+/// What the scene has; everything when none was named.
+Result<SceneTraits> sceneTraits(const SceneOptions& options)
+{
+    if (options.scene.empty()) return fullTraits();
+    const Result<SceneView> view = loadSceneView(options);
+    if (!view) return view.diagnostics();
+    RecordingDevice device;
+    const Result<UploadedScene> scene = UploadedScene::upload(device, view->scene);
+    if (!scene) return scene.diagnostics();
+    return {traitsOf(makeFrame(*scene, view->camera, view->extent)), view.diagnostics()};
+}
+
+/// What --backend's device can do; the usual device's abilities when none was named.
+Result<DeviceCaps> deviceCaps(const std::string& backend)
+{
+    if (backend.empty()) return usualCaps();
+    const Result<OpenDevice> open = openDevice(backend);
+    if (!open) return open.diagnostics();
+    return open->device->caps();
+}
+
+Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
+{
+    CompileOptions compile_options;
+    const Result<Extent> extent = parseSize(options.scene.size);
+    if (!extent) return extent.diagnostics();
+    compile_options.extent = *extent;
+    compile_options.keep = options.keep;
+    Result<Description> description = loadDescription(options.config, sources);
+    if (!description) return description.diagnostics();
+    for (const std::string& name : options.outputs) {
+        const Result<OutputSource> source = exposeOutput(*description, name);
+        if (!source) return source.diagnostics();
+        compile_options.outputs.push_back(source->output);
+    }
+    const Result<SceneTraits> traits = sceneTraits(options.scene);
+    if (!traits) return traits.diagnostics();
+    const Result<DeviceCaps> caps = deviceCaps(options.backend);
+    if (!caps) return caps.diagnostics();
+    return compile(*description, *traits, *caps, compile_options);
+}
+
+int explain(const ExplainOptions& options)
+{
+    const CheckoutSources sources(options.config.checkout);
+    if (!options.why.empty()) return explainValue(options, sources);
+    const Result<Plan> plan = makePlan(options, sources);
+    if (!plan) return report(plan.diagnostics(), options.format == "json");
+    report(plan.diagnostics(), false);
+    const std::string text = options.format == "json"      ? toJson(*plan)
+                             : options.format == "dot"     ? toDot(*plan)
+                             : options.format == "mermaid" ? toMermaid(*plan)
+                                                           : toText(*plan);
+    std::fputs(text.c_str(), stdout);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addExplainCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command = app.add_subcommand("explain", "Show what a config does, and why");
+    auto options = std::make_shared<ExplainOptions>();
+    options->scene.scene.clear();
+    command->add_option("CONFIG", options->config.config, "A shipped config's name, or a file")
+        ->required();
+    addConfigOptions(*command, options->config);
+    addSceneOptions(*command, options->scene);
+    addBackendOption(*command, options->backend);
+    const auto repeatable = [](CLI::Option* option) {
+        option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    repeatable(command->add_option("--output", options->outputs,
+                                   "Plan for this output, view or target alone; may be repeated"));
+    repeatable(command->add_option("--keep", options->keep,
+                                   "Switch off a rule that leaves things out: unread, condition, "
+                                   "identity, sharing or all; may be repeated")
+                   ->check(CLI::IsMember({"unread", "condition", "identity", "sharing", "all"})));
+    command->add_option("--why", options->why,
+                        "Tell which files set this value: a param's or feature's name, "
+                        "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");
+    command->add_option("--format", options->format, "text, json, dot or mermaid")
+        ->check(CLI::IsMember({"text", "json", "dot", "mermaid"}))
+        ->capture_default_str();
+    command->footer("Examples:\n"
+                    "  crevice explain learnopengl\n"
+                    "  crevice explain learnopengl --set intensity=0 --output ao\n"
+                    "  crevice explain my.json --why radius\n"
+                    "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
+    command->callback([options, &exit_code] { exit_code = explain(*options); });
+}
+
+}  // namespace crevice

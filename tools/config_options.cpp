@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The arguments that say which config a command works on.
+#include "tools/config_options.h"
+
+#include "core/load.h"
+#include "effects/catalog.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+constexpr std::string_view kConfigs = "configs/";
+
+bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) == kConfigs; }
+
+}  // namespace
+
+void addConfigOptions(CLI::App& app, ConfigOptions& options)
+{
+    app.add_option("--variant", options.variant, "A variant that the config declares");
+    app.add_option("--set", options.overrides,
+                   "Set a param or feature (radius=0.8), or any value by its JSON pointer "
+                   "(/passes/blur/when=null); may be repeated")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--effects", options.checkout,
+                   "Read effects/ and configs/ below this folder before those embedded")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
+}
+
+CheckoutSources::CheckoutSources(std::string folder)
+    : used_(!folder.empty()), effects_(folder + "/effects"), configs_(folder + "/configs")
+{
+}
+
+SourceRef CheckoutSources::find(std::string_view path) const
+{
+    if (used_) {
+        const SourceRef text =
+            isConfig(path) ? configs_.find(path.substr(kConfigs.size())) : effects_.find(path);
+        if (text) return text;
+    }
+    return shippedSources().find(path);
+}
+
+std::vector<std::string> CheckoutSources::list() const
+{
+    std::vector<std::string> paths = shippedSources().list();
+    if (used_) {
+        for (std::string& path : effects_.list()) paths.push_back(std::move(path));
+        for (const std::string& path : configs_.list()) paths.push_back(kConfigs.data() + path);
+    }
+    std::sort(paths.begin(), paths.end());
+    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+    return paths;
+}
+
+Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Node> document =
+        loadConfig(sources, {options.config, options.variant, options.overrides});
+    if (!document) return document.diagnostics();
+    return decode(*document, sources);
+}
+
+}  // namespace crevice

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Which config a command works on: the arguments that render, validate and explain share.
+#pragma once
+
+#include "core/description.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace crevice {
+
+struct ConfigOptions {
+    std::string config;                  ///< A shipped config's name or a file.
+    std::string variant;                 ///< --variant
+    std::vector<std::string> overrides;  ///< --set, each "name=value"
+    std::string checkout;                ///< --effects; empty for the embedded modules alone
+};
+
+/// Adds --variant, --set and --effects; CONFIG is left to the command, since validate takes several.
+void addConfigOptions(CLI::App& app, ConfigOptions& options);
+
+/// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
+class CheckoutSources : public SourceSet {
+public:
+    /// `folder` empty: only what is embedded.
+    explicit CheckoutSources(std::string folder);
+
+    SourceRef find(std::string_view path) const override;
+    std::vector<std::string> list() const override;
+
+private:
+    bool used_;
+    DirectorySources effects_;
+    DirectorySources configs_;
+};
+
+/// Loads, merges and decodes. Errors: those of loadConfig and decode.
+Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources);
+
+}  // namespace crevice

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a file.
+#pragma once
+
+#include "core/description.h"
+#include "core/image.h"
+#include "core/result.h"
+
+#include <string>
+
+namespace crevice {
+
+struct OutputRequest {
+    std::string name;
+    std::string file;  ///< Ends in .png or .pfm.
+};
+
+/// Reads "color=lit.png". Errors: CV8001 where the '=' or either side is missing, or the file is
+/// neither PNG nor PFM.
+Result<OutputRequest> parseOutputRequest(const std::string& text);
+
+/// How a request is met: the config's output that holds the pixels, and how a view shows them.
+struct OutputSource {
+    std::string output;
+    float scale = 1.0f;
+    float offset = 0.0f;
+};
+
+/// Finds the name among outputs, then views, then targets ("target.ao" where an output hides it), and
+/// has the description export the target behind it.
+/// Errors: CV2209 with the names that would do.
+Result<OutputSource> exposeOutput(Description& description, const std::string& name);
+
+/// value * scale + offset in every channel.
+void applyView(Image& image, const OutputSource& source);
+
+/// Tells before any work is done that a file could not be written.
+/// Errors: CV7007 for a folder that does not exist or is not writable, and for a file that is a folder.
+Status checkWritable(const std::string& file);
+
+}  // namespace crevice

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Planning without a device.
+#include "tools/planning.h"
+
+namespace crevice {
+
+DeviceCaps usualCaps()
+{
+    DeviceCaps caps = minimumCaps();
+    caps.name = "OpenGL ES 3.0 with float targets";
+    for (const FormatInfo& info : allFormats()) caps.renderable[static_cast<int>(info.format)] = true;
+    return caps;
+}
+
+SceneTraits fullTraits()
+{
+    SceneTraits traits;
+    traits.lights = 1;
+    traits.alpha_tested = true;
+    traits.specular = true;
+    traits.textured = true;
+    return traits;
+}
+
+Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Description> description = loadDescription(options, sources);
+    if (!description) return description.diagnostics();
+    CompileOptions compile_options;
+    compile_options.extent = {960, 540};
+    return compile(*description, fullTraits(), usualCaps(), compile_options);
+}
+
+}  // namespace crevice
