@@ -7,9 +7,34 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/crevice)
 
 install(TARGETS crevice_core crevice_backends crevice_effects EXPORT creviceTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(folder core backends effects)
-  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/crevice/${folder}
-    FILES_MATCHING PATTERN "*.h")
+
+# Only what a host may include; the other headers are the libraries' own.
+set(public_headers
+  backends/context.h
+  backends/gl_device.h
+  backends/gl_loader.h
+  backends/recording_device.h
+  core/codes.h
+  core/description.h
+  core/device.h
+  core/diagnostic.h
+  core/document.h
+  core/format.h
+  core/frame.h
+  core/generators.h
+  core/glsl.h
+  core/image.h
+  core/load.h
+  core/merge.h
+  core/plan.h
+  core/renderer.h
+  core/result.h
+  core/source.h
+  effects/catalog.h
+)
+foreach(header IN LISTS public_headers)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/crevice/${folder})
 endforeach()
 install(EXPORT creviceTargets NAMESPACE crevice:: DESTINATION ${config_dir})
 
