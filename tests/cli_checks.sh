@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+# What cli_test.sh and cli_gl_test.sh share; they source it. $1 is the crevice command.
+crevice=$1
+work=$(mktemp -d "${TMPDIR:-/tmp}/crevice cli.XXXXXX")  # with a space, as users' folders have
+trap 'rm -rf -- "$work"' EXIT
+cd "$work"
+failures=0
+checks=0
+
+# expect CODE PATTERN ARGUMENTS...: the exit code, and a regular expression that both streams together
+# must match ("" for any).
+expect() {
+    local code=$1 pattern=$2 got=0
+    shift 2
+    checks=$((checks + 1))
+    "$crevice" "$@" >stdout.txt 2>stderr.txt </dev/null || got=$?
+    if ((got != code)) || ! cat stdout.txt stderr.txt | grep -qE -- "$pattern"; then
+        failures=$((failures + 1))
+        printf 'FAILED: crevice %s\n  exit code %d, wanted %d and /%s/\n' "$*" "$got" "$code" "$pattern"
+        sed 's/^/  | /' stdout.txt stderr.txt
+    fi
+}
+
+# check DESCRIPTION COMMAND...: the command succeeds.
+check() {
+    local description=$1
+    shift
+    checks=$((checks + 1))
+    if ! "$@"; then
+        failures=$((failures + 1))
+        printf 'FAILED: %s\n' "$description"
+    fi
+}
+
+# What the last `expect` printed to stdout is JSON.
+expect_json() {
+    printf 'file(READ stdout.txt text)\nstring(JSON kind TYPE "${text}")\n' >is_json.cmake
+    check "the output is JSON" cmake -P is_json.cmake
+}
+
+# The fenced block of README.md that follows the line "<!-- FILE -->", written to FILE.
+from_readme() {
+    awk -v mark="<!-- $1 -->" '
+        $0 == mark { found = 1; next }
+        found && /^```/ { if (inside) exit; inside = 1; next }
+        found && inside { print }' "$readme" >"$1"
+    check "README.md has a block for $1" test -s "$1"
+}
+
+finish() {
+    printf '%d checks, %d failed\n' "$checks" "$failures"
+    ((failures == 0))
+}

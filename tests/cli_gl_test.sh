@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The crevice command where it draws: pictures on one backend, and the README's own filter.
+#   cli_gl_test.sh CREVICE README BACKEND
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/cli_checks.sh"
+readme=$2
+backend=$3
+
+small=(--scene corner --size 96x64 --backend "$backend")
+got=0
+"$crevice" render learnopengl "${small[@]}" 2>stderr.txt || got=$?
+if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
+    sed 's/^/SKIPPED: /' stderr.txt
+    exit 77
+fi
+check "render writes color.png by default" test -s color.png
+
+expect 0 'wrote ao.pfm' render learnopengl "${small[@]}" --out color=lit.png --out ao=ao.pfm
+check "both files are there" test -s lit.png -a -s ao.pfm
+expect 0 '"first_frame_ms"' render learnopengl "${small[@]}" --out ao=ao.png --json
+expect_json
+expect 0 'wrote' render learnopengl "${small[@]}" --out target.ao=raw.pfm --out normal=normal.pfm \
+    --out view_normal=normal.png --out depth=depth.pfm
+expect 5 'over' compare raw.pfm ao.pfm --max-rmse 0.0001
+
+# Intensity 0 leaves the whole AO chain out; the constant still fills the picture.
+expect 0 'wrote' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm
+expect 1 'CV7006|CV7005' compare open.pfm "$readme"
+expect 0 'wrote' reference --scene corner --size 96x64 --radius 0 --rays 1 --out one.pfm
+expect 0 'rmse' compare open.pfm one.pfm --max-abs 0
+
+from_readme mine.json
+from_readme cross.json
+from_readme cross.frag
+expect 0 'wrote' render mine.json "${small[@]}"
+expect 0 'wrote' render cross.json "${small[@]}" --out ao=cross.pfm
+expect 5 'over' compare cross.pfm ao.pfm --max-rmse 0.0001
+
+printf 'void main() { nonsense; }\n' >>cross.frag
+expect 1 'cross.frag:[0-9]+.*error CV50' render cross.json "${small[@]}" --out ao=never.png
+expect 1 'CV4005|CV6007' render learnopengl "${small[@]}" --size 99999x99999 --out ao=never.png
+check "a failed render leaves no file, whole or half" test -z "$(ls -A | grep never || true)"
+finish

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The crevice command where no GL is needed: exit codes, messages, what it prints.
+#   cli_test.sh CREVICE README
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/cli_checks.sh"
+readme=$2
+
+# --- usage ---
+expect 0 '^crevice 0\.1\.0$' --version
+expect 0 'Exit codes' --help
+for command in render validate explain compare reference; do
+    expect 0 'Examples:' "$command" --help
+done
+expect 2 'CV8001'
+expect 2 'CV8001' paint learnopengl
+expect 2 'crevice render --help' render
+expect 2 'CV8001' render learnopengl --backend vulkan
+expect 2 'CV8001' render learnopengl --effects nowhere
+expect 2 'CV8001.*is not NAME=FILE' render learnopengl --out lit.png
+expect 2 'CV8001.*neither .png nor .pfm' render learnopengl --out color=lit.jpg
+expect 2 'CV8001' validate
+expect 2 'CV8001' explain learnopengl --format svg
+expect 2 'CV8001' compare a.png
+expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
+
+# --- validate ---
+expect 0 'learnopengl: ok \([0-9]+ passes\)' validate --all
+expect 0 '"ok": true' validate learnopengl --json
+expect 0 'thesis: ok' validate thesis --variant ambient_only
+expect 1 'CV1205' validate thesis --variant winter
+expect 1 'CV1201.*' validate learnopengle
+expect 1 "did you mean 'learnopengl'" validate learnopengle
+expect 1 'CV4004' validate learnopengl --set radus=1
+expect 1 'CV1206' validate learnopengl --set radius
+expect 1 'CV4001' validate learnopengl --set radius=-1
+printf '{ "format": 1, "name": "broken", "extends": ["learnopengl"],\n  "pases": {} }\n' >broken.json
+expect 1 'broken.json:2:3: error CV3001' validate broken.json
+expect 1 '"code": "CV3001"' validate broken.json --json
+expect 1 'broken: ok|learnopengl: ok' validate broken.json learnopengl
+printf '{ "format": 1,' >cut.json
+expect 1 'cut.json:1:[0-9]+: error CV1001' validate cut.json
+
+# --- the README's examples ---
+from_readme mine.json
+expect 0 'mine.json: ok' validate mine.json
+from_readme cross.json
+from_readme cross.frag
+expect 0 'cross.json: ok' validate cross.json
+expect 0 'mine.json:[0-9]+:[0-9]+' explain mine.json --why radius
+
+# --- explain ---
+expect 0 'geometry' explain learnopengl
+expect 0 'digraph' explain learnopengl --format dot
+expect 0 'graph|flowchart' explain learnopengl --format mermaid
+expect 0 '' explain learnopengl --format json
+expect_json
+expect 0 'configs/learnopengl.json:[0-9]+:[0-9]+: 0.5' explain learnopengl --why radius
+expect 0 'command line|--set' explain learnopengl --why radius --set radius=2
+expect 0 'before that by' explain learnopengl --why /params/radius/default
+expect 1 'CV2102' explain learnopengl --why params.radus
+expect 0 '1920x1080' explain learnopengl --size 1920x1080
+expect 0 'left out' explain learnopengl --set intensity=0 --output ao
+expect 1 'CV2209' explain learnopengl --output aoo
+expect 1 'CV4005' explain learnopengl --size 0x0
+
+# --- render, up to where a context is needed ---
+for size in 0x0 -5x3 abc 640 640x 640x480x3 99999999999x2; do
+    expect 1 'CV4005' render learnopengl --scene plane --size "$size"
+done
+expect 1 'CV2209' render learnopengl --scene plane --out colour=a.png
+expect 1 "did you mean 'color'" render learnopengl --scene plane --out colour=a.png
+expect 1 'CV1201' render nothing.json
+expect 1 'CV7001' render learnopengl --scene nothing.glb
+expect 1 'CV7001' render learnopengl --scene castle
+expect 1 'CV7004' render learnopengl --scene plane --camera left
+echo 'no scene' >broken.glb
+expect 1 'CV7002' render learnopengl --scene broken.glb
+expect 4 'CV7007' render learnopengl --scene plane --out color=nowhere/a.png
+mkdir folder.png
+expect 4 'CV7007' render learnopengl --scene plane --out color=folder.png
+__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json \
+    expect 3 'CV6001' render learnopengl --scene plane --backend egl --out color=a.png
+check "a render that failed leaves no file" test ! -e a.png -a ! -e color.png
+
+# --- reference and compare ---
+expect 0 'wrote' reference --scene corner --size 32x24 --radius 0.5 --rays 16 --out truth.pfm
+expect 1 'CV4001' reference --scene corner --rays 0 --out never.pfm
+expect 4 'CV7007' reference --scene corner --out nowhere/truth.pfm
+expect 0 'rmse +0\.0+$' compare truth.pfm truth.pfm --max-rmse 0 --max-abs 0
+expect 0 'wrote' reference --scene corner --size 32x24 --radius 5 --rays 16 --out far.pfm
+expect 0 'rmse' compare far.pfm truth.pfm
+expect 5 'over the limit' compare far.pfm truth.pfm --max-rmse 0.001
+expect 5 'over the limit' compare far.pfm truth.pfm --max-abs 1/255
+expect 0 '"rmse"' compare far.pfm truth.pfm --json --diff diff.png
+check "compare --diff writes a picture" test -s diff.png
+expect 0 'wrote' reference --scene corner --size 16x24 --rays 1 --out small.pfm
+expect 1 'CV7006' compare small.pfm truth.pfm
+expect 1 'CV7005' compare cut.json truth.pfm
+expect 1 'CV7005' compare nothing.png truth.pfm
+finish
