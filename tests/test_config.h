@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Descriptions for tests, from a few lines of JSON and GLSL.
+#pragma once
+
+#include "core/description.h"
+#include "tests/catch.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+struct TestFile {
+    std::string path;
+    std::string text;
+};
+
+/// Reads `json` as the file "test.json" and decodes it with `files` as its GLSL. The test fails
+/// here when there is an error in it.
+inline Description describe(const std::string& json, const std::vector<TestFile>& files)
+{
+    MemorySources sources;
+    for (const TestFile& file : files) sources.add(file.path, file.text);
+    const Result<Node> document =
+        parseDocument(std::make_shared<const SourceText>(SourceText{"test.json", json}));
+    if (!document) FAIL(toText(document.diagnostics()));
+    Result<Description> description = decode(*document, sources);
+    if (!description) FAIL(toText(description.diagnostics()));
+    return std::move(*description);
+}
+
+/// The first diagnostic of that code, or null.
+inline const Diagnostic* findDiagnostic(const Diagnostics& diagnostics, Code code)
+{
+    for (const Diagnostic& each : diagnostics)
+        if (each.code == code) return &each;
+    return nullptr;
+}
+
+/// The text that a place underlines.
+inline std::string textAt(const Place& place)
+{
+    if (!place.source || place.line < 1) return {};
+    std::size_t start = 0;
+    for (int line = 1; line < place.line; ++line) start = place.source->text.find('\n', start) + 1;
+    return place.source->text.substr(start + static_cast<std::size_t>(place.column) - 1,
+                                     static_cast<std::size_t>(place.length));
+}
+
+}  // namespace crevice
