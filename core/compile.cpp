@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Compiling: the steps in their order, and what they share.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace compiler {
+
+namespace {
+
+const char* const kRules[] = {"unread", "identity", "sharing", "all"};
+
+State begin(const Description& description, const SceneTraits& traits, const DeviceCaps& caps,
+            const CompileOptions& options)
+{
+    State state{description, traits, caps, options};
+    state.shaders.resize(description.shaders.size());
+    state.targets.resize(description.targets.size());
+    for (const PassDesc& desc : description.passes) {
+        Pass pass;
+        pass.desc = &desc;
+        pass.shader = indexOf(description.shaders, desc.shader.name);
+        for (const Reference& color : desc.color)
+            pass.color.push_back(indexOf(description.targets, color.name));
+        pass.depth = indexOf(description.targets, desc.depth.name);
+        state.passes.push_back(std::move(pass));
+    }
+    return state;
+}
+
+void checkExtent(State& state)
+{
+    const Extent& extent = state.options.extent;
+    if (extent.width > 0 && extent.height > 0) return;
+    report(state, Code::bad_size,
+           "a size of " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
+               " was asked for, and both sides must be at least 1",
+           Place{}).help = "ask for a size such as 1920x1080";
+}
+
+void checkRules(State& state)
+{
+    for (const std::string& rule : state.options.keep) {
+        if (std::find(std::begin(kRules), std::end(kRules), rule) != std::end(kRules)) continue;
+        report(state, Code::bad_enum, "'" + rule + "' is no rule that can be switched off", Place{})
+            .help = suggestName(rule, {std::begin(kRules), std::end(kRules)}, "rules");
+    }
+}
+
+void chooseOutputs(State& state)
+{
+    const auto& outputs = state.description.outputs;
+    const auto& wanted = state.options.outputs;
+    if (outputs.empty())
+        report(state, Code::no_outputs, "the config exports no output, so nothing would run",
+               state.description).help = "add: \"outputs\": {\"ao\": \"name of a target\"}";
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        if (wanted.empty() || std::count(wanted.begin(), wanted.end(), outputs[i].name))
+            state.outputs.push_back(static_cast<int>(i));
+    for (const std::string& name : wanted) {
+        if (outputs.empty() || findNamed(outputs, name)) continue;
+        report(state, Code::output_missing, "output '" + name + "' was asked for, which '" +
+                                                state.description.name + "' does not export",
+               Place{}).help = suggestName(name, namesOf(outputs), "outputs");
+    }
+}
+
+// A mistake in GLSL that several passes or shaders share is one mistake.
+void dropRepeats(State& state)
+{
+    const auto in_glsl = [&](const Diagnostic& each) {
+        const auto& files = state.description.files;
+        return each.place.source && files.count(each.place.source->name) > 0;
+    };
+    Diagnostics kept;
+    for (Diagnostic& each : state.diagnostics) {
+        const auto repeats = [&each](const Diagnostic& other) {
+            return each.code == other.code && each.place.source == other.place.source &&
+                   each.place.line == other.place.line && each.place.column == other.place.column;
+        };
+        if (in_glsl(each) && std::any_of(kept.begin(), kept.end(), repeats)) continue;
+        kept.push_back(std::move(each));
+    }
+    state.diagnostics = std::move(kept);
+}
+
+}  // namespace
+
+bool State::applies(std::string_view rule) const
+{
+    return std::none_of(options.keep.begin(), options.keep.end(), [&](const std::string& kept) {
+        return kept == rule || kept == "all";
+    });
+}
+
+Diagnostic& report(State& state, Code code, std::string message, const Named& at)
+{
+    state.diagnostics.push_back({code, std::move(message), at.place, at.pointer});
+    return state.diagnostics.back();
+}
+
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at)
+{
+    state.diagnostics.push_back({code, std::move(message), at.place, at.pointer});
+    for (const Place& origin : at.origins)
+        state.diagnostics.back().notes.push_back({origin, "the base value was set here"});
+    return state.diagnostics.back();
+}
+
+Diagnostic& report(State& state, Code code, std::string message, const Place& at)
+{
+    state.diagnostics.push_back({code, std::move(message), at});
+    return state.diagnostics.back();
+}
+
+std::vector<int> writtenBy(const Pass& pass)
+{
+    std::vector<int> targets = pass.color;
+    targets.push_back(pass.depth);
+    targets.erase(std::remove(targets.begin(), targets.end(), -1), targets.end());
+    return targets;
+}
+
+Extent extentOf(const State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    return written.empty() ? state.options.extent : state.targets[written.front()].extent;
+}
+
+}  // namespace compiler
+
+Result<Plan> compile(const Description& description, const SceneTraits& traits,
+                     const DeviceCaps& caps, const CompileOptions& options)
+{
+    using namespace compiler;
+    State state = begin(description, traits, caps, options);
+    checkExtent(state);
+    checkRules(state);
+    chooseOutputs(state);
+    decideConditions(state);
+    readShaders(state);
+    findWriters(state);
+    orderPasses(state);
+    chooseLive(state);
+    chooseExtents(state);
+    chooseFormats(state);
+    dropRepeats(state);
+    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
+    Plan plan = buildPlan(state);
+    return {std::move(plan), std::move(state.diagnostics)};
+}
+
+}  // namespace crevice

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Estimates of bytes, and the list of what is left out with what that saves.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+
+namespace crevice::compiler {
+
+namespace {
+
+// Bytes assumed of a texel that the description does not know: noise, materials, imports.
+constexpr double kUnknownTexelBytes = 4;
+
+double pixels(const Extent& extent)
+{
+    return static_cast<double>(extent.width) * extent.height;
+}
+
+void estimate(const Plan& plan, PlanPass& pass)
+{
+    const double count = pixels(pass.extent);
+    const auto texel = [&plan](int target) {
+        return formatInfo(plan.textures[plan.targets[target].texture].format).bytes;
+    };
+    for (const PlanInput& input : pass.inputs) {
+        if (input.kind == InputKind::constant) continue;
+        const bool known = input.kind == InputKind::target;
+        pass.bytes_read += count * (known ? texel(input.index) : kUnknownTexelBytes);
+    }
+    const auto write = [&](const PlanAttachment& attachment) {
+        if (attachment.store == StoreOp::store)
+            pass.bytes_written += count * texel(attachment.target);
+    };
+    for (const PlanAttachment& color : pass.color) {
+        write(color);
+        const bool mixes = pass.state.blend != Blend::none && color.target >= 0;
+        if (mixes) pass.bytes_read += count * texel(color.target);
+    }
+    if (pass.has_depth) write(pass.depth);
+}
+
+double bytesOf(const State& state, const Pass& pass)
+{
+    double texel = 0;
+    for (const Read& read : pass.reads) {
+        const bool target = read.named.kind == InputKind::target;
+        texel += target ? formatInfo(state.targets[read.named.index].format).bytes
+                        : kUnknownTexelBytes;
+    }
+    for (const int target : writtenBy(pass))
+        texel += formatInfo(state.targets[target].format).bytes;
+    return texel * pixels(extentOf(state, pass));
+}
+
+// "intensity is 0, so ao is 1".
+std::string standInReason(const Pass& pass)
+{
+    std::string given;
+    for (const IdentityDesc::Gives& gives : pass.identity->gives)
+        given += (given.empty() ? "" : ", ") + gives.output.name + " is " +
+                 (gives.constant ? shortest(gives.value) : gives.input.name);
+    return pass.identity->param.name + " is " + shortest(pass.identity->at) + ", so " + given;
+}
+
+void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left_out)
+{
+    const std::string what = "pass " + pass.desc->name;
+    if (!pass.active) {
+        left_out.push_back({what, "condition", pass.off_reason, bytesOf(state, pass)});
+    } else if (pass.identity) {
+        left_out.push_back({what, "identity", standInReason(pass), bytesOf(state, pass)});
+    } else if (!pass.live) {
+        left_out.push_back({what, "unread", "no output asked for needs it", bytesOf(state, pass)});
+    }
+    if (!pass.live) return;
+    for (const int index : pass.color) {
+        const Target& target = state.targets[index];
+        if (target.textured) continue;
+        const double bytes = pixels(target.extent) * formatInfo(target.format).bytes;
+        const std::string& name = state.description.targets[index].name;
+        left_out.push_back({"attachment " + name, "unread", "nobody reads it", bytes});
+    }
+}
+
+}  // namespace
+
+double textureBytes(const PlanTexture& texture)
+{
+    double texels = 0;
+    for (int level = 0; level < texture.mips; ++level)
+        texels += static_cast<double>(std::max(1, texture.extent.width >> level)) *
+                  std::max(1, texture.extent.height >> level);
+    return texels * formatInfo(texture.format).bytes;
+}
+
+void estimateBytes(Plan& plan)
+{
+    for (PlanPass& pass : plan.passes) estimate(plan, pass);
+    for (const PlanTexture& texture : plan.textures) plan.texture_bytes += textureBytes(texture);
+}
+
+std::vector<LeftOut> leftOut(const State& state)
+{
+    std::vector<LeftOut> left_out;
+    for (const Pass& pass : state.passes) addLeftOut(state, pass, left_out);
+    return left_out;
+}
+
+}  // namespace crevice::compiler

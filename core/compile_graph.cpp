@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The graph: who writes what, and in which order passes run.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+
+namespace crevice::compiler {
+
+namespace {
+
+struct Edge {
+    int from;    // writer
+    int target;  // what flows
+};
+using Edges = std::vector<std::vector<Edge>>;  // into each pass
+
+const Reference& referenceTo(const Pass& pass, const std::string& target)
+{
+    for (const Reference& color : pass.desc->color)
+        if (color.name == target) return color;
+    return pass.desc->depth;
+}
+
+// ---- messages
+
+// "pass 'lighting' reads target 'ao', which ..."; with the passes that would have written it.
+void reportNeverWritten(State& state, const std::string& reader, int target, const Reference& at)
+{
+    const TargetDesc& desc = state.description.targets[target];
+    std::vector<const Pass*> writers;
+    for (const Pass& pass : state.passes) {
+        const std::vector<int> written = writtenBy(pass);
+        if (std::count(written.begin(), written.end(), target)) writers.push_back(&pass);
+    }
+    std::string message = reader + " reads target '" + desc.name + "', which no pass writes";
+    std::string help = "name it under `color` or `depth` of the pass that makes it";
+    if (!writers.empty()) {
+        const std::string& writer = writers.front()->desc->name;
+        message = reader + " reads target '" + desc.name + "', which pass '" + writer +
+                  "' would write, but " + writers.front()->off_reason;
+        help = "give '" + writer + "' a `bypass` for '" + desc.name +
+               "', or the reader the same `when`";
+    }
+    Diagnostic& error = report(state, Code::never_written, message, at);
+    for (const Pass* pass : writers)
+        error.notes.push_back(
+            {pass->desc->place, "pass '" + pass->desc->name + "' would write it"});
+    error.help = help;
+}
+
+Reference placeOf(const Pass& pass, const Read& read)
+{
+    if (read.input && !read.input->from.empty()) return read.input->from;
+    return {read.sampler, pass.desc->place, pass.desc->pointer};
+}
+
+void reportOwnOutput(State& state, const Pass& pass, const Read& read, int target)
+{
+    const std::string& name = state.description.targets[target].name;
+    Diagnostic& error = report(state, Code::reads_own_output,
+                               "pass '" + pass.desc->name + "' reads target '" + name +
+                                   "' through sampler '" + read.sampler + "' and writes it",
+                               placeOf(pass, read));
+    error.notes.push_back({read.declared, "the sampler is declared here"});
+    error.help = "write to another target, or read another one";
+}
+
+// Walks back from an undone pass until one comes up again, and tells the way round.
+std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector<bool>& done)
+{
+    std::vector<int> path;
+    int at = static_cast<int>(std::find(done.begin(), done.end(), false) - done.begin());
+    while (!std::count(path.begin(), path.end(), at)) {
+        path.push_back(at);
+        const auto undone = [&done](const Edge& edge) { return !done[edge.from]; };
+        at = std::find_if(edges[at].begin(), edges[at].end(), undone)->from;
+    }
+    path.erase(path.begin(), std::find(path.begin(), path.end(), at));
+    std::reverse(path.begin(), path.end());  // now along the data
+    std::rotate(path.begin(), std::min_element(path.begin(), path.end()), path.end());
+
+    std::string way = state.passes[path[0]].desc->name;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const int next = path[(i + 1) % path.size()];
+        const auto ours = [&](const Edge& edge) { return edge.from == path[i]; };
+        const Edge& edge = *std::find_if(edges[next].begin(), edges[next].end(), ours);
+        way += " -> " + state.passes[next].desc->name + " (" +
+               state.description.targets[edge.target].name + ")";
+    }
+    report(state, Code::cycle, "passes wait for each other: " + way,
+           *state.passes[path[0]].desc).help = "let one of them read another target";
+    return path;
+}
+
+// ---- edges
+
+// One unwritten target is one mistake, however many read it.
+void addEdge(State& state, int index, const Read& read, Edges& edges, std::vector<bool>& told)
+{
+    const Pass& pass = state.passes[index];
+    const std::optional<Source> source = resolve(state, read.named);
+    if (!source) {
+        if (!told[read.named.index])
+            reportNeverWritten(state, "pass '" + pass.desc->name + "'", read.named.index,
+                               placeOf(pass, read));
+        told[read.named.index] = true;
+        return;
+    }
+    if (source->kind != InputKind::target) return;
+    const int writer = state.targets[source->index].writer;
+    if (writer == index) reportOwnOutput(state, pass, read, source->index);
+    else edges[index].push_back({writer, source->index});
+}
+
+void checkOutputs(State& state, std::vector<bool>& told)
+{
+    for (const int index : state.outputs) {
+        const OutputDesc& output = state.description.outputs[index];
+        const int target = indexOf(state.description.targets, output.target.name);
+        if (told[target] || resolveTarget(state, target)) continue;
+        reportNeverWritten(state, "output '" + output.name + "'", target, output.target);
+        told[target] = true;
+    }
+}
+
+}  // namespace
+
+void findWriters(State& state)
+{
+    for (std::size_t i = 0; i < state.passes.size(); ++i) {
+        const Pass& pass = state.passes[i];
+        if (!pass.active) continue;
+        for (const int index : writtenBy(pass)) {
+            Target& target = state.targets[index];
+            if (target.writer < 0) {
+                target.writer = static_cast<int>(i);
+                continue;
+            }
+            const std::string& name = state.description.targets[index].name;
+            const Pass& first = state.passes[target.writer];
+            Diagnostic& error = report(state, Code::two_writers,
+                                       "pass '" + pass.desc->name + "' writes target '" + name +
+                                           "', which pass '" + first.desc->name + "' writes too",
+                                       referenceTo(pass, name));
+            error.notes.push_back({referenceTo(first, name).place, "the first writer"});
+            error.help = "write to a target of its own, or give the passes conditions that exclude "
+                         "each other";
+        }
+    }
+}
+
+void orderPasses(State& state)
+{
+    Edges edges(state.passes.size());
+    std::vector<bool> told(state.targets.size());
+    std::vector<bool> done(state.passes.size());
+    int left = 0;
+    for (std::size_t i = 0; i < state.passes.size(); ++i) {
+        done[i] = !state.passes[i].active;
+        if (done[i]) continue;
+        ++left;
+        for (const Read& read : state.passes[i].reads)
+            addEdge(state, static_cast<int>(i), read, edges, told);
+    }
+    checkOutputs(state, told);
+
+    const auto ready = [&](std::size_t i) {
+        return !done[i] && std::all_of(edges[i].begin(), edges[i].end(),
+                                       [&](const Edge& edge) { return done[edge.from]; });
+    };
+    while (left > 0) {
+        std::size_t next = 0;
+        while (next < done.size() && !ready(next)) ++next;
+        std::vector<int> taken = {static_cast<int>(next)};
+        if (next == done.size()) taken = reportCycle(state, edges, done);
+        for (const int index : taken) {
+            done[index] = true;
+            state.order.push_back(index);
+            --left;
+        }
+    }
+}
+
+}  // namespace crevice::compiler

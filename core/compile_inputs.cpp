@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Samplers: the target, texture or import behind each, and renames of what no shader has.
+#include "core/compile_internal.h"
+
+#include "core/generators.h"
+
+#include <set>
+
+namespace crevice::compiler {
+
+namespace {
+
+const InputDesc* inputFor(const PassDesc& pass, std::string_view sampler)
+{
+    for (const InputDesc& input : pass.inputs)
+        if (input.sampler.name == sampler) return &input;
+    return nullptr;
+}
+
+// The texture of that name, as the pass sees it.
+std::optional<Source> sourceNamed(const State& state, const PassDesc& pass, std::string_view name)
+{
+    const Description& description = state.description;
+    if (const int i = indexOf(description.targets, name); i >= 0)
+        return Source{InputKind::target, i};
+    if (const int i = indexOf(description.generated, name); i >= 0)
+        if (generatesTexture(description.generated[i].generator))
+            return Source{InputKind::generated, i};
+    if (const int i = indexOf(description.imports, name); i >= 0)
+        if (description.imports[i].type == ImportType::texture)
+            return Source{InputKind::imported, i};
+    if (pass.type == PassType::draw && name == "base_color_map")
+        return Source{InputKind::material};
+    return std::nullopt;
+}
+
+std::vector<std::string> texturesOf(const State& state)
+{
+    std::vector<std::string> names = namesOf(state.description.targets);
+    for (const GeneratedDesc& each : state.description.generated)
+        if (generatesTexture(each.generator)) names.push_back(each.name);
+    for (const ImportDesc& each : state.description.imports)
+        if (each.type == ImportType::texture) names.push_back(each.name);
+    return names;
+}
+
+bool isWord(char c)
+{
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// Looks through every file that the shader could include, whatever the #ifs say.
+bool mentionedAnywhere(const State& state, const std::string& path, std::string_view word,
+                       std::set<std::string>& seen)
+{
+    const auto file = state.description.files.find(path);
+    if (file == state.description.files.end() || !seen.insert(path).second) return false;
+    if (mentions(file->second->text, word)) return true;
+    for (const GlslInclude& include : findIncludes(file->second)) {
+        const InterfaceDesc* interface = findNamed(state.description.interfaces, include.name);
+        const std::string next = !include.interface ? resolvePath(path, include.name)
+                                 : interface        ? interface->file.name
+                                                    : std::string();
+        if (mentionedAnywhere(state, next, word, seen)) return true;
+    }
+    return false;
+}
+
+void checkMentioned(State& state, const Pass& pass, const Reference& name, const char* what)
+{
+    const ShaderDesc& shader = state.description.shaders[pass.shader];
+    std::set<std::string> seen;
+    if (mentionedAnywhere(state, shader.vertex.name, name.name, seen)) return;
+    if (mentionedAnywhere(state, shader.fragment.name, name.name, seen)) return;
+    std::vector<std::string> names;
+    for (const GlslStage* stage : {&state.shaders[pass.shader].vertex,
+                                   &state.shaders[pass.shader].fragment})
+        for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
+    report(state, Code::input_unused,
+           "pass '" + pass.desc->name + "' renames " + what + " '" + name.name +
+               "', which shader '" + shader.name + "' does not have",
+           name).help = suggestName(name.name, names, "uniforms");
+}
+
+}  // namespace
+
+bool mentions(std::string_view text, std::string_view word)
+{
+    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const bool starts = at == 0 || !isWord(text[at - 1]);
+        const auto end = at + word.size();
+        if (starts && (end == text.size() || !isWord(text[end]))) return true;
+    }
+    return false;
+}
+
+void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
+{
+    for (const Read& read : pass.reads)
+        if (read.sampler == uniform.name) return;  // declared in both stages
+    const std::string who = "pass '" + pass.desc->name + "': ";
+    if (uniform.array) {
+        report(state, Code::uniform_type,
+               who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
+               uniform.place).help = "declare one sampler2D for each texture";
+        return;
+    }
+    const InputDesc* input = inputFor(*pass.desc, uniform.name);
+    const std::string& name = input && !input->from.empty() ? input->from.name : uniform.name;
+    const auto source = sourceNamed(state, *pass.desc, name);
+    if (source) {
+        pass.reads.push_back({uniform.name, uniform.place, input, *source});
+        return;
+    }
+    Diagnostic& error =
+        report(state, Code::uniform_unbound,
+               who + "sampler '" + uniform.name + "' reads '" + name +
+                   "', which is no target, generated texture or import",
+               uniform.place);
+    error.pointer = pass.desc->pointer;
+    error.help = suggestName(name, texturesOf(state), "textures");
+}
+
+void checkRenames(State& state, const Pass& pass)
+{
+    for (const InputDesc& input : pass.desc->inputs)
+        checkMentioned(state, pass, input.sampler, "input");
+    for (const auto& renamed : pass.desc->uniforms)
+        checkMentioned(state, pass, renamed.first, "uniform");
+}
+
+}  // namespace crevice::compiler

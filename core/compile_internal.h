@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The compiler's working state. Private to core/compile*.cpp, which fill it in this order:
+//
+//   compile_conditions  which passes run
+//   compile_shaders     defines, stages, outputs; with compile_inputs for the samplers and
+//                       compile_uniforms for the other uniforms
+//   compile_graph       writers and order
+//   compile_live        what is needed, and what stands in for what is not
+//   compile_textures    sizes, formats, shared slots
+//   compile_passes      the plan itself; with compile_costs for the bytes and what is left out
+//
+// Indices are into the description's lists unless they say otherwise. Every step works on what the
+// steps before could make sense of, so that one run finds all errors.
+#pragma once
+
+#include "core/plan.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crevice::compiler {
+
+/// What a name that a pass reads stands for.
+struct Source {
+    InputKind kind = InputKind::target;
+    int index = -1;      ///< Into targets, generated or imports.
+    float value = 0.0f;  ///< Of a constant.
+};
+
+/// A sampler of a pass.
+struct Read {
+    std::string sampler;
+    Place declared = {};               ///< In the GLSL.
+    const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
+    Source named = {};                 ///< What the name stands for before passes are left out.
+};
+
+/// A shader with the defines in force. `ok` is false when it could not be assembled.
+struct Shader {
+    bool assembled = false;
+    bool ok = false;
+    GlslStage vertex = {};
+    GlslStage fragment = {};
+};
+
+struct Pass {
+    const PassDesc* desc = nullptr;
+    int shader = -1;
+    bool active = true;                      ///< Its condition holds.
+    std::string off_reason = {};             ///< Why not.
+    bool live = false;                       ///< Some output needs it.
+    const IdentityDesc* identity = nullptr;  ///< What stands in for it, when something does.
+    std::vector<Read> reads = {};
+    std::vector<int> color = {};  ///< Targets.
+    int depth = -1;               ///< A target, or -1 for none.
+};
+
+struct Target {
+    int writer = -1;        ///< The active pass that writes it.
+    bool read = false;      ///< By a live pass or an output.
+    bool textured = false;  ///< Something must stand behind it.
+    Format format = Format::none;
+    Extent extent = {};
+};
+
+/// Everything that the steps share.
+struct State {
+    const Description& description;
+    const SceneTraits& traits;
+    const DeviceCaps& caps;
+    const CompileOptions& options;
+    std::vector<Shader> shaders = {};
+    std::vector<Pass> passes = {};
+    std::vector<Target> targets = {};
+    std::vector<int> order = {};    ///< Active passes by data flow.
+    std::vector<int> outputs = {};  ///< Those asked for.
+    Diagnostics diagnostics = {};
+
+    bool applies(std::string_view rule) const;  ///< False when the options switch the rule off.
+};
+
+/// Adds an error and returns it, for notes and help. The reference is valid until the next one.
+Diagnostic& report(State& state, Code code, std::string message, const Named& at);
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at);
+Diagnostic& report(State& state, Code code, std::string message, const Place& at);
+
+/// The index of that name in a list of the description, or -1.
+template <class T>
+int indexOf(const std::vector<T>& list, std::string_view name)
+{
+    const T* element = findNamed(list, name);
+    return element ? static_cast<int>(element - list.data()) : -1;
+}
+
+/// Targets that a pass writes: colour, then depth.
+std::vector<int> writtenBy(const Pass& pass);
+
+/// The size of what the pass writes.
+Extent extentOf(const State& state, const Pass& pass);
+
+// compile_conditions.cpp
+void decideConditions(State& state);
+
+// compile_shaders.cpp
+void readShaders(State& state);
+GlslDefines definesFor(const Description& description, const SceneTraits& traits,
+                       const ShaderDesc& shader);
+/// The fewest digits that read back as the same float, whatever the locale: "0.5", "1", "1e-09".
+std::string shortest(float value);
+
+// compile_inputs.cpp
+void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
+void checkRenames(State& state, const Pass& pass);
+/// True when `word` stands in the text as a word of its own.
+bool mentions(std::string_view text, std::string_view word);
+
+// compile_uniforms.cpp
+void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform);
+void checkLimits(State& state, const Pass& pass, const Shader& shader);
+/// Offsets or pixels, from the param where one is named.
+int generatedCount(const Description& description, const GeneratedDesc& generated);
+/// Whether the pass, as it will run, uses this.
+bool uses(const State& state, const Pass& pass, const GeneratedDesc& generated);
+bool uses(const State& state, const Pass& pass, const ImportDesc& import);
+
+// compile_graph.cpp
+void findWriters(State& state);
+void orderPasses(State& state);
+
+// compile_live.cpp
+void chooseLive(State& state);
+/// What a reader gets, with inactive passes and those that an identity replaces looked through;
+/// nothing when no active pass is behind it.
+std::optional<Source> resolve(const State& state, const Source& source);
+std::optional<Source> resolveTarget(const State& state, int target);
+
+// compile_textures.cpp
+void chooseExtents(State& state);
+void chooseFormats(State& state);
+/// Fills the plan's texture list and each plan target's slot. Requires passes and lifetimes.
+void shareTextures(const State& state, Plan& plan);
+
+// compile_costs.cpp
+/// Of all mip levels.
+double textureBytes(const PlanTexture& texture);
+/// Fills in the bytes of each pass and of the textures.
+void estimateBytes(Plan& plan);
+std::vector<LeftOut> leftOut(const State& state);
+
+// compile_passes.cpp
+Plan buildPlan(const State& state);
+
+}  // namespace crevice::compiler

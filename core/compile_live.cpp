@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// What is needed: which passes some output hangs on, and what stands in for those that do not run.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+
+namespace crevice::compiler {
+
+namespace {
+
+Source targetNamed(const State& state, const std::string& name)
+{
+    return {InputKind::target, indexOf(state.description.targets, name)};
+}
+
+// What the pass says its output is while it does not run: by `bypass` when inactive, by `identity`
+// when left out.
+std::optional<Source> standIn(const State& state, const Pass& pass, int target)
+{
+    const std::string& name = state.description.targets[target].name;
+    if (!pass.active) {
+        for (const BypassDesc& bypass : pass.desc->bypass)
+            if (bypass.output.name == name) return targetNamed(state, bypass.input.name);
+        return std::nullopt;
+    }
+    for (const IdentityDesc::Gives& gives : pass.identity->gives) {
+        if (gives.output.name != name) continue;
+        if (gives.constant) return Source{InputKind::constant, -1, gives.value};
+        return targetNamed(state, gives.input.name);
+    }
+    return std::nullopt;
+}
+
+bool holds(const Description& description, const IdentityDesc& identity)
+{
+    const ParamDesc* param = findNamed(description.params, identity.param.name);
+    if (!param) return false;
+    const auto first = param->value.begin();
+    return std::all_of(first, first + componentCount(param->type),
+                       [&](float value) { return value == identity.at; });
+}
+
+// The next identity of the pass, after its present one, whose param has its value.
+const IdentityDesc* nextIdentity(const State& state, const Pass& pass)
+{
+    const std::vector<IdentityDesc>& all = pass.desc->identity;
+    std::size_t i = pass.identity ? pass.identity - all.data() + 1 : 0;
+    for (; i < all.size(); ++i)
+        if (holds(state.description, all[i])) return &all[i];
+    return nullptr;
+}
+
+// Marks the target behind `source` and its writer. False when that writer has been replaced by an
+// identity that does not give this target; the caller must then take another.
+bool need(State& state, const Source& source, std::vector<int>& work, int& misfit)
+{
+    const std::optional<Source> behind = resolve(state, source);
+    if (!behind || behind->kind != InputKind::target) return true;
+    Target& target = state.targets[behind->index];
+    Pass& writer = state.passes[target.writer];
+    if (writer.identity) {
+        misfit = target.writer;
+        return false;
+    }
+    target.read = target.textured = true;
+    if (!writer.live) work.push_back(target.writer);
+    writer.live = true;
+    return true;
+}
+
+// Finds what the outputs need. Returns -1, or a pass whose identity lacks an output that is needed.
+int markNeeded(State& state)
+{
+    for (Pass& pass : state.passes) pass.live = false;
+    for (Target& target : state.targets) target.read = target.textured = false;
+    std::vector<int> work;
+    int misfit = -1;
+    for (const int index : state.outputs) {
+        const std::string& name = state.description.outputs[index].target.name;
+        const int target = indexOf(state.description.targets, name);
+        if (!need(state, {InputKind::target, target}, work, misfit)) return misfit;
+    }
+    for (const int index : state.order) {
+        Pass& pass = state.passes[index];
+        if (state.applies("unread") || pass.live || pass.identity) continue;
+        pass.live = true;
+        work.push_back(index);
+    }
+    while (!work.empty()) {
+        const int index = work.back();
+        work.pop_back();
+        for (const Read& read : state.passes[index].reads)
+            if (!need(state, read.named, work, misfit)) return misfit;
+    }
+    return -1;
+}
+
+}  // namespace
+
+std::optional<Source> resolve(const State& state, const Source& source)
+{
+    std::optional<Source> at = source;
+    for (std::size_t steps = 0; steps <= state.targets.size(); ++steps) {
+        if (!at || at->kind != InputKind::target) return at;
+        const int target = at->index;
+        const int writer = state.targets[target].writer;
+        if (writer >= 0) {
+            const Pass& pass = state.passes[writer];
+            const auto given = pass.identity ? standIn(state, pass, target) : std::nullopt;
+            if (!given) return at;
+            at = given;
+            continue;
+        }
+        at = std::nullopt;
+        for (const Pass& pass : state.passes)
+            if (!at && !pass.active) at = standIn(state, pass, target);
+    }
+    return std::nullopt;  // stand-ins that lead round in a circle
+}
+
+std::optional<Source> resolveTarget(const State& state, int target)
+{
+    return resolve(state, {InputKind::target, target});
+}
+
+void chooseLive(State& state)
+{
+    // Begin with every identity that holds and take back those that do not fit: what is left then
+    // needs the least, and each round takes one back, so it ends.
+    if (state.applies("identity"))
+        for (Pass& pass : state.passes)
+            if (pass.active) pass.identity = nextIdentity(state, pass);
+    for (int misfit = markNeeded(state); misfit >= 0; misfit = markNeeded(state)) {
+        Pass& pass = state.passes[misfit];
+        pass.identity = nextIdentity(state, pass);
+    }
+    for (Target& target : state.targets) {
+        if (target.writer < 0 || !state.passes[target.writer].live) continue;
+        if (!state.applies("unread")) target.textured = true;
+    }
+    for (const Pass& pass : state.passes)
+        if (pass.live && pass.depth >= 0) state.targets[pass.depth].textured = true;
+}
+
+}  // namespace crevice::compiler

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// The plan: passes with what they read and write, load and store operations, and programs.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace crevice::compiler {
+
+namespace {
+
+// FNV-1a, 64 bits: small, the same everywhere, and no one attacks it.
+std::uint64_t hash(std::string_view text, std::uint64_t seed)
+{
+    for (const char c : text) seed = (seed ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return seed;
+}
+
+std::string programKey(const Shader& shader)
+{
+    constexpr std::uint64_t kOffsetBasis = 0xcbf29ce484222325u;
+    std::uint64_t key = hash(shader.vertex.text, kOffsetBasis);
+    key = hash(std::string_view("\0", 1), key);
+    key = hash(shader.fragment.text, key);
+    std::string digits;
+    for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[key >> shift & 15];
+    return digits;
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+// Fills one Plan from the state; its steps run in the order in which they stand here.
+class Builder {
+public:
+    explicit Builder(const State& state) : state_(state), description_(state.description) {}
+
+    Plan build();
+
+private:
+    void addPass(int index);
+    void addTargets(const Pass& pass, int at);
+    void addInputs(const Pass& pass, PlanPass& into);
+    void addOutputs();
+    PlanAttachment attachment(const Pass& pass, int target, bool depth) const;
+    void describeStores();
+    std::string storeReason(const PlanTarget& target, int index) const;
+
+    int program(const Pass& pass);
+    int constant(float value);
+    int planTarget(int target) const;
+    std::string nameOf(int target) const { return description_.targets[target].name; }
+    void collectUsed();
+    template <class T>
+    void use(const T& desc, std::vector<T>& used) const;
+
+    const State& state_;
+    const Description& description_;
+    Plan plan_;
+};
+
+int Builder::program(const Pass& pass)
+{
+    const Shader& shader = state_.shaders[pass.shader];
+    const std::string key = programKey(shader);
+    for (std::size_t i = 0; i < plan_.programs.size(); ++i)
+        if (plan_.programs[i].key == key) return static_cast<int>(i);
+    const ShaderDesc& desc = description_.shaders[pass.shader];
+    plan_.programs.push_back(
+        {key, desc.name, shader.vertex, shader.fragment, desc.place, desc.pointer});
+    return static_cast<int>(plan_.programs.size()) - 1;
+}
+
+int Builder::constant(float value)
+{
+    for (std::size_t i = 0; i < plan_.constants.size(); ++i)
+        if (plan_.constants[i].value == value) return static_cast<int>(i);
+    plan_.constants.push_back({value});
+    return static_cast<int>(plan_.constants.size()) - 1;
+}
+
+int Builder::planTarget(int target) const
+{
+    const std::string& name = description_.targets[target].name;
+    for (std::size_t i = 0; i < plan_.targets.size(); ++i)
+        if (plan_.targets[i].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+// ---- what passes use besides targets
+
+void Builder::collectUsed()
+{
+    for (const GeneratedDesc& desc : description_.generated) use(desc, plan_.generated);
+    for (GeneratedDesc& generated : plan_.generated)
+        generated.count = generatedCount(description_, generated);
+    for (const ImportDesc& desc : description_.imports) use(desc, plan_.imports);
+}
+
+template <class T>
+void Builder::use(const T& desc, std::vector<T>& used) const
+{
+    const auto is_used = [&](const Pass& pass) { return pass.live && uses(state_, pass, desc); };
+    if (std::any_of(state_.passes.begin(), state_.passes.end(), is_used)) used.push_back(desc);
+}
+
+// ---- passes
+
+PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) const
+{
+    PlanAttachment result;
+    result.name = nameOf(target);
+    result.target = planTarget(target);
+    if (result.target < 0) {
+        result.store = StoreOp::discard;
+        result.reason = "nobody reads it";
+        return result;
+    }
+    const PassDesc& desc = *pass.desc;
+    const StateDesc& state = desc.state;
+    // A fragment that fails a test or is thrown away leaves what was there.
+    const bool keeps = desc.type == PassType::draw || state.blend != Blend::none ||
+                       state.depth_test != Compare::always || (depth && !state.depth_write) ||
+                       mentions(state_.shaders[pass.shader].fragment.text, "discard");
+    if (!keeps) {
+        result.reason = "every pixel is overwritten";
+        return result;
+    }
+    result.load = LoadOp::clear;
+    if (depth) result.clear = {1, 1, 1, 1};
+    for (const ClearDesc& clear : desc.clear)
+        if (clear.target.name == result.name) result.clear = clear.value;
+    result.reason = desc.type == PassType::draw    ? "a draw does not cover every pixel"
+                    : state.blend != Blend::none ? "the pass blends with what is there"
+                                                   : "the pass leaves pixels as they are";
+    return result;
+}
+
+void Builder::addTargets(const Pass& pass, int at)
+{
+    for (const int target : writtenBy(pass))
+        if (state_.targets[target].textured) plan_.targets.push_back({nameOf(target), -1, at, at});
+}
+
+void Builder::addInputs(const Pass& pass, PlanPass& into)
+{
+    for (const Read& read : pass.reads) {
+        const Source source = *resolve(state_, read.named);
+        PlanInput input{read.sampler, source.kind, -1, {}};
+        const bool material = read.named.kind == InputKind::material;
+        const bool tiled = material || read.named.kind == InputKind::generated;
+        input.sampling = {material ? Filter::linear : Filter::nearest,
+                          tiled ? Wrap::repeat : Wrap::clamp};
+        if (read.input && read.input->has_filter) input.sampling.filter = read.input->filter;
+        if (read.input && read.input->has_wrap) input.sampling.wrap = read.input->wrap;
+        switch (source.kind) {
+        case InputKind::target:
+            input.index = planTarget(source.index);
+            plan_.targets[input.index].last_pass = static_cast<int>(plan_.passes.size());
+            break;
+        case InputKind::generated:
+            input.index = indexOf(plan_.generated, description_.generated[source.index].name);
+            break;
+        case InputKind::imported:
+            input.index = indexOf(plan_.imports, description_.imports[source.index].name);
+            break;
+        case InputKind::constant: input.index = constant(source.value); break;
+        case InputKind::material: break;
+        }
+        into.inputs.push_back(std::move(input));
+    }
+}
+
+void Builder::addPass(int index)
+{
+    const Pass& pass = state_.passes[index];
+    const PassDesc& desc = *pass.desc;
+    PlanPass result;
+    result.name = desc.name;
+    result.type = desc.type;
+    result.program = program(pass);
+    result.state = desc.state;
+    result.extent = extentOf(state_, pass);
+    addInputs(pass, result);
+    addTargets(pass, static_cast<int>(plan_.passes.size()));
+    for (const int target : pass.color) result.color.push_back(attachment(pass, target, false));
+    result.has_depth = pass.depth >= 0;
+    if (result.has_depth) result.depth = attachment(pass, pass.depth, true);
+    for (const auto& [glsl, value] : desc.uniforms)
+        if (glsl.name != value.name) result.renamed_uniforms.push_back({glsl.name, value.name});
+    plan_.passes.push_back(std::move(result));
+}
+
+void Builder::addOutputs()
+{
+    for (const int index : state_.outputs) {
+        const OutputDesc& desc = description_.outputs[index];
+        const int target = indexOf(description_.targets, desc.target.name);
+        const Source source = *resolveTarget(state_, target);
+        PlanOutput output{desc.name};
+        if (source.kind == InputKind::constant) {
+            output.constant = constant(source.value);
+        } else {
+            output.target = planTarget(source.index);
+            plan_.targets[output.target].last_pass = static_cast<int>(plan_.passes.size());
+        }
+        plan_.outputs.push_back(std::move(output));
+    }
+}
+
+// ---- stores, once all readers are known
+
+std::string Builder::storeReason(const PlanTarget& target, int index) const
+{
+    std::vector<std::string> readers;
+    for (const PlanPass& pass : plan_.passes)
+        for (const PlanInput& input : pass.inputs)
+            if (input.kind == InputKind::target && input.index == index)
+                readers.push_back(pass.name);
+    readers.erase(std::unique(readers.begin(), readers.end()), readers.end());
+    for (const PlanOutput& output : plan_.outputs)
+        if (output.target == index) readers.push_back("output " + output.name);
+    if (target.last_pass == target.first_pass) return "nobody reads it after this pass";
+    return "read by " + joined(readers);
+}
+
+void Builder::describeStores()
+{
+    const auto describe = [this](PlanAttachment& attachment) {
+        if (attachment.target < 0) return;
+        const PlanTarget& target = plan_.targets[attachment.target];
+        if (target.last_pass == target.first_pass) attachment.store = StoreOp::discard;
+        attachment.reason += "; " + storeReason(target, attachment.target);
+    };
+    for (PlanPass& pass : plan_.passes) {
+        for (PlanAttachment& color : pass.color) describe(color);
+        if (pass.has_depth) describe(pass.depth);
+    }
+}
+
+Plan Builder::build()
+{
+    plan_.config = description_.name;
+    plan_.extent = state_.options.extent;
+    collectUsed();
+    for (const int index : state_.order)
+        if (state_.passes[index].live) addPass(index);
+    addOutputs();
+    shareTextures(state_, plan_);
+    describeStores();
+    estimateBytes(plan_);
+    plan_.left_out = leftOut(state_);
+    return std::move(plan_);
+}
+
+}  // namespace
+
+Plan buildPlan(const State& state)
+{
+    return Builder(state).build();
+}
+
+}  // namespace crevice::compiler

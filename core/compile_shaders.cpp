@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Shaders: their defines, their stages and their outputs.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+namespace crevice::compiler {
+
+namespace {
+
+std::string upper(std::string_view name)
+{
+    std::string text(name);
+    for (char& c : text)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return text;
+}
+
+// A number as GLSL reads it; vectors are never defines.
+std::string literal(const ParamDesc& param)
+{
+    std::string text = shortest(param.value[0]);
+    if (param.type != ParamType::int_ && text.find_first_of(".e") == text.npos) text += ".0";
+    return text;
+}
+
+void addFeature(GlslDefines& defines, const FeatureDesc& feature)
+{
+    const std::string name = upper(feature.name);
+    defines[name] = std::to_string(feature.value);
+    if (feature.boolean) return;
+    for (std::size_t i = 0; i < feature.values.size(); ++i)
+        defines[name + "_" + upper(feature.values[i])] = std::to_string(i);
+}
+
+void addTraits(GlslDefines& defines, const SceneTraits& traits)
+{
+    defines["MAX_LIGHTS"] = std::to_string(kMaxLights);
+    defines["SCENE_LIGHTS"] = std::to_string(std::min(traits.lights, kMaxLights));
+    defines["SCENE_ALPHA_TESTED"] = traits.alpha_tested ? "1" : "0";
+    defines["SCENE_SPECULAR"] = traits.specular ? "1" : "0";
+    defines["SCENE_TEXTURED"] = traits.textured ? "1" : "0";
+    defines["CAMERA_ORTHOGRAPHIC"] = traits.orthographic ? "1" : "0";
+}
+
+std::map<std::string, std::string> interfaceFiles(const Description& description)
+{
+    std::map<std::string, std::string> files;
+    for (const InterfaceDesc& each : description.interfaces) files[each.name] = each.file.name;
+    return files;
+}
+
+// Assembles a shader once, however many passes use it, so that its errors come once.
+const Shader& assembled(State& state, int index)
+{
+    Shader& shader = state.shaders[index];
+    if (shader.assembled) return shader;
+    shader.assembled = true;
+    const ShaderDesc& desc = state.description.shaders[index];
+    const GlslDefines defines = definesFor(state.description, state.traits, desc);
+    const auto interfaces = interfaceFiles(state.description);
+    auto stage = [&](const Reference& path, GlslStage& into) {
+        Result<GlslStage> result =
+            assembleStage(state.description.files, interfaces, path.name, defines);
+        if (result) into = std::move(*result);
+        for (const Diagnostic& each : result.diagnostics()) state.diagnostics.push_back(each);
+        return result.ok();
+    };
+    const bool vertex_ok = stage(desc.vertex, shader.vertex);
+    shader.ok = stage(desc.fragment, shader.fragment) && vertex_ok;
+    return shader;
+}
+
+// True when the outputs have the targets' names, but in another order: surely not meant.
+bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Reference>& color)
+{
+    std::set<std::string> written;
+    std::set<std::string> wanted;
+    bool in_order = true;
+    for (const GlslOutput& output : outputs) {
+        written.insert(output.name);
+        const auto at = static_cast<std::size_t>(output.location);
+        in_order = in_order && at < color.size() && color[at].name == output.name;
+    }
+    for (const Reference& target : color) wanted.insert(target.name);
+    return !in_order && written == wanted;
+}
+
+void checkOutputs(State& state, const PassDesc& pass, const GlslStage& fragment)
+{
+    const int count = static_cast<int>(pass.color.size());
+    const std::string who = "pass '" + pass.name + "': ";
+    for (const GlslOutput& output : fragment.outputs) {
+        if (output.location >= 0 && output.location < count) continue;
+        report(state, Code::output_mismatch,
+               who + "the shader writes '" + output.name + "' at location " +
+                   std::to_string(output.location) + ", and the pass has " +
+                   std::to_string(count) + " colour targets",
+               output.place).pointer = pass.pointer;
+    }
+    for (int i = 0; i < count; ++i) {
+        const auto writes = [i](const GlslOutput& output) { return output.location == i; };
+        if (std::any_of(fragment.outputs.begin(), fragment.outputs.end(), writes)) continue;
+        report(state, Code::output_mismatch,
+               who + "its shader has no output at location " + std::to_string(i) +
+                   " for target '" + pass.color[i].name + "'",
+               pass.color[i]).help = "add: layout(location = " + std::to_string(i) + ") out ...";
+    }
+    if (shuffled(fragment.outputs, pass.color))
+        report(state, Code::output_mismatch,
+               who + "the shader's outputs have the targets' names in another order",
+               fragment.outputs.front().place).help =
+            "give `color` and the output locations one order";
+}
+
+void readPass(State& state, Pass& pass)
+{
+    const Shader& shader = assembled(state, pass.shader);
+    if (!shader.ok) return;
+    for (const GlslStage* stage : {&shader.vertex, &shader.fragment}) {
+        for (const GlslUniform& uniform : stage->uniforms) {
+            if (isSampler(uniform.type)) readSampler(state, pass, uniform);
+            else checkUniform(state, pass, uniform);
+        }
+    }
+    checkRenames(state, pass);
+    checkOutputs(state, *pass.desc, shader.fragment);
+    checkLimits(state, pass, shader);
+}
+
+}  // namespace
+
+std::string shortest(float value)
+{
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+GlslDefines definesFor(const Description& description, const SceneTraits& traits,
+                       const ShaderDesc& shader)
+{
+    GlslDefines defines;
+    for (const ParamDesc& param : description.params)
+        if (param.bind == Bind::define) defines[upper(param.name)] = literal(param);
+    for (const FeatureDesc& feature : description.features) addFeature(defines, feature);
+    addTraits(defines, traits);
+    for (const auto& [name, value] : shader.defines) defines[name] = value;
+    return defines;
+}
+
+void readShaders(State& state)
+{
+    for (Pass& pass : state.passes)
+        if (pass.active && pass.shader >= 0) readPass(state, pass);
+}
+
+}  // namespace crevice::compiler

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Textures: sizes, formats that the device can render to, and slots that targets share.
+#include "core/compile_internal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice::compiler {
+
+namespace {
+
+std::string text(const Extent& extent)
+{
+    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
+}
+
+// In float on purpose: 0.1f is a little above 0.1, and in double 1000 * 0.1f would round up to 101.
+int scaled(int size, float scale)
+{
+    constexpr float kLargest = 1e9f;  // fits an int; far over what any device takes
+    const float product = static_cast<float>(size) * scale;
+    return static_cast<int>(std::max(1.0f, std::ceil(std::min(product, kLargest))));
+}
+
+bool within(const Extent& extent, int limit)
+{
+    return extent.width <= limit && extent.height <= limit;
+}
+
+int fullMips(const Extent& extent)
+{
+    int levels = 1;
+    for (int side = std::max(extent.width, extent.height); side > 1; side /= 2) ++levels;
+    return levels;
+}
+
+int mipsOf(const TargetDesc& desc, const Extent& extent)
+{
+    const int full = fullMips(extent);
+    return desc.mips == 0 ? full : std::min(desc.mips, full);
+}
+
+FormatClass classOf(const TargetDesc& target)
+{
+    return formatInfo(target.formats.front()).format_class;
+}
+
+// ---- sizes
+
+// The targets whose sizes this one follows, itself first; cut off where that leads round.
+std::vector<int> followed(const State& state, int index)
+{
+    const auto& targets = state.description.targets;
+    std::vector<int> chain;
+    for (int at = index; at >= 0; at = indexOf(targets, targets[at].size.of.name)) {
+        chain.push_back(at);
+        if (chain.size() > targets.size()) break;
+    }
+    return chain;
+}
+
+Extent followedExtent(const State& state, const std::vector<int>& chain)
+{
+    Extent extent = state.options.extent;
+    for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
+        const float scale = state.description.targets[*at].size.scale;
+        extent = {scaled(extent.width, scale), scaled(extent.height, scale)};
+    }
+    return extent;
+}
+
+// One error for a circle of sizes, however many targets hang on it. True when there is one.
+bool reportSizeCycle(State& state)
+{
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        const std::vector<int> chain = followed(state, static_cast<int>(i));
+        if (std::count(chain.begin(), chain.end(), static_cast<int>(i)) < 2) continue;
+        const TargetDesc& desc = state.description.targets[i];
+        report(state, Code::cycle, "the size of target '" + desc.name + "' follows itself",
+               desc.size.of).help = "let it follow the output: leave `of` out";
+        return true;
+    }
+    return false;
+}
+
+void checkAttachmentSizes(State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    for (const int index : written) {
+        const Extent& first = state.targets[written.front()].extent;
+        const Extent& other = state.targets[index].extent;
+        if (first == other) continue;
+        const auto& targets = state.description.targets;
+        report(state, Code::attachment_size,
+               "pass '" + pass.desc->name + "' writes targets of different sizes: '" +
+                   targets[written.front()].name + "' is " + text(first) + ", '" +
+                   targets[index].name + "' is " + text(other),
+               *pass.desc).help = "give them the same `size`";
+        return;
+    }
+}
+
+// ---- formats
+
+void checkKind(State& state, const Reference& at, bool depth)
+{
+    const TargetDesc* target = findNamed(state.description.targets, at.name);
+    if (!target) return;
+    for (const Format format : target->formats) {
+        const FormatInfo& info = formatInfo(format);
+        if ((info.format_class == FormatClass::depth) == depth) continue;
+        report(state, Code::attachment_kind,
+               "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
+                   (depth ? "depth" : "colour") + " attachment",
+               at).help = depth ? "use depth16, depth24 or depth32f" : "use a colour format";
+        return;
+    }
+}
+
+void checkAttachments(State& state, const Pass& pass)
+{
+    for (const Reference& color : pass.desc->color) checkKind(state, color, false);
+    if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
+    const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
+    const int count = static_cast<int>(pass.desc->color.size());
+    if (count <= limit) return;
+    report(state, Code::too_many,
+           "pass '" + pass.desc->name + "' writes " + std::to_string(count) +
+               " colour targets, and the device takes " + std::to_string(limit),
+           *pass.desc).help = "pack them into fewer targets, or split the pass";
+}
+
+void checkStandIn(State& state, const Reference& output, const Reference& input)
+{
+    const TargetDesc* replaced = findNamed(state.description.targets, output.name);
+    const TargetDesc* by = findNamed(state.description.targets, input.name);
+    if (!replaced || !by || classOf(*replaced) == classOf(*by)) return;
+    report(state, Code::bypass_class,
+           "'" + input.name + "' (" + formatInfo(by->formats.front()).name +
+               ") cannot stand in for '" + output.name + "' (" +
+               formatInfo(replaced->formats.front()).name +
+               "): they hold different kinds of values",
+           input).help = "give both targets formats of one kind";
+}
+
+std::string listed(const std::vector<Format>& formats)
+{
+    std::string names;
+    for (const Format format : formats)
+        names += (names.empty() ? "" : ", ") + std::string(formatInfo(format).name);
+    return names;
+}
+
+// The first format that the device renders to; the first of all where there is none.
+Format firstRenderable(const State& state, const TargetDesc& desc)
+{
+    for (const Format format : desc.formats)
+        if (state.caps.canRender(format)) return format;
+    return desc.formats.front();
+}
+
+void checkFormat(State& state, const TargetDesc& desc, Format chosen)
+{
+    if (!state.caps.canRender(chosen)) {
+        report(state, Code::no_format,
+               "the device can render to no format of target '" + desc.name + "': " +
+                   listed(desc.formats),
+               desc).help = "add a format that every device has, such as rgba8 or depth16";
+        return;
+    }
+    if (chosen == desc.formats.front()) return;
+    Diagnostic& warning = report(state, Code::no_format,
+                                 "target '" + desc.name + "' falls back from " +
+                                     formatInfo(desc.formats.front()).name + " to " +
+                                     formatInfo(chosen).name +
+                                     ": the device does not render to the first choice",
+                                 desc);
+    warning.severity = Severity::warning;
+}
+
+}  // namespace
+
+void chooseExtents(State& state)
+{
+    const int limit = state.caps.max_texture_size;
+    const bool fits = within(state.options.extent, limit);
+    if (!fits)
+        report(state, Code::too_big_for_device,
+               "a picture of " + text(state.options.extent) +
+                   " is wanted, and the device's textures end at " + std::to_string(limit) + "x" +
+                   std::to_string(limit),
+               Place{}).help = "ask for a smaller size";
+    if (reportSizeCycle(state)) return;
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        Target& target = state.targets[i];
+        target.extent = followedExtent(state, followed(state, static_cast<int>(i)));
+        if (!fits || !target.textured || within(target.extent, limit)) continue;
+        const TargetDesc& desc = state.description.targets[i];
+        report(state, Code::too_big_for_device,
+               "target '" + desc.name + "' would be " + text(target.extent) +
+                   ", and the device's textures end at " + std::to_string(limit) + "x" +
+                   std::to_string(limit),
+               desc).help = "use a smaller `scale`, or ask for a smaller size";
+    }
+    for (const Pass& pass : state.passes)
+        if (pass.active) checkAttachmentSizes(state, pass);
+}
+
+void chooseFormats(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        if (pass.active) checkAttachments(state, pass);
+        for (const BypassDesc& bypass : pass.desc->bypass)
+            checkStandIn(state, bypass.output, bypass.input);
+        for (const IdentityDesc& identity : pass.desc->identity)
+            for (const IdentityDesc::Gives& gives : identity.gives)
+                if (!gives.constant) checkStandIn(state, gives.output, gives.input);
+    }
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        const TargetDesc& desc = state.description.targets[i];
+        state.targets[i].format = firstRenderable(state, desc);
+        if (state.targets[i].textured) checkFormat(state, desc, state.targets[i].format);
+    }
+}
+
+void shareTextures(const State& state, Plan& plan)
+{
+    std::vector<int> busy_until;  // the last pass that uses each texture
+    const bool share = state.applies("sharing");
+    for (PlanTarget& target : plan.targets) {
+        const int index = indexOf(state.description.targets, target.name);
+        const Target& found = state.targets[index];
+        const int mips = mipsOf(state.description.targets[index], found.extent);
+        const auto fits = [&](std::size_t slot) {
+            const PlanTexture& texture = plan.textures[slot];
+            return share && busy_until[slot] < target.first_pass &&
+                   texture.format == found.format && texture.extent == found.extent &&
+                   texture.mips == mips;
+        };
+        std::size_t slot = 0;
+        while (slot < plan.textures.size() && !fits(slot)) ++slot;
+        if (slot == plan.textures.size()) {
+            plan.textures.push_back({found.format, found.extent, mips, {}});
+            busy_until.push_back(-1);
+        }
+        plan.textures[slot].targets.push_back(target.name);
+        busy_until[slot] = target.last_pass;
+        target.texture = static_cast<int>(slot);
+    }
+}
+
+}  // namespace crevice::compiler

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What a plan may depend on, drawn from a frame.
+#include "core/frame.h"
+
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+
+namespace crevice {
+
+bool Camera::orthographic() const
+{
+    // GLM indexes by column.
+    const glm::mat4& m = clip_from_view;
+    return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f;
+}
+
+bool SceneTraits::operator==(const SceneTraits& other) const
+{
+    return lights == other.lights && alpha_tested == other.alpha_tested &&
+           specular == other.specular && textured == other.textured &&
+           orthographic == other.orthographic;
+}
+
+SceneTraits traitsOf(const Frame& frame)
+{
+    SceneTraits traits;
+    traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
+    traits.orthographic = frame.camera.orthographic();
+    for (const DrawItem& draw : frame.draws) {
+        if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size())) continue;
+        const Material& material = frame.materials[draw.material];
+        traits.alpha_tested = traits.alpha_tested || material.alpha_cutoff > 0.0f;
+        traits.specular =
+            traits.specular || glm::any(glm::greaterThan(material.specular, glm::vec3(0.0f)));
+        traits.textured = traits.textured || material.base_color_map;
+    }
+    return traits;
+}
+
+}  // namespace crevice
