@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The words in which plans are printed. Private to core/plan_*.cpp.
+#pragma once
+
+#include "core/plan.h"
+
+namespace crevice {
+
+const char* nameOf(LoadOp load);
+const char* nameOf(StoreOp store);
+const char* nameOf(InputKind kind);
+
+/// What a sampler reads: a target's, generated value's or import's name, "material" or a number.
+std::string sourceName(const Plan& plan, const PlanInput& input);
+
+/// "256x144".
+std::string sizeText(const Extent& extent);
+
+/// The texture behind a target of the plan.
+const PlanTexture& textureOf(const Plan& plan, int target);
+
+}  // namespace crevice
