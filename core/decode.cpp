@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// From a merged document to a description.
+#include "core/description.h"
+
+#include "core/decode_reader.h"
+#include "core/decode_steps.h"
+#include "core/fields.h"
+
+namespace crevice {
+
+int componentCount(ParamType type)
+{
+    switch (type) {
+    case ParamType::vec2: return 2;
+    case ParamType::vec3: return 3;
+    case ParamType::vec4: return 4;
+    default: return 1;
+    }
+}
+
+Result<Description> decode(const Node& document, const SourceSet& sources)
+{
+    Description description;
+    description.place = document.place;
+    table::Report report;
+    table::read(report, table::Cursor{document, "", document.place}, description, {});
+    table::checkNames(document, description, report);
+    table::checkReferences(document, description, report);
+    table::readShaderFiles(document, sources, description, report);
+    Diagnostics diagnostics = report.take(document);
+    if (hasErrors(diagnostics)) return diagnostics;
+    return {std::move(description), std::move(diagnostics)};
+}
+
+}  // namespace crevice

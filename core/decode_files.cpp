@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The GLSL files that a config names, and what they include.
+#include "core/decode_steps.h"
+
+#include "core/glsl.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+struct Found {
+    std::string key;  // in Description::files
+    SourceRef source;
+};
+
+bool isOnDisk(std::string_view path)
+{
+    return path.substr(0, 1) == "/" || path.substr(0, 1) == ".";  // no path in sources begins so
+}
+
+// Where a text is, as something to resolve paths against.
+std::string pathOf(const SourceRef& writer)
+{
+    if (!writer || !writer->path.empty()) return writer ? writer->path : "./";
+    return isOnDisk(writer->name) ? writer->name : "./" + writer->name;
+}
+
+// What `name`, written in the file at `from`, stands for. Only "./" and "../" leave the sources,
+// and only from a file on disk.
+Found findFile(const SourceSet& sources, const std::string& from, const std::string& name)
+{
+    const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
+    const std::string key = resolvePath(from, name);
+    return {key, relative && isOnDisk(from) ? readFile(key) : sources.find(key)};
+}
+
+std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::string& ending)
+{
+    std::vector<std::string> paths;
+    for (const std::string& path : sources.list()) {
+        const bool longer = path.size() >= ending.size();
+        if (longer && path.compare(path.size() - ending.size(), ending.size(), ending) == 0)
+            paths.push_back(path);
+    }
+    return paths;
+}
+
+// Nobody means a fragment shader by a module's JSON.
+std::string suggestFile(const SourceSet& sources, const std::string& name)
+{
+    const std::string ending = name.substr(std::min(name.rfind('.'), name.size()));
+    return suggestName(name, filesEndingIn(sources, ending), "files");
+}
+
+// ": geometry/depth_normal, ..." for "surface": a module's files have its name in front.
+std::string listProviders(const SourceSet& sources, const std::string& interface)
+{
+    const std::string ending = "." + interface + ".glsl";
+    std::string modules;
+    for (const std::string& path : filesEndingIn(sources, ending))
+        modules += (modules.empty() ? ": " : ", ") + path.substr(0, path.size() - ending.size());
+    return modules;
+}
+
+class FileReader {
+public:
+    FileReader(const Node& document, const SourceSet& sources, Description& description,
+               Report& report)
+        : sources_(sources), description_(description), report_(report),
+          stray_(strayNames(document, report)) {}
+
+    // Reads the file behind `reference` and all that it includes.
+    void readFrom(Reference& reference, const std::string& who)
+    {
+        if (reference.pointer.empty()) return;  // it was not written, or not a name
+        const Found file = findFile(sources_, pathOf(reference.place.source), reference.name);
+        if (!file.source) {
+            report_.at(reference, Code::file_missing,
+                       who + " names file '" + reference.name + "', which does not exist")
+                .help = suggestFile(sources_, reference.name);
+            report_.sameMistake("file " + file.key);
+            return;
+        }
+        reference.name = file.key;
+        std::vector<Found> waiting = {file};
+        while (!waiting.empty()) {
+            const Found next = waiting.back();
+            waiting.pop_back();
+            if (description_.files.emplace(next.key, next.source).second)
+                follow(next, reference.pointer, waiting);
+        }
+    }
+
+private:
+    // Adds what `file` includes to `waiting`. An interface's file is read by its own reference.
+    void follow(const Found& file, const std::string& pointer, std::vector<Found>& waiting)
+    {
+        for (const GlslInclude& include : findIncludes(file.source)) {
+            if (include.interface) {
+                expectInterface(include, pointer);
+                continue;
+            }
+            const Found found = findFile(sources_, file.key, include.name);
+            if (found.source) waiting.push_back(found);
+            else
+                missing(include, pointer, "file '" + include.name + "'").help =
+                    suggestFile(sources_, include.name);
+        }
+    }
+
+    void expectInterface(const GlslInclude& include, const std::string& pointer)
+    {
+        const std::vector<std::string> names = namesOf(description_.interfaces);
+        if (contains(names, include.name) || contains(stray_, include.name)) return;
+        if (report_.errorAt("/interfaces")) return;
+        missing(include, pointer, "interface <" + include.name + ">")
+            .help = "add a module that provides it to extends" + listProviders(sources_, include.name) +
+                    "; " +
+                    suggestName(include.name, names, "interfaces");
+    }
+
+    Diagnostic& missing(const GlslInclude& include, const std::string& pointer,
+                        const std::string& what)
+    {
+        Diagnostic& error = report_.at({"", include.place, pointer}, Code::include_missing,
+                                       "found an #include of " + what + ", which does not exist");
+        report_.sameMistake(what);
+        return error;
+    }
+
+    const SourceSet& sources_;
+    Description& description_;
+    Report& report_;
+    std::vector<std::string> stray_;
+};
+
+}  // namespace
+
+void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
+                     Report& report)
+{
+    FileReader reader(document, sources, description, report);
+    for (ShaderDesc& each : description.shaders) {
+        reader.readFrom(each.vertex, "shader '" + each.name + "'");
+        reader.readFrom(each.fragment, "shader '" + each.name + "'");
+    }
+    for (InterfaceDesc& each : description.interfaces)
+        reader.readFrom(each.file, "interface '" + each.name + "'");
+}
+
+}  // namespace crevice::table

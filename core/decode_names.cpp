@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Declared names against each other: collisions, counts taken from params, sizes that follow.
+#include "core/decode_steps.h"
+
+#include "core/generators.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+struct Declared {
+    const Named* named;
+    std::string what;
+};
+
+template <class T>
+void declare(std::vector<Declared>& declared, const std::vector<T>& list, const char* what)
+{
+    for (const T& each : list) declared.push_back({&each, what});
+}
+
+Reference keyOf(const Named& named)
+{
+    return {named.name, named.place, named.pointer};
+}
+
+void reportCollisions(const std::vector<Declared>& declared, const char* who, Report& report)
+{
+    std::map<std::string, const Declared*> seen;
+    for (const Declared& each : declared) {
+        const auto [first, fresh] = seen.emplace(each.named->name, &each);
+        if (fresh) continue;
+        Diagnostic& error = report.at(keyOf(*each.named), Code::name_collision,
+                                      each.what + " '" + each.named->name + "' has the name of " +
+                                          first->second->what + ", and " + who + " sees both");
+        error.notes.push_back({first->second->named->place, first->second->what + " is here"});
+        error.help = "rename one of them";
+    }
+}
+
+void checkCollisions(const Description& description, Report& report)
+{
+    std::vector<Declared> glsl, settable;
+    declare(glsl, description.params, "a param");
+    declare(glsl, description.targets, "a target");
+    declare(glsl, description.generated, "a generated value");
+    for (const ImportDesc& each : description.imports)
+        if (each.type == ImportType::texture) glsl.push_back({&each, "a texture import"});
+    reportCollisions(glsl, "GLSL", report);
+
+    declare(settable, description.params, "a param");
+    declare(settable, description.features, "a feature");
+    reportCollisions(settable, "an override", report);
+
+    for (const ParamDesc& each : description.params)
+        if (contains(frameValues(), each.name))
+            report.at(keyOf(each), Code::name_collision,
+                      "param '" + each.name + "' has the name of a uniform that each frame feeds")
+                .help = "rename the param";
+}
+
+// A count that comes from a param: it must exist, be whole, and start inside the limit.
+void checkCountParam(const Node& document, const Description& description,
+                     const GeneratedDesc& generated, int limit, Report& report)
+{
+    const Reference& name = generated.count_param;
+    const ParamDesc* param = findNamed(description.params, name.name);
+    if (param && report.errorWithin(param->pointer)) return;
+    if (!param) {
+        if (report.errorAt("/params") || contains(strayNames(document, report), name.name)) return;
+        report.at(name, Code::reference_missing,
+                  "generated '" + generated.name + "' takes its count from param '" + name.name +
+                      "', which does not exist")
+            .help = suggestName(name.name, namesOf(description.params), "params");
+        report.sameMistake("param " + name.name);
+    } else if (param->type != ParamType::int_) {
+        report.at(name, Code::reference_missing,
+                  "generated '" + generated.name + "' takes its count from param '" + name.name +
+                      "', which is not an int")
+            .help = "give '" + name.name + "' the type \"int\"";
+    } else if (param->value[0] < 1 || param->value[0] > limit) {
+        const std::string pointer = param->pointer + "/default";
+        const Node& value = *locate(document, pointer).node;
+        Diagnostic& error =
+            report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
+                      name.name + " default " + value.text + " is outside [1, " +
+                          std::to_string(limit) + "], the counts that generated '" +
+                          generated.name + "' may have");
+        error.notes.push_back({name.place, "the count is taken from it here"});
+    }
+}
+
+void checkCount(const Node& document, const Description& description,
+                const GeneratedDesc& generated, Report& report)
+{
+    const bool texture = generatesTexture(generated.generator);
+    const int limit = texture ? kMaxNoiseSize : kMaxKernelSize;
+    if (!generated.count_param.pointer.empty())
+        return checkCountParam(document, description, generated, limit, report);
+    if (generated.count <= limit) return;
+    const std::string pointer = generated.pointer + "/count";
+    const Node& value = *locate(document, pointer).node;
+    report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
+              generated.name + " count " + value.text + " is outside [1, " +
+                  std::to_string(limit) + "], the sides that a noise may have");
+}
+
+// The targets from `start` along `size.of`, until one comes again or the chain ends. Empty unless
+// it comes back to `start`.
+std::vector<const TargetDesc*> sizeCycle(const Description& description, const TargetDesc& start)
+{
+    std::vector<const TargetDesc*> chain;
+    for (const TargetDesc* at = &start; at; at = findNamed(description.targets, at->size.of.name)) {
+        if (at == &start && !chain.empty()) return chain;
+        if (std::find(chain.begin(), chain.end(), at) != chain.end()) break;
+        chain.push_back(at);
+    }
+    return {};
+}
+
+void checkSize(const Description& description, const TargetDesc& target, Report& report)
+{
+    const auto cycle = sizeCycle(description, target);
+    if (cycle.empty() || *std::min_element(cycle.begin(), cycle.end()) != &target) return;
+    Diagnostic& error = report.at(target.size.of, Code::cycle,
+                                  "target '" + target.name + "' follows the size of '" +
+                                      target.size.of.name + "', which leads back to it");
+    for (std::size_t i = 1; i < cycle.size(); ++i)
+        error.notes.push_back({cycle[i]->size.of.place, "'" + cycle[i]->name + "' follows '" +
+                                                            cycle[i]->size.of.name + "'"});
+    error.help = "let one of them follow the output: leave out its 'of'";
+}
+
+}  // namespace
+
+void checkNames(const Node& document, const Description& description, Report& report)
+{
+    for (const GeneratedDesc& each : description.generated)
+        checkCount(document, description, each, report);
+    for (const TargetDesc& each : description.targets) checkSize(description, each, report);
+    checkCollisions(description, report);
+}
+
+}  // namespace crevice::table

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// References: what names nothing, and what stands where it may not.
+#include "core/decode_steps.h"
+
+#include "core/generators.h"
+#include "core/text.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+// What a reference of some kind may name.
+struct Names {
+    std::string what;      // "target"
+    std::string listed;    // "targets", the heading of suggestions
+    Code code;             // when there is no such name
+    std::vector<std::string> sections;  // that declare them
+    std::vector<std::string> all = {};
+};
+
+const std::vector<std::string>& traitNames()
+{
+    static const std::vector<std::string> names = {"scene.lights", "scene.alpha_tested",
+                                                   "scene.specular", "scene.textured",
+                                                   "camera.orthographic"};
+    return names;
+}
+
+bool isCount(std::string_view text)
+{
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+void append(std::vector<std::string>& names, const std::vector<std::string>& more)
+{
+    names.insert(names.end(), more.begin(), more.end());
+}
+
+class Checker {
+public:
+    Checker(const Node& document, const Description& description, Report& report);
+    void run();
+
+private:
+    bool known(const Reference& reference, const Names& names) const;
+    void expect(const Reference& reference, const std::string& who, const Names& names);
+    Diagnostic& atPointer(const std::string& pointer, Code code, std::string message);
+
+    void checkPass(const PassDesc& pass);
+    void checkWrites(const PassDesc& pass);
+    void checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb);
+    void checkClear(const PassDesc& pass, const ClearDesc& clear);
+    void checkTerm(const PassDesc& pass, const Condition::Term& term);
+    void checkInput(const PassDesc& pass, const InputDesc& input);
+
+    const Node& document_;
+    const Description& description_;
+    Report& report_;
+    std::vector<std::string> stray_;
+    Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
+    Names inputs_ = {"target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
+    Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
+    Names params_ = {"param", "params", Code::reference_missing, {"params"}};
+    Names values_ = {"param or frame value", "values", Code::reference_missing, {"params"}};
+    Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
+};
+
+Checker::Checker(const Node& document, const Description& description, Report& report)
+    : document_(document), description_(description), report_(report),
+      stray_(strayNames(document, report))
+{
+    targets_.all = inputs_.all = namesOf(description.targets);
+    for (const GeneratedDesc& each : description.generated)
+        if (each.generator.empty() || generatesTexture(each.generator))
+            inputs_.all.push_back(each.name);
+    for (const ImportDesc& each : description.imports)
+        if (each.type == ImportType::texture) inputs_.all.push_back(each.name);
+    if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
+    shaders_.all = namesOf(description.shaders);
+    params_.all = values_.all = namesOf(description.params);
+    append(values_.all, frameValues());
+    subjects_.all = namesOf(description.features);
+    append(subjects_.all, traitNames());
+}
+
+void Checker::run()
+{
+    for (const TargetDesc& each : description_.targets)
+        expect(each.size.of, "target '" + each.name + "' follows the size of", targets_);
+    for (const PassDesc& each : description_.passes) checkPass(each);
+    for (const OutputDesc& each : description_.outputs)
+        expect(each.target, "output '" + each.name + "' exports", targets_);
+    for (const ViewDesc& each : description_.views)
+        expect(each.target, "view '" + each.name + "' shows", targets_);
+}
+
+// True too when the reference was not written, or is explained by an error already told.
+bool Checker::known(const Reference& reference, const Names& names) const
+{
+    const auto broken = [&](const std::string& section) { return report_.errorAt("/" + section); };
+    return reference.pointer.empty() || contains(names.all, reference.name) ||
+           contains(stray_, reference.name) ||
+           std::any_of(names.sections.begin(), names.sections.end(), broken);
+}
+
+void Checker::expect(const Reference& reference, const std::string& who, const Names& names)
+{
+    if (known(reference, names)) return;
+    report_.at(reference, names.code,
+               who + " " + names.what + " '" + reference.name + "', which does not exist")
+        .help = suggestName(reference.name, names.all, names.listed);
+    report_.sameMistake(names.what + " " + reference.name);
+}
+
+Diagnostic& Checker::atPointer(const std::string& pointer, Code code, std::string message)
+{
+    const Node& node = *locate(document_, pointer).node;
+    return report_.at({"", node.place, pointer, node.origins}, code, std::move(message));
+}
+
+void Checker::checkPass(const PassDesc& pass)
+{
+    const std::string who = "pass '" + pass.name + "' ";
+    expect(pass.shader, who + "runs", shaders_);
+    checkWrites(pass);
+    for (const ClearDesc& each : pass.clear) checkClear(pass, each);
+    for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
+    for (const BypassDesc& each : pass.bypass) {
+        checkAttached(pass, each.output, "bypasses");
+        expect(each.input, who + "reads", targets_);
+    }
+    for (const IdentityDesc& each : pass.identity) {
+        expect(each.param, who + "has an identity of", params_);
+        for (const IdentityDesc::Gives& gives : each.gives) {
+            checkAttached(pass, gives.output, "gives");
+            expect(gives.input, who + "reads", targets_);
+        }
+    }
+    for (const InputDesc& each : pass.inputs) checkInput(pass, each);
+    for (const auto& [glsl, value] : pass.uniforms)
+        expect(value, who + "feeds '" + glsl.name + "' from", values_);
+}
+
+void Checker::checkWrites(const PassDesc& pass)
+{
+    std::vector<Reference> written = pass.color;
+    written.push_back(pass.depth);
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        const Reference& target = written[i];
+        expect(target, "pass '" + pass.name + "' writes", targets_);
+        const auto same = [&](const Reference& each) { return each.name == target.name; };
+        if (!target.pointer.empty() &&
+            std::any_of(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(i), same))
+            report_.at(target, Code::two_writers,
+                       "pass '" + pass.name + "' writes target '" + target.name + "' twice");
+    }
+}
+
+// Clear, bypass and identity speak of what the pass itself writes.
+void Checker::checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb)
+{
+    const std::string who = "pass '" + pass.name + "' " + verb;
+    std::vector<std::string> written;
+    for (const Reference& each : pass.color) written.push_back(each.name);
+    if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
+    if (!known(target, targets_)) return expect(target, who, targets_);
+    const bool told = report_.errorWithin(pass.pointer + "/color") ||
+                      report_.errorWithin(pass.pointer + "/depth");
+    if (told || contains(written, target.name)) return;
+    report_.at(target, Code::reference_missing,
+               who + " target '" + target.name + "', which it does not write")
+        .help = suggestName(target.name, written, "its targets");
+}
+
+void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
+{
+    checkAttached(pass, clear.target, "clears");
+    const std::string& pointer = clear.target.pointer;
+    if (clear.target.name != pass.depth.name || report_.errorAt(pointer)) return;
+    if (locate(document_, pointer).node->kind == Node::Kind::array)
+        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth");
+    else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
+        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]");
+}
+
+void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
+{
+    expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
+    const std::string& subject = term.subject.name;
+    const FeatureDesc* feature = findNamed(description_.features, subject);
+    if (!feature && !contains(traitNames(), subject)) return;
+    if (report_.errorAt(term.subject.pointer)) return;
+    if (feature && report_.errorWithin(feature->pointer)) return;
+    const std::vector<std::string> allowed =
+        feature ? feature->values : std::vector<std::string>{"false", "true"};
+    const bool list =
+        locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
+    for (std::size_t i = 0; i < term.values.size(); ++i) {
+        const std::string& value = term.values[i];
+        if (contains(allowed, value) || (subject == "scene.lights" && isCount(value))) continue;
+        const std::string item = list ? "/" + std::to_string(i) : "";
+        atPointer(term.subject.pointer + item, Code::feature_value,
+                  "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
+                      "', which it never is")
+            .help = suggestName(value, allowed, "values");
+    }
+}
+
+void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
+{
+    const bool renamed = !input.from.pointer.empty();
+    const Reference& source = renamed ? input.from : input.sampler;
+    const bool broken = report_.errorAt(input.sampler.pointer) ||
+                        report_.errorAt(input.sampler.pointer + "/from");
+    if (broken || (pass.type == PassType::draw && source.name == "base_color_map")) return;
+    expect(source, "pass '" + pass.name + "' reads", inputs_);
+}
+
+}  // namespace
+
+void checkReferences(const Node& document, const Description& description, Report& report)
+{
+    Checker(document, description, report).run();
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+const std::vector<std::string>& frameValues()
+{
+    static const std::vector<std::string> names = {
+        "clip_from_view",  "view_from_clip",  "view_from_world", "world_from_view",
+        "clip_from_model", "view_from_model", "view_normal_from_model",
+        "base_color",      "alpha_cutoff",    "specular",        "shininess",
+        "light_count",     "light_position",  "light_color",     "light_attenuation",
+        "ambient_light",   "viewport_size",
+    };
+    return names;
+}
+
+std::vector<std::string> strayNames(const Node& document, const Report& report)
+{
+    std::vector<std::string> names;
+    for (const Member& section : document.members) {
+        if (!report.errorAt(memberPointer("", section.key))) continue;
+        for (const Member& member : section.value.members) names.push_back(member.key);
+    }
+    return names;
+}
+
+}  // namespace crevice::table

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Cursors into a document, and errors put into its order.
+#include "core/decode_report.h"
+
+#include "core/text.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+std::vector<Note> notesOf(const std::vector<Place>& origins)
+{
+    std::vector<Note> notes;
+    for (const Place& origin : origins) notes.push_back({origin, "the base value was set here"});
+    return notes;
+}
+
+// The child that `token`, a slash and an escaped key, stands for.
+const Node* childAt(const Node& parent, std::string_view token, std::size_t& index)
+{
+    for (index = 0; index < parent.members.size(); ++index)
+        if (memberPointer("", parent.members[index].key) == token)
+            return &parent.members[index].value;
+    for (index = 0; index < parent.items.size(); ++index)
+        if ("/" + std::to_string(index) == token) return &parent.items[index];
+    return nullptr;
+}
+
+}  // namespace
+
+Cursor Cursor::child(const Member& member) const
+{
+    return {member.value,
+            memberPointer(pointer, member.key),
+            member.key_place,
+            member.key,
+            key.empty() ? member.key : key + " " + member.key,
+            doc};
+}
+
+Cursor Cursor::item(std::size_t index) const
+{
+    return {node.items[index], pointer + "/" + std::to_string(index), key_place, key, label, doc};
+}
+
+Reference Cursor::reference(std::string name) const
+{
+    return {std::move(name), node.place, pointer, node.origins};
+}
+
+Reference Cursor::keyReference() const
+{
+    return {key, key_place, pointer, {}};
+}
+
+Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message)
+{
+    return add({code, std::move(message), cursor.node.place, cursor.pointer,
+                notesOf(cursor.node.origins), cursor.doc});
+}
+
+Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message)
+{
+    return add({code, std::move(message), cursor.key_place, cursor.pointer, {}, cursor.doc});
+}
+
+Diagnostic& Report::at(const Reference& reference, Code code, std::string message)
+{
+    return add({code, std::move(message), reference.place, reference.pointer,
+                notesOf(reference.origins)});
+}
+
+Diagnostic& Report::add(Diagnostic diagnostic)
+{
+    entries_.push_back({std::move(diagnostic)});
+    return entries_.back().diagnostic;
+}
+
+void Report::sameMistake(std::string mistake)
+{
+    entries_.back().mistake = std::move(mistake);
+}
+
+bool Report::errorAt(std::string_view pointer) const
+{
+    return std::any_of(entries_.begin(), entries_.end(),
+                       [&](const Entry& entry) { return entry.diagnostic.pointer == pointer; });
+}
+
+bool Report::errorWithin(std::string_view pointer) const
+{
+    const std::string below = std::string(pointer) + "/";
+    return errorAt(pointer) ||
+           std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+               return entry.diagnostic.pointer.compare(0, below.size(), below) == 0;
+           });
+}
+
+Diagnostics Report::take(const Node& document)
+{
+    using Ordered = std::pair<std::vector<std::size_t>, Entry>;
+    std::vector<Ordered> ordered;
+    for (Entry& entry : entries_)
+        ordered.emplace_back(locate(document, entry.diagnostic.pointer).path, std::move(entry));
+    entries_.clear();
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const Ordered& a, const Ordered& b) { return a.first < b.first; });
+
+    Diagnostics diagnostics;
+    std::map<std::string, std::size_t> told;  // mistakes, and the diagnostics that tell them
+    for (Ordered& each : ordered) {
+        Entry& entry = each.second;
+        const auto [first, fresh] = told.emplace(entry.mistake, diagnostics.size());
+        if (fresh || entry.mistake.empty()) diagnostics.push_back(std::move(entry.diagnostic));
+        else diagnostics[first->second].notes.push_back({entry.diagnostic.place, "and here"});
+    }
+    return diagnostics;
+}
+
+Located locate(const Node& document, std::string_view pointer)
+{
+    Located located = {&document};
+    while (located.node && !pointer.empty()) {
+        const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+        located.path.push_back(0);
+        located.node = childAt(*located.node, pointer.substr(0, end), located.path.back());
+        pointer.remove_prefix(end);
+    }
+    return located;
+}
+
+bool isExtension(std::string_view key)
+{
+    return key.substr(0, 2) == "x-";
+}
+
+}  // namespace crevice::table

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What the steps of `decode` share: where in the document they are, and the errors so far.
+#pragma once
+
+#include "core/description.h"
+
+namespace crevice::table {
+
+/// A value in the document: where it is and what to call it.
+struct Cursor {
+    const Node& node;
+    std::string pointer = {};  ///< RFC 6901.
+    Place key_place = {};      ///< Of the member's key; the value's own for the top.
+    std::string key = {};      ///< The member's key.
+    std::string label = {};    ///< "radius default": the last two keys, for messages.
+    const char* doc = "";      ///< What the table says of it: the help of its errors.
+
+    Cursor child(const Member& member) const;
+    Cursor item(std::size_t index) const;
+    Reference reference(std::string name) const;  ///< To what the value names.
+    Reference keyReference() const;               ///< To what the key names.
+};
+
+/// Errors in any order, to be put into that of the document.
+class Report {
+public:
+    /// An error about a value, or about its key. The help is the table's sentence; change it in the
+    /// diagnostic that comes back, which is valid until the next call.
+    Diagnostic& atValue(const Cursor& cursor, Code code, std::string message);
+    Diagnostic& atKey(const Cursor& cursor, Code code, std::string message);
+
+    /// An error about a name that was decoded before, with a note for each place that it replaced.
+    Diagnostic& at(const Reference& reference, Code code, std::string message);
+    Diagnostic& add(Diagnostic diagnostic);
+
+    /// Says that the last error is about the same mistake as all others of that `mistake`: the first
+    /// one in the document is told, and the others become its notes.
+    void sameMistake(std::string mistake);
+
+    /// Whether an error was reported at the pointer, or at it or below.
+    bool errorAt(std::string_view pointer) const;
+    bool errorWithin(std::string_view pointer) const;
+
+    /// Everything, in the order of the document, each mistake once.
+    Diagnostics take(const Node& document);
+
+private:
+    struct Entry {
+        Diagnostic diagnostic;
+        std::string mistake = {};
+    };
+    std::vector<Entry> entries_;
+};
+
+/// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among
+/// their siblings: comparing two such paths gives the order of the document. A pointer that leads
+/// nowhere gives null.
+struct Located {
+    const Node* node = nullptr;
+    std::vector<std::size_t> path = {};
+};
+Located locate(const Node& document, std::string_view pointer);
+
+/// "x-..." is the host's own data, at every level.
+bool isExtension(std::string_view key);
+
+}  // namespace crevice::table

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The steps of `decode` after the table: names against each other, and the GLSL files. Private to
+// core/decode*.cpp. They run on broken descriptions too, so that one run finds all errors; what
+// an error before explains is not reported again.
+#pragma once
+
+#include "core/decode_report.h"
+
+namespace crevice::table {
+
+/// Reports names that collide (CV2107), counts that do not fit their generator (CV2102, CV4001) and
+/// targets that follow each other's size (CV2204).
+void checkNames(const Node& document, const Description& description, Report& report);
+
+/// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV3006 and
+/// CV4001.
+void checkReferences(const Node& document, const Description& description, Report& report);
+
+/// Reads each GLSL file that a shader or interface names, and what it includes, into
+/// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
+void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
+                     Report& report);
+
+/// Names declared in what looks like a misspelt section ("targts"). They count as known.
+std::vector<std::string> strayNames(const Node& document, const Report& report);
+
+/// The uniforms that a frame feeds; core/frame.h explains them.
+const std::vector<std::string>& frameValues();
+
+bool contains(const std::vector<std::string>& names, std::string_view name);
+
+}  // namespace crevice::table

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// How each JSON form becomes a C++ value, and what is said when it does not.
+#include "core/decode_reader.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <climits>
+#include <cstdio>
+
+namespace crevice::table {
+
+namespace {
+
+// The largest whole number up to which a float holds every one: what an int param can be.
+constexpr double kMaxWholeParam = 16777216.0;
+
+std::string found(const Node& node)
+{
+    switch (node.kind) {
+    case Node::Kind::array: return "a list";
+    case Node::Kind::object: return "an object";
+    case Node::Kind::null: return "null";
+    default: return std::string("the ") + kindName(node.kind) + " " + brief(node);
+    }
+}
+
+bool wrongType(Report& report, const Cursor& cursor, const std::string& wanted)
+{
+    report.atValue(cursor, Code::wrong_type,
+                   cursor.label + ": found " + found(cursor.node) + ", wanted " + wanted);
+    return false;
+}
+
+bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted)
+{
+    report.atValue(cursor, Code::bad_length,
+                   cursor.label + ": found a list of " + std::to_string(cursor.node.items.size()) +
+                       ", wanted " + wanted);
+    return false;
+}
+
+std::string numberText(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.10g", number);
+    return text;
+}
+
+bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
+{
+    if (cursor.node.number >= rule.min && cursor.node.number <= rule.max) return true;
+    const bool plain = rule.unit.empty() || rule.unit == "1";
+    report.atValue(cursor, Code::out_of_range,
+                   cursor.label + " " + cursor.node.text + " is outside [" + numberText(rule.min) +
+                       ", " + numberText(rule.max) + "]" +
+                       (plain ? "" : " " + std::string(rule.unit)));
+    return false;
+}
+
+// A number inside the rule's range and the one given, which is the C++ type's.
+bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, double least,
+                double most)
+{
+    const Node& node = cursor.node;
+    const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
+    if (node.kind != Node::Kind::number || fraction)
+        return wrongType(report, cursor, whole ? "a whole number" : "a number");
+    rule.min = std::max(rule.min, least);
+    rule.max = std::min(rule.max, most);
+    return checkRange(report, cursor, rule);
+}
+
+template <class T>
+bool readWhole(Report& report, const Cursor& cursor, T& out, const Rule& rule, double least,
+               double most)
+{
+    if (!readNumber(report, cursor, true, rule, least, most)) return false;
+    out = static_cast<T>(cursor.node.number);
+    return true;
+}
+
+bool isScalar(const Node& node)
+{
+    return node.kind == Node::Kind::boolean || node.kind == Node::Kind::number ||
+           node.kind == Node::Kind::string;
+}
+
+// Calls `each` with the value, or with each item when it is a list.
+template <class F>
+bool forEachItem(Report& report, const Cursor& cursor, F each)
+{
+    if (cursor.node.kind != Node::Kind::array) return each(cursor);
+    if (cursor.node.items.empty()) return wrongLength(report, cursor, "at least one entry");
+    bool good = true;
+    for (std::size_t i = 0; i < cursor.node.items.size(); ++i) good &= each(cursor.item(i));
+    return good;
+}
+
+bool isMacroName(std::string_view name)
+{
+    const auto letter = [](char c) {
+        return c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    };
+    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
+    return !name.empty() && letter(name.front()) && name.substr(0, 3) != "GL_" &&
+           name.find("__") == std::string_view::npos &&
+           std::all_of(name.begin(), name.end(), allowed);
+}
+
+}  // namespace
+
+bool expectObject(Report& report, const Cursor& cursor)
+{
+    return cursor.node.kind == Node::Kind::object || wrongType(report, cursor, "an object");
+}
+
+bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
+              std::size_t& index)
+{
+    if (cursor.node.kind != Node::Kind::string) return wrongType(report, cursor, "a string");
+    const auto word = std::find(words.begin(), words.end(), cursor.node.text);
+    index = static_cast<std::size_t>(word - words.begin());
+    if (word != words.end()) return true;
+    report.atValue(cursor, Code::bad_enum,
+                   cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
+                       std::to_string(words.size()) + " allowed words")
+        .help = suggestName(cursor.node.text, words, "allowed");
+    return false;
+}
+
+bool read(Report& report, const Cursor& cursor, bool& out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::boolean)
+        return wrongType(report, cursor, "true or false");
+    out = cursor.node.boolean;
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, int& out, const Rule& rule)
+{
+    return readWhole(report, cursor, out, rule, INT_MIN, INT_MAX);
+}
+
+bool read(Report& report, const Cursor& cursor, unsigned& out, const Rule& rule)
+{
+    return readWhole(report, cursor, out, rule, 0, UINT_MAX);
+}
+
+bool read(Report& report, const Cursor& cursor, float& out, const Rule& rule)
+{
+    if (!readNumber(report, cursor, false, rule, -FLT_MAX, FLT_MAX)) return false;
+    out = static_cast<float>(cursor.node.number);
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
+{
+    if (!readNumber(report, cursor, false, rule, rule.min, rule.max)) return false;
+    out = cursor.node.number;
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::string) return wrongType(report, cursor, "a string");
+    out = cursor.node.text;
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::string) return wrongType(report, cursor, "a name");
+    out = cursor.reference(cursor.node.text);
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, std::vector<Reference>& out, const Rule& rule)
+{
+    if (cursor.node.kind == Node::Kind::array && cursor.node.items.empty()) return true;
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        return read(report, item, out.emplace_back(), rule);
+    });
+}
+
+bool read(Report& report, const Cursor& cursor, std::vector<Format>& out, const Rule&)
+{
+    std::vector<std::string> names;
+    for (const FormatInfo& info : allFormats()) names.push_back(info.name);
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        std::size_t index = 0;
+        if (!readWord(report, item, names, index)) return false;
+        out.push_back(allFormats()[index].format);
+        return true;
+    });
+}
+
+bool read(Report& report, const Cursor& cursor, std::map<std::string, std::string>& out,
+          const Rule&)
+{
+    if (!expectObject(report, cursor)) return false;
+    for (const Member& member : cursor.node.members) {
+        const Cursor child = cursor.child(member);
+        if (isExtension(member.key)) continue;
+        if (!isMacroName(member.key))
+            report.atKey(child, Code::bad_name,
+                         "found the macro '" + member.key + "', which GLSL does not allow")
+                .help = "write letters, digits and '_', no '__' and no 'GL_' in front";
+        if (!isScalar(member.value)) wrongType(report, child, "a number, boolean or string");
+        const bool boolean = member.value.kind == Node::Kind::boolean;
+        out[member.key] = boolean ? (member.value.boolean ? "1" : "0") : member.value.text;
+    }
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
+{
+    const double most = out.whole ? kMaxWholeParam : kMaxParam;
+    const auto one = [&](const Cursor& item, float& value) {
+        if (!readNumber(report, item, out.whole, rule, -most, most)) return false;
+        value = static_cast<float>(item.node.number);
+        return true;
+    };
+    if (out.count == 1) return one(cursor, out.values[0]);
+    const std::string wanted = std::to_string(out.count) + " numbers";
+    if (cursor.node.kind != Node::Kind::array)
+        return wrongType(report, cursor, "a list of " + wanted);
+    if (cursor.node.items.size() != static_cast<std::size_t>(out.count))
+        return wrongLength(report, cursor, wanted);
+    bool good = true;
+    for (std::size_t i = 0; i < cursor.node.items.size(); ++i)
+        good &= one(cursor.item(i), out.values[i]);
+    return good;
+}
+
+bool read(Report& report, const Cursor& cursor, ClearColor out, const Rule& rule)
+{
+    const bool list = cursor.node.kind == Node::Kind::array;
+    if (list) return read(report, cursor, Numbers{out.values, 4, false}, rule);
+    float value = 0.0f;
+    if (!read(report, cursor, value, rule)) return false;
+    out.values.fill(value);
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::array) return wrongType(report, cursor, "a list");
+    if (cursor.node.items.size() < 2) return wrongLength(report, cursor, "at least two words");
+    const auto one = [&](const Cursor& item) {
+        const std::string& word = out.words.emplace_back(item.node.text);
+        if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
+        if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
+            report.atValue(item, Code::bad_name,
+                           item.label + ": found '" + word + "', wanted snake_case");
+            return false;
+        }
+        if (std::count(out.words.begin(), out.words.end(), word) == 1) return true;
+        report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice");
+        return false;
+    };
+    return forEachItem(report, cursor, one);
+}
+
+bool read(Report& report, const Cursor& cursor, Choice out, const Rule& rule)
+{
+    bool flag = false;
+    if (out.boolean && !read(report, cursor, flag, rule)) return false;
+    std::size_t index = flag ? 1 : 0;
+    const bool unknown = out.words.empty();  // they are broken, which has been said
+    if (!out.boolean && !unknown && !readWord(report, cursor, out.words, index)) return false;
+    out.index = static_cast<int>(index);
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, OneOf out, const Rule&)
+{
+    std::size_t index = 0;
+    if (!readWord(report, cursor, out.allowed, index)) return false;
+    out.word = out.allowed[index];
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Scalars out, const Rule&)
+{
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        if (!isScalar(item.node)) return wrongType(report, item, "a boolean, number or string");
+        const bool boolean = item.node.kind == Node::Kind::boolean;
+        out.texts.push_back(!boolean ? item.node.text : item.node.boolean ? "true" : "false");
+        return true;
+    });
+}
+
+}  // namespace crevice::table
