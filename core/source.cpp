@@ -2,6 +2,8 @@
 // The sets of texts: in memory, in a folder, in layers; and paths between them.
 #include "core/source.h"
 
+#include "core/text.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -13,11 +15,6 @@ namespace crevice {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool startsWith(std::string_view text, std::string_view start)
-{
-    return text.substr(0, start.size()) == start;
-}
 
 bool isRelative(std::string_view path)
 {

@@ -45,6 +45,16 @@ void appendEscaped(std::string& out, unsigned char control)
 
 }  // namespace
 
+bool startsWith(std::string_view text, std::string_view start)
+{
+    return text.substr(0, start.size()) == start;
+}
+
+bool endsWith(std::string_view text, std::string_view end)
+{
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
 std::size_t utf8Length(std::string_view text, std::size_t at)
 {
     const unsigned char first = byteAt(text, at);

@@ -7,6 +7,9 @@
 
 namespace crevice {
 
+bool startsWith(std::string_view text, std::string_view start);
+bool endsWith(std::string_view text, std::string_view end);
+
 /// Bytes of the UTF-8 character that begins at `at`, 1 to 4; 0 when the bytes there are none
 /// (overlong forms, surrogates and code points above U+10FFFF included). Requires at < text.size().
 std::size_t utf8Length(std::string_view text, std::size_t at);

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// From a config's name to one merged document.
+#include "core/load.h"
+
+#include "core/merge.h"
+#include "core/override.h"
+#include "core/text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <system_error>
+
+namespace crevice {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSuffix = ".json";
+constexpr std::string_view kConfigs = "configs/";
+
+bool isRelative(std::string_view path)
+{
+    return startsWith(path, "./") || startsWith(path, "../");
+}
+
+void append(Diagnostics& all, const Diagnostics& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+// The names that `extends` may use: modules by path, configs by name.
+std::vector<std::string> extendsNames(const SourceSet& sources)
+{
+    std::vector<std::string> names;
+    for (const std::string& path : sources.list()) {
+        if (!endsWith(path, kSuffix)) continue;
+        const std::size_t begin = startsWith(path, kConfigs) ? kConfigs.size() : 0;
+        names.push_back(path.substr(begin, path.size() - kSuffix.size() - begin));
+    }
+    return names;
+}
+
+std::string absenceOf(const std::string& path)
+{
+    std::error_code error;
+    return fs::exists(path, error) ? "the file '" + path + "' cannot be read"
+                                   : "there is no file '" + path + "'";
+}
+
+Result<SourceRef> findConfig(const SourceSet& sources, const std::string& config)
+{
+    const bool file = endsWith(config, kSuffix);
+    if (SourceRef source = file ? readFile(config) : nullptr) return source;
+    const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
+    if (SourceRef source = sources.find(file ? config : shipped)) return source;
+    Diagnostic missing{Code::module_missing,
+                       file ? absenceOf(config) : "there is no config '" + config + "'"};
+    missing.help = suggestName(config, configNames(sources), "shipped configs");
+    if (!file) missing.help += "; the name of a file of your own ends in .json";
+    return missing;
+}
+
+// Takes the member out of the object.
+std::optional<Node> takeMember(Node& object, std::string_view key)
+{
+    const auto at = std::find_if(object.members.begin(), object.members.end(),
+                                 [&](const Member& member) { return member.key == key; });
+    if (at == object.members.end()) return std::nullopt;
+    Node value = std::move(at->value);
+    object.members.erase(at);
+    return value;
+}
+
+Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer)
+{
+    return {Code::wrong_type, "found " + brief(found) + " where " + wanted + " was wanted",
+            found.place, std::move(pointer)};
+}
+
+// Reads a config's files, each once and each after all that it extends.
+class FileLoader {
+public:
+    explicit FileLoader(const SourceSet& sources) : sources_(sources) {}
+
+    void load(const SourceRef& source, const Place& asked_at);
+
+    std::vector<Node> bodies;      // without `extends` and `variants`
+    std::vector<Member> variants;  // in the same order; a name may come more than once
+    Diagnostics errors;
+
+private:
+    struct Opened {
+        std::string identity;
+        std::string name;
+    };
+
+    bool mayOpen(const Opened& file, const Place& asked_at);
+    Result<SourceRef> findExtended(const SourceText& from, const Node& entry) const;
+    void loadExtended(const SourceRef& source, const Node& list);
+    void checkFormat(const Node& document);
+    void takeVariants(Node& document);
+
+    const SourceSet& sources_;
+    std::vector<Opened> open_;  // from the config to the file being read
+    std::set<std::string> done_;
+};
+
+// What tells two files apart, by whatever path they were reached. A catalog path never begins with
+// '/', a canonical path on disk always does.
+std::string identityOf(const SourceText& source)
+{
+    if (!source.path.empty()) return source.path;
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(source.name, error);
+    return error ? source.name : canonical.string();
+}
+
+void FileLoader::load(const SourceRef& source, const Place& asked_at)
+{
+    const Opened file{identityOf(*source), source->name};
+    if (done_.count(file.identity) > 0 || !mayOpen(file, asked_at)) return;
+    Result<Node> document = parseDocument(source);
+    append(errors, document.diagnostics());
+    if (document) {
+        checkFormat(*document);
+        open_.push_back(file);
+        if (const auto list = takeMember(*document, "extends")) loadExtended(source, *list);
+        open_.pop_back();
+        takeVariants(*document);
+        bodies.push_back(std::move(*document));
+    }
+    done_.insert(file.identity);
+}
+
+bool FileLoader::mayOpen(const Opened& file, const Place& asked_at)
+{
+    std::string chain;
+    bool cycle = false;
+    for (const Opened& opened : open_) {
+        cycle = cycle || opened.identity == file.identity;
+        if (cycle) chain += opened.name + " -> ";
+    }
+    if (cycle)
+        errors.push_back({Code::module_cycle,
+                          "'extends' leads back to itself: " + chain + file.name, asked_at, {}, {},
+                          "take this entry out of 'extends'"});
+    else if (open_.size() > kMaxExtendsDepth)
+        errors.push_back({Code::module_depth, "found 'extends' more than " +
+                          std::to_string(kMaxExtendsDepth) + " deep", asked_at, {}, {},
+                          "let the config name what it needs in one list"});
+    else
+        return true;
+    return false;
+}
+
+Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& entry) const
+{
+    const std::string& name = entry.text;
+    Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
+                       entry.place};
+    if (!isRelative(name)) {
+        const std::string path = name + std::string(kSuffix);
+        if (SourceRef source = sources_.find(path)) return source;
+        if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;
+        missing.help = suggestName(name, extendsNames(sources_), "modules and configs");
+        if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
+        return missing;
+    }
+    const bool shipped = !from.path.empty();
+    const bool rooted = startsWith(from.name, "/") || isRelative(from.name);
+    const std::string path =
+        resolvePath(shipped ? from.path : rooted ? from.name : "./" + from.name, name);
+    if (path.empty())
+        return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
+                          entry.place, {}, {}, "name a module, such as 'ssao/hemisphere'"};
+    if (SourceRef source = shipped ? sources_.find(path) : readFile(path)) return source;
+    missing.message = shipped ? "there is no module '" + path + "'" : absenceOf(path);
+    missing.help = "the path is seen from the folder of '" + from.name + "'";
+    return missing;
+}
+
+void FileLoader::loadExtended(const SourceRef& source, const Node& list)
+{
+    if (list.kind != Node::Kind::array) {
+        errors.push_back(wrongType(list, "a list of names", "/extends"));
+        return;
+    }
+    for (const Node& entry : list.items) {
+        const std::string pointer = "/extends/" + std::to_string(&entry - list.items.data());
+        if (entry.kind != Node::Kind::string) {
+            errors.push_back(wrongType(entry, "a name", pointer));
+            continue;
+        }
+        const Result<SourceRef> found = findExtended(*source, entry);
+        if (found) load(*found, entry.place);
+        else append(errors, found.diagnostics());
+    }
+}
+
+void FileLoader::checkFormat(const Node& document)
+{
+    const Node* format = document.find("format");
+    if (format && format->integer && format->number == 1) return;
+    Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted", document.place,
+                     "/format", {}, "begin the file with \"format\": 1"};
+    if (format) {
+        error.message = "found format " + brief(*format) + " where 1 was wanted";
+        error.place = format->place;
+        error.help = "this library reads format 1";
+        if (format->number > 1) error.help += "; update crevice";
+    }
+    errors.push_back(std::move(error));
+}
+
+void FileLoader::takeVariants(Node& document)
+{
+    std::optional<Node> taken = takeMember(document, "variants");
+    if (!taken) return;
+    if (taken->kind != Node::Kind::object)
+        errors.push_back(wrongType(*taken, "an object of variants", "/variants"));
+    for (Member& variant : taken->members) {
+        if (variant.value.kind == Node::Kind::object)
+            variants.push_back(std::move(variant));
+        else
+            errors.push_back(wrongType(variant.value, "an object",
+                                       memberPointer("/variants", variant.key)));
+    }
+}
+
+void applyVariant(Node& document, const FileLoader& files, const LoadRequest& request,
+                  Diagnostics& errors)
+{
+    std::vector<std::string> names;
+    for (const Member& variant : files.variants) {
+        if (variant.key == request.variant) mergePatch(document, variant.value, errors);
+        names.push_back(variant.key);
+    }
+    if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    Diagnostic missing{Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
+                       request.config + "'"};
+    missing.help = suggestName(request.variant, std::move(names), "variants");
+    errors.push_back(std::move(missing));
+}
+
+}  // namespace
+
+Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
+{
+    const Result<SourceRef> config = findConfig(sources, request.config);
+    if (!config) return config.diagnostics();
+    FileLoader files(sources);
+    files.load(*config, {});
+    if (!files.errors.empty()) return files.errors;  // merging what is not whole adds false errors
+
+    Node document;
+    document.kind = Node::Kind::object;
+    Diagnostics errors;
+    for (const Node& body : files.bodies) mergePatch(document, body, errors);
+    document.place = files.bodies.back().place;
+    if (!request.variant.empty()) applyVariant(document, files, request, errors);
+    for (const std::string& text : request.overrides)
+        append(errors, applyOverride(document, text).diagnostics());
+    if (!errors.empty()) return errors;
+    return document;
+}
+
+std::vector<std::string> configNames(const SourceSet& sources)
+{
+    std::vector<std::string> names;
+    for (const std::string& path : sources.list())
+        if (startsWith(path, kConfigs) && endsWith(path, kSuffix))
+            names.push_back(path.substr(kConfigs.size(),
+                                        path.size() - kConfigs.size() - kSuffix.size()));
+    return names;
+}
+
+}  // namespace crevice

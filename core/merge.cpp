@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// RFC 7396 merge patches with origins.
+#include "core/merge.h"
+
+#include "core/text.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace {
+
+bool isObject(const Node& node)
+{
+    return node.kind == Node::Kind::object;
+}
+
+// "an object", for a sentence.
+std::string oneOf(const Node& node)
+{
+    const std::string name = kindName(node.kind);
+    return node.kind == Node::Kind::null ? name : (isObject(node) ? "an " : "a ") + name;
+}
+
+Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer)
+{
+    Diagnostic diagnostic{Code::merge_missing, "found null for key '" + patch.key +
+                          "', which is not there to be deleted", patch.key_place};
+    diagnostic.pointer = std::move(pointer);
+    diagnostic.help = "leave the key out";
+    if (base.members.empty()) return diagnostic;
+    if (base.place.source) diagnostic.notes.push_back({base.place, "the base object is here"});
+    std::vector<std::string> keys;
+    for (const Member& member : base.members) keys.push_back(member.key);
+    diagnostic.help = suggestName(patch.key, std::move(keys), "keys");
+    return diagnostic;
+}
+
+Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& pointer)
+{
+    Diagnostic diagnostic{Code::merge_kind, "found " + oneOf(patch) + " where " + oneOf(base) +
+                          " is to be changed", patch.place, pointer};
+    if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
+    diagnostic.help = isObject(base) ? "write an object with the keys to change, or null to delete"
+                                     : "write the whole value: only objects change key by key";
+    return diagnostic;
+}
+
+class Merger {
+public:
+    explicit Merger(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void merge(Node& base, const Node& patch, const std::string& pointer)
+    {
+        if (isObject(base) != isObject(patch)) {
+            diagnostics_.push_back(wrongKind(base, patch, pointer));
+        } else if (isObject(base) && base.members.empty()) {
+            base.members = fresh(patch, pointer).members;
+        } else if (isObject(base)) {
+            for (const Member& member : patch.members)
+                mergeMember(base, member, memberPointer(pointer, member.key));
+        } else {
+            std::vector<Place> origins = std::move(base.origins);
+            origins.push_back(base.place);
+            base = patch;
+            base.origins = std::move(origins);
+        }
+    }
+
+private:
+    void mergeMember(Node& base, const Member& patch, const std::string& pointer)
+    {
+        const auto found = std::find_if(base.members.begin(), base.members.end(),
+                                        [&](const Member& m) { return m.key == patch.key; });
+        const bool there = found != base.members.end();
+        if (patch.value.kind != Node::Kind::null) {
+            if (there) merge(found->value, patch.value, pointer);
+            else base.members.push_back({patch.key, patch.key_place, fresh(patch.value, pointer)});
+        } else if (there) {
+            base.members.erase(found);
+        } else {
+            diagnostics_.push_back(missingKey(base, patch, pointer));
+        }
+    }
+
+    // A copy for a place where nothing was, so that nothing can be deleted either. No member
+    // is looked up: a large file merges in linear time.
+    Node fresh(const Node& patch, const std::string& pointer)
+    {
+        if (!isObject(patch)) return patch;
+        Node copy;
+        copy.kind = patch.kind;
+        copy.place = patch.place;
+        for (const Member& member : patch.members) {
+            const std::string below = memberPointer(pointer, member.key);
+            if (member.value.kind == Node::Kind::null)
+                diagnostics_.push_back(missingKey({}, member, below));
+            else
+                copy.members.push_back({member.key, member.key_place, fresh(member.value, below)});
+        }
+        return copy;
+    }
+
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics)
+{
+    Merger(diagnostics).merge(base, patch, {});
+}
+
+}  // namespace crevice
