@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The table of GL functions, loaded from the current context, and the names of what they report.
+#pragma once
+
+#include "backends/gl_loader.h"
+#include "core/result.h"
+
+#define GL_GLES_PROTOTYPES 0  // types and constants only: nothing here can be linked by accident
+#include <GLES3/gl32.h>
+
+#include <string>
+
+namespace crevice {
+
+// X(name, NAME, required): a context that lacks a required one is refused. The others are null
+// where the context does not promise them; `settleOptional` sees to that.
+#define CREVICE_GL_FUNCTIONS(X) \
+    X(ActiveTexture, ACTIVETEXTURE, true) \
+    X(AttachShader, ATTACHSHADER, true) \
+    X(BindBuffer, BINDBUFFER, true) \
+    X(BindFramebuffer, BINDFRAMEBUFFER, true) \
+    X(BindSampler, BINDSAMPLER, true) \
+    X(BindTexture, BINDTEXTURE, true) \
+    X(BindVertexArray, BINDVERTEXARRAY, true) \
+    X(BlendEquation, BLENDEQUATION, true) \
+    X(BlendEquationSeparate, BLENDEQUATIONSEPARATE, true) \
+    X(BlendEquationSeparatei, BLENDEQUATIONSEPARATEI, false) \
+    X(BlendEquationi, BLENDEQUATIONI, false) \
+    X(BlendFuncSeparate, BLENDFUNCSEPARATE, true) \
+    X(BlendFuncSeparatei, BLENDFUNCSEPARATEI, false) \
+    X(BufferData, BUFFERDATA, true) \
+    X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS, true) \
+    X(ClearBufferfv, CLEARBUFFERFV, true) \
+    X(ColorMask, COLORMASK, true) \
+    X(ColorMaski, COLORMASKI, false) \
+    X(CompileShader, COMPILESHADER, true) \
+    X(CreateProgram, CREATEPROGRAM, true) \
+    X(CreateShader, CREATESHADER, true) \
+    X(CullFace, CULLFACE, true) \
+    X(DeleteBuffers, DELETEBUFFERS, true) \
+    X(DeleteFramebuffers, DELETEFRAMEBUFFERS, true) \
+    X(DeleteProgram, DELETEPROGRAM, true) \
+    X(DeleteSamplers, DELETESAMPLERS, true) \
+    X(DeleteShader, DELETESHADER, true) \
+    X(DeleteTextures, DELETETEXTURES, true) \
+    X(DeleteVertexArrays, DELETEVERTEXARRAYS, true) \
+    X(DepthFunc, DEPTHFUNC, true) \
+    X(DepthMask, DEPTHMASK, true) \
+    X(DepthRangef, DEPTHRANGEF, true) \
+    X(DetachShader, DETACHSHADER, true) \
+    X(Disable, DISABLE, true) \
+    X(Disablei, DISABLEI, false) \
+    X(DrawArrays, DRAWARRAYS, true) \
+    X(DrawBuffers, DRAWBUFFERS, true) \
+    X(DrawElements, DRAWELEMENTS, true) \
+    X(Enable, ENABLE, true) \
+    X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY, true) \
+    X(Enablei, ENABLEI, false) \
+    X(Finish, FINISH, true) \
+    X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D, true) \
+    X(FrontFace, FRONTFACE, true) \
+    X(GenBuffers, GENBUFFERS, true) \
+    X(GenFramebuffers, GENFRAMEBUFFERS, true) \
+    X(GenSamplers, GENSAMPLERS, true) \
+    X(GenTextures, GENTEXTURES, true) \
+    X(GenVertexArrays, GENVERTEXARRAYS, true) \
+    X(GetActiveUniform, GETACTIVEUNIFORM, true) \
+    X(GetBooleani_v, GETBOOLEANI_V, false) \
+    X(GetBooleanv, GETBOOLEANV, true) \
+    X(GetError, GETERROR, true) \
+    X(GetFloatv, GETFLOATV, true) \
+    X(GetIntegeri_v, GETINTEGERI_V, true) \
+    X(GetIntegerv, GETINTEGERV, true) \
+    X(GetProgramInfoLog, GETPROGRAMINFOLOG, true) \
+    X(GetProgramiv, GETPROGRAMIV, true) \
+    X(GetShaderInfoLog, GETSHADERINFOLOG, true) \
+    X(GetShaderiv, GETSHADERIV, true) \
+    X(GetString, GETSTRING, true) \
+    X(GetStringi, GETSTRINGI, true) \
+    X(GetUniformLocation, GETUNIFORMLOCATION, true) \
+    X(InvalidateFramebuffer, INVALIDATEFRAMEBUFFER, false) \
+    X(IsEnabled, ISENABLED, true) \
+    X(IsEnabledi, ISENABLEDI, false) \
+    X(IsTexture, ISTEXTURE, true) \
+    X(LinkProgram, LINKPROGRAM, true) \
+    X(ObjectLabel, OBJECTLABEL, false) \
+    X(PixelStorei, PIXELSTOREI, true) \
+    X(ReadPixels, READPIXELS, true) \
+    X(SamplerParameteri, SAMPLERPARAMETERI, true) \
+    X(ShaderSource, SHADERSOURCE, true) \
+    X(TexStorage2D, TEXSTORAGE2D, true) \
+    X(TexSubImage2D, TEXSUBIMAGE2D, true) \
+    X(Uniform1fv, UNIFORM1FV, true) \
+    X(Uniform1i, UNIFORM1I, true) \
+    X(Uniform1iv, UNIFORM1IV, true) \
+    X(Uniform1uiv, UNIFORM1UIV, true) \
+    X(Uniform2fv, UNIFORM2FV, true) \
+    X(Uniform2iv, UNIFORM2IV, true) \
+    X(Uniform3fv, UNIFORM3FV, true) \
+    X(Uniform3iv, UNIFORM3IV, true) \
+    X(Uniform4fv, UNIFORM4FV, true) \
+    X(Uniform4iv, UNIFORM4IV, true) \
+    X(UniformMatrix3fv, UNIFORMMATRIX3FV, true) \
+    X(UniformMatrix4fv, UNIFORMMATRIX4FV, true) \
+    X(UseProgram, USEPROGRAM, true) \
+    X(VertexAttribPointer, VERTEXATTRIBPOINTER, true) \
+    X(Viewport, VIEWPORT, true)
+
+/// The functions, without their "gl".
+struct GlApi {
+#define CREVICE_GL_MEMBER(name, upper, required) PFNGL##upper##PROC name = nullptr;
+    CREVICE_GL_FUNCTIONS(CREVICE_GL_MEMBER)
+#undef CREVICE_GL_MEMBER
+};
+
+/// Errors: CV6003 for each required function that the context lacks, and CV6004 when no context is
+/// current.
+Result<GlApi> loadGlApi(const GlLoader& load);
+
+/// "GL_INVALID_ENUM" and the like.
+const char* glErrorName(GLenum error);
+
+/// "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT" and the like.
+const char* framebufferStatusName(GLenum status);
+
+/// Takes all pending errors. Errors: CV6005, or CV6009 when memory ran out; "WHAT gave NAME, NAME".
+/// Allocates nothing when there is none.
+Status takeErrors(const GlApi& gl, const char* what, const char* label = "");
+
+/// Gives an object a name for debuggers, where the context can. `identifier` is GL_TEXTURE or the
+/// like.
+void setLabel(const GlApi& gl, GLenum identifier, GLuint name, const std::string& label);
+
+}  // namespace crevice

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "backends/gl_caps.h"
+
+#include "backends/failure.h"
+#include "backends/gl_formats.h"
+#include "backends/gl_objects.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+namespace crevice {
+
+namespace {
+
+std::string text(const GlApi& gl, GLenum name)
+{
+    const GLubyte* string = gl.GetString(name);
+    return string ? reinterpret_cast<const char*>(string) : "";
+}
+
+int integer(const GlApi& gl, GLenum name)
+{
+    GLint value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
+std::vector<std::string> readExtensions(const GlApi& gl)
+{
+    std::vector<std::string> names;
+    const int count = integer(gl, GL_NUM_EXTENSIONS);
+    for (int i = 0; i < count; ++i)
+        if (const GLubyte* name = gl.GetStringi(GL_EXTENSIONS, i))
+            names.emplace_back(reinterpret_cast<const char*>(name));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// The OpenGL ES version whose shaders and rules a desktop context takes; 0 for none.
+int compatibleVersion(const GlInfo& info)
+{
+    if (info.has("GL_ARB_ES3_2_compatibility")) return 320;
+    if (info.has("GL_ARB_ES3_1_compatibility") || info.native_version >= 450) return 310;
+    if (info.has("GL_ARB_ES3_compatibility") || info.native_version >= 430) return 300;
+    return 0;
+}
+
+bool isSoftware(const std::string& renderer)
+{
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
+        if (renderer.find(name) != std::string::npos) return true;
+    return false;
+}
+
+bool mayRender(const GlInfo& info, const FormatInfo& format)
+{
+    if (info.desktop || format.core_renderable) return true;
+    if (format.format_class != FormatClass::floating) return false;
+    if (info.version >= 320 || info.has("GL_EXT_color_buffer_float")) return true;
+    const bool half = format.format == Format::r16f || format.format == Format::rg16f ||
+                      format.format == Format::rgba16f;
+    return half && info.has("GL_EXT_color_buffer_half_float");
+}
+
+/// True when a framebuffer of that format is really complete: some drivers promise too much.
+bool tryRender(const GlApi& gl, const FormatInfo& format)
+{
+    constexpr int kSize = 4;
+    auto texture = GlTexture::make(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, glFormat(format.format).internal, kSize, kSize);
+    auto framebuffer = GlFramebuffer::make(gl);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
+    const GLenum point = format.format_class == FormatClass::depth ? GL_DEPTH_ATTACHMENT
+                                                                   : GL_COLOR_ATTACHMENT0;
+    gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name(), 0);
+    const GLenum buffer = point == GL_DEPTH_ATTACHMENT ? GL_NONE : GL_COLOR_ATTACHMENT0;
+    gl.DrawBuffers(1, &buffer);
+    const bool complete =
+        gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    const bool quiet = takeErrors(gl, "").ok();
+    return complete && quiet;
+}
+
+}  // namespace
+
+bool GlInfo::has(const char* extension) const
+{
+    return std::binary_search(extensions.begin(), extensions.end(), extension);
+}
+
+Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)
+{
+    GlInfo info;
+    const std::string version = text(gl, GL_VERSION);
+    const char* const prefix = "OpenGL ES ";
+    info.desktop = version.rfind(prefix, 0) != 0;
+    const char* number = version.c_str() + (info.desktop ? 0 : std::strlen(prefix));
+    int major = 0;
+    int minor = 0;
+    std::sscanf(number, "%d.%d", &major, &minor);
+    info.native_version = major * 100 + minor * 10;
+    if (info.native_version >= 300) info.extensions = readExtensions(gl);
+    info.version = info.desktop ? compatibleVersion(info) : info.native_version;
+    if (info.version < 300)
+        return failure(Code::gl_version,
+                       "the context is '" + version + "'; crevice wants OpenGL ES 3.0 or newer, "
+                       "or desktop OpenGL with GL_ARB_ES3_compatibility",
+                       "ask for a newer context, or update the driver of " + text(gl, GL_RENDERER));
+    if (ignore_extensions) {
+        info.native_version = info.version = 300;
+        info.extensions.clear();
+    }
+    return info;
+}
+
+void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
+{
+    const bool indexed = info.native_version >= (info.desktop ? 400 : 320);
+    if (!indexed) {
+        gl.BlendEquationi = nullptr;
+        gl.BlendEquationSeparatei = nullptr;
+        gl.BlendFuncSeparatei = nullptr;
+        gl.ColorMaski = nullptr;
+        gl.Disablei = nullptr;
+        gl.Enablei = nullptr;
+        gl.GetBooleani_v = nullptr;
+        gl.IsEnabledi = nullptr;
+    }
+    if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
+        gl.InvalidateFramebuffer = nullptr;
+    if (info.native_version < (info.desktop ? 430 : 320)) {
+        const char* name = info.desktop ? "glObjectLabel" : "glObjectLabelKHR";
+        gl.ObjectLabel = info.has("GL_KHR_debug")
+                             ? reinterpret_cast<PFNGLOBJECTLABELPROC>(load(name))
+                             : nullptr;
+    }
+}
+
+DeviceCaps readCaps(const GlApi& gl, const GlInfo& info)
+{
+    DeviceCaps caps;
+    const std::string renderer = text(gl, GL_RENDERER);
+    caps.name = renderer + ", " + text(gl, GL_VERSION);
+    caps.version = std::min(info.version, 320);
+    caps.software = isSoftware(renderer);
+    caps.compute = caps.version >= 310;
+    caps.max_texture_size = integer(gl, GL_MAX_TEXTURE_SIZE);
+    caps.max_color_attachments = std::min({integer(gl, GL_MAX_COLOR_ATTACHMENTS),
+                                           integer(gl, GL_MAX_DRAW_BUFFERS), kMaxColorAttachments});
+    caps.max_texture_units = std::min(integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS), kMaxTextureUnits);
+    caps.max_fragment_uniform_vectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_VECTORS);
+    caps.max_vertex_uniform_vectors = integer(gl, GL_MAX_VERTEX_UNIFORM_VECTORS);
+    for (const FormatInfo& format : allFormats())
+        caps.renderable[static_cast<int>(format.format)] =
+            mayRender(info, format) && tryRender(gl, format);
+    return caps;
+}
+
+bool canFilter(const GlInfo& info, Format format)
+{
+    if (formatInfo(format).format_class == FormatClass::depth) return false;
+    const bool full_float = format == Format::r32f || format == Format::rg32f ||
+                            format == Format::rgba32f;
+    return !full_float || info.desktop || info.has("GL_OES_texture_float_linear");
+}
+
+}  // namespace crevice

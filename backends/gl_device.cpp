@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "backends/gl_device.h"
+
+#include "backends/failure.h"
+#include "backends/gl_device_class.h"
+#include "backends/gl_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace crevice {
+
+Status GlDevice::prepare()
+{
+    Scope scope(*this);
+    state_.bindTexture(0, 0, 0);  // so that unit 0 is put back
+    caps_ = readCaps(gl_, info_);
+    Result<GlCopier> copier = GlCopier::make(gl_);
+    if (!copier) return copier.diagnostics();
+    copier_ = std::move(*copier);
+    makeSamplers();
+    return takeErrors(gl_, "makeGlDevice");
+}
+
+void GlDevice::makeSamplers()
+{
+    for (Filter filter : {Filter::nearest, Filter::linear}) {
+        for (Wrap wrap : {Wrap::clamp, Wrap::repeat}) {
+            const GLint filter_mode = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
+            const GLint wrap_mode = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+            auto made = GlSampler::make(gl_);
+            gl_.SamplerParameteri(made.name(), GL_TEXTURE_MIN_FILTER, filter_mode);
+            gl_.SamplerParameteri(made.name(), GL_TEXTURE_MAG_FILTER, filter_mode);
+            gl_.SamplerParameteri(made.name(), GL_TEXTURE_WRAP_S, wrap_mode);
+            gl_.SamplerParameteri(made.name(), GL_TEXTURE_WRAP_T, wrap_mode);
+            samplers_[static_cast<int>(filter)][static_cast<int>(wrap)] = std::move(made);
+        }
+    }
+}
+
+Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
+{
+    const int limit = caps_.max_texture_size;
+    if (desc.extent.width > limit || desc.extent.height > limit)
+        return failure(Code::too_big_for_device,
+                       "texture '" + desc.label + "' is " + std::to_string(desc.extent.width) +
+                           "x" + std::to_string(desc.extent.height) +
+                           " pixels; this device holds " + std::to_string(limit) + " a side",
+                       "render at a smaller size");
+    Scope scope(*this);
+    auto texture = GlTexture::make(gl_);
+    state_.bindTexture(0, texture.name(), 0);
+    gl_.TexStorage2D(GL_TEXTURE_2D, desc.mips, glFormat(desc.format).internal, desc.extent.width,
+                     desc.extent.height);
+    if (Status status = takeErrors(gl_, "createTexture", desc.label.c_str()); !status)
+        return status.diagnostics();
+    setLabel(gl_, GL_TEXTURE, texture.name(), desc.label);
+    const GLuint name = texture.name();
+    return TextureId{textures_.add({std::move(texture), name, desc.format, desc.extent})};
+}
+
+Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
+{
+    if (!gl_.IsTexture(native_name))
+        return failure(Code::bad_input,
+                       "the host's texture '" + desc.label + "' has the name " +
+                           std::to_string(native_name) + ", which is no texture of this context",
+                       "make it in the device's context, or in one that shares with it");
+    return TextureId{textures_.add({GlTexture(), native_name, desc.format, desc.extent})};
+}
+
+void GlDevice::attach(GLenum point, TextureId id)
+{
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, textures_.at(id.value).name, 0);
+}
+
+Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
+{
+    const auto count = static_cast<int>(desc.color.size());
+    if (count > caps_.max_color_attachments)
+        return failure(Code::too_many,
+                       "framebuffer '" + desc.label + "' has " + std::to_string(count) +
+                           " colour attachments; this device has " +
+                           std::to_string(caps_.max_color_attachments),
+                       "write fewer targets in one pass");
+    Scope scope(*this);
+    auto framebuffer = GlFramebuffer::make(gl_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    std::array<GLenum, kMaxColorAttachments> buffers = {GL_NONE};
+    for (int i = 0; i < count; ++i) {
+        buffers[i] = desc.color[i] ? GL_COLOR_ATTACHMENT0 + i : GL_NONE;
+        if (desc.color[i]) attach(buffers[i], desc.color[i]);
+    }
+    if (desc.depth) attach(GL_DEPTH_ATTACHMENT, desc.depth);
+    gl_.DrawBuffers(std::max(count, 1), buffers.data());
+    const GLenum complete = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (complete != GL_FRAMEBUFFER_COMPLETE)
+        return failure(Code::gl_error,
+                       "framebuffer '" + desc.label + "' is " + framebufferStatusName(complete),
+                       "give its targets one size, and formats that this device renders to");
+    if (Status status = takeErrors(gl_, "createFramebuffer", desc.label.c_str()); !status)
+        return status.diagnostics();
+    setLabel(gl_, GL_FRAMEBUFFER, framebuffer.name(), desc.label);
+    return FramebufferId{framebuffers_.add(std::move(framebuffer))};
+}
+
+Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
+{
+    (void)takeErrors(gl_, "the host");
+    Result<GlLinkedProgram> program = linkProgram(gl_, desc);
+    if (!program) return program.diagnostics();
+    if (Status status = takeErrors(gl_, "createProgram", desc.label.c_str()); !status)
+        return status.diagnostics();
+    return ProgramId{programs_.add(std::move(*program))};
+}
+
+Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
+{
+    Scope scope(*this);
+    MeshSlot mesh{GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_)};
+    gl_.BindVertexArray(mesh.vertex_array.name());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
+    gl_.BufferData(GL_ARRAY_BUFFER, desc.vertices.size() * sizeof(Vertex), desc.vertices.data(),
+                   GL_STATIC_DRAW);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.name());
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, desc.indices.size() * sizeof(std::uint32_t),
+                   desc.indices.data(), GL_STATIC_DRAW);
+    auto attribute = [&](GLuint location, GLint components, std::size_t offset) {
+        gl_.EnableVertexAttribArray(location);
+        gl_.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                                reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 3, offsetof(Vertex, position));
+    attribute(1, 3, offsetof(Vertex, normal));
+    attribute(2, 2, offsetof(Vertex, uv));
+    setLabel(gl_, GL_VERTEX_ARRAY, mesh.vertex_array.name(), desc.label);
+    if (Status status = takeErrors(gl_, "createMesh", desc.label.c_str()); !status)
+        return status.diagnostics();
+    return MeshId{meshes_.add(std::move(mesh))};
+}
+
+void GlDevice::destroy(ObjectId id)
+{
+    switch (id.kind) {
+    case ObjectId::Kind::texture: return textures_.remove(id.value);
+    case ObjectId::Kind::mesh: return meshes_.remove(id.value);
+    case ObjectId::Kind::program: return programs_.remove(id.value);
+    case ObjectId::Kind::framebuffer: return framebuffers_.remove(id.value);
+    }
+}
+
+Status GlDevice::writeTexture(TextureId id, const Image& image)
+{
+    const TextureSlot& texture = textures_.at(id.value);
+    if (image.extent != texture.extent)
+        return failure(Code::bad_input, "an image differs in size from the texture that it is for",
+                       "make the image as large as the texture");
+    Scope scope(*this);
+    const GlFormat& format = glFormat(texture.format);
+    const std::vector<std::uint8_t> pixels = packPixels(image, texture.format);
+    state_.bindTexture(0, texture.name, 0);
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.extent.width, image.extent.height,
+                      format.upload_format, format.upload_type, pixels.data());
+    return takeErrors(gl_, "writeTexture");
+}
+
+Result<Image> GlDevice::readTexture(TextureId id)
+{
+    const TextureSlot& texture = textures_.at(id.value);
+    Scope scope(*this);
+    const GLuint nearest = sampler({Filter::nearest, Wrap::clamp}, texture.format);
+    Result<Image> rgba = copier_.read(gl_, state_, texture.name, nearest, texture.extent);
+    if (!rgba) return rgba;
+    Image image(texture.extent, formatInfo(texture.format).channels);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = rgba->pixels[i / image.channels * 4 + i % image.channels];
+    return image;
+}
+
+Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader, const GlDeviceOptions& options)
+{
+    Result<GlApi> gl = loadGlApi(loader);
+    if (!gl) return gl.diagnostics();
+    Result<GlInfo> info = readInfo(*gl, options.ignore_extensions);
+    if (!info) return info.diagnostics();
+    settleOptional(*gl, *info, loader);
+    auto device = std::make_unique<GlDevice>(*gl, *info, options);
+    if (Status status = device->prepare(); !status) return status.diagnostics();
+    return std::unique_ptr<Device>(std::move(device));
+}
+
+}  // namespace crevice

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The class behind makeGlDevice: gl_device.cpp makes and reads objects, gl_frame.cpp draws.
+#pragma once
+
+#include "backends/gl_copy.h"
+#include "backends/gl_device.h"
+
+namespace crevice {
+
+class GlDevice final : public Device {
+public:
+    GlDevice(const GlApi& gl, const GlInfo& info, const GlDeviceOptions& options)
+        : gl_(gl),
+          info_(info),
+          check_errors_(options.check_errors),
+          state_(gl_, info_, options.restore_state)
+    {
+    }
+
+    /// Reads what the context can do and makes the device's own objects.
+    Status prepare();
+
+    const DeviceCaps& caps() const override { return caps_; }
+    Result<TextureId> createTexture(const TextureDesc& desc) override;
+    Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
+    Result<ProgramId> createProgram(const ProgramDesc& desc) override;
+    Result<MeshId> createMesh(const MeshDesc& desc) override;
+    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    void destroy(ObjectId id) override;
+    Status writeTexture(TextureId id, const Image& image) override;
+    Result<Image> readTexture(TextureId id) override;
+    const std::vector<UniformInfo>& uniforms(ProgramId id) const override
+    {
+        return programs_.at(id.value).uniforms;
+    }
+    void beginFrame() override;
+    Status endFrame() override;
+    void beginPass(const PassInfo& pass) override;
+    void endPass() override;
+    void setProgram(ProgramId id, const StateDesc& state) override;
+    void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) override;
+    void setUniform(int location, GlslType type, int count, const void* data) override
+    {
+        setUniformValues(gl_, location, type, count, data);
+    }
+    void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
+    void drawFullscreen() override;
+    void present(TextureId id, const HostFramebuffer& host) override;
+    void finish() override { gl_.Finish(); }
+
+private:
+    struct TextureSlot {
+        GlTexture owned;  // nothing when adopted
+        GLuint name;      // either way
+        Format format;
+        Extent extent;
+    };
+
+    struct MeshSlot {
+        GlVertexArray vertex_array;
+        GlBuffer vertices;
+        GlBuffer indices;
+    };
+
+    /// Brackets a call that may come outside of a frame. Drops the errors that the host left.
+    class Scope {
+    public:
+        explicit Scope(GlDevice& device) : state_(device.state_)
+        {
+            if (!state_.entered()) (void)takeErrors(device.gl_, "the host");
+            state_.enter();
+        }
+        ~Scope() { state_.leave(); }
+        Scope(const Scope&) = delete;
+
+    private:
+        GlState& state_;
+    };
+
+    /// The sampler object; nearest where the format takes no filter.
+    GLuint sampler(const SamplerDesc& desc, Format format) const;
+    void makeSamplers();
+    void attach(GLenum point, TextureId id);
+
+    /// Keeps the errors of a call that returns none, for endFrame.
+    void noteErrors(const char* what, const char* label = "");
+
+    GlApi gl_;
+    GlInfo info_;
+    bool check_errors_;
+    GlState state_;
+    DeviceCaps caps_;
+    GlCopier copier_;
+    GlSampler samplers_[2][2];
+    GlPool<TextureSlot> textures_;
+    GlPool<MeshSlot> meshes_;
+    GlPool<GlLinkedProgram> programs_;
+    GlPool<GlFramebuffer> framebuffers_;
+    PassInfo pass_ = {};
+    Diagnostics errors_;  // of this frame's passes
+};
+
+}  // namespace crevice

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// The drawing half of the GL device.
+#include "backends/gl_device_class.h"
+
+namespace crevice {
+
+namespace {
+
+GLenum compareFunction(Compare compare)
+{
+    switch (compare) {
+    case Compare::less: return GL_LESS;
+    case Compare::less_equal: return GL_LEQUAL;
+    case Compare::greater: return GL_GREATER;
+    case Compare::greater_equal: return GL_GEQUAL;
+    case Compare::equal: return GL_EQUAL;
+    case Compare::always: break;
+    }
+    return GL_ALWAYS;
+}
+
+void setBlend(const GlApi& gl, Blend blend)
+{
+    if (blend == Blend::none) return gl.Disable(GL_BLEND);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    if (blend == Blend::alpha)
+        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (blend == Blend::add) gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    if (blend == Blend::multiply)
+        gl.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_DST_ALPHA, GL_ZERO);
+}
+
+/// Tells the driver which attachments' contents are not wanted: tile memory is then neither loaded
+/// nor stored.
+template <class Op>
+void invalidate(const GlApi& gl, const PassInfo& pass, const Op* color, Op depth, Op discard)
+{
+    if (!gl.InvalidateFramebuffer) return;
+    GLenum unwanted[kMaxColorAttachments + 1];
+    GLsizei count = 0;
+    for (int i = 0; i < pass.color_count; ++i)
+        if (color[i] == discard) unwanted[count++] = GL_COLOR_ATTACHMENT0 + i;
+    if (pass.has_depth && depth == discard) unwanted[count++] = GL_DEPTH_ATTACHMENT;
+    if (count > 0) gl.InvalidateFramebuffer(GL_DRAW_FRAMEBUFFER, count, unwanted);
+}
+
+void clear(const GlApi& gl, const PassInfo& pass)
+{
+    for (int i = 0; i < pass.color_count; ++i)
+        if (pass.color_load[i] == LoadOp::clear) gl.ClearBufferfv(GL_COLOR, i, pass.clear_color[i]);
+    if (pass.has_depth && pass.depth_load == LoadOp::clear)
+        gl.ClearBufferfv(GL_DEPTH, 0, &pass.clear_depth);
+}
+
+}  // namespace
+
+GLuint GlDevice::sampler(const SamplerDesc& desc, Format format) const
+{
+    const Filter filter = canFilter(info_, format) ? desc.filter : Filter::nearest;
+    return samplers_[static_cast<int>(filter)][static_cast<int>(desc.wrap)].name();
+}
+
+void GlDevice::noteErrors(const char* what, const char* label)
+{
+    if (!check_errors_) return;
+    const Status status = takeErrors(gl_, what, label);
+    errors_.insert(errors_.end(), status.diagnostics().begin(), status.diagnostics().end());
+}
+
+void GlDevice::beginFrame()
+{
+    if (check_errors_) (void)takeErrors(gl_, "the host");
+    state_.enter();
+}
+
+Status GlDevice::endFrame()
+{
+    state_.leave();
+    noteErrors("endFrame");
+    Diagnostics errors;
+    errors.swap(errors_);
+    return errors;
+}
+
+void GlDevice::beginPass(const PassInfo& pass)
+{
+    pass_ = pass;
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass.framebuffer.value).name());
+    gl_.Viewport(0, 0, pass.extent.width, pass.extent.height);
+    state_.unmask();
+    invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
+    clear(gl_, pass);
+}
+
+void GlDevice::endPass()
+{
+    invalidate(gl_, pass_, pass_.color_store, pass_.depth_store, StoreOp::discard);
+    noteErrors("pass", pass_.label);
+}
+
+void GlDevice::setProgram(ProgramId id, const StateDesc& state)
+{
+    gl_.UseProgram(programs_.at(id.value).program.name());
+    // Depth is written only while the test is on, so `always` may not switch it off then.
+    state_.setEnabled(GL_DEPTH_TEST, state.depth_test != Compare::always || state.depth_write);
+    gl_.DepthFunc(compareFunction(state.depth_test));
+    gl_.DepthMask(state.depth_write);
+    state_.setEnabled(GL_CULL_FACE, state.cull != Cull::none);
+    gl_.CullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
+    setBlend(gl_, state.blend);
+}
+
+void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& desc)
+{
+    const TextureSlot& texture = textures_.at(id.value);
+    state_.bindTexture(unit, texture.name, sampler(desc, texture.format));
+    gl_.Uniform1i(location, unit);
+}
+
+void GlDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
+{
+    gl_.BindVertexArray(meshes_.at(id.value).vertex_array.name());
+    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(offset));
+}
+
+void GlDevice::drawFullscreen()
+{
+    copier_.drawTriangle(gl_);
+}
+
+void GlDevice::present(TextureId id, const HostFramebuffer& host)
+{
+    const TextureSlot& texture = textures_.at(id.value);
+    Scope scope(*this);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host.name);
+    gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
+    copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format));
+    noteErrors("present");
+}
+
+}  // namespace crevice
