@@ -156,9 +156,9 @@ std::string resolvePath(std::string_view from, std::string_view path)
         else parts.push_back(part);
     }
     std::string joined;
-    for (const std::string_view part : parts) {
-        if (&part != &parts.front()) joined += '/';
-        joined += part;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i > 0) joined += '/';
+        joined += parts[i];
     }
     return joined;
 }
