@@ -49,7 +49,7 @@ struct GlslOutput {
 /// A shader stage ready for a driver.
 struct GlslStage {
     std::string text;               ///< With #version, defines and #line.
-    std::vector<SourceRef> files;   ///< By the source-string number that #line gives.
+    std::vector<SourceRef> files;   ///< By source-string number; only explainLog reads lines.
     std::vector<GlslUniform> uniforms;
     std::vector<GlslOutput> outputs;
     std::vector<std::string> defines_used;  ///< Of those offered, the ones that the text mentions.
@@ -76,7 +76,8 @@ std::vector<GlslInclude> findIncludes(const SourceRef& source);
 
 /// Turns a driver's log into diagnostics at the author's file and line. Understands the forms of
 /// Mesa ("0:5(12): error: ..."), NVIDIA ("0(5) : error C1234: ...") and ANGLE, ARM and Qualcomm
-/// ("ERROR: 0:5: ..."); a line of no known form is kept as it is.
+/// ("ERROR: 0:5: ..."); lines of no known form become one error at the stage's first file. A
+/// driver's warning stays one. Never empty: a driver that says nothing gives an error that says so.
 Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log);
 
 }  // namespace crevice

@@ -49,6 +49,7 @@ private:
     void readDefine(const GlslLine& line);
     void readUndef(const GlslLine& line);
     void readIncludeLine(const GlslLine& line);
+    void writeLine(int line);
     bool resolve(const GlslInclude& include, std::string& path);
     bool inRing(const GlslInclude& include, const std::string& path);
     bool condition(const GlslLine& line);
@@ -86,6 +87,7 @@ void Preprocessor::readFile(const std::string& path)
     unit_.files.push_back(source);
     open_paths_.push_back(path);
     open_numbers_.push_back(number);
+    if (number > 0) writeLine(1);
     seen_.insert(path);
 
     BlankedText blanked = blankComments(source->text);
@@ -132,7 +134,7 @@ void Preprocessor::readFirstLine(const GlslLine& line)
         return;
     }
     unit_.version = std::string(tokens[2].text) + " es";
-    unit_.text = "#line " + std::to_string(line.line + line.count) + " 0\n";
+    writeLine(line.line + line.count);
     unit_.macros.define("__VERSION__", {tokens[2]});
 }
 
@@ -260,9 +262,14 @@ void Preprocessor::readIncludeLine(const GlslLine& line)
         unit_.text.append(std::size_t(line.count), '\n');
         return;
     }
-    unit_.text += "#line 1 " + std::to_string(unit_.files.size()) + "\n";
     readFile(path);
-    unit_.text += "#line " + std::to_string(line.line + line.count) + " " +
+    writeLine(line.line + line.count);
+}
+
+/// Says that what follows is that line of the file being read.
+void Preprocessor::writeLine(int line)
+{
+    unit_.text += "#line " + std::to_string(file() * kLinesPerFile + line) + " " +
                   std::to_string(file()) + "\n";
 }
 

@@ -13,6 +13,11 @@
 
 namespace crevice {
 
+/// `#line` counts an included file's lines from its source-string number times this, because Mesa
+/// (22.3.6, all drivers) gives source string 0 for most errors, wherever they are. Line 7 of file 2
+/// is line 200007 to the driver; explainLog takes it apart again.
+constexpr int kLinesPerFile = 100000;
+
 /// A stage after preprocessing.
 struct GlslUnit {
     std::string version;           ///< "300 es" or "310 es".

@@ -97,7 +97,8 @@ TEST_CASE("an include stands between line numbers of its file and of the one tha
 {
     const GlslStage stage = stageOf({{"a/main.frag", kVersion + "#include \"b.glsl\"\nint y;\n"},
                                      {"b.glsl", "// comment\nint x;"}});
-    CHECK(stage.text == "#version 300 es\n#line 2 0\n#line 1 1\n\nint x;\n#line 3 0\nint y;\n");
+    CHECK(stage.text ==
+          "#version 300 es\n#line 2 0\n#line 100001 1\n\nint x;\n#line 3 0\nint y;\n");
     REQUIRE(stage.files.size() == 2);
     CHECK(stage.files[1]->name == "b.glsl");
 }
