@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Scenes in CPU memory: what a file or a built-in name gives, before any device sees it.
+//
+// Right-handed, y is up, lengths in the scene's own units. Nothing here depends on GL, so the
+// device upload and the ray tracer start from the same triangles.
+#pragma once
+
+#include "core/frame.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// An axis-aligned box in world space; empty (min above max) until something is added.
+struct Bounds {
+    glm::dvec3 min = glm::dvec3(1e300);
+    glm::dvec3 max = glm::dvec3(-1e300);
+
+    void add(const glm::dvec3& point);
+    bool empty() const { return min.x > max.x; }
+    glm::dvec3 center() const { return min * 0.5 + max * 0.5; }
+    double diagonal() const;                 ///< Length from corner to corner; 0 when empty.
+    glm::dvec3 corner(int index) const;      ///< Bits 0, 1, 2 of `index` choose max in x, y, z.
+};
+
+struct SceneMaterial {
+    std::string name = {};
+    glm::vec4 base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);  ///< Linear; times the texture.
+    int base_color_texture = -1;             ///< Into Scene::textures; -1 for none.
+    glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
+    float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
+    float alpha_cutoff = 0.0f;               ///< Below this alpha is a hole; 0 is opaque.
+};
+
+/// Four channels, linear, in [0, 1].
+struct SceneTexture {
+    std::string name;
+    Image image;
+};
+
+/// A mesh at a place.
+struct SceneInstance {
+    int mesh = 0;  ///< Into Scene::meshes.
+    glm::mat4 world_from_model = glm::mat4(1.0f);
+    int material = 0;  ///< Into Scene::materials.
+};
+
+struct SceneCamera {
+    std::string name = {};
+    glm::mat4 view_from_world = glm::mat4(1.0f);
+    bool orthographic = false;
+    double fov_y_rad = 0.87;         ///< Of a perspective view: top to bottom, in (0, pi).
+    double half_height = 1.0;        ///< Of an orthographic view: centre to top, scene units.
+    double near_distance = 0.0;      ///< Scene units; when `far_distance` is 0 both follow the
+    double far_distance = 0.0;       ///< scene's bounds, but a near distance above 0 is kept.
+};
+
+struct SceneLight {
+    std::string name;
+    Light light;
+};
+
+struct Scene {
+    std::string name = {};
+    std::vector<MeshDesc> meshes = {};
+    std::vector<SceneInstance> instances = {};
+    std::vector<SceneMaterial> materials = {};
+    std::vector<SceneTexture> textures = {};
+    std::vector<SceneCamera> cameras = {};
+    std::vector<SceneLight> lights = {};
+    glm::vec3 ambient_light = glm::vec3(0.3f);
+
+    /// The box around every triangle of every instance. Walks all vertices; keep the result.
+    Bounds bounds() const;
+};
+
+/// OpenGL's clip space, z in [-1, 1]. Near and far distances that the camera leaves open enclose
+/// `bounds` with a hair to spare; a near distance is then at least a thousandth of the far one.
+glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& bounds);
+
+/// A built-in scene or a file that Assimp reads: glTF 2.0, OBJ, 3DS, PLY, STL ... A name without a
+/// folder and an extension is a built-in one. What is left out (broken triangles, textures that
+/// cannot be read) is told in warnings. A file without lights gets one, so that it can be seen.
+///
+/// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it.
+Result<Scene> loadScene(const std::string& name_or_file);
+
+/// The file alone; what `loadScene` does for paths. No default light, no look at built-in names.
+Result<Scene> importScene(const std::string& path);
+
+}  // namespace crevice
