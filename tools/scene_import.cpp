@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
+#include "tools/scene.h"
+
+#include "tools/scene_materials.h"
+#include "tools/scene_views.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+
+namespace crevice {
+
+namespace {
+
+// Faces that meet at a sharper angle get an edge where a file has no normals: boxes stay boxes.
+constexpr float kCreaseDegrees = 60.0f;
+
+// Coordinates beyond it overflow a float when squared.
+constexpr float kMaxCoordinate = 1e18f;
+
+constexpr unsigned kPostProcess = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
+                                  aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                                  aiProcess_RemoveComponent;
+
+glm::dmat4 matrixFrom(const aiMatrix4x4& m)  // Assimp's has rows, ours columns
+{
+    return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2,
+                      m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4);
+}
+
+bool usable(const aiVector3D& v)
+{
+    return std::abs(v.x) <= kMaxCoordinate && std::abs(v.y) <= kMaxCoordinate &&
+           std::abs(v.z) <= kMaxCoordinate;  // false for NaN
+}
+
+bool usable(const aiMesh& mesh, const aiFace& face)
+{
+    return std::all_of(face.mIndices, face.mIndices + face.mNumIndices, [&](unsigned index) {
+        return index < mesh.mNumVertices && usable(mesh.mVertices[index]);
+    });
+}
+
+// Removes the faces that no later step could bear; returns how many. What stays of broken vertices
+// is set to zero, since Assimp sorts all of them.
+unsigned dropBrokenFaces(aiMesh& mesh)
+{
+    unsigned kept = 0;
+    for (unsigned index = 0; index < mesh.mNumFaces; ++index) {
+        if (!usable(mesh, mesh.mFaces[index])) continue;
+        if (kept != index) std::swap(mesh.mFaces[kept], mesh.mFaces[index]);
+        ++kept;
+    }
+    const unsigned dropped = mesh.mNumFaces - kept;
+    mesh.mNumFaces = kept;
+    for (unsigned index = 0; index < mesh.mNumVertices; ++index)
+        if (!usable(mesh.mVertices[index])) mesh.mVertices[index] = aiVector3D(0, 0, 0);
+    return dropped;
+}
+
+void setNormal(Vertex& vertex, const glm::vec3& normal)
+{
+    for (int axis = 0; axis < 3; ++axis) vertex.normal[axis] = normal[axis];
+}
+
+glm::vec3 positionOf(const Vertex& vertex)
+{
+    return {vertex.position[0], vertex.position[1], vertex.position[2]};
+}
+
+bool hasNormal(const Vertex& vertex)
+{
+    return vertex.normal[0] != 0 || vertex.normal[1] != 0 || vertex.normal[2] != 0;
+}
+
+// Normals of length zero become their face's, or +z where the face has no area.
+void fillNormals(MeshDesc& mesh)
+{
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        Vertex* corners[3];
+        for (int k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
+        if (hasNormal(*corners[0]) && hasNormal(*corners[1]) && hasNormal(*corners[2])) continue;
+        const glm::dvec3 origin = positionOf(*corners[0]);
+        const glm::dvec3 normal = glm::cross(glm::dvec3(positionOf(*corners[1])) - origin,
+                                             glm::dvec3(positionOf(*corners[2])) - origin);
+        const double length = glm::length(normal);
+        if (!(length > 0.0)) continue;
+        for (Vertex* corner : corners)
+            if (!hasNormal(*corner)) setNormal(*corner, normal / length);
+    }
+    for (Vertex& vertex : mesh.vertices)
+        if (!hasNormal(vertex)) setNormal(vertex, {0, 0, 1});
+}
+
+Vertex vertexFrom(const aiMesh& mesh, unsigned index)
+{
+    Vertex vertex;
+    const aiVector3D& position = mesh.mVertices[index];
+    for (int axis = 0; axis < 3; ++axis) vertex.position[axis] = position[axis];
+    const aiVector3D from = mesh.HasNormals() ? mesh.mNormals[index] : aiVector3D(0, 0, 0);
+    const glm::dvec3 normal(from.x, from.y, from.z);
+    const double length = glm::length(normal);
+    setNormal(vertex, length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0));
+    if (mesh.HasTextureCoords(0) && usable(mesh.mTextureCoords[0][index])) {
+        vertex.uv[0] = mesh.mTextureCoords[0][index].x;
+        vertex.uv[1] = mesh.mTextureCoords[0][index].y;
+    }
+    return vertex;
+}
+
+MeshDesc meshFrom(const aiMesh& from)
+{
+    MeshDesc mesh;
+    mesh.label = from.mName.C_Str();
+    mesh.vertices.reserve(from.mNumVertices);
+    for (unsigned index = 0; index < from.mNumVertices; ++index)
+        mesh.vertices.push_back(vertexFrom(from, index));
+    mesh.indices.reserve(static_cast<std::size_t>(from.mNumFaces) * 3);
+    for (unsigned index = 0; index < from.mNumFaces; ++index) {
+        const aiFace& face = from.mFaces[index];
+        if (face.mNumIndices == 3)
+            mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
+    }
+    fillNormals(mesh);
+    return mesh;
+}
+
+bool finite(const glm::mat4& matrix)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    return true;
+}
+
+// Flattens the hierarchy. A stack of its own: a file may nest deeper than the program's.
+NodePlaces importNodes(const aiScene& from, Scene& scene)
+{
+    NodePlaces places;
+    std::vector<std::pair<const aiNode*, glm::dmat4>> open = {{from.mRootNode, glm::dmat4(1.0)}};
+    while (!open.empty()) {
+        const auto [node, world_from_parent] = open.back();
+        open.pop_back();
+        const glm::dmat4 world_from_node = world_from_parent * matrixFrom(node->mTransformation);
+        places.emplace(node->mName.C_Str(), world_from_node);
+        for (unsigned k = 0; k < node->mNumMeshes; ++k) {
+            const unsigned mesh = node->mMeshes[k];
+            if (mesh >= from.mNumMeshes || !finite(world_from_node)) continue;
+            const std::size_t material = from.mMeshes[mesh]->mMaterialIndex;
+            scene.instances.push_back(
+                {static_cast<int>(mesh), world_from_node,
+                 static_cast<int>(std::min(material, scene.materials.size() - 1))});
+        }
+        for (unsigned k = node->mNumChildren; k > 0; --k)
+            open.emplace_back(node->mChildren[k - 1], world_from_node);
+    }
+    return places;
+}
+
+Diagnostic broken(const std::string& path, const std::string& reason)
+{
+    Diagnostic error = {Code::scene_broken, "the scene '" + path + "' cannot be read: " + reason};
+    while (!error.message.empty() && (error.message.back() == '.' || error.message.back() == '\n'))
+        error.message.pop_back();
+    error.help = "scenes are glTF 2.0 (.gltf, .glb), OBJ, 3DS, PLY, STL, or what else Assimp reads";
+    return error;
+}
+
+Diagnostic noTriangle(const std::string& path, unsigned dropped)
+{
+    Diagnostic error = {Code::scene_empty, "the scene '" + path + "' has no triangle"};
+    if (dropped > 0) error.message += " whose vertices are finite";
+    error.help = "points and lines cast no occlusion; export the scene with its faces";
+    return error;
+}
+
+// Faces that enclose an area.
+bool hasSurface(const aiScene& scene)
+{
+    for (unsigned mesh = 0; mesh < scene.mNumMeshes; ++mesh)
+        for (unsigned face = 0; face < scene.mMeshes[mesh]->mNumFaces; ++face)
+            if (scene.mMeshes[mesh]->mFaces[face].mNumIndices >= 3) return true;
+    return false;
+}
+
+Scene sceneFrom(const aiScene& from, const std::string& path, Diagnostics& warnings)
+{
+    Scene scene;
+    scene.name = std::filesystem::path(path).stem().string();
+    importMaterials(from, path, scene, warnings);
+    for (unsigned index = 0; index < from.mNumMeshes; ++index)
+        scene.meshes.push_back(meshFrom(*from.mMeshes[index]));
+    const NodePlaces places = importNodes(from, scene);
+    importCameras(from, path, places, scene);
+    importLights(from, places, scene);
+    return scene;
+}
+
+Result<Scene> readScene(const std::string& path)
+{
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseDegrees);
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                                aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                    aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS);
+    if (!importer.ReadFile(path, 0)) return broken(path, importer.GetErrorString());
+
+    // Assimp sorts vertices by position: it must not meet those that cannot be ordered.
+    unsigned dropped = 0;
+    const aiScene* const read = importer.GetScene();
+    for (unsigned index = 0; index < read->mNumMeshes; ++index)
+        dropped += dropBrokenFaces(*read->mMeshes[index]);
+    if (!hasSurface(*read)) return noTriangle(path, dropped);
+    const aiScene* const scene = importer.ApplyPostProcessing(kPostProcess);
+    if (!scene) return broken(path, importer.GetErrorString());
+
+    Diagnostics warnings;
+    if (dropped > 0) {
+        Diagnostic warning = {Code::not_finite, "the scene '" + path + "' has " +
+                                                    std::to_string(dropped) +
+                                                    " faces with vertices that are not finite"};
+        warning.help = "they are left out";
+        warning.severity = Severity::warning;
+        warnings.push_back(warning);
+    }
+    Scene result = sceneFrom(*scene, path, warnings);
+    if (result.instances.empty() || result.bounds().empty()) return noTriangle(path, dropped);
+    return {std::move(result), std::move(warnings)};
+}
+
+}  // namespace
+
+Result<Scene> importScene(const std::string& path)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        return Diagnostic{Code::scene_missing, "the scene file '" + path + "' does not exist"};
+    if (!std::filesystem::is_regular_file(path, error)) return broken(path, "it is not a file");
+    try {
+        return readScene(path);
+    } catch (const std::bad_alloc&) {
+        return Diagnostic{Code::out_of_memory, "the scene '" + path + "' does not fit into memory"};
+    } catch (const std::exception& fault) {
+        return broken(path, fault.what());
+    }
+}
+
+}  // namespace crevice

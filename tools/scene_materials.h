@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Materials and textures of an Assimp scene; the part of the import that reads image files.
+#pragma once
+
+#include "tools/scene.h"
+
+struct aiScene;
+
+namespace crevice {
+
+/// Appends a material for each of `from`'s, in its order, and the base-colour textures that they
+/// use, each once. `path` is the scene file's: textures are looked for beside it. One that is
+/// missing or broken is left out, with a warning CV7005.
+void importMaterials(const aiScene& from, const std::string& path, Scene& scene,
+                     Diagnostics& warnings);
+
+}  // namespace crevice
