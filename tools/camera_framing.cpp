@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Framing a scene, and reading a camera from the command line.
+#include "tools/camera_framing.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace crevice {
+
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kDefaultFov = 50.0;  // degrees, vertical
+
+// Towards the eye: from the right, from above, mostly from the front.
+const glm::dvec3 kThreeQuarter = {0.55, 0.45, 1.0};
+
+constexpr double kMargin = 1.05;  // of free room around the framed bounds
+
+// What the text of a camera says, before it is made into one.
+struct CameraText {
+    glm::dvec3 eye = glm::dvec3(0.0);
+    bool has_eye = false;
+    glm::dvec3 at = glm::dvec3(0.0);
+    glm::dvec3 up = {0, 1, 0};
+    double fov = kDefaultFov;
+    bool has_fov = false;
+    double ortho = 0.0;
+    bool has_ortho = false;
+    double near_distance = 0.0;
+    bool has_near = false;
+    double far_distance = 0.0;
+    bool has_far = false;
+};
+
+Diagnostic unreadable(const std::string& what)
+{
+    Diagnostic error = {Code::usage, what};
+    error.help = "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, near and far may follow";
+    return error;
+}
+
+Diagnostic impossible(const std::string& what, const std::string& help)
+{
+    Diagnostic error = {Code::out_of_range, what};
+    error.help = help;
+    return error;
+}
+
+// Reads `count` numbers with commas between them.
+Status readNumbers(const std::string& key, const std::string& text, int count, double* numbers)
+{
+    const char* at = text.c_str();
+    for (int k = 0; k < count; ++k) {
+        char* end = nullptr;
+        numbers[k] = std::strtod(at, &end);
+        const char wanted = k + 1 < count ? ',' : '\0';
+        if (end == at || *end != wanted)
+            return unreadable("the camera's " + key + " '" + text + "' is not " +
+                              (count == 1 ? "a number" : "three numbers joined by commas"));
+        if (!std::isfinite(numbers[k]))
+            return Diagnostic{Code::not_finite,
+                              "the camera's " + key + " '" + text + "' is not finite"};
+        at = end + 1;
+    }
+    return {};
+}
+
+Status readEntry(const std::string& key, const std::string& value, CameraText& camera)
+{
+    struct Known { const char* name; int count; double* numbers; bool* given; };
+    bool ignored = false;
+    const Known known[] = {{"eye", 3, &camera.eye.x, &camera.has_eye},
+                           {"at", 3, &camera.at.x, &ignored},
+                           {"up", 3, &camera.up.x, &ignored},
+                           {"fov", 1, &camera.fov, &camera.has_fov},
+                           {"ortho", 1, &camera.ortho, &camera.has_ortho},
+                           {"near", 1, &camera.near_distance, &camera.has_near},
+                           {"far", 1, &camera.far_distance, &camera.has_far}};
+    std::vector<std::string> names;
+    for (const Known& entry : known) {
+        names.push_back(entry.name);
+        if (key != entry.name) continue;
+        *entry.given = true;
+        return readNumbers(key, value, entry.count, entry.numbers);
+    }
+    Diagnostic error = {Code::usage, "a camera has no '" + key + "'"};
+    error.help = suggestName(key, names, "parts of a camera");
+    return error;
+}
+
+Status readCameraText(const std::string& text, CameraText& camera)
+{
+    std::istringstream entries(text);
+    for (std::string entry; std::getline(entries, entry, ';');) {
+        if (entry.empty()) continue;
+        const std::size_t equals = entry.find('=');
+        if (equals == std::string::npos)
+            return unreadable("the camera's part '" + entry + "' is not name=value");
+        const std::string key = entry.substr(0, equals);
+        const Status status = readEntry(key, entry.substr(equals + 1), camera);
+        if (!status) return status;
+    }
+    return {};
+}
+
+Status checkCamera(const CameraText& camera)
+{
+    if (!camera.has_eye) return unreadable("the camera has no eye");
+    if (camera.eye == camera.at)
+        return impossible("the camera's eye is where it looks at", "move eye or at");
+    if (camera.has_fov && camera.has_ortho) return unreadable("the camera has both fov and ortho");
+    if (!(camera.fov > 0.0 && camera.fov < 180.0))
+        return impossible("the camera's fov is outside (0, 180) degrees", "50 is a common one");
+    if (camera.has_ortho && !(camera.ortho > 0.0))
+        return impossible("the camera's ortho height is not above 0", "give it in scene units");
+    if (camera.has_near && !(camera.near_distance > 0.0) && !camera.has_ortho)
+        return impossible("the camera's near distance is not above 0",
+                          "leave it out to fit the scene");
+    if (camera.has_far && !(camera.far_distance > camera.near_distance))
+        return impossible("the camera's far distance is not above the near one",
+                          "leave it out to fit the scene");
+    if (camera.has_far && !camera.has_near)
+        return impossible("the camera has a far distance and no near one", "give near as well");
+    return {};
+}
+
+// Any direction will do where the wanted one runs along the view.
+glm::dmat4 lookAt(const glm::dvec3& eye, const glm::dvec3& at, glm::dvec3 up)
+{
+    const glm::dvec3 forward = glm::normalize(at - eye);
+    const double length = glm::length(up);
+    if (!(glm::length(glm::cross(forward, up)) > 1e-6 * length))
+        up = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+    return glm::lookAt(eye, at, up);
+}
+
+Result<SceneCamera> parseCamera(const std::string& text, const Bounds& bounds)
+{
+    CameraText parts;
+    parts.at = bounds.center();
+    if (Status status = readCameraText(text, parts); !status) return status.diagnostics();
+    if (Status status = checkCamera(parts); !status) return status.diagnostics();
+    SceneCamera camera;
+    camera.name = text;
+    camera.view_from_world = lookAt(parts.eye, parts.at, parts.up);
+    camera.orthographic = parts.has_ortho;
+    camera.half_height = parts.has_ortho ? parts.ortho / 2.0 : camera.half_height;
+    camera.fov_y_rad = parts.fov * kDegree;
+    camera.near_distance = parts.near_distance;
+    camera.far_distance = parts.far_distance;
+    return camera;
+}
+
+}  // namespace
+
+SceneCamera frameScene(const Bounds& bounds, double aspect)
+{
+    SceneCamera camera;
+    camera.name = "framing";
+    camera.fov_y_rad = kDefaultFov * kDegree;
+    const double tan_y = std::tan(camera.fov_y_rad / 2.0) / kMargin;
+    const double tan_x = tan_y * aspect;
+
+    // The nearest distance at which every corner is inside all four sides.
+    const glm::dvec3 towards_eye = glm::normalize(kThreeQuarter);
+    const glm::dmat3 turn = lookAt(towards_eye, glm::dvec3(0.0), {0, 1, 0});
+    double distance = 0.0;
+    for (int index = 0; index < 8 && !bounds.empty(); ++index) {
+        const glm::dvec3 corner = turn * (bounds.corner(index) - bounds.center());
+        distance = std::max({distance, std::abs(corner.x) / tan_x + corner.z,
+                             std::abs(corner.y) / tan_y + corner.z});
+    }
+    if (!(distance > 0.0)) distance = 1.0;  // all of the scene is one point
+    const glm::dvec3 center = bounds.empty() ? glm::dvec3(0.0) : bounds.center();
+    const glm::dvec3 eye = center + towards_eye * distance;
+    camera.view_from_world = lookAt(eye, center, {0, 1, 0});
+    return camera;
+}
+
+Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const std::string& text,
+                                 double aspect)
+{
+    if (text.empty())
+        return scene.cameras.empty() ? frameScene(bounds, aspect) : scene.cameras.front();
+    std::vector<std::string> names;
+    for (const SceneCamera& camera : scene.cameras) {
+        if (camera.name == text) return camera;
+        names.push_back(camera.name);
+    }
+    if (text.find('=') != std::string::npos) return parseCamera(text, bounds);
+    Diagnostic error = {Code::camera_missing,
+                        "the scene '" + scene.name + "' has no camera '" + text + "'"};
+    error.help = suggestName(text, names, "cameras") + "; or write eye=4,2,6;at=0,1,0;fov=50";
+    return error;
+}
+
+}  // namespace crevice
