@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A scene's objects on a device, and frames of them.
+#include "tools/scene_upload.h"
+
+#include <utility>
+
+namespace crevice {
+
+Result<UploadedScene> UploadedScene::upload(Device& device, const Scene& scene)
+{
+    UploadedScene uploaded(device);
+    if (Status status = uploaded.uploadTextures(scene); !status) return status.diagnostics();
+    if (Status status = uploaded.uploadMeshes(scene); !status) return status.diagnostics();
+    for (const SceneLight& light : scene.lights) uploaded.frame_.lights.push_back(light.light);
+    uploaded.frame_.ambient_light = scene.ambient_light;
+    uploaded.bounds_ = scene.bounds();
+    return uploaded;
+}
+
+UploadedScene::~UploadedScene()
+{
+    destroy();
+}
+
+UploadedScene::UploadedScene(UploadedScene&& other) noexcept
+    : device_(other.device_),
+      textures_(std::exchange(other.textures_, {})),
+      meshes_(std::exchange(other.meshes_, {})),
+      frame_(std::exchange(other.frame_, {})),
+      bounds_(other.bounds_)
+{
+}
+
+UploadedScene& UploadedScene::operator=(UploadedScene&& other) noexcept
+{
+    if (this == &other) return *this;
+    destroy();
+    device_ = other.device_;
+    textures_ = std::exchange(other.textures_, {});
+    meshes_ = std::exchange(other.meshes_, {});
+    frame_ = std::exchange(other.frame_, {});
+    bounds_ = other.bounds_;
+    return *this;
+}
+
+Status UploadedScene::uploadTextures(const Scene& scene)
+{
+    for (const SceneTexture& texture : scene.textures) {
+        const Result<TextureId> id =
+            device_->createTexture({texture.name, Format::rgba16f, texture.image.extent});
+        if (!id) return id.diagnostics();
+        textures_.push_back(*id);
+        if (Status status = device_->writeTexture(*id, texture.image); !status) return status;
+    }
+    for (const SceneMaterial& from : scene.materials) {
+        Material material;
+        material.base_color = from.base_color;
+        if (from.base_color_texture >= 0)
+            material.base_color_map = textures_[from.base_color_texture];
+        material.specular = from.specular;
+        material.shininess = from.shininess;
+        material.alpha_cutoff = from.alpha_cutoff;
+        frame_.materials.push_back(material);
+    }
+    return {};
+}
+
+Status UploadedScene::uploadMeshes(const Scene& scene)
+{
+    for (const MeshDesc& mesh : scene.meshes) {
+        meshes_.emplace_back();
+        if (mesh.indices.empty()) continue;
+        const Result<MeshId> id = device_->createMesh(mesh);
+        if (!id) return id.diagnostics();
+        meshes_.back() = *id;
+    }
+    for (const SceneInstance& instance : scene.instances) {
+        if (!meshes_[instance.mesh]) continue;
+        const auto count = static_cast<std::uint32_t>(scene.meshes[instance.mesh].indices.size());
+        frame_.draws.push_back(
+            {meshes_[instance.mesh], 0, count, instance.world_from_model, instance.material});
+    }
+    return {};
+}
+
+void UploadedScene::destroy()
+{
+    for (const MeshId mesh : meshes_) device_->destroy(mesh);
+    for (const TextureId texture : textures_) device_->destroy(texture);
+    meshes_.clear();
+    textures_.clear();
+}
+
+Frame makeFrame(const UploadedScene& scene, const SceneCamera& camera, Extent extent)
+{
+    Frame frame = scene.frame_;
+    frame.camera.view_from_world = camera.view_from_world;
+    frame.camera.clip_from_view = clipFromView(camera, extent, scene.bounds_);
+    return frame;
+}
+
+}  // namespace crevice
