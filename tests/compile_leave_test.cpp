@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// What a plan leaves out: conditions with bypasses, identities, attachments nobody reads.
+#include "tests/plan_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+// ssao -> filter -> light, with a filter that can be switched off.
+Sketch filtered(const std::string& filter_keys, const std::string& extra = "")
+{
+    return {{"ssao: -> ao", "filter: ao -> smooth |" + filter_keys, "light: smooth -> lit"},
+            {{"ao", "smooth"}, {"color", "lit"}},
+            {},
+            extra};
+}
+
+const char* const kSoft = R"("features": {"soft": {"type": "bool", "default": false}})";
+
+// A chain whose first pass is known at intensity 0 and whose second is known at blur 0.
+Sketch withIdentities(const std::string& intensity, const std::string& blur)
+{
+    return {{R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+             R"(filter: ao -> smooth | "identity": {"blur": {"at": 0, "gives": {"smooth": "ao"}}})",
+             "light: smooth -> lit"},
+            {{"ao", "smooth"}, {"color", "lit"}},
+            {},
+            R"("params": {"intensity": {"default": )" + intensity +
+                R"(}, "blur": {"type": "int", "default": )" + blur + "}}"};
+}
+
+CompileOptions keeping(const std::string& rule)
+{
+    CompileOptions options = sized();
+    options.keep = {rule};
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("A pass whose condition fails is left out, and its bypass stands in for it")
+{
+    const Plan plan = planOf(
+        describe(filtered(R"("when": {"soft": true}, "bypass": {"smooth": "ao"})", kSoft)));
+    CHECK(passNames(plan) == "ssao, light");
+    REQUIRE(plan.passes[1].inputs.size() == 1);
+    CHECK(plan.targets[plan.passes[1].inputs[0].index].name == "ao");
+    CHECK(plan.targets[plan.outputs[0].target].name == "ao");
+    const LeftOut* left = leftOut(plan, "pass filter");
+    REQUIRE(left);
+    CHECK(left->rule == "condition");
+    CHECK(left->reason == "it needs soft true, and soft is false");
+    CHECK(left->bytes > 0);
+}
+
+TEST_CASE("A condition is meaning: no option switches it off")
+{
+    const Description description =
+        describe(filtered(R"("when": {"soft": true}, "bypass": {"smooth": "ao"})", kSoft));
+    CHECK(passNames(planOf(description, {}, keeping("all"))) == "ssao, light");
+}
+
+TEST_CASE("Bypasses are followed through one another")
+{
+    const Plan plan = planOf(describe(Sketch{
+        {"a: -> x", R"(b: x -> y | "when": {"soft": true}, "bypass": {"y": "x"})",
+         R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
+        {{"out", "w"}}, {}, kSoft}));
+    CHECK(passNames(plan) == "a, d");
+    CHECK(plan.targets[plan.passes[1].inputs[0].index].name == "x");
+}
+
+TEST_CASE("Reading what an inactive pass would have written is an error that names it and why")
+{
+    const Diagnostic error = onlyError(describe(filtered(R"("when": {"soft": true})", kSoft)));
+    CHECK(error.code == Code::never_written);
+    CHECK(error.pointer == "/passes/light");
+    CHECK(error.message.find("'filter'") != error.message.npos);
+    CHECK(error.message.find("soft is false") != error.message.npos);
+    REQUIRE(error.notes.size() == 1);
+    CHECK(textAt(error.notes[0].place) == "\"filter\"");
+}
+
+TEST_CASE("Bypasses that lead round in a circle stand in for nothing")
+{
+    const Diagnostic error = onlyError(describe(Sketch{
+        {R"(b: z -> y | "when": {"soft": true}, "bypass": {"y": "z"})",
+         R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
+        {{"out", "w"}}, {}, kSoft}));
+    CHECK(error.code == Code::never_written);
+}
+
+TEST_CASE("Two passes may write one target when their conditions exclude each other")
+{
+    const std::string feature =
+        R"("features": {"method": {"type": "enum", "values": ["near", "far", "off"],
+                                   "default": "far"}})";
+    const Plan plan = planOf(describe(Sketch{
+        {R"(near: -> ao | "when": {"method": "near"})",
+         R"(far: -> ao | "when": {"method": ["far", "off"]})", "light: ao -> lit"},
+        {{"out", "lit"}}, {}, feature}));
+    CHECK(passNames(plan) == "far, light");
+}
+
+TEST_CASE("Every term of a condition must hold")
+{
+    const auto names = [](bool specular, int lights) {
+        const Sketch sketch{
+            {"a: -> x", R"(b: x -> y | "when": {"scene.specular": true, "scene.lights": true},
+                           "bypass": {"y": "x"})", "c: y -> z"},
+            {{"out", "z"}}};
+        SceneTraits traits;
+        traits.specular = specular;
+        traits.lights = lights;
+        return passNames(planOf(describe(sketch), traits));
+    };
+    CHECK(names(true, 3) == "a, b, c");
+    CHECK(names(true, 0) == "a, c");
+    CHECK(names(false, 3) == "a, c");
+}
+
+TEST_CASE("Lights compare as none, at least one, or a number")
+{
+    const auto runs = [](const std::string& wanted, int lights) {
+        const Sketch sketch{
+            {"a: -> x", R"(b: x -> y | "when": {"scene.lights": )" + wanted +
+                            R"(}, "bypass": {"y": "x"})"},
+            {{"out", "y"}}};
+        SceneTraits traits;
+        traits.lights = lights;
+        return planOf(describe(sketch), traits).passes.size() == 2;
+    };
+    CHECK(runs("false", 0));
+    CHECK_FALSE(runs("false", 1));
+    CHECK(runs("true", 5));
+    CHECK_FALSE(runs("true", 0));
+    CHECK(runs("2", 2));
+    CHECK_FALSE(runs("2", 3));
+    CHECK(runs("[1, 2]", 1));
+}
+
+TEST_CASE("Each trait of the scene and the camera can be a condition")
+{
+    const auto [name, on] = GENERATE(table<std::string, SceneTraits>({
+        {"scene.alpha_tested", {0, true, false, false, false}},
+        {"scene.specular", {0, false, true, false, false}},
+        {"scene.textured", {0, false, false, true, false}},
+        {"camera.orthographic", {0, false, false, false, true}}}));
+    const Description description = describe(Sketch{
+        {"a: -> x", "b: x -> y | \"when\": {\"" + name + R"(": true}, "bypass": {"y": "x"})"},
+        {{"out", "y"}}});
+    CHECK(planOf(description, on).passes.size() == 2);
+    CHECK(planOf(description).passes.size() == 1);
+}
+
+TEST_CASE("A pass at its identity gives a constant, and what only it needed goes too")
+{
+    Sketch sketch = withIdentities("0", "2");
+    sketch.passes.insert(sketch.passes.begin(), "geometry: -> depth normal");
+    sketch.passes[1].replace(0, 5, "ssao: depth normal ");
+    const Plan plan = planOf(describe(sketch));
+    CHECK(passNames(plan) == "filter, light");
+    REQUIRE(plan.passes[0].inputs.size() == 1);
+    CHECK(plan.passes[0].inputs[0].kind == InputKind::constant);
+    CHECK(plan.constants.at(plan.passes[0].inputs[0].index).value == 1.0f);
+    const LeftOut* left = leftOut(plan, "pass ssao");
+    REQUIRE(left);
+    CHECK(left->rule == "identity");
+    CHECK(left->reason == "intensity is 0, so ao is 1");
+    REQUIRE(leftOut(plan, "pass geometry"));
+    CHECK(leftOut(plan, "pass geometry")->rule == "unread");
+}
+
+TEST_CASE("A pass at its identity gives its input")
+{
+    const Plan plan = planOf(describe(withIdentities("1", "0")));
+    CHECK(passNames(plan) == "ssao, light");
+    CHECK(plan.targets[plan.outputs[0].target].name == "ao");
+}
+
+TEST_CASE("Identities are followed through one another, down to an output that is a constant")
+{
+    const Plan plan = planOf(describe(withIdentities("0", "0")));
+    CHECK(passNames(plan) == "light");
+    REQUIRE(plan.outputs[0].name == "ao");
+    REQUIRE(plan.outputs[0].constant >= 0);
+    CHECK(plan.outputs[0].target == -1);
+    CHECK(plan.constants[plan.outputs[0].constant].value == 1.0f);
+    CHECK(plan.constants.size() == 1);
+}
+
+TEST_CASE("An identity holds at its exact value alone")
+{
+    CHECK(passNames(planOf(describe(withIdentities("1e-6", "1")))) == "ssao, filter, light");
+}
+
+TEST_CASE("A pass stays when its identity leaves out an output that is needed")
+{
+    const auto names = [](const std::string& reads) {
+        return passNames(planOf(describe(Sketch{
+            {R"(ssao: -> ao bent | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+             "light: " + reads + " -> lit"},
+            {{"out", "lit"}}, {}, R"("params": {"intensity": {"default": 0}})"})));
+    };
+    CHECK(names("ao") == "light");
+    CHECK(names("ao bent") == "ssao, light");
+}
+
+TEST_CASE("The next identity is tried when the first leaves out an output that is needed")
+{
+    const Plan plan = planOf(describe(Sketch{
+        {R"(ssao: -> ao bent | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}},
+                                            "radius": {"at": 0, "gives": {"ao": 1, "bent": 0}}})",
+         "light: ao bent -> lit"},
+        {{"out", "lit"}}, {},
+        R"("params": {"intensity": {"default": 0}, "radius": {"default": 0}})"}));
+    CHECK(passNames(plan) == "light");
+    CHECK(plan.constants.size() == 2);
+    CHECK(leftOut(plan, "pass ssao")->reason == "radius is 0, so ao is 1, bent is 0");
+}
+
+TEST_CASE("A vector param is at an identity when each component is")
+{
+    const auto passes = [](const std::string& tint) {
+        return planOf(describe(Sketch{
+            {"a: -> x", R"(b: x -> y | "identity": {"tint": {"at": 1, "gives": {"y": "x"}}})"},
+            {{"out", "y"}}, {},
+            R"("params": {"tint": {"type": "vec3", "default": )" + tint + "}}"})).passes.size();
+    };
+    CHECK(passes("[1, 1, 1]") == 1);
+    CHECK(passes("[1, 1, 0.5]") == 2);
+}
+
+TEST_CASE("The identity rule can be switched off")
+{
+    const Description description = describe(withIdentities("0", "0"));
+    CHECK(passNames(planOf(description, {}, keeping("identity"))) == "ssao, filter, light");
+    CHECK(passNames(planOf(description, {}, keeping("all"))) == "ssao, filter, light");
+    CHECK(passNames(planOf(description, {}, keeping("sharing"))) == "light");
+}
+
+TEST_CASE("An attachment that nobody reads gets no texture, and is listed with its saving")
+{
+    const Description description =
+        describe(Sketch{{"g: -> normal albedo", "s: normal -> ao"}, {{"out", "ao"}}});
+    const Plan plan = planOf(description);
+    const PlanAttachment* albedo = attachmentOf(plan, "albedo");
+    REQUIRE(albedo);
+    CHECK(albedo->target == -1);
+    CHECK(albedo->store == StoreOp::discard);
+    const LeftOut* left = leftOut(plan, "attachment albedo");
+    REQUIRE(left);
+    CHECK(left->rule == "unread");
+    CHECK(left->bytes == 64 * 32);
+
+    const Plan kept = planOf(description, {}, keeping("unread"));
+    CHECK(attachmentOf(kept, "albedo")->target >= 0);
+    CHECK(attachmentOf(kept, "albedo")->store == StoreOp::discard);
+    CHECK(kept.left_out.empty());
+}
+
+TEST_CASE("Passes that nobody needs run when the unread rule is switched off")
+{
+    const Description description = describe(Sketch{
+        {"used: -> a", "unused: a -> b", "end: a -> c"}, {{"out", "c"}}});
+    CHECK(passNames(planOf(description, {}, keeping("unread"))) == "used, unused, end");
+}
+
+TEST_CASE("A stand-in must hold the kind of values that it replaces")
+{
+    const std::map<std::string, std::string> targets = {{"ao", R"({"format": ["r16f"]})"}};
+    SECTION("by bypass")
+    {
+        Sketch sketch = filtered(R"("bypass": {"smooth": "ao"})");
+        sketch.targets = targets;
+        const Diagnostic error = onlyError(describe(sketch));
+        CHECK(error.code == Code::bypass_class);
+        CHECK(error.pointer == "/passes/filter/bypass/smooth");
+        CHECK(textAt(error.place) == "\"ao\"");
+    }
+    SECTION("by identity, whatever the param's value")
+    {
+        Sketch sketch = withIdentities("1", "2");
+        sketch.targets = targets;
+        const Diagnostic error = onlyError(describe(sketch));
+        CHECK(error.code == Code::bypass_class);
+        CHECK(error.pointer == "/passes/filter/identity/blur/gives/smooth");
+    }
+    SECTION("but may differ in size")
+    {
+        Sketch sketch = withIdentities("1", "0");
+        sketch.targets = {{"ao", R"({"format": ["r8"], "size": {"scale": 0.5}})"}};
+        CHECK(passNames(planOf(describe(sketch))) == "ssao, light");
+    }
+}
