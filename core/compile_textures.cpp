@@ -47,40 +47,13 @@ FormatClass classOf(const TargetDesc& target)
 
 // ---- sizes
 
-// The targets whose sizes this one follows, itself first; cut off where that leads round.
-std::vector<int> followed(const State& state, int index)
+// Sizes do not follow each other in a circle: decode sees to that.
+Extent followedExtent(const State& state, const SizeDesc& size)
 {
-    const auto& targets = state.description.targets;
-    std::vector<int> chain;
-    for (int at = index; at >= 0; at = indexOf(targets, targets[at].size.of.name)) {
-        chain.push_back(at);
-        if (chain.size() > targets.size()) break;
-    }
-    return chain;
-}
-
-Extent followedExtent(const State& state, const std::vector<int>& chain)
-{
-    Extent extent = state.options.extent;
-    for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
-        const float scale = state.description.targets[*at].size.scale;
-        extent = {scaled(extent.width, scale), scaled(extent.height, scale)};
-    }
-    return extent;
-}
-
-// One error for a circle of sizes, however many targets hang on it. True when there is one.
-bool reportSizeCycle(State& state)
-{
-    for (std::size_t i = 0; i < state.targets.size(); ++i) {
-        const std::vector<int> chain = followed(state, static_cast<int>(i));
-        if (std::count(chain.begin(), chain.end(), static_cast<int>(i)) < 2) continue;
-        const TargetDesc& desc = state.description.targets[i];
-        report(state, Code::cycle, "the size of target '" + desc.name + "' follows itself",
-               desc.size.of).help = "let it follow the output: leave `of` out";
-        return true;
-    }
-    return false;
+    const TargetDesc* followed = findNamed(state.description.targets, size.of.name);
+    const Extent extent =
+        followed ? followedExtent(state, followed->size) : state.options.extent;
+    return {scaled(extent.width, size.scale), scaled(extent.height, size.scale)};
 }
 
 void checkAttachmentSizes(State& state, const Pass& pass)
@@ -190,12 +163,11 @@ void chooseExtents(State& state)
                    " is wanted, and the device's textures end at " + std::to_string(limit) + "x" +
                    std::to_string(limit),
                Place{}).help = "ask for a smaller size";
-    if (reportSizeCycle(state)) return;
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         Target& target = state.targets[i];
-        target.extent = followedExtent(state, followed(state, static_cast<int>(i)));
-        if (!fits || !target.textured || within(target.extent, limit)) continue;
         const TargetDesc& desc = state.description.targets[i];
+        target.extent = followedExtent(state, desc.size);
+        if (!fits || !target.textured || within(target.extent, limit)) continue;
         report(state, Code::too_big_for_device,
                "target '" + desc.name + "' would be " + text(target.extent) +
                    ", and the device's textures end at " + std::to_string(limit) + "x" +
