@@ -123,7 +123,7 @@ struct CompileOptions {
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values
-/// are the ones in force. Warnings come with the plan.
+/// are the ones in force. Warnings come with the plan. Requires a description that `decode` made.
 ///
 /// Errors: CV2xxx graph rules, CV4005 and CV6xxx for what the device cannot do, CV5xxx for what
 /// GLSL and config disagree about; all of them, each at its place in the config or the shader.
