@@ -93,6 +93,25 @@ TEST_CASE("keys and values know where they stand")
     CHECK(list.place.source->name == "my.json");
 }
 
+TEST_CASE("the text at a value's place is that value")
+{
+    const std::string text = R"({"\u00e4\\" :[ 0,-1.5E+3 ,"\"]","" ,[],{} ,true, false,null],)"
+                             "\n\t" R"("b":"€\ud83d\ude42"})";
+    const Node node = documentOf(text);
+    std::vector<const Node*> values = {node.find("b")};
+    for (const Node& item : node.members.at(0).value.items) values.push_back(&item);
+    for (const Node* value : values) {
+        const std::size_t line = value->place.line == 1 ? 0 : text.find('\n') + 1;
+        const bool nested_value = value->kind >= Node::Kind::array;
+        const std::string slice = text.substr(line + value->place.column - 1,
+                                              nested_value ? 2 : value->place.length);
+        const Result<Node> again = parseValue(textOf(slice));
+        REQUIRE(again);
+        CHECK(again->kind == value->kind);
+        CHECK(brief(*again) == brief(*value));
+    }
+}
+
 TEST_CASE("a number is an integer only when it is written as one and a double holds it")
 {
     const auto integer = [](const std::string& number) {
