@@ -2,6 +2,7 @@
 // Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
 #include "tools/scene.h"
 
+#include "tools/mesh_normals.h"
 #include "tools/scene_materials.h"
 #include "tools/scene_views.h"
 
@@ -20,14 +21,14 @@ namespace crevice {
 namespace {
 
 // Faces that meet at a sharper angle get an edge where a file has no normals: boxes stay boxes.
-constexpr float kCreaseDegrees = 60.0f;
+constexpr double kCreaseDegrees = 60.0;
 
 // Coordinates beyond it overflow a float when squared.
 constexpr float kMaxCoordinate = 1e18f;
 
-constexpr unsigned kPostProcess = aiProcess_Triangulate | aiProcess_GenSmoothNormals |
-                                  aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                                  aiProcess_RemoveComponent;
+// Normals and shared vertices are our own work: Assimp's takes minutes for a million triangles.
+constexpr unsigned kPostProcess =
+    aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent;
 
 glm::dmat4 matrixFrom(const aiMatrix4x4& m)  // Assimp's has rows, ours columns
 {
@@ -48,8 +49,7 @@ bool usable(const aiMesh& mesh, const aiFace& face)
     });
 }
 
-// Removes the faces that no later step could bear; returns how many. What stays of broken vertices
-// is set to zero, since Assimp sorts all of them.
+// Removes the faces that no later step could bear; returns how many.
 unsigned dropBrokenFaces(aiMesh& mesh)
 {
     unsigned kept = 0;
@@ -60,57 +60,26 @@ unsigned dropBrokenFaces(aiMesh& mesh)
     }
     const unsigned dropped = mesh.mNumFaces - kept;
     mesh.mNumFaces = kept;
-    for (unsigned index = 0; index < mesh.mNumVertices; ++index)
-        if (!usable(mesh.mVertices[index])) mesh.mVertices[index] = aiVector3D(0, 0, 0);
     return dropped;
 }
 
-void setNormal(Vertex& vertex, const glm::vec3& normal)
-{
-    for (int axis = 0; axis < 3; ++axis) vertex.normal[axis] = normal[axis];
-}
-
-glm::vec3 positionOf(const Vertex& vertex)
-{
-    return {vertex.position[0], vertex.position[1], vertex.position[2]};
-}
-
-bool hasNormal(const Vertex& vertex)
-{
-    return vertex.normal[0] != 0 || vertex.normal[1] != 0 || vertex.normal[2] != 0;
-}
-
-// Normals of length zero become their face's, or +z where the face has no area.
-void fillNormals(MeshDesc& mesh)
-{
-    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-        Vertex* corners[3];
-        for (int k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
-        if (hasNormal(*corners[0]) && hasNormal(*corners[1]) && hasNormal(*corners[2])) continue;
-        const glm::dvec3 origin = positionOf(*corners[0]);
-        const glm::dvec3 normal = glm::cross(glm::dvec3(positionOf(*corners[1])) - origin,
-                                             glm::dvec3(positionOf(*corners[2])) - origin);
-        const double length = glm::length(normal);
-        if (!(length > 0.0)) continue;
-        for (Vertex* corner : corners)
-            if (!hasNormal(*corner)) setNormal(*corner, normal / length);
-    }
-    for (Vertex& vertex : mesh.vertices)
-        if (!hasNormal(vertex)) setNormal(vertex, {0, 0, 1});
-}
-
+// Adding zero makes -0 to 0, so that equal vertices are equal in all their bits.
 Vertex vertexFrom(const aiMesh& mesh, unsigned index)
 {
     Vertex vertex;
     const aiVector3D& position = mesh.mVertices[index];
-    for (int axis = 0; axis < 3; ++axis) vertex.position[axis] = position[axis];
     const aiVector3D from = mesh.HasNormals() ? mesh.mNormals[index] : aiVector3D(0, 0, 0);
     const glm::dvec3 normal(from.x, from.y, from.z);
     const double length = glm::length(normal);
-    setNormal(vertex, length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0));
+    const bool usable_normal = length > 0.0 && std::isfinite(length);
+    for (int axis = 0; axis < 3; ++axis) {
+        vertex.position[axis] = position[axis] + 0.0f;
+        vertex.normal[axis] =
+            usable_normal ? static_cast<float>(normal[axis] / length) + 0.0f : 0.0f;
+    }
     if (mesh.HasTextureCoords(0) && usable(mesh.mTextureCoords[0][index])) {
-        vertex.uv[0] = mesh.mTextureCoords[0][index].x;
-        vertex.uv[1] = mesh.mTextureCoords[0][index].y;
+        vertex.uv[0] = mesh.mTextureCoords[0][index].x + 0.0f;
+        vertex.uv[1] = mesh.mTextureCoords[0][index].y + 0.0f;
     }
     return vertex;
 }
@@ -128,7 +97,9 @@ MeshDesc meshFrom(const aiMesh& from)
         if (face.mNumIndices == 3)
             mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
     }
+    if (!from.HasNormals()) smoothNormals(mesh, kCreaseDegrees);
     fillNormals(mesh);
+    joinVertices(mesh);
     return mesh;
 }
 
@@ -208,13 +179,12 @@ Result<Scene> readScene(const std::string& path)
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseDegrees);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
                                     aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS);
     if (!importer.ReadFile(path, 0)) return broken(path, importer.GetErrorString());
 
-    // Assimp sorts vertices by position: it must not meet those that cannot be ordered.
+    // Before Assimp cuts polygons, since it compares coordinates.
     unsigned dropped = 0;
     const aiScene* const read = importer.GetScene();
     for (unsigned index = 0; index < read->mNumMeshes; ++index)

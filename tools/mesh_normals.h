@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Normals and shared vertices of imported meshes, in time that grows with n log n whatever the mesh
+// looks like: files hold fans of a million triangles and as many copies of one.
+#pragma once
+
+#include "core/device.h"
+
+namespace crevice {
+
+/// Gives the mesh new normals: faces that share an edge and meet there at less than `crease_degrees`
+/// are one smooth surface, weighted by their angles at the vertex; others keep the edge. Afterwards
+/// each triangle has vertices of its own; joinVertices shares them again.
+void smoothNormals(MeshDesc& mesh, double crease_degrees);
+
+/// Normals of length zero become their face's, or +z where the face has no area.
+void fillNormals(MeshDesc& mesh);
+
+/// Makes vertices that are equal in everything one, and drops those that no triangle uses.
+void joinVertices(MeshDesc& mesh);
+
+}  // namespace crevice
