@@ -192,7 +192,7 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
     const std::string& subject = term.subject.name;
     const FeatureDesc* feature = findNamed(description_.features, subject);
     if (!feature && !contains(traitNames(), subject)) return;
-    if (report_.errorAt(term.subject.pointer)) return;
+    if (report_.errorWithin(term.subject.pointer)) return;
     if (feature && report_.errorWithin(feature->pointer)) return;
     const std::vector<std::string> allowed =
         feature ? feature->values : std::vector<std::string>{"false", "true"};
