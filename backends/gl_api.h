@@ -65,7 +65,6 @@ namespace crevice {
     X(GenTextures, GENTEXTURES, true) \
     X(GenVertexArrays, GENVERTEXARRAYS, true) \
     X(GetActiveUniform, GETACTIVEUNIFORM, true) \
-    X(GetBooleani_v, GETBOOLEANI_V, false) \
     X(GetBooleanv, GETBOOLEANV, true) \
     X(GetError, GETERROR, true) \
     X(GetFloatv, GETFLOATV, true) \

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <type_traits>
 
 namespace crevice {
 
@@ -55,8 +56,9 @@ bool isSoftware(const std::string& renderer)
 
 bool mayRender(const GlInfo& info, const FormatInfo& format)
 {
-    if (info.desktop || format.core_renderable) return true;
-    if (format.format_class != FormatClass::floating) return false;
+    if (format.core_renderable) return true;
+    if (info.bare || format.format_class != FormatClass::floating) return false;
+    if (info.desktop) return true;
     if (info.version >= 320 || info.has("GL_EXT_color_buffer_float")) return true;
     const bool half = format.format == Format::r16f || format.format == Format::rg16f ||
                       format.format == Format::rgba16f;
@@ -81,6 +83,22 @@ bool tryRender(const GlApi& gl, const FormatInfo& format)
         gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     const bool quiet = takeErrors(gl, "").ok();
     return complete && quiet;
+}
+
+/// What ends the names of the functions that mask or blend draw buffers apart; null for no such.
+const char* drawBufferMaskSuffix(const GlInfo& info)
+{
+    if (info.bare) return nullptr;
+    if (info.desktop || info.native_version >= 320) return "";
+    if (info.has("GL_OES_draw_buffers_indexed")) return "OES";
+    return info.has("GL_EXT_draw_buffers_indexed") ? "EXT" : nullptr;
+}
+
+/// The same for blend functions and equations, which came later to desktop OpenGL.
+const char* drawBufferBlendSuffix(const GlInfo& info)
+{
+    if (!info.desktop || info.bare || info.native_version >= 400) return drawBufferMaskSuffix(info);
+    return info.has("GL_ARB_draw_buffers_blend") ? "ARB" : nullptr;
 }
 
 }  // namespace
@@ -109,6 +127,7 @@ Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)
                        "or desktop OpenGL with GL_ARB_ES3_compatibility",
                        "ask for a newer context, or update the driver of " + text(gl, GL_RENDERER));
     if (ignore_extensions) {
+        info.bare = true;
         info.native_version = info.version = 300;
         info.extensions.clear();
     }
@@ -117,25 +136,28 @@ Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)
 
 void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
 {
-    const bool indexed = info.native_version >= (info.desktop ? 400 : 320);
-    if (!indexed) {
-        gl.BlendEquationi = nullptr;
-        gl.BlendEquationSeparatei = nullptr;
-        gl.BlendFuncSeparatei = nullptr;
-        gl.ColorMaski = nullptr;
-        gl.Disablei = nullptr;
-        gl.Enablei = nullptr;
-        gl.GetBooleani_v = nullptr;
-        gl.IsEnabledi = nullptr;
-    }
+    auto find = [&](auto& function, const char* name, const char* suffix) {
+        using Function = std::decay_t<decltype(function)>;
+        const std::string full = std::string(name) + (suffix ? suffix : "");
+        function = suffix ? reinterpret_cast<Function>(load(full.c_str())) : nullptr;
+    };
+    const char* masks = drawBufferMaskSuffix(info);
+    find(gl.ColorMaski, "glColorMaski", masks);
+    find(gl.Disablei, "glDisablei", masks);
+    find(gl.Enablei, "glEnablei", masks);
+    find(gl.IsEnabledi, "glIsEnabledi", masks);
+    const char* blending = drawBufferBlendSuffix(info);
+    find(gl.BlendEquationi, "glBlendEquationi", blending);
+    find(gl.BlendEquationSeparatei, "glBlendEquationSeparatei", blending);
+    find(gl.BlendFuncSeparatei, "glBlendFuncSeparatei", blending);
+
     if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
         gl.InvalidateFramebuffer = nullptr;
-    if (info.native_version < (info.desktop ? 430 : 320)) {
-        const char* name = info.desktop ? "glObjectLabel" : "glObjectLabelKHR";
-        gl.ObjectLabel = info.has("GL_KHR_debug")
-                             ? reinterpret_cast<PFNGLOBJECTLABELPROC>(load(name))
-                             : nullptr;
-    }
+
+    const bool core_labels = info.native_version >= (info.desktop ? 430 : 320);
+    const char* labels = core_labels || info.desktop ? "" : "KHR";
+    if (!core_labels && !info.has("GL_KHR_debug")) labels = nullptr;
+    find(gl.ObjectLabel, "glObjectLabel", labels);
 }
 
 DeviceCaps readCaps(const GlApi& gl, const GlInfo& info)
@@ -163,7 +185,7 @@ bool canFilter(const GlInfo& info, Format format)
     if (formatInfo(format).format_class == FormatClass::depth) return false;
     const bool full_float = format == Format::r32f || format == Format::rg32f ||
                             format == Format::rgba32f;
-    return !full_float || info.desktop || info.has("GL_OES_texture_float_linear");
+    return !full_float || (info.desktop && !info.bare) || info.has("GL_OES_texture_float_linear");
 }
 
 }  // namespace crevice

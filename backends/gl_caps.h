@@ -15,6 +15,7 @@ constexpr int kMaxTextureUnits = 32;
 
 struct GlInfo {
     bool desktop = false;
+    bool bare = false;       ///< Pretends to have no extensions.
     int native_version = 0;  ///< 320 for OpenGL ES 3.2, 450 for desktop OpenGL 4.5.
     int version = 0;         ///< OpenGL ES version that it is, or is compatible with.
     std::vector<std::string> extensions;  ///< Sorted.
@@ -28,7 +29,7 @@ struct GlInfo {
 Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions);
 
 /// Nulls the optional functions that the context does not promise: loaders give pointers for those
-/// too. Finds glObjectLabel by its extension name where it is one.
+/// too. Finds those that an extension brings by their names there.
 void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load);
 
 /// Limits, and which formats can be rendered to: first by the rules, then by trying. Clobbers the

@@ -72,9 +72,11 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     static_assert(std::size(kSwitches) <= kMaxSwitches);
     static_assert(std::size(kPixelStores) <= kMaxPixelStores);
     static_assert(kMaxTextureUnits <= 32);
-    if (!gl_.IsEnabledi) return;
-    gl_.GetIntegerv(GL_MAX_DRAW_BUFFERS, &draw_buffer_count_);
-    draw_buffer_count_ = std::min(draw_buffer_count_, kMaxColorAttachments);
+    GLint count = 1;
+    gl_.GetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
+    count = std::min(count, kMaxColorAttachments);
+    if (gl_.IsEnabledi) mask_count_ = count;
+    if (gl_.BlendEquationi) blend_count_ = count;
 }
 
 bool GlState::has(GlWhere where) const
@@ -159,7 +161,8 @@ void GlState::save()
     for (std::size_t i = 0; i < std::size(kPixelStores); ++i)
         if (has(kPixelStores[i].where))
             gl_.GetIntegerv(kPixelStores[i].parameter, &s.pixel_stores[i]);
-    for (int i = 0; i < draw_buffer_count_; ++i) saveDrawBuffer(i);
+    for (int i = 0; i < mask_count_; ++i) saveMask(i);
+    for (int i = 0; i < blend_count_; ++i) saveBlend(i);
 }
 
 void GlState::restore()
@@ -185,7 +188,8 @@ void GlState::restore()
     for (std::size_t i = 0; i < std::size(kPixelStores); ++i)
         if (has(kPixelStores[i].where))
             gl_.PixelStorei(kPixelStores[i].parameter, s.pixel_stores[i]);
-    for (int i = 0; i < draw_buffer_count_; ++i) restoreDrawBuffer(i);
+    for (int i = 0; i < mask_count_; ++i) restoreMask(i);
+    for (int i = 0; i < blend_count_; ++i) restoreBlend(i);
 }
 
 void GlState::restoreUnits()
@@ -199,21 +203,40 @@ void GlState::restoreUnits()
     saved_units_ = 0;
 }
 
-void GlState::saveDrawBuffer(int index)
+void GlState::saveMask(int index)
 {
     DrawBuffer& buffer = saved_.draw_buffers[index];
-    const bool indexed = gl_.IsEnabledi != nullptr;
+    if (gl_.IsEnabledi) {
+        buffer.blend = gl_.IsEnabledi(GL_BLEND, index);
+        gl_.GetIntegeri_v(GL_COLOR_WRITEMASK, index, buffer.mask);
+    } else {
+        buffer.blend = gl_.IsEnabled(GL_BLEND);
+        gl_.GetIntegerv(GL_COLOR_WRITEMASK, buffer.mask);
+    }
+}
+
+void GlState::restoreMask(int index) const
+{
+    const DrawBuffer& b = saved_.draw_buffers[index];
+    auto mask = [&](int channel) { return static_cast<GLboolean>(b.mask[channel] != 0); };
+    if (gl_.IsEnabledi) {
+        (b.blend ? gl_.Enablei : gl_.Disablei)(GL_BLEND, index);
+        gl_.ColorMaski(index, mask(0), mask(1), mask(2), mask(3));
+    } else {
+        setEnabled(GL_BLEND, b.blend);
+        gl_.ColorMask(mask(0), mask(1), mask(2), mask(3));
+    }
+}
+
+void GlState::saveBlend(int index)
+{
+    DrawBuffer& buffer = saved_.draw_buffers[index];
     auto get = [&](GLenum name, GLint& value) {
-        if (indexed)
+        if (gl_.BlendEquationi)
             gl_.GetIntegeri_v(name, index, &value);
         else
             gl_.GetIntegerv(name, &value);
     };
-    buffer.blend = indexed ? gl_.IsEnabledi(GL_BLEND, index) : gl_.IsEnabled(GL_BLEND);
-    if (indexed)
-        gl_.GetBooleani_v(GL_COLOR_WRITEMASK, index, buffer.mask);
-    else
-        gl_.GetBooleanv(GL_COLOR_WRITEMASK, buffer.mask);
     get(GL_BLEND_SRC_RGB, buffer.source_rgb);
     get(GL_BLEND_SRC_ALPHA, buffer.source_alpha);
     get(GL_BLEND_DST_RGB, buffer.target_rgb);
@@ -222,31 +245,24 @@ void GlState::saveDrawBuffer(int index)
     get(GL_BLEND_EQUATION_ALPHA, buffer.equation_alpha);
 }
 
-void GlState::restoreDrawBuffer(int index) const
+void GlState::restoreBlend(int index) const
 {
     const DrawBuffer& b = saved_.draw_buffers[index];
     // The advanced equations of OpenGL ES 3.2 are refused by the "Separate" functions.
     const bool one_equation = b.equation_rgb == b.equation_alpha;
-    if (!gl_.IsEnabledi) {
-        setEnabled(GL_BLEND, b.blend);
-        gl_.ColorMask(b.mask[0], b.mask[1], b.mask[2], b.mask[3]);
+    if (gl_.BlendEquationi) {
+        gl_.BlendFuncSeparatei(index, b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
+        if (one_equation)
+            gl_.BlendEquationi(index, b.equation_rgb);
+        else
+            gl_.BlendEquationSeparatei(index, b.equation_rgb, b.equation_alpha);
+    } else {
         gl_.BlendFuncSeparate(b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
         if (one_equation)
             gl_.BlendEquation(b.equation_rgb);
         else
             gl_.BlendEquationSeparate(b.equation_rgb, b.equation_alpha);
-        return;
     }
-    if (b.blend)
-        gl_.Enablei(GL_BLEND, index);
-    else
-        gl_.Disablei(GL_BLEND, index);
-    gl_.ColorMaski(index, b.mask[0], b.mask[1], b.mask[2], b.mask[3]);
-    gl_.BlendFuncSeparatei(index, b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
-    if (one_equation)
-        gl_.BlendEquationi(index, b.equation_rgb);
-    else
-        gl_.BlendEquationSeparatei(index, b.equation_rgb, b.equation_alpha);
 }
 
 }  // namespace crevice

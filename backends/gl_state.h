@@ -53,7 +53,7 @@ private:
 
     struct DrawBuffer {
         bool blend;
-        GLboolean mask[4];
+        GLint mask[4];
         GLint source_rgb, source_alpha, target_rgb, target_alpha;
         GLint equation_rgb, equation_alpha;
     };
@@ -76,8 +76,10 @@ private:
 
     void save();
     void restore();
-    void saveDrawBuffer(int index);
-    void restoreDrawBuffer(int index) const;
+    void saveMask(int index);
+    void saveBlend(int index);
+    void restoreMask(int index) const;
+    void restoreBlend(int index) const;
     void restoreUnits();
     bool has(GlWhere where) const;
 
@@ -85,7 +87,8 @@ private:
     bool restore_;
     bool desktop_;
     bool sample_mask_;
-    int draw_buffer_count_ = 1;
+    int mask_count_ = 1;   // draw buffers that are masked apart
+    int blend_count_ = 1;  // ... and blended apart
     int depth_ = 0;
     Saved saved_ = {};
     Unit units_[kMaxTextureUnits] = {};

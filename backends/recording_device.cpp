@@ -146,6 +146,7 @@ Result<ProgramId> RecordingDevice::createProgram(const ProgramDesc& desc)
     Diagnostics errors;
     if (failsNow(errors, "program '" + desc.label + "'")) return errors;
     Object object{ObjectId::Kind::program, desc.label};
+    object.uniforms = forced_;
     addUniforms(object.uniforms, desc.vertex);
     addUniforms(object.uniforms, desc.fragment);
     object.uniform_set.resize(object.uniforms.size());

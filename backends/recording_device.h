@@ -50,6 +50,13 @@ public:
     /// Makes the n-th coming call that creates or fills an object fail with CV6009; 0 makes none.
     void failAt(int n) { fail_in_ = n; }
 
+    /// Makes the next endFrame fail with CV6005.
+    void failFrame() { frame_fails_ = true; }
+
+    /// Gives every coming program that uniform, in the place of its own of the same name: as a
+    /// driver would that sees what the text does not show.
+    void forceUniform(UniformInfo uniform) { forced_.push_back(std::move(uniform)); }
+
     /// Calls so far that created or filled an object, or failed to.
     int attempts() const { return attempts_; }
 
@@ -112,7 +119,8 @@ private:
         std::uint32_t index_count = 0;
     };
 
-    void record(Call call, std::uint32_t object = 0, std::initializer_list<std::uint32_t> words = {});
+    void record(Call call, std::uint32_t object = 0,
+                std::initializer_list<std::uint32_t> words = {});
     void blame(std::string what);
     bool failsNow(Diagnostics& errors, const std::string& what);
     std::uint32_t add(Object object, Call call);
@@ -141,6 +149,8 @@ private:
     bool in_frame_ = false;
     bool in_pass_ = false;
     bool drawn_ = false;  // something, in this pass
+    std::vector<UniformInfo> forced_;
+    bool frame_fails_ = false;
     int fail_in_ = 0;
     int attempts_ = 0;
 };

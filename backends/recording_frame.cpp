@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace crevice {
 
@@ -19,7 +20,8 @@ Status RecordingDevice::endFrame()
     if (!in_frame_ || in_pass_) blame("endFrame without beginFrame, or inside a pass");
     in_frame_ = false;
     record(Call::end_frame);
-    return {};
+    if (!std::exchange(frame_fails_, false)) return {};
+    return Diagnostic{Code::gl_error, "the frame failed, as it was asked to"};
 }
 
 /// Whether the running pass draws into that texture.
