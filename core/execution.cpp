@@ -93,7 +93,8 @@ TextureId Execution::output(std::string_view name) const
 {
     for (const PlanOutput& output : plan_.outputs) {
         if (output.name != name) continue;
-        return output.constant >= 0 ? constants_[output.constant].id() : targetTexture(output.target);
+        if (output.constant >= 0) return constants_[output.constant].id();
+        return targetTexture(output.target);
     }
     return {};
 }

@@ -221,7 +221,7 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
         errors.push_back(std::move(error));
     };
     if (!declares(program.vertex, uniform.name) && !declares(program.fragment, uniform.name))
-        return report(Code::uniform_unbound, "which its text does not declare in a form known here");
+        return report(Code::uniform_unbound, "which its text does not declare in a known form");
     if (isSampler(uniform.type)) {
         const PlanInput* input = inputOf(pass, uniform.name);
         if (!input) return report(Code::uniform_unbound, "which no texture is bound to");

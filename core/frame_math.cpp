@@ -67,7 +67,7 @@ Diagnostic whyNotDrawable(const Frame& frame, std::size_t index)
     const std::string name = "draw " + std::to_string(index);
     if (!item.mesh) return bad(name + " has no mesh", "create one, or set its count to 0");
     if (!finite(item.world_from_model))
-        return bad("the matrix of " + name + " is not finite", "set its count to 0 to leave it out");
+        return bad("the matrix of " + name + " is not finite", "leave it out with a count of 0");
     return bad(name + " has material " + std::to_string(item.material) + ", and the frame has " +
                    std::to_string(frame.materials.size()) + " materials",
                "materials count from 0");

@@ -20,8 +20,8 @@ struct CameraMatrices {
 /// Requires that `checkFrame` had nothing against the camera.
 CameraMatrices cameraMatrices(const Camera& camera);
 
-/// Turns normals as `matrix` turns the surface they stand on: proportional to the inverse transpose,
-/// but also right for a matrix that flattens, which has no inverse. Rotations keep their length.
+/// Turns normals as `matrix` turns the surface they stand on: proportional to the inverse
+/// transpose, but also right for a matrix that flattens, which has none. Rotations keep lengths.
 glm::mat3 normalMatrix(const glm::dmat4& matrix);
 
 /// A light in view space: (x, y, z, 1) of a point, (x, y, z, 0) towards a directional one.

@@ -59,7 +59,8 @@ Status checkParam(const ParamDesc& param, const float* values, int count)
                               numberText(values[i]) + " is outside " + rangeText(param),
                               "give a value in that range");
         if (param.type == ParamType::int_ && !wholeInt(values[i]))
-            return paramError(Code::out_of_range, param, numberText(values[i]) + " is no whole number",
+            return paramError(Code::out_of_range, param,
+                              numberText(values[i]) + " is no whole number",
                               "give a whole number in " + rangeText(param));
     }
     return {};

@@ -103,7 +103,8 @@ const Value* ValueTable::find(std::string_view name) const
 void ValueTable::setParam(const ParamDesc& param)
 {
     const auto value = static_cast<std::size_t>(find(param.name) - values_.data());
-    if (param.type == ParamType::int_) return write(value, static_cast<std::int32_t>(param.value[0]));
+    if (param.type == ParamType::int_)
+        return write(value, static_cast<std::int32_t>(param.value[0]));
     for (int i = 0; i < componentCount(param.type); ++i) write(value, param.value[i], i);
 }
 
