@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Steady frames allocate no memory. Counts every operator new of the program.
+#include "core/renderer.h"
+
+#include "tests/catch.h"
+#include "tests/renderer_rig.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* allocate(std::size_t size)
+{
+    ++allocations;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace crevice;
+
+namespace {
+
+/// Allocations while `work` runs.
+template <class Work>
+long allocationsOf(Work work)
+{
+    const long before = allocations;
+    work();
+    return allocations - before;
+}
+
+}  // namespace
+
+TEST_CASE("Allocations are counted")
+{
+    CHECK(allocationsOf([] { std::vector<int>(100); }) == 1);
+}
+
+TEST_CASE("A steady frame allocates nothing")
+{
+    Rig rig;
+    rig.frame.draws.resize(20, rig.frame.draws[0]);
+    rig.draw();
+    rig.device.clearLog();
+    bool ok = true;
+    const long count = allocationsOf([&] {
+        for (int i = 0; i < 10; ++i) {
+            ok = rig.renderer->render(rig.frame).ok() && ok;
+            rig.device.clearLog();
+        }
+    });
+    CHECK(count == 0);
+    CHECK(ok);
+}
+
+TEST_CASE("A frame allocates nothing while camera, draws, lights and params move")
+{
+    Rig rig;
+    rig.draw();
+    rig.device.clearLog();
+    bool ok = true;
+    const long count = allocationsOf([&] {
+        rig.frame.camera.view_from_world[3][0] = 2.0f;
+        rig.frame.draws[0].world_from_model[3][1] = 1.0f;
+        rig.frame.lights[0].position.x = 7.0f;
+        ok = rig.renderer->setParam("radius", 3.0f).ok();
+        ok = rig.renderer->setParam("intensity", 3.0f).ok() && ok;
+        ok = rig.renderer->render(rig.frame).ok() && ok;
+    });
+    CHECK(count == 0);
+    CHECK(ok);
+}
+
+TEST_CASE("A frame's traits are found without allocating")
+{
+    Rig rig;
+    CHECK(allocationsOf([&] { traitsOf(rig.frame); }) == 0);
+}

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// What shaders see of a frame, and which frames are refused.
+#include "core/renderer.h"
+
+#include "core/frame_math.h"
+#include "tests/catch.h"
+#include "tests/renderer_rig.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <functional>
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+glm::mat4 sentMatrix(const Rig& rig, const char* name)
+{
+    const std::vector<float> values = rig.device.lastUniform(name);
+    REQUIRE(values.size() == 16);
+    return glm::make_mat4(values.data());
+}
+
+glm::vec3 sentVector(const Rig& rig, const char* name)
+{
+    const std::vector<float> values = rig.device.lastUniform(name);
+    REQUIRE(values.size() >= 3);
+    return {values[0], values[1], values[2]};
+}
+
+float difference(const glm::mat4& a, const glm::mat4& b)
+{
+    float largest = 0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]));
+    return largest;
+}
+
+int count(const std::string& text, const std::string& part)
+{
+    int found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+bool contains(const std::string& text, const std::string& part) { return count(text, part) > 0; }
+
+void look(Frame& frame)
+{
+    frame.camera.view_from_world =
+        glm::lookAt(glm::vec3(3, 2, 5), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0));
+    frame.camera.clip_from_view = glm::perspective(1.0f, 2.0f, 0.1f, 100.0f);
+    frame.draws[0].world_from_model =
+        glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(1, 0, 2)), glm::vec3(2, 1, 0.5f));
+}
+
+// The normal of a plane spanned by two tangents, after the matrix moved them.
+void checkNormal(const glm::mat4& matrix)
+{
+    const glm::mat3 linear(matrix);
+    const glm::vec3 u(1, 2, -1), v(0.5f, -1, 3);
+    const glm::vec3 sent = normalMatrix(matrix) * glm::cross(u, v);
+    const float length = glm::length(sent);
+    CHECK(std::isfinite(length));
+    CHECK(length > 0.01f);
+    CHECK(std::abs(glm::dot(sent / length, glm::normalize(linear * u))) < 1e-5f);
+    CHECK(std::abs(glm::dot(sent / length, glm::normalize(linear * v))) < 1e-5f);
+    // What pointed away from the surface still does.
+    CHECK(glm::dot(sent, linear * glm::cross(u, v)) > 0);
+}
+
+}  // namespace
+
+TEST_CASE("Shaders get the camera's matrices and their inverses")
+{
+    Rig rig;
+    look(rig.frame);
+    rig.draw();
+    const glm::mat4 clip_from_view = sentMatrix(rig, "clip_from_view");
+    const glm::mat4 view_from_world = sentMatrix(rig, "view_from_world");
+    CHECK(clip_from_view == rig.frame.camera.clip_from_view);
+    CHECK(view_from_world == rig.frame.camera.view_from_world);
+    CHECK(difference(sentMatrix(rig, "view_from_clip") * clip_from_view, glm::mat4(1)) < 1e-4f);
+    CHECK(difference(sentMatrix(rig, "world_from_view") * view_from_world, glm::mat4(1)) < 1e-5f);
+}
+
+TEST_CASE("Shaders get products of matrices, made in double")
+{
+    Rig rig;
+    look(rig.frame);
+    // Camera and model a long way out and close together: in float the difference would be lost.
+    const glm::vec3 far_away(1e6f, 0, 0);
+    rig.frame.camera.view_from_world = glm::mat4(1.0f);
+    rig.frame.camera.view_from_world[3] = glm::vec4(-far_away, 1);
+    rig.frame.draws[0].world_from_model = glm::mat4(1.0f);
+    rig.frame.draws[0].world_from_model[3] = glm::vec4(far_away + glm::vec3(0.125f, 0, 0), 1);
+    rig.draw();
+    const glm::mat4 view_from_model = sentMatrix(rig, "view_from_model");
+    CHECK(view_from_model[3] == glm::vec4(0.125f, 0, 0, 1));
+    CHECK(difference(sentMatrix(rig, "clip_from_model"),
+                     rig.frame.camera.clip_from_view * view_from_model) < 1e-6f);
+}
+
+TEST_CASE("Normals stay normal to what they stand on")
+{
+    const glm::mat4 one(1.0f);
+    SECTION("turned") { checkNormal(glm::rotate(one, 1.0f, glm::vec3(1, 2, 3))); }
+    SECTION("stretched") { checkNormal(glm::scale(one, glm::vec3(10, 0.1f, 1))); }
+    SECTION("mirrored") { checkNormal(glm::scale(one, glm::vec3(-1, 1, 1))); }
+    SECTION("tiny") { checkNormal(glm::scale(one, glm::vec3(1e-12f))); }
+    SECTION("huge") { checkNormal(glm::scale(one, glm::vec3(1e12f))); }
+}
+
+TEST_CASE("A normal matrix keeps rotations, and survives what has no inverse")
+{
+    const glm::mat4 rotation = glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(1, 1, 0));
+    const glm::mat4 scaled = glm::scale(rotation, glm::vec3(5.0f));
+    CHECK(difference(glm::mat4(normalMatrix(scaled)), rotation) < 1e-6f);
+    const glm::mat4 flat = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
+    CHECK(glm::distance(glm::normalize(normalMatrix(flat) * glm::vec3(0, 1, 0)),
+                        glm::vec3(0, 1, 0)) < 1e-6f);
+    CHECK(std::isfinite(normalMatrix(glm::dmat4(0.0))[0][0]));
+}
+
+TEST_CASE("Each pass gets its own viewport size")
+{
+    Rig rig;
+    const std::string log = rig.draw();
+    CHECK(contains(log, "setUniform viewport_size 32 16"));
+    CHECK(contains(log, "setUniform viewport_size 64 32"));
+}
+
+TEST_CASE("Each draw gets its own values; a draw of nothing is skipped")
+{
+    Rig rig;
+    rig.frame.materials.push_back({});
+    rig.frame.materials[1].base_color = glm::vec4(0.5f, 0.25f, 0.125f, 1);
+    rig.frame.draws.push_back({rig.mesh, 3, 3, glm::mat4(1.0f), 1});
+    rig.frame.draws.push_back({{}, 0, 0, glm::mat4(1.0f), 77});
+    const std::string log = rig.draw();
+    CHECK(count(log, "setUniform base_color ") == 2);
+    CHECK(contains(log, "setUniform base_color 0.5 0.25 0.125 1"));
+    CHECK(contains(log, "draw mesh 'cube' 0..6"));
+    CHECK(contains(log, "draw mesh 'cube' 3..6"));
+    CHECK(count(log, "draw mesh") == 2);
+    CHECK(count(log, "setUniform radius") == 1);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A material without a map is white, one with a map is that")
+{
+    Rig rig;
+    CHECK(contains(rig.draw(), "setTexture base_color_map unit 0 <- texture 'white'"));
+    const TextureId bricks = rig.device.adoptTexture(9, {"bricks", Format::rgba8, {4, 4}}).value();
+    rig.frame.materials[0].base_color_map = bricks;
+    CHECK(contains(rig.draw(), "base_color_map unit 0 <- texture 'bricks' linear repeat"));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Lights reach the shader in view space")
+{
+    Rig rig;
+    look(rig.frame);
+    rig.frame.lights.resize(2);
+    rig.frame.lights[0].position = glm::vec3(1, 2, 3);
+    rig.frame.lights[0].color = glm::vec3(4, 5, 6);
+    rig.frame.lights[1].directional = true;
+    rig.frame.lights[1].direction = glm::vec3(0, -10, 0);
+    rig.draw();
+    const glm::mat4& view_from_world = rig.frame.camera.view_from_world;
+    const std::vector<float> sent = rig.device.lastUniform("light_position");
+    REQUIRE(sent.size() == 4 * kMaxLights);
+    const glm::vec4 point = view_from_world * glm::vec4(1, 2, 3, 1);
+    const glm::vec4 towards = view_from_world * glm::vec4(0, 1, 0, 0);
+    for (int i = 0; i < 4; ++i) {
+        CHECK(sent[i] == Approx(point[i]).margin(1e-6));
+        CHECK(sent[4 + i] == Approx(towards[i]).margin(1e-6));
+    }
+    CHECK(rig.device.lastUniform("light_count") == std::vector<float>{2});
+    CHECK(sentVector(rig, "light_color") == glm::vec3(4, 5, 6));
+    CHECK(sentVector(rig, "light_attenuation") == glm::vec3(1, 0, 0));
+    CHECK(sentVector(rig, "ambient_light") == rig.frame.ambient_light);
+}
+
+TEST_CASE("Of more lights than there is room for the first are taken")
+{
+    Rig rig;
+    rig.frame.lights.resize(kMaxLights + 5);
+    rig.draw();
+    CHECK(rig.device.lastUniform("light_count") == std::vector<float>{float(kMaxLights)});
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A light that shines nowhere has no direction, not an invalid one")
+{
+    Light light;
+    light.directional = true;
+    light.direction = glm::vec3(0);
+    CHECK(lightInView(light, glm::dmat4(1.0)) == glm::vec4(0));
+}
+
+TEST_CASE("An optional import that is absent is black, one that is there is taken")
+{
+    Rig rig;
+    CHECK(contains(rig.draw(), "<- texture 'black'"));
+    const TextureId decal = rig.device.adoptTexture(3, {"sticker", Format::rgba8, {4, 4}}).value();
+    rig.frame.textures = {{"other", {}}, {"decal", decal}};
+    CHECK(contains(rig.draw(), "setTexture decal unit 2 <- texture 'sticker' nearest clamp"));
+    rig.frame.textures[1].texture = {};
+    CHECK(contains(rig.draw(), "<- texture 'black'"));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Passes load, clear and store as the plan says, and sample as the config says")
+{
+    Rig rig;
+    const std::string log = rig.draw();
+    CHECK(contains(log, "beginPass geometry 64x32 color0 clear 0 0 0 0 store "
+                        "color1 clear 0.25 0 0 1 store depth clear 1 store\n"));
+    CHECK(contains(log, "beginPass occlusion 32x16 color0 discard store\n"));
+    CHECK(contains(log, "setProgram 'geometry' depth_test less depth_write"));
+    CHECK(contains(log, "setTexture noise unit 2 <- texture 'noise' nearest repeat"));
+    CHECK(contains(log, "setTexture source unit 0 <- texture 'ao' linear clamp"));
+}
+
+TEST_CASE("A frame that no shader could draw is refused, and the last picture stays")
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    Rig rig;
+    rig.draw();
+    Frame& frame = rig.frame;
+    std::string what;
+    SECTION("projection not finite")
+    {
+        frame.camera.clip_from_view[2][2] = nan;
+        what = "the camera's clip_from_view is not finite";
+    }
+    SECTION("projection flat")
+    {
+        frame.camera.clip_from_view = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
+        what = "the camera's clip_from_view has no inverse";
+    }
+    SECTION("projection of dependent rows")
+    {
+        frame.camera.clip_from_view = glm::mat4(0.1f, 0.2f, 0.3f, 0.7f, 0.2f, 0.4f, 0.6f, 1.4f,
+                                                0.3f, 0.1f, 0.9f, 0.2f, 0.5f, 0.5f, 0.1f, 0.3f);
+        what = "the camera's clip_from_view has no inverse";
+    }
+    SECTION("view not finite")
+    {
+        frame.camera.view_from_world[3][0] = std::numeric_limits<float>::infinity();
+        what = "the camera's view_from_world is not finite";
+    }
+    SECTION("model not finite")
+    {
+        frame.draws.push_back(frame.draws[0]);
+        frame.draws[1].world_from_model[0][0] = nan;
+        what = "the matrix of draw 1 is not finite";
+    }
+    SECTION("no mesh")
+    {
+        frame.draws[0].mesh = {};
+        what = "draw 0 has no mesh";
+    }
+    SECTION("no such material")
+    {
+        frame.draws[0].material = 1;
+        what = "draw 0 has material 1, and the frame has 1 materials";
+    }
+    SECTION("negative material")
+    {
+        frame.draws[0].material = -1;
+        what = "draw 0 has material -1, and the frame has 1 materials";
+    }
+    SECTION("light not finite")
+    {
+        frame.lights[0].position.y = nan;
+        what = "light 0 is not finite";
+    }
+    SECTION("ambient light not finite")
+    {
+        frame.ambient_light.x = nan;
+        what = "ambient_light is not finite";
+    }
+    rig.device.clearLog();
+    const Status status = rig.renderer->render(frame);
+    REQUIRE(codeOf(status) == Code::bad_input);
+    CHECK(status.diagnostics().front().message == what);
+    CHECK(rig.device.log().empty());
+}
+
+TEST_CASE("Cameras that are unusual but possible are drawn")
+{
+    Rig rig;
+    Camera& camera = rig.frame.camera;
+    glm::mat4& clip_from_view = camera.clip_from_view;
+    SECTION("planes far apart") { clip_from_view = glm::perspective(1.0f, 1.0f, 1e-9f, 1e9f); }
+    SECTION("a narrow view") { clip_from_view = glm::perspective(1e-4f, 1.0f, 1.0f, 10.0f); }
+    SECTION("a large box") { clip_from_view = glm::ortho(-1e9f, 1e9f, -1.0f, 1.0f, 0.0f, 1e9f); }
+    SECTION("a tiny box") { clip_from_view = glm::ortho(-1e-9f, 1e-9f, -1.0f, 1.0f, 0.0f, 1e-9f); }
+    SECTION("far away") { camera.view_from_world[3] = glm::vec4(1e9f, -1e9f, 1e9f, 1); }
+    SECTION("mirrored") { camera.view_from_world[0][0] = -1; }
+    rig.draw();
+    CHECK(rig.device.misuse().empty());
+}
