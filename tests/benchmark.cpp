@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// CPU time of a frame: a plan of ten passes on the recording device, in microseconds.
+#include "backends/recording_device.h"
+#include "core/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+using namespace crevice;
+
+namespace {
+
+constexpr int kPasses = 10;
+constexpr int kFrames = 5000;
+
+std::string join(const std::vector<std::string>& members)
+{
+    std::string text;
+    for (const std::string& member : members) text += (text.empty() ? "" : ", ") + member;
+    return "{" + text + "}";
+}
+
+/// A chain of passes, each reading the one before it, with the uniforms of an occlusion shader.
+Result<Description> chain()
+{
+    MemorySources files;
+    files.add("v", "#version 300 es\nvoid main() {}\n");
+    std::vector<std::string> targets, shaders, passes;
+    std::string previous = "noise";
+    for (int i = 0; i < kPasses; ++i) {
+        const std::string n = std::to_string(i), target = "t" + n;
+        targets.push_back("\"" + target + R"(": {"format": ["rgba8"]})");
+        shaders.push_back("\"s" + n + R"(": {"vertex": "v", "fragment": "f)" + n + "\"}");
+        passes.push_back("\"p" + n + R"(": {"shader": "s)" + n + R"(", "color": ")" + target +
+                         "\"}");
+        files.add("f" + n, "#version 300 es\nprecision highp float;\n"
+                           "uniform mat4 clip_from_view, view_from_clip, view_from_world;\n"
+                           "uniform vec3 kernel[64];\nuniform vec2 viewport_size;\n"
+                           "uniform float radius, bias, intensity, power;\n"
+                           "uniform sampler2D " + previous + ";\nout vec4 " + target + ";\n");
+        previous = target;
+    }
+    const std::string json = R"({"format": 1, "name": "chain",
+        "params": {"radius": {"default": 1}, "bias": {"default": 1},
+                   "intensity": {"default": 1}, "power": {"default": 1}},
+        "imports": {"camera": {"type": "camera"}},
+        "generated": {"kernel": {"generator": "hemisphere_kernel", "count": 64},
+                      "noise": {"generator": "rotation_noise", "count": 4}},
+        "outputs": {"ao": ")" + previous + R"("},
+        "targets": )" + join(targets) + R"(, "shaders": )" + join(shaders) +
+        R"(, "passes": )" + join(passes) + "}";
+    Result<Node> document =
+        parseDocument(std::make_shared<const SourceText>(SourceText{"chain.json", json}));
+    if (!document) return document.diagnostics();
+    return decode(*document, files);
+}
+
+int fail(const Diagnostics& errors)
+{
+    std::fputs(toText(errors).c_str(), stderr);
+    return 1;
+}
+
+}  // namespace
+
+int main()
+{
+    RecordingDevice device;
+    const Result<Description> description = chain();
+    if (!description) return fail(description.diagnostics());
+    const Frame frame;
+    auto renderer = Renderer::create(device, *description, {{1920, 1080}}, traitsOf(frame));
+    if (!renderer) return fail(renderer.diagnostics());
+    std::vector<double> times_us;
+    for (int i = 0; i < kFrames; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        const Status status = (*renderer)->render(frame);
+        const auto end = std::chrono::steady_clock::now();
+        if (!status) return fail(status.diagnostics());
+        device.clearLog();
+        times_us.push_back(std::chrono::duration<double, std::micro>(end - begin).count());
+    }
+    std::sort(times_us.begin(), times_us.end());
+    std::printf("%zu passes: median %.2f us of CPU a frame, 99th percentile %.2f us\n",
+                (*renderer)->plan().passes.size(), times_us[kFrames / 2],
+                times_us[kFrames * 99 / 100]);
+}
