@@ -48,21 +48,19 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
     error.help = help;
 }
 
+// Where the config makes the pass read through this sampler.
 Reference placeOf(const Pass& pass, const Read& read)
 {
     if (read.input && !read.input->from.empty()) return read.input->from;
     return {read.sampler, pass.desc->place, pass.desc->pointer};
 }
 
-void reportOwnOutput(State& state, const Pass& pass, const Read& read, int target)
+void reportOwnOutput(State& state, const Pass& pass, int target, const Reference& at)
 {
     const std::string& name = state.description.targets[target].name;
-    Diagnostic& error = report(state, Code::reads_own_output,
-                               "pass '" + pass.desc->name + "' reads target '" + name +
-                                   "' through sampler '" + read.sampler + "' and writes it",
-                               placeOf(pass, read));
-    error.notes.push_back({read.declared, "the sampler is declared here"});
-    error.help = "write to another target, or read another one";
+    report(state, Code::reads_own_output,
+           "pass '" + pass.desc->name + "' reads target '" + name + "' and writes it", at)
+        .help = "write to another target, or read another one";
 }
 
 // Walks back from an undone pass until one comes up again, and tells the way round.
@@ -94,22 +92,42 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
 
 // ---- edges
 
-// One unwritten target is one mistake, however many read it.
-void addEdge(State& state, int index, const Read& read, Edges& edges, std::vector<bool>& told)
+// What passes wait for, as it grows.
+struct Waiting {
+    Edges edges;
+    std::vector<bool> told;  // targets that no pass writes, each told once however many read it
+};
+
+void addEdge(State& state, int index, const Source& source, const Reference& at, Waiting& waiting)
 {
     const Pass& pass = state.passes[index];
-    const std::optional<Source> source = resolve(state, read.named);
-    if (!source) {
-        if (!told[read.named.index])
-            reportNeverWritten(state, "pass '" + pass.desc->name + "'", read.named.index,
-                               placeOf(pass, read));
-        told[read.named.index] = true;
+    const std::optional<Source> behind = resolve(state, source);
+    if (!behind) {
+        if (!waiting.told[source.index])
+            reportNeverWritten(state, "pass '" + pass.desc->name + "'", source.index, at);
+        waiting.told[source.index] = true;
         return;
     }
-    if (source->kind != InputKind::target) return;
-    const int writer = state.targets[source->index].writer;
-    if (writer == index) reportOwnOutput(state, pass, read, source->index);
-    else edges[index].push_back({writer, source->index});
+    if (behind->kind != InputKind::target) return;
+    const int writer = state.targets[behind->index].writer;
+    if (writer == index) reportOwnOutput(state, pass, behind->index, at);
+    else waiting.edges[index].push_back({writer, behind->index});
+}
+
+// What an identity gives is waited for as what a sampler reads is, whether the identity holds or
+// not: so leaving the pass out can only make the graph smaller.
+void addEdges(State& state, int index, Waiting& waiting)
+{
+    const Pass& pass = state.passes[index];
+    for (const Read& read : pass.reads)
+        addEdge(state, index, read.named, placeOf(pass, read), waiting);
+    for (const IdentityDesc& identity : pass.desc->identity) {
+        for (const IdentityDesc::Gives& gives : identity.gives) {
+            if (gives.constant) continue;
+            const int target = indexOf(state.description.targets, gives.input.name);
+            addEdge(state, index, {InputKind::target, target}, gives.input, waiting);
+        }
+    }
 }
 
 void checkOutputs(State& state, std::vector<bool>& told)
@@ -151,18 +169,17 @@ void findWriters(State& state)
 
 void orderPasses(State& state)
 {
-    Edges edges(state.passes.size());
-    std::vector<bool> told(state.targets.size());
+    Waiting waiting{Edges(state.passes.size()), std::vector<bool>(state.targets.size())};
+    const Edges& edges = waiting.edges;
     std::vector<bool> done(state.passes.size());
     int left = 0;
     for (std::size_t i = 0; i < state.passes.size(); ++i) {
         done[i] = !state.passes[i].active;
         if (done[i]) continue;
         ++left;
-        for (const Read& read : state.passes[i].reads)
-            addEdge(state, static_cast<int>(i), read, edges, told);
+        addEdges(state, static_cast<int>(i), waiting);
     }
-    checkOutputs(state, told);
+    checkOutputs(state, waiting.told);
 
     const auto ready = [&](std::size_t i) {
         return !done[i] && std::all_of(edges[i].begin(), edges[i].end(),

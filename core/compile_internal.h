@@ -59,8 +59,7 @@ struct Pass {
 
 struct Target {
     int writer = -1;        ///< The active pass that writes it.
-    bool read = false;      ///< By a live pass or an output.
-    bool textured = false;  ///< Something must stand behind it.
+    bool textured = false;  ///< It needs a texture.
     Format format = Format::none;
     Extent extent = {};
 };

@@ -62,7 +62,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
         misfit = target.writer;
         return false;
     }
-    target.read = target.textured = true;
+    target.textured = true;
     if (!writer.live) work.push_back(target.writer);
     writer.live = true;
     return true;
@@ -72,7 +72,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
 int markNeeded(State& state)
 {
     for (Pass& pass : state.passes) pass.live = false;
-    for (Target& target : state.targets) target.read = target.textured = false;
+    for (Target& target : state.targets) target.textured = false;
     std::vector<int> work;
     int misfit = -1;
     for (const int index : state.outputs) {

@@ -219,6 +219,42 @@ TEST_CASE("The next identity is tried when the first leaves out an output that i
     CHECK(leftOut(plan, "pass ssao")->reason == "radius is 0, so ao is 1, bent is 0");
 }
 
+TEST_CASE("What an identity gives counts as read, so no param's value can break the graph")
+{
+    const auto identity = [](const std::string& gives) {
+        return R"( | "identity": {"amount": {"at": 0, "gives": {)" + gives + "}}}";
+    };
+    const auto described = [](const std::vector<std::string>& passes, const std::string& amount) {
+        return describe(Sketch{passes, {{"out", "x"}}, {{"ghost", R"({"format": ["r8"]})"}},
+                               R"("params": {"amount": {"default": )" + amount + "}}"});
+    };
+    const std::string amount = GENERATE("0", "1");
+    SECTION("a target that no pass writes")
+    {
+        const Diagnostic error =
+            onlyError(described({"a: -> x" + identity(R"("x": "ghost")")}, amount));
+        CHECK(error.code == Code::never_written);
+        CHECK(error.pointer == "/passes/a/identity/amount/gives/x");
+    }
+    SECTION("its own output")
+    {
+        CHECK(onlyError(described({"a: -> x" + identity(R"("x": "x")")}, amount)).code ==
+              Code::reads_own_output);
+    }
+    SECTION("one another's outputs")
+    {
+        CHECK(onlyError(described({"a: -> x" + identity(R"("x": "y")"),
+                                   "b: -> y" + identity(R"("y": "x")")}, amount)).code ==
+              Code::cycle);
+    }
+    SECTION("what is made from the output")
+    {
+        const Description description =
+            described({"a: -> x" + identity(R"("x": "y")"), "b: x -> y"}, amount);
+        CHECK(onlyError(description).code == Code::cycle);
+    }
+}
+
 TEST_CASE("A vector param is at an identity when each component is")
 {
     const auto passes = [](const std::string& tint) {
