@@ -15,10 +15,10 @@ highp vec3 viewFromWindow(highp vec2 uv, highp float window_depth)
     return view.xyz / max(view.w, kSmallestW);
 }
 
-// The uv onto which `point` projects, kept on the screen; false when it lies behind the camera.
+// The uv onto which `point` projects; false when the camera cannot see there: behind it or off the screen.
 bool uvFromView(highp vec3 point, out highp vec2 uv)
 {
     highp vec4 clip = clip_from_view * vec4(point, 1.0);
-    uv = clamp(clip.xy / max(clip.w, kSmallestW) * 0.5 + 0.5, 0.0, 1.0);
-    return clip.w > 0.0;
+    uv = clip.xy / max(clip.w, kSmallestW) * 0.5 + 0.5;
+    return clip.w > 0.0 && uv == clamp(uv, 0.0, 1.0);
 }

@@ -36,12 +36,14 @@ void main()
     mat3 view_from_kernel = rotatedFrame(normalAt(uv), rotation);
 
     float occlusion = 0.0;
+    float known = 0.0;  // probes off the screen say nothing, either way
     for (int i = 0; i < SAMPLES; ++i) {
         vec3 probe = origin + view_from_kernel * kernel[i] * radius;
         vec2 at;
         if (!uvFromView(probe, at)) continue;
+        known += 1.0;
         float seen_z = viewZAt(at);
         if (seen_z >= probe.z + bias) occlusion += rangeWeight(origin.z - seen_z, radius);
     }
-    ao = visibilityOf(occlusion / float(SAMPLES));
+    ao = visibilityOf(occlusion / max(known, 1.0));
 }

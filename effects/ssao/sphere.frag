@@ -3,9 +3,10 @@
 // Ambient occlusion by counting offsets, all round a point, that lie behind what the camera sees.
 // Half of them are inside the surface, so that a flat wall is grey: the method's own look.
 //
-//   surface  interface: point in view space; normals are not read
-//   kernel   SAMPLES offsets, the same for each pixel
-//   ao       visibility, 1 open .. 0 blocked; 1 in the background
+//   surface         interface: point in view space; normals are not read
+//   kernel          SAMPLES offsets
+//   rotation_noise  a tile of unit vectors, one rotation about the view axis a pixel; where ROTATE is 1
+//   ao              visibility, 1 open .. 0 blocked; 1 in the background
 //
 // [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45]
 precision highp float;  // positions and depths; mediump bands
@@ -18,6 +19,9 @@ precision highp float;  // positions and depths; mediump bands
 
 uniform vec3 kernel[SAMPLES];
 uniform float radius;
+#if ROTATE
+uniform mediump sampler2D rotation_noise;
+#endif
 
 in vec2 uv;
 layout(location = 0) out float ao;
@@ -29,13 +33,21 @@ void main()
         ao = 1.0;
         return;
     }
+#if ROTATE
+    vec2 turn = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
+    mat3 view_from_kernel = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
+#else
+    const mat3 view_from_kernel = mat3(1.0);
+#endif
     float occlusion = 0.0;
+    float known = 0.0;  // probes off the screen say nothing, either way
     for (int i = 0; i < SAMPLES; ++i) {
-        vec3 probe = origin + kernel[i] * radius;
+        vec3 probe = origin + view_from_kernel * kernel[i] * radius;
         vec2 at;
         if (!uvFromView(probe, at)) continue;
+        known += 1.0;
         float seen_z = viewZAt(at);
         if (seen_z >= probe.z) occlusion += rangeWeight(origin.z - seen_z, radius);
     }
-    ao = visibilityOf(occlusion / float(SAMPLES));
+    ao = visibilityOf(occlusion / max(known, 1.0));
 }
