@@ -69,7 +69,7 @@ struct Scene {
     std::vector<SceneTexture> textures = {};
     std::vector<SceneCamera> cameras = {};
     std::vector<SceneLight> lights = {};
-    glm::vec3 ambient_light = glm::vec3(0.3f);
+    glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour from all around; configs scale it.
 
     /// The box around every triangle of every instance. Walks all vertices; keep the result.
     Bounds bounds() const;
