@@ -52,7 +52,9 @@ SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places, bool gltf
     SceneCamera camera;
     camera.name = from.mName.C_Str();
     const glm::dmat4 place = placeOf(places, from.mName);
-    const glm::dvec3 eye = place * glm::dvec4(vectorFrom(from.mPosition), 1.0);
+    // Assimp 5.2 moves glTF's cameras twice: by their node and by a copy of its translation.
+    const glm::dvec3 offset = gltf ? glm::dvec3(0.0) : vectorFrom(from.mPosition);
+    const glm::dvec3 eye = place * glm::dvec4(offset, 1.0);
     const glm::dvec3 forward = turned(place, from.mLookAt, {0, 0, -1});
     glm::dvec3 up = turned(place, from.mUp, {0, 1, 0});
     if (glm::length(glm::cross(forward, up)) < 1e-6) up = {forward.y, forward.z, forward.x};
