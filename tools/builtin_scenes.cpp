@@ -114,22 +114,23 @@ Result<MeshDesc> loadBunny()
     return error;
 }
 
-// Walls meet edge to edge and stand on a floor that is a little wider: no two visible faces share
-// a plane.
+// Walls meet edge to edge and stand on a floor that is a little wider, and deeper in it than the
+// stairs beside them: no two faces share a plane.
 void addRoom(Scene& scene)
 {
     const float inner = kRoomHalf, outer = kRoomHalf + kWallThickness;
     const float slab = outer + kWallThickness;
+    const float low = 2 * kSunk;
     const int floor = addMaterial(scene, "floor", {0.62f, 0.54f, 0.45f}, 0.08f, 24.0f);
     const int plaster = addMaterial(scene, "plaster", {0.82f, 0.8f, 0.76f});
     const int left = addMaterial(scene, "left wall", {0.72f, 0.42f, 0.36f});
     const int right = addMaterial(scene, "right wall", {0.42f, 0.55f, 0.6f});
     addObject(scene, "floor", makeBox({-slab, -kWallThickness, -slab}, {slab, 0, slab}), floor);
-    addObject(scene, "back wall", makeBox({-outer, -kSunk, -outer}, {outer, kRoomHeight, -inner}),
+    addObject(scene, "back wall", makeBox({-outer, -low, -outer}, {outer, kRoomHeight, -inner}),
               plaster);
-    addObject(scene, "left wall", makeBox({-outer, -kSunk, -inner}, {-inner, kRoomHeight, inner}),
+    addObject(scene, "left wall", makeBox({-outer, -low, -inner}, {-inner, kRoomHeight, inner}),
               left);
-    addObject(scene, "right wall", makeBox({inner, -kSunk, -inner}, {outer, kRoomHeight, inner}),
+    addObject(scene, "right wall", makeBox({inner, -low, -inner}, {outer, kRoomHeight, inner}),
               right);
 }
 
