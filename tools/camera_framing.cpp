@@ -44,11 +44,16 @@ Diagnostic unreadable(const std::string& what)
     return error;
 }
 
-Diagnostic impossible(const std::string& what, const std::string& help)
+Diagnostic impossible(Code code, const std::string& what, const std::string& help)
 {
-    Diagnostic error = {Code::out_of_range, what};
+    Diagnostic error = {code, what};
     error.help = help;
     return error;
+}
+
+Diagnostic impossible(const std::string& what, const std::string& help)
+{
+    return impossible(Code::out_of_range, what, help);
 }
 
 // Reads `count` numbers with commas between them.
@@ -63,8 +68,9 @@ Status readNumbers(const std::string& key, const std::string& text, int count, d
             return unreadable("the camera's " + key + " '" + text + "' is not " +
                               (count == 1 ? "a number" : "three numbers joined by commas"));
         if (!std::isfinite(numbers[k]))
-            return Diagnostic{Code::not_finite,
-                              "the camera's " + key + " '" + text + "' is not finite"};
+            return impossible(Code::not_finite,
+                              "the camera's " + key + " '" + text + "' is not finite",
+                              "write plain numbers");
         at = end + 1;
     }
     return {};
