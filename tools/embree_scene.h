@@ -14,8 +14,8 @@ namespace crevice {
 /// A ray in world space.
 struct TraceRay {
     glm::dvec3 origin;
-    glm::dvec3 direction;  ///< Of any length; `limit` counts in it.
-    double limit = 1.0;
+    glm::dvec3 direction;  ///< Of length 1.
+    double limit = 1.0;    ///< Where it ends, scene units.
 };
 
 /// Where a ray met the scene. Both normals face the side that the ray came from.

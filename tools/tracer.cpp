@@ -114,8 +114,9 @@ private:
         const double limit = std::abs(to.w) > 1e-12 * std::abs(from.w)
                                  ? glm::length(glm::dvec3(to) / to.w - origin)
                                  : std::numeric_limits<double>::infinity();
-        return {glm::dvec3(world_from_view_ * glm::dvec4(origin, 1.0)),
-                glm::normalize(glm::dmat3(world_from_view_) * direction), limit};
+        const glm::dvec3 world = glm::dmat3(world_from_view_) * direction;  // longer if that scales
+        return {glm::dvec3(world_from_view_ * glm::dvec4(origin, 1.0)), glm::normalize(world),
+                limit * glm::length(world)};
     }
 
     float visibility(const TraceHit& hit, std::uint32_t seed) const
