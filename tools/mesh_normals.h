@@ -7,9 +7,9 @@
 
 namespace crevice {
 
-/// Gives the mesh new normals: faces that share an edge and meet there at less than `crease_degrees`
-/// are one smooth surface, weighted by their angles at the vertex; others keep the edge. Afterwards
-/// each triangle has vertices of its own; joinVertices shares them again.
+/// Gives the mesh new normals: faces that share an edge and meet there at less than
+/// `crease_degrees` are one smooth surface, weighted by their angles at the vertex; others keep the
+/// edge. Afterwards each triangle has vertices of its own; joinVertices shares them again.
 void smoothNormals(MeshDesc& mesh, double crease_degrees);
 
 /// Normals of length zero become their face's, or +z where the face has no area.
