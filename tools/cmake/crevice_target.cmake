@@ -5,7 +5,9 @@ add_library(crevice_flags INTERFACE)
 target_compile_options(crevice_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
   $<$<BOOL:${CREVICE_WERROR}>:-Werror>)
 if(CREVICE_SANITIZE)
-  add_compile_options(-fsanitize=${CREVICE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # vptr asks for run-time types, which the libraries are built without.
+  add_compile_options(-fsanitize=${CREVICE_SANITIZE} -fno-sanitize=vptr -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CREVICE_SANITIZE})
 endif()
 
