@@ -27,8 +27,8 @@ public:
     Context& operator=(const Context&) = delete;
 
     /// Makes it current on this thread. The crevice context that was current is let go by its own
-    /// library first: Mesa's EGL and OSMesa share one "current" below, and EGL would not notice
-    /// that it has been replaced.
+    /// library first: of EGL and OSMesa each knows its own alone, and would take it for current
+    /// still.
     ///
     /// Errors: CV6001 or CV6002 when the library refuses.
     Status makeCurrent();

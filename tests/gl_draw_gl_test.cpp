@@ -189,6 +189,20 @@ TEST_CASE_METHOD(SquareFixture, "a pass without depth writes leaves the depth as
     CHECK(read(depth).at(0, 3) == 0.5f);
 }
 
+TEST_CASE_METHOD(SquareFixture, "a pass clears its depth, though the pass before wrote none")
+{
+    device->beginFrame();
+    device->beginPass(pass());
+    drawSquare({}, 0.5f, kRed);
+    device->endPass();
+    PassInfo second = pass();
+    second.clear_depth = 0.125f;
+    device->beginPass(second);
+    device->endPass();
+    need(device->endFrame());
+    CHECK(read(depth).at(1, 2) == 0.125f);
+}
+
 TEST_CASE_METHOD(SquareFixture, "blending combines with what is there")
 {
     const Pixel below = {0.5f, 0.25f, 0.0f, 1.0f};

@@ -124,7 +124,7 @@ void HostileHost::setStrangeState()
     gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
     gl.DepthMask(GL_FALSE);
     gl.DepthFunc(GL_NEVER);
-    gl.DepthRangef(0.75f, 0.25f);
+    gl.DepthRangef(0.75f, 0.125f);
     gl.CullFace(GL_FRONT_AND_BACK);
     gl.FrontFace(GL_CW);
     gl.BlendFuncSeparate(GL_ZERO, GL_DST_ALPHA, GL_CONSTANT_ALPHA, GL_SRC_COLOR);
