@@ -116,8 +116,8 @@ private:
         if (contains(names, include.name) || contains(stray_, include.name)) return;
         if (report_.errorAt("/interfaces")) return;
         missing(include, pointer, "interface <" + include.name + ">")
-            .help = "add a module that provides it to extends" + listProviders(sources_, include.name) +
-                    "; " +
+            .help = "add a module that provides it to extends" +
+                    listProviders(sources_, include.name) + "; " +
                     suggestName(include.name, names, "interfaces");
     }
 

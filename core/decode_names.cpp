@@ -89,6 +89,7 @@ void checkCountParam(const Node& document, const Description& description,
                           std::to_string(limit) + "], the counts that generated '" +
                           generated.name + "' may have");
         error.notes.push_back({name.place, "the count is taken from it here"});
+        error.help = "stay inside the range, and let '" + name.name + "' have it as min and max";
     }
 }
 
@@ -104,7 +105,8 @@ void checkCount(const Node& document, const Description& description,
     const Node& value = *locate(document, pointer).node;
     report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
               generated.name + " count " + value.text + " is outside [1, " +
-                  std::to_string(limit) + "], the sides that a noise may have");
+                  std::to_string(limit) + "], the sides that a noise may have")
+        .help = "4 suits a 4x4 filter; larger noises need larger filters";
 }
 
 // The targets from `start` along `size.of`, until one comes again or the chain ends. Empty unless
@@ -112,10 +114,12 @@ void checkCount(const Node& document, const Description& description,
 std::vector<const TargetDesc*> sizeCycle(const Description& description, const TargetDesc& start)
 {
     std::vector<const TargetDesc*> chain;
-    for (const TargetDesc* at = &start; at; at = findNamed(description.targets, at->size.of.name)) {
-        if (at == &start && !chain.empty()) return chain;
-        if (std::find(chain.begin(), chain.end(), at) != chain.end()) break;
+    const TargetDesc* at = &start;
+    while (at && !at->size.of.pointer.empty()) {
         chain.push_back(at);
+        at = findNamed(description.targets, at->size.of.name);
+        if (at == &start) return chain;
+        if (std::find(chain.begin(), chain.end(), at) != chain.end()) break;
     }
     return {};
 }

@@ -38,7 +38,8 @@ std::string spellName(std::string_view name)
     }
     while (!out.empty() && out.back() == '_') out.pop_back();
     if (out.substr(0, 3) == "gl_") out.erase(0, 3);
-    if (out.empty() || !isLower(out.front())) out.insert(0, "my_");
+    if (out.empty()) return "name";
+    if (!isLower(out.front())) out.insert(0, "my_");
     return out.substr(0, kMaxNameBytes);
 }
 
@@ -63,16 +64,20 @@ void checkName(Report& report, const Cursor& cursor)
 
 void Reader::refuse(const char* key, Code code, const char* reason)
 {
-    if (const Member* member = find(key))
-        report_.atValue(child(*member, ""), code, child(*member, "").label + ": " + reason);
+    const Member* member = find(key);
+    if (!member) return;
+    const Cursor value = cursor_.child(*member);
+    report_.atValue(value, code, value.label + ": " + reason).help =
+        "leave out '" + std::string(key) + "'";
 }
 
 void Reader::ordered(const char* min_key, double& min, const char* max_key, double& max)
 {
     if (min <= max) return;
     const Member* at = find(min_key) ? find(min_key) : find(max_key);
-    report_.atValue(child(*at, ""), Code::bad_range,
-                    cursor_.key + ": " + min_key + " is above " + max_key);
+    report_.atValue(cursor_.child(*at), Code::bad_range,
+                    cursor_.key + ": '" + min_key + "' is above '" + max_key + "'")
+        .help = "swap them, or leave out one";
     min = -kMaxParam;
     max = kMaxParam;
 }

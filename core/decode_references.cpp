@@ -13,9 +13,9 @@ namespace {
 
 // What a reference of some kind may name.
 struct Names {
-    std::string what;      // "target"
-    std::string listed;    // "targets", the heading of suggestions
-    Code code;             // when there is no such name
+    std::string what;                   // "target"
+    std::string listed;                 // "targets", the heading of suggestions
+    Code code;                          // when there is no such name
     std::vector<std::string> sections;  // that declare them
     std::vector<std::string> all = {};
 };
@@ -61,7 +61,8 @@ private:
     Report& report_;
     std::vector<std::string> stray_;
     Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
-    Names inputs_ = {"target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
+    Names inputs_ = {"target", "targets", Code::target_missing,
+                     {"targets", "generated", "imports"}};
     Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
     Names params_ = {"param", "params", Code::reference_missing, {"params"}};
     Names values_ = {"param or frame value", "values", Code::reference_missing, {"params"}};
@@ -155,7 +156,8 @@ void Checker::checkWrites(const PassDesc& pass)
         if (!target.pointer.empty() &&
             std::any_of(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(i), same))
             report_.at(target, Code::two_writers,
-                       "pass '" + pass.name + "' writes target '" + target.name + "' twice");
+                       "pass '" + pass.name + "' writes target '" + target.name + "' twice")
+                .help = "give each output of the shader a target of its own";
     }
 }
 
@@ -181,9 +183,11 @@ void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
     const std::string& pointer = clear.target.pointer;
     if (clear.target.name != pass.depth.name || report_.errorAt(pointer)) return;
     if (locate(document_, pointer).node->kind == Node::Kind::array)
-        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth");
+        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth")
+            .help = "write 1, which is far away";
     else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
-        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]");
+        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]")
+            .help = "write 1, which is far away";
 }
 
 void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)

@@ -33,8 +33,8 @@ public:
     Diagnostic& at(const Reference& reference, Code code, std::string message);
     Diagnostic& add(Diagnostic diagnostic);
 
-    /// Says that the last error is about the same mistake as all others of that `mistake`: the first
-    /// one in the document is told, and the others become its notes.
+    /// Says that the last error is about the same mistake as all others of that `mistake`: the
+    /// first one in the document is told, and the others become its notes.
     void sameMistake(std::string mistake);
 
     /// Whether an error was reported at the pointer, or at it or below.

@@ -92,6 +92,10 @@ inline void checkEach(const std::vector<BadConfig>& cases)
         const Result<Description> result = decodeWith({{each.section, each.text}});
         INFO(each.section << ": " << each.text << "\n" << toText(result.diagnostics()));
         CHECK(errorsOf(result) == each.errors);
+        for (const Diagnostic& error : result.diagnostics()) {
+            CHECK(error.place.line > 0);
+            CHECK_FALSE(error.help.empty());
+        }
     }
 }
 

@@ -141,6 +141,9 @@ TEST_CASE("targets that follow each other's size are one error", "[decode]")
                         "ao": {"format": "r8", "size": {"of": "ao"}},
                         "ao_filtered": {"format": "r8", "size": {"of": "ao"}}})",
          "CV2204 /targets/ao/size/of"},
+        {"targets", R"({"depth": {"format": "depth24"}, "": {"format": "r8"},
+                        "ao": {"format": "r8"}, "ao_filtered": {"format": "r8"}})",
+         "CV3004 /targets/"},
     });
 }
 
