@@ -2,6 +2,8 @@
 // A folder of a test's own, gone when the test ends.
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,9 +12,10 @@ namespace crevice {
 
 class TemporaryFolder {
 public:
-    /// `name` must differ from that of every other test: tests run side by side.
+    /// Processes run side by side without meeting; within one, `name` tells folders apart.
     explicit TemporaryFolder(const std::string& name)
-        : path(std::filesystem::temp_directory_path() / ("crevice_" + name))
+        : path(std::filesystem::temp_directory_path() /
+               ("crevice_" + name + "_" + std::to_string(getpid())))
     {
         std::filesystem::remove_all(path);
         std::filesystem::create_directories(path);
