@@ -17,6 +17,7 @@ expect 2 'CV8001' paint learnopengl
 expect 2 'crevice render --help' render
 expect 2 'CV8001' render learnopengl --backend vulkan
 expect 2 'CV8001' render learnopengl --effects nowhere
+expect 2 'CV8001.*two --out' render learnopengl --out color=a.png --out ao=a.png
 expect 2 'CV8001.*is not NAME=FILE' render learnopengl --out lit.png
 expect 2 'CV8001.*neither .png nor .pfm' render learnopengl --out color=lit.jpg
 expect 2 'CV8001' validate
@@ -48,6 +49,15 @@ from_readme cross.json
 from_readme cross.frag
 expect 0 'cross.json: ok' validate cross.json
 expect 0 'mine.json:[0-9]+:[0-9]+' explain mine.json --why radius
+
+# --- modules and configs on disk hide the embedded ones ---
+mkdir -p checkout/configs checkout/effects/ssao
+sed 's/"mine"/"learnopengl"/; s/"extends".*/"extends": ["hemisphere_box"],/' mine.json \
+    >checkout/configs/learnopengl.json
+expect 0 'checkout/configs/learnopengl.json:' explain learnopengl --why radius --effects checkout
+expect 0 'effects/ssao/hemisphere.json:' explain learnopengl --why bias --effects checkout
+cp mine.json checkout/configs/another.json
+expect 0 'another: ok' validate --all --effects checkout
 
 # --- explain ---
 expect 0 'geometry' explain learnopengl

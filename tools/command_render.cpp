@@ -55,6 +55,9 @@ Result<std::vector<Picture>> readRequests(const std::vector<std::string>& texts)
         if (!request) return request.diagnostics();
         const Status writable = checkWritable(request->file);
         if (!writable) return writable.diagnostics();
+        for (const Picture& other : pictures)
+            if (other.request.file == request->file)
+                return Diagnostic{Code::usage, "two --out write '" + request->file + "'"};
         pictures.push_back({*request, {}});
     }
     return pictures;

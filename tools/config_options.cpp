@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace crevice {
 namespace {
@@ -15,6 +16,15 @@ namespace {
 constexpr std::string_view kConfigs = "configs/";
 
 bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) == kConfigs; }
+
+/// CLI11's kind of check: "" is fine, anything else is what is wrong.
+std::string isCheckout(const std::string& folder)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder + "/effects", ignored)) return {};
+    if (std::filesystem::is_directory(folder + "/configs", ignored)) return {};
+    return "the folder '" + folder + "' has neither effects/ nor configs/";
+}
 
 }  // namespace
 
@@ -30,7 +40,7 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
     app.add_option("--effects", options.checkout,
                    "Read effects/ and configs/ below this folder before those embedded")
         ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
+        ->check(isCheckout);
 }
 
 CheckoutSources::CheckoutSources(std::string folder)
