@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The architecture as a test: who may include whom, where GL may be named, the licence line.
+// The source tree as a test: who may include whom, where GL may be named, licences, test names.
 #include "tests/catch.h"
 
 #include <algorithm>
@@ -194,5 +194,20 @@ TEST_CASE("every source file carries the licence line")
         INFO(path.string());
         const std::string head = firstLines(readText(fs::path(CREVICE_SOURCE_DIR) / path), 2);
         CHECK(head.find("SPDX-License-Identifier: MIT") != std::string::npos);
+    }
+}
+
+TEST_CASE("test names have no character that CMake lists give a meaning")
+{
+    // catch_discover_tests keeps names in a list: a semicolon makes two tests of one, neither of
+    // which runs anything or fails, and a lone bracket swallows all names that follow.
+    for (const fs::path& path : projectFiles({"tests"})) {
+        if (path.extension() != ".cpp") continue;
+        const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), true);
+        for (const std::string& name :
+             matches(code, R"re((?:^|\n)(?:TEST_CASE|SCENARIO)\("((?:\\.|[^"\\])*)")re", 1)) {
+            INFO(path.string() << ": " << name);
+            CHECK(name.find_first_of(";[]\\") == std::string::npos);
+        }
     }
 }
