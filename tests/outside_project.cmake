@@ -17,11 +17,13 @@ run("${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" -B "${WORK}/build"
   -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 
-# Every installed header must compile alone, so that none leans on one that stays behind.
+# Every installed header must compile alone, so that none leans on one that stays behind; and as the
+# strictest host builds.
+file(WRITE "${WORK}/empty.cpp" "")
 file(GLOB_RECURSE headers RELATIVE "${WORK}/prefix/include/crevice" "${WORK}/prefix/include/*.h")
 foreach(header IN LISTS headers)
-  run("${CXX}" -std=c++17 -fsyntax-only -x c++ "-I${WORK}/prefix/include/crevice"
-    "${WORK}/prefix/include/crevice/${header}")
+  run("${CXX}" -std=c++17 -fsyntax-only -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wshadow
+    -Werror "-I${WORK}/prefix/include/crevice" -include "${header}" "${WORK}/empty.cpp")
 endforeach()
 
 execute_process(COMMAND "${WORK}/build/outside" RESULT_VARIABLE code)
