@@ -33,7 +33,8 @@ void main()
         return;
     }
     vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
-    mat3 view_from_kernel = rotatedFrame(normalAt(uv), rotation);
+    vec3 normal_here = normalAt(uv);
+    mat3 view_from_kernel = rotatedFrame(normal_here, rotation);
 
     float occlusion = 0.0;
     float known = 0.0;  // probes off the screen say nothing, either way
@@ -42,8 +43,12 @@ void main()
         vec2 at;
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
-        float seen_z = viewZAt(at);
-        if (seen_z >= probe.z + bias) occlusion += rangeWeight(origin.z - seen_z, radius);
+        vec3 seen;
+        if (!pointAt(at, seen)) continue;
+        // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
+        // shades itself, since a texel's one depth stands for all of its slope.
+        bool above = dot(seen - origin, normal_here) > bias;
+        if (above && seen.z >= probe.z + bias) occlusion += rangeWeight(origin.z - seen.z, radius);
     }
     ao = visibilityOf(occlusion / max(known, 1.0));
 }
