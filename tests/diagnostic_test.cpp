@@ -30,7 +30,10 @@ TEST_CASE("a diagnostic shows place, line, marks, pointer, notes and help")
     Diagnostic diagnostic{Code::target_missing, "pass 'a' reads target 'ao_filterd'",
                           {mine, 3, 6, 12}};
     diagnostic.pointer = "/passes/a";
-    diagnostic.notes = {{{base, 31, 21, 1}, "the base value was 'ao'"}, {{}, "no place"}};
+    diagnostic.notes.resize(2);
+    diagnostic.notes[0].place = {base, 31, 21, 1};
+    diagnostic.notes[0].text = "the base value was 'ao'";
+    diagnostic.notes[1].text = "no place";
     diagnostic.help = "did you mean 'ao'?";
     CHECK(toText(diagnostic) ==
           "my.json:3:6: error CV2103: pass 'a' reads target 'ao_filterd'\n"
