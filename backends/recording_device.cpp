@@ -69,8 +69,7 @@ int RecordingDevice::live(ObjectId::Kind kind) const
     return static_cast<int>(std::count_if(objects_.begin(), objects_.end(), counts));
 }
 
-void RecordingDevice::record(Call call, std::uint32_t object,
-                             std::initializer_list<std::uint32_t> words)
+void RecordingDevice::record(Call call, std::uint32_t object, Words words)
 {
     records_.push_back({call, object, program_, words_.size()});
     words_.insert(words_.end(), words);

@@ -8,7 +8,6 @@
 
 #include "core/device.h"
 
-#include <array>
 #include <deque>
 #include <initializer_list>
 #include <set>
@@ -20,9 +19,6 @@ namespace crevice {
 
 /// A device that can do everything: all formats, 16384 pixels a side, 8 attachments.
 DeviceCaps generousCaps();
-
-/// 32-bit words in one uniform of that type.
-int uniformWords(GlslType type);
 
 class RecordingDevice : public Device {
 public:
@@ -119,15 +115,15 @@ private:
         std::uint32_t index_count = 0;
     };
 
-    void record(Call call, std::uint32_t object = 0,
-                std::initializer_list<std::uint32_t> words = {});
+    using Words = std::initializer_list<std::uint32_t>;
+
+    void record(Call call, std::uint32_t object = 0, Words words = {});
     void blame(std::string what);
     bool failsNow(Diagnostics& errors, const std::string& what);
     std::uint32_t add(Object object, Call call);
     Object* find(ObjectId id, const char* caller);
     int uniformAt(int location, const char* caller);
     bool attached(std::uint32_t texture) const;
-    void checkPass(const PassInfo& pass);
     void loadAttachment(TextureId id, LoadOp load);
     void checkDraw(const char* caller);
     std::string label(std::uint32_t object) const;

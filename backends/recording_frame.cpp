@@ -7,6 +7,21 @@
 #include <utility>
 
 namespace crevice {
+namespace {
+
+int uniformWords(GlslType type)
+{
+    switch (type) {
+    case GlslType::vec2: case GlslType::ivec2: return 2;
+    case GlslType::vec3: case GlslType::ivec3: return 3;
+    case GlslType::vec4: case GlslType::ivec4: return 4;
+    case GlslType::mat3: return 9;
+    case GlslType::mat4: return 16;
+    default: return 1;
+    }
+}
+
+}  // namespace
 
 void RecordingDevice::beginFrame()
 {
@@ -138,10 +153,10 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
 
 void RecordingDevice::setUniform(int location, GlslType type, int count, const void* data)
 {
+    const std::size_t size = static_cast<std::size_t>(std::max(count, 0)) * uniformWords(type);
     record(Call::set_uniform, 0,
            {static_cast<std::uint32_t>(location), static_cast<std::uint32_t>(type),
-            static_cast<std::uint32_t>(count)});
-    const std::size_t size = static_cast<std::size_t>(std::max(count, 0)) * uniformWords(type);
+            static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(size)});
     words_.resize(words_.size() + size);
     if (size) std::memcpy(words_.data() + words_.size() - size, data, size * sizeof(words_[0]));
 

@@ -67,18 +67,6 @@ std::string stateText(const std::uint32_t* words)
 
 }  // namespace
 
-int uniformWords(GlslType type)
-{
-    switch (type) {
-    case GlslType::vec2: case GlslType::ivec2: return 2;
-    case GlslType::vec3: case GlslType::ivec3: return 3;
-    case GlslType::vec4: case GlslType::ivec4: return 4;
-    case GlslType::mat3: return 9;
-    case GlslType::mat4: return 16;
-    default: return 1;
-    }
-}
-
 void RecordingDevice::clearLog()
 {
     records_.clear();
@@ -123,12 +111,11 @@ const UniformInfo* RecordingDevice::uniformOf(const Record& call) const
 std::vector<float> RecordingDevice::values(const Record& call) const
 {
     const std::uint32_t* words = &words_[call.words];
-    const auto type = static_cast<GlslType>(words[1]);
-    std::vector<float> result(words[2] * static_cast<std::size_t>(uniformWords(type)));
-    if (!result.empty()) std::memcpy(result.data(), words + 3, result.size() * sizeof(float));
-    if (!isInteger(type)) return result;
+    std::vector<float> result(words[3]);
+    if (!result.empty()) std::memcpy(result.data(), words + 4, result.size() * sizeof(float));
+    if (!isInteger(static_cast<GlslType>(words[1]))) return result;
     for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = static_cast<float>(static_cast<std::int32_t>(words[3 + i]));
+        result[i] = static_cast<float>(static_cast<std::int32_t>(words[4 + i]));
     return result;
 }
 
