@@ -3,8 +3,8 @@
 #include "tools/camera_framing.h"
 
 #include "tests/catch.h"
+#include "tools/mesh_shapes.h"
 
-#include <algorithm>
 #include <cmath>
 
 using namespace crevice;
@@ -41,51 +41,83 @@ glm::dvec3 eyeOf(const SceneCamera& camera)
     return glm::inverse(glm::dmat4(camera.view_from_world))[3];
 }
 
-// The largest clip coordinate, as a part of w, of any corner of the bounds.
-double largestClip(const SceneCamera& camera, const Bounds& bounds, Extent extent)
+// A box of triangles.
+Scene boxScene(const glm::vec3& low, const glm::vec3& high)
 {
-    const glm::dmat4 clip_from_world =
-        glm::dmat4(clipFromView(camera, extent, bounds)) * glm::dmat4(camera.view_from_world);
-    double largest = 0;
-    for (int index = 0; index < 8; ++index) {
-        const glm::dvec4 clip = clip_from_world * glm::dvec4(bounds.corner(index), 1);
-        if (clip.w <= 0) return 1e9;
-        largest = std::max({largest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w),
-                            std::abs(clip.z / clip.w)});
-    }
-    return largest;
+    Scene scene;
+    scene.meshes = {makeBox(low, high)};
+    scene.instances = {{0}};
+    return scene;
+}
+
+// How far the scene reaches into the picture, from -1 to 1 in each direction; empty when some of it
+// lies behind the camera.
+Bounds clipBounds(const Scene& scene, const SceneCamera& camera, Extent extent)
+{
+    const glm::dmat4 clip_from_world = glm::dmat4(clipFromView(camera, extent, scene.bounds())) *
+                                       glm::dmat4(camera.view_from_world);
+    Bounds reached;
+    bool behind = false;
+    scene.visitCorners([&](const glm::dvec3& corner) {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(corner, 1);
+        behind |= clip.w <= 0;
+        reached.add(glm::dvec3(clip) / clip.w);
+    });
+    return behind ? Bounds() : reached;
 }
 
 }  // namespace
 
-TEST_CASE("a framed scene is in the picture whole and fills it, at any shape of either")
+TEST_CASE("a framed scene is in the picture whole, at any shape of either")
 {
-    const Bounds shapes[] = {kBox, box({-1, -1, -1}, {1, 1, 1}), box({0, 0, 0}, {100, 0.1, 0.1}),
-                             box({0, 0, 0}, {0.1, 50, 0.1}), box({5, 5, 5}, {5.001, 5.002, 5}),
-                             box({-1e6, 0, -1e6}, {1e6, 1e5, 1e6})};
-    for (const Bounds& bounds : shapes) {
+    const Scene shapes[] = {boxScene({-1, 0, -2}, {3, 2, 5}),
+                            boxScene({0, 0, 0}, {100, 0.1f, 0.1f}),
+                            boxScene({0, 0, 0}, {0.1f, 50, 0.1f}),
+                            boxScene({5, 5, 5}, {5.001f, 5.002f, 5}),
+                            boxScene({-1e6f, 0, -1e6f}, {1e6f, 1e5f, 1e6f})};
+    for (const Scene& scene : shapes) {
         for (const Extent extent : {Extent{960, 540}, {100, 100}, {100, 900}, {2000, 100}}) {
             const double aspect = static_cast<double>(extent.width) / extent.height;
-            const double largest = largestClip(frameScene(bounds, aspect), bounds, extent);
-            CHECK(largest < 1.0);
-            CHECK(largest > 0.9);
+            const Bounds reached = clipBounds(scene, frameScene(scene, aspect), extent);
+            REQUIRE_FALSE(reached.empty());
+            for (int axis = 0; axis < 3; ++axis) {
+                CHECK(reached.min[axis] > -1);
+                CHECK(reached.max[axis] < 1);
+            }
         }
+    }
+}
+
+TEST_CASE("a framed scene reaches from margin to margin in the tighter direction")
+{
+    const Scene scene = boxScene({-2, 0, -1}, {2, 3, 1});
+    const Bounds wide = clipBounds(scene, frameScene(scene, 4), {400, 100});
+    const Bounds high = clipBounds(scene, frameScene(scene, 0.25), {100, 400});
+    for (const auto& [reached, axis] : {std::pair(wide, 1), std::pair(high, 0)}) {
+        CHECK(reached.min[axis] == Approx(-1 / 1.05).epsilon(1e-3));
+        CHECK(reached.max[axis] == Approx(1 / 1.05).epsilon(1e-3));
     }
 }
 
 TEST_CASE("framing looks down from above")
 {
-    const SceneCamera camera = frameScene(kBox, 1.5);
-    CHECK(eyeOf(camera).y > kBox.center().y);
+    const SceneCamera camera = frameScene(boxScene({-1, 0, -2}, {3, 2, 5}), 1.5);
+    CHECK(eyeOf(camera).y > 2);
     CHECK(glm::dmat4(camera.view_from_world)[1].y > 0.5);
 }
 
-TEST_CASE("a scene that is one point or nothing can be framed")
+TEST_CASE("a scene that is one point, a line into the view or nothing can be framed")
 {
-    for (const Bounds& bounds : {Bounds(), box({2, 2, 2}, {2, 2, 2})}) {
-        const SceneCamera camera = frameScene(bounds, 1.5);
+    const glm::vec3 into = {0.55f, 0.45f, 1.0f};
+    Scene line = boxScene({0, 0, 0}, {1, 1, 1});
+    for (Vertex& vertex : line.meshes[0].vertices)
+        for (int axis = 2; axis >= 0; --axis)
+            vertex.position[axis] = vertex.position[0] * into[axis];
+    for (const Scene& scene : {Scene(), boxScene({2, 2, 2}, {2, 2, 2}), line}) {
+        const SceneCamera camera = frameScene(scene, 1.5);
         CHECK(std::isfinite(eyeOf(camera).x));
         CHECK(glm::determinant(camera.view_from_world) == Approx(1));
+        if (!scene.meshes.empty()) CHECK_FALSE(clipBounds(scene, camera, {15, 10}).empty());
     }
 }
 

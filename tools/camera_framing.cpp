@@ -19,7 +19,28 @@ constexpr double kDefaultFov = 50.0;  // degrees, vertical
 // Towards the eye: from the right, from above, mostly from the front.
 const glm::dvec3 kThreeQuarter = {0.55, 0.45, 1.0};
 
-constexpr double kMargin = 1.05;  // of free room around the framed bounds
+constexpr double kFramingFov = 35.0;  // degrees: less would flatten, more would bend what is near
+constexpr double kMargin = 1.05;      // of free room around the framed scene
+
+// In front of it, as a part of its size: nothing then looks more than three times as large for
+// being near.
+constexpr double kLeastRoom = 0.5;
+
+// The view seen from above or from the side: what is at `across` and `along` the axis towards the
+// eye fits between two lines that meet in the eye.
+struct Wedge {
+    double tangent;  // of half of its angle
+    double high = -1e300;
+    double low = 1e300;
+
+    void add(double across, double along)
+    {
+        high = std::max(high, across + along * tangent);
+        low = std::min(low, across - along * tangent);
+    }
+    double middle() const { return (high + low) / 2.0; }
+    double apex() const { return (high - low) / (2.0 * tangent); }  // the nearest place of the eye
+};
 
 // What the text of a camera says, before it is made into one.
 struct CameraText {
@@ -164,27 +185,28 @@ Result<SceneCamera> parseCamera(const std::string& text, const Bounds& bounds)
 
 }  // namespace
 
-SceneCamera frameScene(const Bounds& bounds, double aspect)
+SceneCamera frameScene(const Scene& scene, double aspect)
 {
     SceneCamera camera;
     camera.name = "framing";
-    camera.fov_y_rad = kDefaultFov * kDegree;
-    const double tan_y = std::tan(camera.fov_y_rad / 2.0) / kMargin;
-    const double tan_x = tan_y * aspect;
-
-    // The nearest distance at which every corner is inside all four sides.
+    camera.fov_y_rad = kFramingFov * kDegree;
     const glm::dvec3 towards_eye = glm::normalize(kThreeQuarter);
-    const glm::dmat3 turn = lookAt(towards_eye, glm::dvec3(0.0), {0, 1, 0});
-    double distance = 0.0;
-    for (int index = 0; index < 8 && !bounds.empty(); ++index) {
-        const glm::dvec3 corner = turn * (bounds.corner(index) - bounds.center());
-        distance = std::max({distance, std::abs(corner.x) / tan_x + corner.z,
-                             std::abs(corner.y) / tan_y + corner.z});
-    }
-    if (!(distance > 0.0)) distance = 1.0;  // all of the scene is one point
-    const glm::dvec3 center = bounds.empty() ? glm::dvec3(0.0) : bounds.center();
-    const glm::dvec3 eye = center + towards_eye * distance;
-    camera.view_from_world = lookAt(eye, center, {0, 1, 0});
+    const glm::dmat3 turned_from_world = lookAt(towards_eye, glm::dvec3(0.0), {0, 1, 0});
+    const double tan_y = std::tan(camera.fov_y_rad / 2.0) / kMargin;
+    Wedge horizontal = {tan_y * aspect}, vertical = {tan_y};
+    Bounds turned;
+    scene.visitCorners([&](const glm::dvec3& world) {
+        const glm::dvec3 corner = turned_from_world * world;
+        turned.add(corner);
+        horizontal.add(corner.x, corner.z);
+        vertical.add(corner.y, corner.z);
+    });
+    if (turned.empty()) return camera;
+    const double room = turned.diagonal() > 0.0 ? kLeastRoom * turned.diagonal() : 1.0;
+    const glm::dvec3 eye = {horizontal.middle(), vertical.middle(),
+                            std::max({horizontal.apex(), vertical.apex(), turned.max.z + room})};
+    const glm::dvec3 world_eye = glm::transpose(turned_from_world) * eye;
+    camera.view_from_world = lookAt(world_eye, world_eye - towards_eye, {0, 1, 0});
     return camera;
 }
 
@@ -192,7 +214,7 @@ Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const
                                  double aspect)
 {
     if (text.empty())
-        return scene.cameras.empty() ? frameScene(bounds, aspect) : scene.cameras.front();
+        return scene.cameras.empty() ? frameScene(scene, aspect) : scene.cameras.front();
     std::vector<std::string> names;
     for (const SceneCamera& camera : scene.cameras) {
         if (camera.name == text) return camera;

@@ -6,9 +6,9 @@
 
 namespace crevice {
 
-/// A three-quarter view from above that holds all of the scene's bounds at `aspect` (width over
-/// height, > 0) with a small margin; its name is "framing".
-SceneCamera frameScene(const Bounds& bounds, double aspect);
+/// A three-quarter view from above that holds all of the scene at `aspect` (width over height, > 0)
+/// with a small margin; its name is "framing".
+SceneCamera frameScene(const Scene& scene, double aspect);
 
 /// What `--camera TEXT` asks for:
 ///   ""      the scene's first camera, or `frameScene` when it has none

@@ -117,14 +117,7 @@ glm::dvec3 Bounds::corner(int index) const
 Bounds Scene::bounds() const
 {
     Bounds bounds;
-    for (const SceneInstance& instance : instances) {
-        const MeshDesc& mesh = meshes[instance.mesh];
-        const glm::dmat4 world_from_model = instance.world_from_model;
-        for (const std::uint32_t index : mesh.indices) {
-            const float* p = mesh.vertices[index].position;
-            bounds.add(world_from_model * glm::dvec4(p[0], p[1], p[2], 1.0));
-        }
-    }
+    visitCorners([&bounds](const glm::dvec3& corner) { bounds.add(corner); });
     return bounds;
 }
 

@@ -73,6 +73,20 @@ struct Scene {
 
     /// The box around every triangle of every instance. Walks all vertices; keep the result.
     Bounds bounds() const;
+
+    /// Calls `visit` with the place in the world of each corner of each triangle of each instance.
+    template <class Visit>
+    void visitCorners(Visit&& visit) const
+    {
+        for (const SceneInstance& instance : instances) {
+            const MeshDesc& mesh = meshes[instance.mesh];
+            const glm::dmat4 world_from_model = instance.world_from_model;
+            for (const std::uint32_t index : mesh.indices) {
+                const float* p = mesh.vertices[index].position;
+                visit(glm::dvec3(world_from_model * glm::dvec4(p[0], p[1], p[2], 1.0)));
+            }
+        }
+    }
 };
 
 /// OpenGL's clip space, z in [-1, 1]. Near and far distances that the camera leaves open enclose
