@@ -90,17 +90,18 @@ TEST_CASE("Shaders get products of matrices, made in double")
 {
     Rig rig;
     look(rig.frame);
-    // Camera and model a long way out and close together: in float the difference would be lost.
-    const glm::vec3 far_away(1e6f, 0, 0);
-    rig.frame.camera.view_from_world = glm::mat4(1.0f);
-    rig.frame.camera.view_from_world[3] = glm::vec4(-far_away, 1);
-    rig.frame.draws[0].world_from_model = glm::mat4(1.0f);
-    rig.frame.draws[0].world_from_model[3] = glm::vec4(far_away + glm::vec3(0.125f, 0, 0), 1);
+    // Camera and model far out and close together: in float their distance would be lost.
+    const glm::vec3 far_away(1e6f, 3e5f, -7e5f);
+    glm::mat4& view_from_world = rig.frame.camera.view_from_world;
+    glm::mat4& world_from_model = rig.frame.draws[0].world_from_model;
+    view_from_world = glm::translate(view_from_world, -far_away);
+    world_from_model[3] += glm::vec4(far_away, 0);
     rig.draw();
-    const glm::mat4 view_from_model = sentMatrix(rig, "view_from_model");
-    CHECK(view_from_model[3] == glm::vec4(0.125f, 0, 0, 1));
-    CHECK(difference(sentMatrix(rig, "clip_from_model"),
-                     rig.frame.camera.clip_from_view * view_from_model) < 1e-6f);
+    const glm::dmat4 view_from_model = glm::dmat4(view_from_world) * glm::dmat4(world_from_model);
+    CHECK(sentMatrix(rig, "view_from_model") == glm::mat4(view_from_model));
+    CHECK(sentMatrix(rig, "clip_from_model") ==
+          glm::mat4(glm::dmat4(rig.frame.camera.clip_from_view) * view_from_model));
+    CHECK(difference(view_from_world * world_from_model, glm::mat4(view_from_model)) > 0.01f);
 }
 
 TEST_CASE("Normals stay normal to what they stand on")

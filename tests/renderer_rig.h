@@ -17,6 +17,8 @@ inline const char* const kRigConfig = R"({
     "intensity": {"default": 1, "min": 0, "max": 4},
     "taps": {"type": "int", "default": 3, "min": 1, "max": 8},
     "samples": {"type": "int", "default": 4, "min": 1, "max": 64, "bind": "define"},
+    "edge": {"default": 0.5, "min": 0, "max": 1, "bind": "define"},
+    "tile": {"type": "int", "default": 4, "min": 1, "max": 16},
     "tint": {"type": "vec3", "default": [1, 0.5, 0.25], "min": 0, "max": 1}
   },
   "features": {"soft": {"type": "bool", "default": true},
@@ -24,7 +26,7 @@ inline const char* const kRigConfig = R"({
   "imports": {"camera": {"type": "camera"}, "scene": {"type": "draw_list"},
               "lights": {"type": "lights"}, "decal": {"type": "texture", "optional": true}},
   "generated": {"kernel": {"generator": "hemisphere_kernel", "count": "samples"},
-                "noise": {"generator": "rotation_noise", "count": 4}},
+                "noise": {"generator": "rotation_noise", "count": "tile"}},
   "targets": {"depth": {"format": ["depth24"]}, "normal": {"format": ["rgba8"]},
               "albedo": {"format": ["rgba8"]}, "smooth_ao": {"format": ["r8"]},
               "ao": {"format": ["r8"], "size": {"scale": 0.5}}, "color": {"format": ["rgba8"]}},
@@ -74,6 +76,7 @@ inline Description rigDescription()
                         "precision highp float;\n"
                         "uniform vec2 viewport_size;\n"
                         "uniform int taps;\n"
+                        "const float edge = EDGE;\n"
                         "uniform sampler2D source;\n"
                         "layout(location = 0) out float smooth_ao;\n"},
         {"lighting.frag", "#version 300 es\n"

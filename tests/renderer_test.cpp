@@ -129,6 +129,19 @@ TEST_CASE("A define compiles the one program that sees it, and its kernel follow
     CHECK(rig.device.misuse().empty());
 }
 
+TEST_CASE("A define that is no count, and a count that is no define, plan anew")
+{
+    Rig rig;
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("edge", 0.25f).ok());
+    CHECK(contains(rig.device.log(), "createProgram 'filter'"));
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("tile", 7.0f).ok());
+    CHECK(contains(rig.device.log(), "createTexture 'noise' rgba16f 7x7"));
+    CHECK_FALSE(contains(rig.device.log(), "createProgram"));
+    CHECK(rig.device.misuse().empty());
+}
+
 TEST_CASE("Setting what is already so makes no new plan")
 {
     Rig rig;
