@@ -10,9 +10,9 @@ step() { printf '\n== %s\n' "$1"; }
 step "Packages (tools/packages.txt)"
 tools/install_packages.sh
 
-step "Building in release mode, into build/release"
+step "Building the crevice command in release mode, into build/release"
 cmake --preset release
-cmake --build --preset release
+cmake --build --preset release --target crevice
 
 step "Rendering the default scene, into out"
 mkdir -p out
