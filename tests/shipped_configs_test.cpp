@@ -134,6 +134,33 @@ TEST_CASE("The four combinations of kernel and filter differ in one line of exte
     CHECK(passNames(plan({"sphere_box"})) == Names{"geometry", "ssao", "filter", "lighting"});
 }
 
+TEST_CASE("A device's own variant of a config takes a few lines")
+{
+    // Half resolution, fewer taps, a smaller G-buffer, for any shipped config.
+    MemorySources mine;
+    mine.add("configs/phone.json", R"({
+  "format": 1,
+  "name": "phone",
+  "extends": ["learnopengl"],
+  "params": { "samples": { "default": 8 } },
+  "targets": {
+    "ao": { "size": { "scale": 0.5 } },
+    "normal": { "format": ["rgb10_a2"] }
+  }
+})");
+    const LayeredSources sources({&mine, &shippedSources()});
+    const Result<Node> document = loadConfig(sources, {"phone"});
+    REQUIRE(document.ok());
+    const Result<Description> description = decode(*document, sources);
+    REQUIRE(description.ok());
+    const Result<Plan> plan =
+        compile(*description, {}, RecordingDevice().caps(), {{101, 51}, {}, {}});
+    REQUIRE(plan.ok());
+    CHECK(plan->passes[1].name == "ssao");
+    CHECK(plan->passes[1].extent == Extent{51, 26});
+    CHECK(plan->passes[2].extent == Extent{101, 51});
+}
+
 TEST_CASE("thesis dims everything, and its variant the ambient light alone")
 {
     const Description whole = describe({"thesis"});
