@@ -133,7 +133,7 @@ TEST_CASE("Each pass gets its own viewport size")
     CHECK(contains(log, "setUniform viewport_size 64 32"));
 }
 
-TEST_CASE("Each draw gets its own values; a draw of nothing is skipped")
+TEST_CASE("Each draw gets its own values, and a draw of nothing is skipped")
 {
     Rig rig;
     rig.frame.materials.push_back({});

@@ -54,7 +54,7 @@ TEST_CASE("A renderer destroys what it made, framebuffers first, and nothing els
     CHECK(rig.device.misuse().empty());
 }
 
-TEST_CASE("Outputs have textures with content; other names have none")
+TEST_CASE("Outputs have textures with content, other names have none")
 {
     Rig rig;
     rig.draw();
@@ -203,7 +203,7 @@ TEST_CASE("A feature that cannot be set says why and keeps its value")
     CHECK(findNamed(rig.renderer->description().features, "look")->value == 1);
 }
 
-TEST_CASE("A new size gives new textures; a size that cannot be leaves the old ones")
+TEST_CASE("A new size gives new textures, a size that cannot be leaves the old ones")
 {
     Rig rig;
     rig.draw();
