@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// One measured point of a bench: what was drawn, how wrong it was and what it cost.
+//
+// Results are JSON Lines, one point a line, appended as they are measured. A line's key is a hash over
+// everything that decides its figures, so a run that was interrupted goes on where it stopped, and
+// shards from several machines merge by putting their files one after the other.
+#pragma once
+
+#include "core/image.h"
+#include "core/result.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// Median and quartiles over the repeats, milliseconds.
+struct TimeFigures {
+    double median = 0;
+    double q1 = 0;
+    double q3 = 0;
+};
+
+struct PassTime {
+    std::string name;
+    TimeFigures ms;
+};
+
+/// Against the ray-traced truth; see tools/image_metrics.h.
+struct ErrorFigures {
+    double rmse = 0;
+    double bias = 0;
+    double p99 = 0;
+    double rmse_fit = 0;
+    double power_fit = 1;
+    long long pixels = 0;
+};
+
+/// The parts of the error, each an rmse; -1 where it was not measured.
+struct ErrorBudget {
+    double noise = -1;      ///< Config against itself converged: what more samples would buy.
+    double model = -1;      ///< Converged against the truth: what another estimator would buy.
+    double precision = -1;  ///< Config against itself with 32-bit float targets: wider formats.
+};
+
+struct BenchPoint {
+    std::string key;      ///< 16 hex digits.
+    std::string failure;  ///< Why there are no figures; empty when there are.
+
+    std::string config;
+    std::vector<std::string> overrides;  ///< As --set has them.
+    std::string family;  ///< Points that differ in samples alone share it: "learnopengl".
+    std::string scene;
+    std::string camera;
+    Extent extent;
+    double radius = 0;      ///< Scene units.
+    double radius_px = 0;   ///< On screen, at the median depth of what is seen.
+    int samples = 0;        ///< Depth taps a pixel; 0 for a config without AO.
+    long long triangles = 0;
+
+    std::string device;     ///< Renderer and driver.
+    bool software = false;
+    std::string version;    ///< Of crevice.
+
+    ErrorFigures error;
+    ErrorBudget budget;
+
+    std::string clock;      ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
+    int repeats = 0;
+    TimeFigures total;
+    std::vector<PassTime> passes;
+    double ratio_floor = 0;        ///< Median over that of a copy of the depth texture, same run.
+    double ratio_learnopengl = 0;  ///< Median over that of learnopengl, same run.
+
+    double texture_bytes = 0;
+    double bytes_read = 0;     ///< Estimated, a frame.
+    double bytes_written = 0;
+
+    /// Pictures beside the results file, relative to it; empty when none were kept.
+    std::string ao_picture;
+    std::string truth_picture;
+    std::string difference_picture;
+};
+
+/// One line, without the line feed.
+std::string toJsonLine(const BenchPoint& point);
+
+/// Reads results; of two lines with one key the later one holds, but a failure never hides figures.
+/// A last line that was cut short by an interrupt is left out with a warning.
+///
+/// Errors: CV7005 for a file that cannot be read or a line that is no point.
+Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths);
+
+}  // namespace crevice
