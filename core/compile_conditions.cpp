@@ -2,7 +2,7 @@
 // Which passes run: `when` against features and the scene's traits.
 #include "core/compile_internal.h"
 
-#include <algorithm>
+#include "core/frame_values.h"
 
 namespace crevice::compiler {
 
@@ -16,12 +16,10 @@ const char* boolText(bool value)
 // What a subject is now, as a condition would write it.
 std::string valueOf(const State& state, const std::string& subject)
 {
-    const SceneTraits& traits = state.traits;
-    if (subject == "scene.lights") return std::to_string(std::min(traits.lights, kMaxLights));
-    if (subject == "scene.alpha_tested") return boolText(traits.alpha_tested);
-    if (subject == "scene.specular") return boolText(traits.specular);
-    if (subject == "scene.textured") return boolText(traits.textured);
-    if (subject == "camera.orthographic") return boolText(traits.orthographic);
+    if (const TraitInfo* trait = findTrait(subject)) {
+        const int value = trait->value(state.traits);
+        return trait->counted ? std::to_string(value) : boolText(value != 0);
+    }
     const FeatureDesc* feature = findNamed(state.description.features, subject);
     return feature ? feature->values[feature->value] : "unknown";
 }
@@ -29,10 +27,10 @@ std::string valueOf(const State& state, const std::string& subject)
 bool termHolds(const State& state, const Condition::Term& term)
 {
     const std::string value = valueOf(state, term.subject.name);
-    const bool counted = term.subject.name == "scene.lights";
+    const TraitInfo* trait = findTrait(term.subject.name);
     for (const std::string& wanted : term.values) {
         if (wanted == value) return true;
-        if (counted && wanted == boolText(value != "0")) return true;
+        if (trait && trait->counted && wanted == boolText(value != "0")) return true;
     }
     return false;
 }

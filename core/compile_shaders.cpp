@@ -2,6 +2,8 @@
 // Shaders: their defines, their stages and their outputs.
 #include "core/compile_internal.h"
 
+#include "core/frame_values.h"
+
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -38,11 +40,8 @@ void addFeature(GlslDefines& defines, const FeatureDesc& feature)
 void addTraits(GlslDefines& defines, const SceneTraits& traits)
 {
     defines["MAX_LIGHTS"] = std::to_string(kMaxLights);
-    defines["SCENE_LIGHTS"] = std::to_string(std::min(traits.lights, kMaxLights));
-    defines["SCENE_ALPHA_TESTED"] = traits.alpha_tested ? "1" : "0";
-    defines["SCENE_SPECULAR"] = traits.specular ? "1" : "0";
-    defines["SCENE_TEXTURED"] = traits.textured ? "1" : "0";
-    defines["CAMERA_ORTHOGRAPHIC"] = traits.orthographic ? "1" : "0";
+    for (const TraitInfo& trait : kTraits)
+        defines[trait.define] = std::to_string(trait.value(traits));
 }
 
 std::map<std::string, std::string> interfaceFiles(const Description& description)

@@ -2,6 +2,7 @@
 // Uniforms: the param, kernel or frame value behind each, and how many the device holds.
 #include "core/compile_internal.h"
 
+#include "core/frame_values.h"
 #include "core/generators.h"
 
 #include <algorithm>
@@ -11,63 +12,12 @@ namespace crevice::compiler {
 
 namespace {
 
-// The values of core/frame.h.
-struct FrameValue {
-    const char* name;
-    GlslType type;
-    bool array;  // one for each of kMaxLights
-    std::optional<ImportType> import;
-};
-
-constexpr ImportType kCamera = ImportType::camera;
-constexpr ImportType kDrawList = ImportType::draw_list;
-constexpr ImportType kLights = ImportType::lights;
-
-const FrameValue kFrameValues[] = {
-    {"clip_from_view", GlslType::mat4, false, kCamera},
-    {"view_from_clip", GlslType::mat4, false, kCamera},
-    {"view_from_world", GlslType::mat4, false, kCamera},
-    {"world_from_view", GlslType::mat4, false, kCamera},
-    {"clip_from_model", GlslType::mat4, false, kDrawList},
-    {"view_from_model", GlslType::mat4, false, kDrawList},
-    {"view_normal_from_model", GlslType::mat3, false, kDrawList},
-    {"base_color", GlslType::vec4, false, kDrawList},
-    {"alpha_cutoff", GlslType::float_, false, kDrawList},
-    {"specular", GlslType::vec3, false, kDrawList},
-    {"shininess", GlslType::float_, false, kDrawList},
-    {"light_count", GlslType::int_, false, kLights},
-    {"light_position", GlslType::vec4, true, kLights},
-    {"light_color", GlslType::vec3, true, kLights},
-    {"light_attenuation", GlslType::vec3, true, kLights},
-    {"ambient_light", GlslType::vec3, false, kLights},
-    {"viewport_size", GlslType::vec2, false, std::nullopt},
-};
-
-const FrameValue* frameValue(std::string_view name)
-{
-    for (const FrameValue& value : kFrameValues)
-        if (name == value.name) return &value;
-    return nullptr;
-}
-
 // What a uniform has to look like.
 struct Shape {
     GlslType type;
     int count;  // 0: no array
     std::string what;
 };
-
-GlslType glslTypeOf(ParamType type)
-{
-    switch (type) {
-    case ParamType::float_: return GlslType::float_;
-    case ParamType::int_: return GlslType::int_;
-    case ParamType::vec2: return GlslType::vec2;
-    case ParamType::vec3: return GlslType::vec3;
-    case ParamType::vec4: return GlslType::vec4;
-    }
-    return GlslType::other;
-}
 
 std::optional<Shape> shapeOf(const Description& description, const PassDesc& pass,
                              std::string_view name)
@@ -79,9 +29,9 @@ std::optional<Shape> shapeOf(const Description& description, const PassDesc& pas
         return Shape{GlslType::sampler2d, 0, "generated texture"};
     if (generated) return Shape{GlslType::vec3, generatedCount(description, *generated), "kernel"};
     if (findNamed(description.targets, name)) return Shape{GlslType::sampler2d, 0, "target"};
-    const FrameValue* value = frameValue(name);
-    if (!value || (value->import == kDrawList && pass.type != PassType::draw)) return std::nullopt;
-    return Shape{value->type, value->array ? kMaxLights : 0, "value of the frame"};
+    const FrameValueInfo* value = findFrameValue(name);
+    if (!value || (value->import == ImportType::draw_list && pass.type != PassType::draw)) return std::nullopt;
+    return Shape{value->type, value->count > 1 ? value->count : 0, "value of the frame"};
 }
 
 std::string spell(GlslType type, std::string_view name, int count)
@@ -95,8 +45,8 @@ std::vector<std::string> valueNames(const Description& description, const PassDe
     std::vector<std::string> names = namesOf(description.params);
     for (const GeneratedDesc& each : description.generated)
         if (!generatesTexture(each.generator)) names.push_back(each.name);
-    for (const FrameValue& value : kFrameValues)
-        if (value.import != kDrawList || pass.type == PassType::draw) names.push_back(value.name);
+    for (const FrameValueInfo& value : kFrameValues)
+        if (value.import != ImportType::draw_list || pass.type == PassType::draw) names.push_back(value.name);
     return names;
 }
 
@@ -171,7 +121,7 @@ bool uses(const State& state, const Pass& pass, const ImportDesc& import)
     if (import.type == ImportType::texture) return reads(state, pass, InputKind::imported, index);
     if (import.type == ImportType::draw_list && pass.desc->type == PassType::draw) return true;
     return anyUniform(state, pass, [&](std::string_view name) {
-        const FrameValue* value = frameValue(name);
+        const FrameValueInfo* value = findFrameValue(name);
         return value && value->import == import.type;
     });
 }
@@ -183,7 +133,7 @@ void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform)
     const std::string who = "pass '" + desc.name + "': uniform '" + uniform.name + "' ";
     const std::optional<Shape> shape = shapeOf(state.description, desc, name);
     if (!shape) {
-        const bool draws_only = frameValue(name) != nullptr;
+        const bool draws_only = findFrameValue(name) != nullptr;
         Diagnostic& error = report(
             state, Code::uniform_unbound,
             who + (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),

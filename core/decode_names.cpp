@@ -2,6 +2,7 @@
 // Declared names against each other: collisions, counts taken from params, sizes that follow.
 #include "core/decode_steps.h"
 
+#include "core/frame_values.h"
 #include "core/generators.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ void checkCollisions(const Description& description, Report& report)
     reportCollisions(settable, "an override", report);
 
     for (const ParamDesc& each : description.params)
-        if (contains(frameValues(), each.name))
+        if (findFrameValue(each.name))
             report.at(keyOf(each), Code::name_collision,
                       "param '" + each.name + "' has the name of a uniform that each frame feeds")
                 .help = "rename the param";

@@ -2,6 +2,7 @@
 // References: what names nothing, and what stands where it may not.
 #include "core/decode_steps.h"
 
+#include "core/frame_values.h"
 #include "core/generators.h"
 #include "core/text.h"
 
@@ -20,23 +21,10 @@ struct Names {
     std::vector<std::string> all = {};
 };
 
-const std::vector<std::string>& traitNames()
-{
-    static const std::vector<std::string> names = {"scene.lights", "scene.alpha_tested",
-                                                   "scene.specular", "scene.textured",
-                                                   "camera.orthographic"};
-    return names;
-}
-
 bool isCount(std::string_view text)
 {
     return !text.empty() &&
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-void append(std::vector<std::string>& names, const std::vector<std::string>& more)
-{
-    names.insert(names.end(), more.begin(), more.end());
 }
 
 class Checker {
@@ -82,9 +70,9 @@ Checker::Checker(const Node& document, const Description& description, Report& r
     if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
     shaders_.all = namesOf(description.shaders);
     params_.all = values_.all = namesOf(description.params);
-    append(values_.all, frameValues());
+    for (const FrameValueInfo& value : kFrameValues) values_.all.push_back(value.name);
     subjects_.all = namesOf(description.features);
-    append(subjects_.all, traitNames());
+    for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
 }
 
 void Checker::run()
@@ -195,7 +183,8 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
     expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
     const std::string& subject = term.subject.name;
     const FeatureDesc* feature = findNamed(description_.features, subject);
-    if (!feature && !contains(traitNames(), subject)) return;
+    const TraitInfo* trait = findTrait(subject);
+    if (!feature && !trait) return;
     if (report_.errorWithin(term.subject.pointer)) return;
     if (feature && report_.errorWithin(feature->pointer)) return;
     const std::vector<std::string> allowed =
@@ -204,7 +193,7 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
         locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
     for (std::size_t i = 0; i < term.values.size(); ++i) {
         const std::string& value = term.values[i];
-        if (contains(allowed, value) || (subject == "scene.lights" && isCount(value))) continue;
+        if (contains(allowed, value) || (trait && trait->counted && isCount(value))) continue;
         const std::string item = list ? "/" + std::to_string(i) : "";
         atPointer(term.subject.pointer + item, Code::feature_value,
                   "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
@@ -233,18 +222,6 @@ void checkReferences(const Node& document, const Description& description, Repor
 bool contains(const std::vector<std::string>& names, std::string_view name)
 {
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-const std::vector<std::string>& frameValues()
-{
-    static const std::vector<std::string> names = {
-        "clip_from_view",  "view_from_clip",  "view_from_world", "world_from_view",
-        "clip_from_model", "view_from_model", "view_normal_from_model",
-        "base_color",      "alpha_cutoff",    "specular",        "shininess",
-        "light_count",     "light_position",  "light_color",     "light_attenuation",
-        "ambient_light",   "viewport_size",
-    };
-    return names;
 }
 
 std::vector<std::string> strayNames(const Node& document, const Report& report)

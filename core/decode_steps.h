@@ -24,9 +24,6 @@ void readShaderFiles(const Node& document, const SourceSet& sources, Description
 /// Names declared in what looks like a misspelt section ("targts"). They count as known.
 std::vector<std::string> strayNames(const Node& document, const Report& report);
 
-/// The uniforms that a frame feeds; core/frame.h explains them.
-const std::vector<std::string>& frameValues();
-
 bool contains(const std::vector<std::string>& names, std::string_view name);
 
 }  // namespace crevice::table

@@ -2,6 +2,7 @@
 // Filling the value table from params, frames and draws.
 #include "core/value_table.h"
 
+#include "core/frame_values.h"
 #include "core/generators.h"
 
 #include <algorithm>
@@ -9,51 +10,17 @@
 namespace crevice {
 namespace {
 
-// Values of core/frame.h; each is its own index in the table.
-enum FrameValue : std::size_t {
-    clip_from_view, view_from_clip, view_from_world, world_from_view, light_count, light_position,
-    light_color, light_attenuation, ambient_light, viewport_size, clip_from_model, view_from_model,
-    view_normal_from_model, base_color, alpha_cutoff, specular, shininess,
-};
-
-struct FrameValueInfo {
-    const char* name;
-    GlslType type;
-    int words;
-    int count;
-    bool per_draw;
-};
-
-constexpr FrameValueInfo kFrameValues[] = {
-    {"clip_from_view", GlslType::mat4, 16, 1, false},
-    {"view_from_clip", GlslType::mat4, 16, 1, false},
-    {"view_from_world", GlslType::mat4, 16, 1, false},
-    {"world_from_view", GlslType::mat4, 16, 1, false},
-    {"light_count", GlslType::int_, 1, 1, false},
-    {"light_position", GlslType::vec4, 4, kMaxLights, false},
-    {"light_color", GlslType::vec3, 3, kMaxLights, false},
-    {"light_attenuation", GlslType::vec3, 3, kMaxLights, false},
-    {"ambient_light", GlslType::vec3, 3, 1, false},
-    {"viewport_size", GlslType::vec2, 2, 1, false},
-    {"clip_from_model", GlslType::mat4, 16, 1, true},
-    {"view_from_model", GlslType::mat4, 16, 1, true},
-    {"view_normal_from_model", GlslType::mat3, 9, 1, true},
-    {"base_color", GlslType::vec4, 4, 1, true},
-    {"alpha_cutoff", GlslType::float_, 1, 1, true},
-    {"specular", GlslType::vec3, 3, 1, true},
-    {"shininess", GlslType::float_, 1, 1, true},
-};
-
-GlslType glslTypeOf(ParamType type)
+/// 32-bit words that one element of a value takes.
+int wordsOf(GlslType type)
 {
     switch (type) {
-    case ParamType::int_: return GlslType::int_;
-    case ParamType::vec2: return GlslType::vec2;
-    case ParamType::vec3: return GlslType::vec3;
-    case ParamType::vec4: return GlslType::vec4;
-    case ParamType::float_: break;
+    case GlslType::vec2: return 2;
+    case GlslType::vec3: return 3;
+    case GlslType::vec4: return 4;
+    case GlslType::mat3: return 9;
+    case GlslType::mat4: return 16;
+    default: return 1;
     }
-    return GlslType::float_;
 }
 
 }  // namespace
@@ -61,17 +28,17 @@ GlslType glslTypeOf(ParamType type)
 ValueTable::ValueTable(const std::vector<ParamDesc>& params)
 {
     for (const FrameValueInfo& info : kFrameValues)
-        add(info.name, info.type, info.words, info.count, info.per_draw);
+        add(info.name, info.type, info.count, info.import == ImportType::draw_list);
     for (const ParamDesc& param : params) {
-        add(param.name, glslTypeOf(param.type), componentCount(param.type), 1, false);
+        add(param.name, glslTypeOf(param.type), 1, false);
         setParam(param);
     }
 }
 
-std::size_t ValueTable::add(std::string name, GlslType type, int words, int count, bool per_draw)
+std::size_t ValueTable::add(std::string name, GlslType type, int count, bool per_draw)
 {
     values_.push_back({std::move(name), type, count, per_draw, words_.size()});
-    words_.resize(words_.size() + static_cast<std::size_t>(words) * count);
+    words_.resize(words_.size() + static_cast<std::size_t>(wordsOf(type)) * count);
     return values_.size() - 1;
 }
 
@@ -88,7 +55,7 @@ Status ValueTable::addKernel(const GeneratedDesc& kernel)
         }
         return errors;
     }
-    const std::size_t value = add(kernel.name, GlslType::vec3, 3, kernel.count, false);
+    const std::size_t value = add(kernel.name, GlslType::vec3, kernel.count, false);
     for (int i = 0; i < kernel.count; ++i) write(value, (*offsets)[i], i);
     return {};
 }

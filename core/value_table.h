@@ -43,7 +43,7 @@ public:
     void setDraw(const DrawItem& item, const Material& material, const CameraMatrices& camera);
 
 private:
-    std::size_t add(std::string name, GlslType type, int words, int count, bool per_draw);
+    std::size_t add(std::string name, GlslType type, int count, bool per_draw);
 
     template <class T>
     void write(std::size_t value, const T& data, int element = 0)
@@ -53,7 +53,7 @@ private:
         std::memcpy(&words_[values_[value].offset + element * step], &data, sizeof(T));
     }
 
-    std::vector<Value> values_;  // those of the frame come first, in the order of value_table.cpp
+    std::vector<Value> values_;  // those of the frame come first, in the order of FrameValue
     std::vector<std::uint32_t> words_;
 };
 

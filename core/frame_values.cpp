@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "core/frame_values.h"
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+constexpr auto kCamera = ImportType::camera;
+constexpr auto kDrawList = ImportType::draw_list;
+constexpr auto kLights = ImportType::lights;
+
+}  // namespace
+
+const FrameValueInfo kFrameValues[frame_value_count] = {
+    {"clip_from_view", GlslType::mat4, 1, kCamera},
+    {"view_from_clip", GlslType::mat4, 1, kCamera},
+    {"view_from_world", GlslType::mat4, 1, kCamera},
+    {"world_from_view", GlslType::mat4, 1, kCamera},
+    {"light_count", GlslType::int_, 1, kLights},
+    {"light_position", GlslType::vec4, kMaxLights, kLights},
+    {"light_color", GlslType::vec3, kMaxLights, kLights},
+    {"light_attenuation", GlslType::vec3, kMaxLights, kLights},
+    {"ambient_light", GlslType::vec3, 1, kLights},
+    {"viewport_size", GlslType::vec2, 1, std::nullopt},
+    {"clip_from_model", GlslType::mat4, 1, kDrawList},
+    {"view_from_model", GlslType::mat4, 1, kDrawList},
+    {"view_normal_from_model", GlslType::mat3, 1, kDrawList},
+    {"base_color", GlslType::vec4, 1, kDrawList},
+    {"alpha_cutoff", GlslType::float_, 1, kDrawList},
+    {"specular", GlslType::vec3, 1, kDrawList},
+    {"shininess", GlslType::float_, 1, kDrawList},
+};
+
+const TraitInfo kTraits[5] = {
+    {"scene.lights", "SCENE_LIGHTS",
+     [](const SceneTraits& traits) { return std::min(traits.lights, kMaxLights); }, true},
+    {"scene.alpha_tested", "SCENE_ALPHA_TESTED",
+     [](const SceneTraits& traits) { return int(traits.alpha_tested); }, false},
+    {"scene.specular", "SCENE_SPECULAR",
+     [](const SceneTraits& traits) { return int(traits.specular); }, false},
+    {"scene.textured", "SCENE_TEXTURED",
+     [](const SceneTraits& traits) { return int(traits.textured); }, false},
+    {"camera.orthographic", "CAMERA_ORTHOGRAPHIC",
+     [](const SceneTraits& traits) { return int(traits.orthographic); }, false},
+};
+
+const FrameValueInfo* findFrameValue(std::string_view name)
+{
+    for (const FrameValueInfo& value : kFrameValues)
+        if (name == value.name) return &value;
+    return nullptr;
+}
+
+const TraitInfo* findTrait(std::string_view name)
+{
+    for (const TraitInfo& trait : kTraits)
+        if (name == trait.name) return &trait;
+    return nullptr;
+}
+
+GlslType glslTypeOf(ParamType type)
+{
+    switch (type) {
+    case ParamType::int_: return GlslType::int_;
+    case ParamType::vec2: return GlslType::vec2;
+    case ParamType::vec3: return GlslType::vec3;
+    case ParamType::vec4: return GlslType::vec4;
+    case ParamType::float_: break;
+    }
+    return GlslType::float_;
+}
+
+}  // namespace crevice

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The names that a frame gives to GLSL and to conditions: the values of core/frame.h and the traits.
+//
+// Private to core, and the one list of each: decode knows the names by it, compile the types and
+// defines, the value table the layout.
+#pragma once
+
+#include "core/frame.h"
+
+#include <optional>
+#include <string_view>
+
+namespace crevice {
+
+/// The frame's values, in the order of `kFrameValues`.
+enum FrameValue : std::size_t {
+    clip_from_view, view_from_clip, view_from_world, world_from_view, light_count, light_position,
+    light_color, light_attenuation, ambient_light, viewport_size, clip_from_model, view_from_model,
+    view_normal_from_model, base_color, alpha_cutoff, specular, shininess, frame_value_count,
+};
+
+struct FrameValueInfo {
+    const char* name;  ///< In GLSL.
+    GlslType type;
+    int count;                         ///< Elements; more than 1 is an array.
+    std::optional<ImportType> import;  ///< Where it comes from; none for the pass itself.
+};
+
+extern const FrameValueInfo kFrameValues[frame_value_count];
+
+/// The value of that name, or null.
+const FrameValueInfo* findFrameValue(std::string_view name);
+
+/// A fact about the scene that conditions and shaders may depend on.
+struct TraitInfo {
+    const char* name;    ///< In conditions.
+    const char* define;  ///< In GLSL, where it is `value`.
+    int (*value)(const SceneTraits& traits);
+    bool counted;  ///< A number, of which true means at least one; else 0 or 1.
+};
+
+extern const TraitInfo kTraits[5];
+
+/// The trait of that name, or null.
+const TraitInfo* findTrait(std::string_view name);
+
+/// What GLSL calls a param of that type.
+GlslType glslTypeOf(ParamType type);
+
+}  // namespace crevice
