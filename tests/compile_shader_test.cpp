@@ -176,7 +176,7 @@ TEST_CASE("A uniform can be fed from a value of another name")
           Code::uniform_type);
 }
 
-TEST_CASE("Renaming what the shader nowhere has is refused; what an #if hides is fine")
+TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hides is fine")
 {
     SECTION("an input")
     {

@@ -152,7 +152,7 @@ TEST_CASE("More colour targets or samplers than the device has are refused")
     }
 }
 
-TEST_CASE("A fullscreen pass loads nothing; a draw, a blend and a test clear first")
+TEST_CASE("A fullscreen pass loads nothing, and a draw, a blend and a test clear first")
 {
     const auto load = [](const std::string& keys) {
         const Plan plan = planOf(describe(Sketch{

@@ -58,7 +58,7 @@ double angleInTurns(const Image& noise, int pixel)
 
 }  // namespace
 
-TEST_CASE("random numbers fill [0, 1) evenly")
+TEST_CASE("random numbers fill 0 to 1 evenly")
 {
     double sum = 0, square = 0;
     constexpr int kCount = 100000;

@@ -70,7 +70,7 @@ left out
 )");
 }
 
-TEST_CASE("The text does not change when a shader is reworded; the JSON's keys do")
+TEST_CASE("The text does not change when a shader is reworded, and the JSON's keys do")
 {
     const auto plan = [](const std::string& comment) {
         return planOf(describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
