@@ -46,7 +46,8 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
 Status applyOverride(Node& document, const std::string& text)
 {
     const std::size_t equals = text.find('=');
-    const auto source = std::make_shared<SourceText>(SourceText{"--set " + text, text});
+    const auto source = std::make_shared<SourceText>(
+        SourceText{"--set " + text, text, "./--set"});  // its files stand in the current folder
     const Place place{source, 1, 1, static_cast<int>(std::min(equals, text.size()))};
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         return Diagnostic{Code::override_syntax,

@@ -121,3 +121,12 @@ TEST_CASE("all bad overrides are reported together")
     const LoadRequest request = {"base", {}, {"x=1", "radius", "half=1"}};
     CHECK(loadConfig(smallCatalog(), request).diagnostics().size() == 2);
 }
+
+TEST_CASE("a relative file in an override stands in the current folder")
+{
+    const Node document = overridden("/shaders/mine/fragment=./mine.frag");
+    const Node* fragment = at(document, "shaders/mine/fragment");
+    REQUIRE(fragment);
+    CHECK(fragment->text == "./mine.frag");
+    CHECK(resolvePath(fragment->place.source->path, fragment->text) == "./mine.frag");
+}
