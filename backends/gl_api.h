@@ -7,6 +7,7 @@
 
 #define GL_GLES_PROTOTYPES 0  // types and constants only: nothing here can be linked by accident
 #include <GLES3/gl32.h>
+#include <GLES2/gl2ext.h>
 
 #include <string>
 
@@ -17,6 +18,7 @@ namespace crevice {
 #define CREVICE_GL_FUNCTIONS(X) \
     X(ActiveTexture, ACTIVETEXTURE, true) \
     X(AttachShader, ATTACHSHADER, true) \
+    X(BeginQuery, BEGINQUERY, false) \
     X(BindBuffer, BINDBUFFER, true) \
     X(BindFramebuffer, BINDFRAMEBUFFER, true) \
     X(BindSampler, BINDSAMPLER, true) \
@@ -40,6 +42,7 @@ namespace crevice {
     X(DeleteBuffers, DELETEBUFFERS, true) \
     X(DeleteFramebuffers, DELETEFRAMEBUFFERS, true) \
     X(DeleteProgram, DELETEPROGRAM, true) \
+    X(DeleteQueries, DELETEQUERIES, false) \
     X(DeleteSamplers, DELETESAMPLERS, true) \
     X(DeleteShader, DELETESHADER, true) \
     X(DeleteTextures, DELETETEXTURES, true) \
@@ -56,11 +59,13 @@ namespace crevice {
     X(Enable, ENABLE, true) \
     X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY, true) \
     X(Enablei, ENABLEI, false) \
+    X(EndQuery, ENDQUERY, false) \
     X(Finish, FINISH, true) \
     X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D, true) \
     X(FrontFace, FRONTFACE, true) \
     X(GenBuffers, GENBUFFERS, true) \
     X(GenFramebuffers, GENFRAMEBUFFERS, true) \
+    X(GenQueries, GENQUERIES, false) \
     X(GenSamplers, GENSAMPLERS, true) \
     X(GenTextures, GENTEXTURES, true) \
     X(GenVertexArrays, GENVERTEXARRAYS, true) \
@@ -72,6 +77,8 @@ namespace crevice {
     X(GetIntegerv, GETINTEGERV, true) \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG, true) \
     X(GetProgramiv, GETPROGRAMIV, true) \
+    X(GetQueryObjectui64v, GETQUERYOBJECTUI64VEXT, false) \
+    X(GetQueryiv, GETQUERYIV, false) \
     X(GetShaderInfoLog, GETSHADERINFOLOG, true) \
     X(GetShaderiv, GETSHADERIV, true) \
     X(GetString, GETSTRING, true) \

@@ -101,6 +101,14 @@ const char* drawBufferBlendSuffix(const GlInfo& info)
     return info.has("GL_ARB_draw_buffers_blend") ? "ARB" : nullptr;
 }
 
+/// The same for timer queries.
+const char* timerSuffix(const GlInfo& info)
+{
+    if (info.bare) return nullptr;
+    if (!info.desktop) return info.has("GL_EXT_disjoint_timer_query") ? "EXT" : nullptr;
+    return info.native_version >= 330 || info.has("GL_ARB_timer_query") ? "" : nullptr;
+}
+
 }  // namespace
 
 bool GlInfo::has(const char* extension) const
@@ -150,6 +158,14 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.BlendEquationi, "glBlendEquationi", blending);
     find(gl.BlendEquationSeparatei, "glBlendEquationSeparatei", blending);
     find(gl.BlendFuncSeparatei, "glBlendFuncSeparatei", blending);
+
+    const char* timers = timerSuffix(info);
+    find(gl.BeginQuery, "glBeginQuery", timers);
+    find(gl.DeleteQueries, "glDeleteQueries", timers);
+    find(gl.EndQuery, "glEndQuery", timers);
+    find(gl.GenQueries, "glGenQueries", timers);
+    find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", timers);
+    find(gl.GetQueryiv, "glGetQueryiv", timers);
 
     if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
         gl.InvalidateFramebuffer = nullptr;

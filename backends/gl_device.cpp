@@ -20,6 +20,7 @@ Status GlDevice::prepare()
     if (!copier) return copier.diagnostics();
     copier_ = std::move(*copier);
     makeSamplers();
+    if (!caps_.software) timers_ = GlTimers::make(gl_, info_);
     return takeErrors(gl_, "makeGlDevice");
 }
 

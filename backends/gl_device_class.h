@@ -4,6 +4,7 @@
 
 #include "backends/gl_copy.h"
 #include "backends/gl_device.h"
+#include "backends/gl_timers.h"
 
 namespace crevice {
 
@@ -47,6 +48,9 @@ public:
     void drawFullscreen() override;
     void present(TextureId id, const HostFramebuffer& host) override;
     void finish() override { gl_.Finish(); }
+    bool beginTimer(int slot) override { return timers_.begin(gl_, slot); }
+    void endTimer() override { timers_.end(gl_); }
+    double readTimer(int slot) override { return timers_.read(gl_, slot); }
 
 private:
     struct TextureSlot {
@@ -92,6 +96,7 @@ private:
     DeviceCaps caps_;
     GlCopier copier_;
     GlSampler samplers_[2][2];
+    GlTimers timers_;
     GlPool<TextureSlot> textures_;
     GlPool<MeshSlot> meshes_;
     GlPool<GlLinkedProgram> programs_;

@@ -15,8 +15,9 @@
 //
 // Never touched: all else; scissor box, clear values and polygon offset among it. Must be at its
 // default, for nothing here changes it: clip control, polygon mode, clip distances. Must not be
-// active: transform feedback, queries that count samples, conditional rendering. Errors that are
-// pending when a frame begins are dropped.
+// active: transform feedback, queries that count samples, conditional rendering; nor, while the
+// device's timers run, queries that measure time. Errors that are pending when a frame begins are
+// dropped.
 #pragma once
 
 #include "backends/gl_caps.h"

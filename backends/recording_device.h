@@ -8,6 +8,7 @@
 
 #include "core/device.h"
 
+#include <bitset>
 #include <deque>
 #include <initializer_list>
 #include <set>
@@ -49,6 +50,10 @@ public:
     /// Makes the next endFrame fail with CV6005.
     void failFrame() { frame_fails_ = true; }
 
+    /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
+    /// read as void, and none at all takes the timers away.
+    void setTimers(std::vector<double> times_ms) { timers_ms_ = std::move(times_ms); }
+
     /// Gives every coming program that uniform, in the place of its own of the same name: as a
     /// driver would that sees what the text does not show.
     void forceUniform(UniformInfo uniform) { forced_.push_back(std::move(uniform)); }
@@ -86,12 +91,16 @@ public:
     void drawFullscreen() override;
     void present(TextureId id, const HostFramebuffer& host) override;
     void finish() override;
+    bool beginTimer(int slot) override;
+    void endTimer() override;
+    double readTimer(int slot) override;
 
 private:
     enum class Call {
         create_texture, create_framebuffer, create_program, create_mesh, adopt_texture, destroy,
         write_texture, read_texture, begin_frame, end_frame, begin_pass, end_pass, set_program,
         set_texture, set_uniform, draw, draw_fullscreen, present, finish,
+        begin_timer, end_timer, read_timer,
     };
 
     /// One call; what it was given beyond the object lies in `words_`.
@@ -146,6 +155,10 @@ private:
     bool in_pass_ = false;
     bool drawn_ = false;  // something, in this pass
     std::vector<UniformInfo> forced_;
+    std::vector<double> timers_ms_;
+    std::bitset<kMaxTimers> measured_;  // timers that ran
+    bool timers_read_ = false;          // since the last one began
+    bool in_timer_ = false;
     bool frame_fails_ = false;
     int fail_in_ = 0;
     int attempts_ = 0;

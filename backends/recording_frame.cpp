@@ -33,6 +33,7 @@ void RecordingDevice::beginFrame()
 Status RecordingDevice::endFrame()
 {
     if (!in_frame_ || in_pass_) blame("endFrame without beginFrame, or inside a pass");
+    if (in_timer_) blame("endFrame while a timer runs");
     in_frame_ = false;
     record(Call::end_frame);
     if (!std::exchange(frame_fails_, false)) return {};
@@ -210,5 +211,34 @@ void RecordingDevice::present(TextureId id, const HostFramebuffer& host)
 }
 
 void RecordingDevice::finish() { record(Call::finish); }
+
+bool RecordingDevice::beginTimer(int slot)
+{
+    record(Call::begin_timer, 0, {static_cast<std::uint32_t>(slot)});
+    if (!in_frame_ || in_timer_) blame("beginTimer outside a frame, or while a timer runs");
+    const bool known = slot >= 0 && slot < kMaxTimers;
+    if (!known) blame("beginTimer of a slot that is not there");
+    if (!known || timers_ms_.empty()) return false;
+    if (std::exchange(timers_read_, false)) measured_.reset();
+    measured_[slot] = true;
+    in_timer_ = true;
+    return true;
+}
+
+void RecordingDevice::endTimer()
+{
+    record(Call::end_timer);
+    if (!std::exchange(in_timer_, false)) blame("endTimer without beginTimer");
+}
+
+double RecordingDevice::readTimer(int slot)
+{
+    record(Call::read_timer, 0, {static_cast<std::uint32_t>(slot)});
+    if (in_frame_) blame("readTimer inside a frame");
+    timers_read_ = true;
+    const auto index = static_cast<std::size_t>(slot);
+    const bool known = index < std::min(timers_ms_.size(), measured_.size());
+    return known && measured_[index] ? timers_ms_[index] : -1;
+}
 
 }  // namespace crevice

@@ -14,6 +14,7 @@ constexpr const char* kCallNames[] = {
     "destroy",       "writeTexture",      "readTexture",   "beginFrame",     "endFrame",
     "beginPass",     "endPass",           "setProgram",    "setTexture",     "setUniform",
     "draw",          "drawFullscreen",    "present",       "finish",
+    "beginTimer",    "endTimer",          "readTimer",
 };
 constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer"};
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
@@ -179,8 +180,11 @@ std::string RecordingDevice::arguments(const Record& call) const
             << words[4] << " at " << static_cast<std::int32_t>(words[1]) << ','
             << static_cast<std::int32_t>(words[2]);
         break;
+    case Call::begin_timer: case Call::read_timer:
+        out << ' ' << words[0];
+        break;
     case Call::begin_frame: case Call::end_frame: case Call::end_pass: case Call::draw_fullscreen:
-    case Call::finish: break;
+    case Call::finish: case Call::end_timer: break;
     }
     return out.str();
 }

@@ -104,6 +104,9 @@ enum class StoreOp { store, discard };
 
 constexpr int kMaxColorAttachments = 8;
 
+/// Timers that a frame may run; more than any shipped config has passes.
+constexpr int kMaxTimers = 64;
+
 /// How a pass begins and ends: its framebuffer and what happens to each attachment.
 struct PassInfo {
     const char* label = "";
@@ -182,6 +185,17 @@ public:
 
     /// Waits until everything issued is done.
     virtual void finish() = 0;
+
+    /// Measures the GPU's time from here to endTimer into a slot, [0, kMaxTimers). Inside a frame,
+    /// one at a time. False, for every slot and for good, where the device has no timer that can be
+    /// trusted, such as on a software renderer; endTimer must then not follow.
+    virtual bool beginTimer(int slot) = 0;
+    virtual void endTimer() = 0;
+
+    /// What the slot measured, in milliseconds; outside of frames. Waits for the GPU. Negative when
+    /// the result is void: the GPU was disturbed, or nothing was measured. The results of all slots
+    /// are forgotten when the first timer after a readTimer begins.
+    virtual double readTimer(int slot) = 0;
 };
 
 }  // namespace crevice
