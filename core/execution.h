@@ -5,6 +5,7 @@
 // flat lists of prepared commands.
 #pragma once
 
+#include "core/frame_times.h"
 #include "core/owned.h"
 #include "core/plan.h"
 #include "core/value_table.h"
@@ -30,6 +31,9 @@ public:
     /// Draws the plan. Requires that `checkFrame` had nothing against the frame and that its
     /// imports were set. Errors: CV6005.
     Status run(const Frame& frame);
+
+    /// The same, with a wait before the frame and the time of each pass.
+    Result<FrameTimes> runTimed(const Frame& frame);
 
     void setParam(const ParamDesc& param) { values_.setParam(param); }
 
@@ -82,6 +86,11 @@ private:
                      PreparedPass& prepared);
     TextureId textureOf(const PlanInput& input) const;
     TextureId targetTexture(int target) const;
+
+    // execution_timed.cpp
+    TimingMethod timePass(std::size_t index, const Frame& frame, const CameraMatrices& camera,
+                          double& clock_ms);
+    void readTimers(FrameTimes& times);
 
     // execution.cpp
     void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);

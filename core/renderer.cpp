@@ -110,6 +110,9 @@ struct Renderer::State {
                                                const CompileOptions& options,
                                                const SceneTraits& traits, const State* previous);
 
+    /// Makes `state` fit the frame's traits and textures, or leaves it where that fails.
+    static Status prepare(std::unique_ptr<State>& state, const Frame& frame);
+
     /// Puts a new state in the place of `state`, or leaves it where that fails.
     static Status replan(std::unique_ptr<State>& state, Description description,
                          const CompileOptions& options);
@@ -127,6 +130,18 @@ auto Renderer::State::make(Device& device, Description description, const Compil
     std::unique_ptr<State> state(
         new State{device, std::move(description), options, traits, std::move(*execution)});
     return {std::move(state), plan.diagnostics()};
+}
+
+Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& frame)
+{
+    if (Status status = checkFrame(frame); !status) return status;
+    const SceneTraits traits = traitsOf(frame);
+    if (traits == state->traits) return state->execution->setImports(frame.textures);
+    auto next = make(state->device, state->description, state->options, traits, state.get());
+    if (!next) return next.diagnostics();
+    if (Status status = (*next)->execution->setImports(frame.textures); !status) return status;
+    state = std::move(*next);
+    return {};
 }
 
 Status Renderer::State::replan(std::unique_ptr<State>& state, Description description,
@@ -152,18 +167,14 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
 
 Status Renderer::render(const Frame& frame)
 {
-    if (Status status = checkFrame(frame); !status) return status;
-    const SceneTraits traits = traitsOf(frame);
-    if (traits == state_->traits) {
-        if (Status status = state_->execution->setImports(frame.textures); !status) return status;
-        return state_->execution->run(frame);
-    }
-    auto next = State::make(state_->device, state_->description, state_->options, traits,
-                            state_.get());
-    if (!next) return next.diagnostics();
-    if (Status status = (*next)->execution->setImports(frame.textures); !status) return status;
-    state_ = std::move(*next);
+    if (Status status = State::prepare(state_, frame); !status) return status;
     return state_->execution->run(frame);
+}
+
+Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
+{
+    if (Status status = State::prepare(state_, frame); !status) return status.diagnostics();
+    return state_->execution->runTimed(frame);
 }
 
 Status Renderer::setParam(std::string_view name, const float* values, int count)

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/frame_times.h"
 #include "core/plan.h"
 
 #include <memory>
@@ -36,6 +37,13 @@ public:
     ///
     /// Errors: CV6010 and CV6011 for the frame, CV6005 from the driver.
     Status render(const Frame& frame);
+
+    /// The same, but measures how long each pass takes: by the GPU's timer where the device has one
+    /// and the plan has at most kMaxTimers passes, else by the clock, waiting for the GPU after each
+    /// pass. Slower than `render`, and allocates.
+    ///
+    /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
+    Result<FrameTimes> renderTimed(const Frame& frame);
 
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
     /// bound as defines and values at which a pass is or was an identity: those plan anew.

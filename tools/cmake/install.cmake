@@ -21,6 +21,7 @@ set(public_headers
   core/document.h
   core/format.h
   core/frame.h
+  core/frame_times.h
   core/generators.h
   core/glsl.h
   core/image.h
