@@ -75,13 +75,14 @@ void addLights(Scene& scene, const glm::vec3& lamp)
     SceneLight point;
     point.name = "lamp";
     point.light.position = lamp;
-    point.light.color = {0.85f, 0.8f, 0.7f};
+    point.light.color = {0.5f, 0.47f, 0.41f};
     point.light.attenuation = {1.0f, 0.09f, 0.032f};
     SceneLight sky;
     sky.name = "sky";
     sky.light.directional = true;
     sky.light.direction = glm::normalize(glm::vec3(-0.35f, -0.9f, -0.4f));
-    sky.light.color = {0.18f, 0.2f, 0.24f};
+    sky.light.color = {0.08f, 0.09f, 0.11f};
+    scene.ambient_light = {1.3f, 1.3f, 1.35f};  // much of a room's light has no direction
     scene.lights = {point, sky};
 }
 
