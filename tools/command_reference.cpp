@@ -4,8 +4,8 @@
 #include "tools/commands.h"
 #include "tools/image_file.h"
 #include "tools/output_request.h"
+#include "tools/reference_cache.h"
 #include "tools/scene_options.h"
-#include "tools/tracer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +16,7 @@ namespace {
 
 struct ReferenceOptions : SceneOptions {
     TraceOptions trace;
+    CacheOptions cache;
     std::string file;
 };
 
@@ -36,9 +37,10 @@ int reference(const ReferenceOptions& options)
     const Camera camera = {view->camera.view_from_world,
                            clipFromView(view->camera, view->extent, view->bounds)};
     const Result<Image> truth =
-        traceAmbientOcclusion(view->scene, camera, view->extent, trace);
+        cachedReference(view->scene, camera, view->extent, trace, options.cache.path());
     progress.wipe();
-    if (!truth) return report(truth.diagnostics(), false);
+    report(truth.diagnostics(), false);
+    if (!truth) return exitCodeOf(truth.diagnostics());
 
     const Status written = writeImage(options.file, *truth);
     report(written.diagnostics(), false);
@@ -56,6 +58,7 @@ void addReferenceCommand(CLI::App& app, int& exit_code)
     command->add_option("--radius", options->trace.radius, "How far an occluder may be, scene units")
         ->capture_default_str();
     command->add_option("--rays", options->trace.rays, "Rays a pixel")->capture_default_str();
+    addCacheOptions(*command, options->cache);
     command->add_option("--out", options->file, "The picture: 1 is open; background is not a number")
         ->type_name("FILE.pfm")
         ->required();

@@ -6,10 +6,9 @@
 #include "tools/image_file.h"
 #include "tools/open_device.h"
 #include "tools/output_request.h"
+#include "tools/read_output.h"
 #include "tools/scene_options.h"
 #include "tools/scene_upload.h"
-
-#include "core/renderer.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -80,14 +79,10 @@ Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures, Descr
     return names;
 }
 
-/// An output's pixels. One that the plan found to be constant has a single texel, spread out here.
 Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
 {
-    Result<Image> image = device.readTexture(renderer.output(picture.source.output));
+    Result<Image> image = readOutput(device, renderer, picture.source.output);
     if (!image) return image.diagnostics();
-    const PlanOutput* output = findNamed(renderer.plan().outputs, picture.source.output);
-    if (output && output->constant >= 0)
-        image = Image(renderer.plan().extent, 1, image->pixels.front());
     picture.image = std::move(*image);
     applyView(picture.image, picture.source);
     return {};

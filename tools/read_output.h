@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A renderer's output as an image in CPU memory.
+#pragma once
+
+#include "core/renderer.h"
+
+#include <string_view>
+
+namespace crevice {
+
+/// Reads an output back. One that the plan found to be constant has a single texel, spread out here
+/// over the plan's extent. Requires an output that the renderer was made for, and a frame drawn.
+///
+/// Errors: those of Device::readTexture.
+Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name);
+
+}  // namespace crevice
