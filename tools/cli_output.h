@@ -16,6 +16,7 @@ enum ExitCode {
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
     kExitDiffers = 5,   ///< `compare`: over a limit that was given.
+    kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
 };
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.

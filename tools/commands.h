@@ -14,5 +14,6 @@ void addValidateCommand(CLI::App& app, int& exit_code);
 void addExplainCommand(CLI::App& app, int& exit_code);
 void addCompareCommand(CLI::App& app, int& exit_code);
 void addReferenceCommand(CLI::App& app, int& exit_code);
+void addBenchCommand(CLI::App& app, int& exit_code);
 
 }  // namespace crevice

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// A bench: which points are to be measured, and the loop that measures them.
+//
+// Planning needs no GL, so that each machine of a cluster finds the same list and takes its share.
+// What measures a point is in tools/bench_measure.h.
+#pragma once
+
+#include "tools/bench_point.h"
+#include "tools/config_options.h"
+#include "tools/scene.h"
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// The `index`th of `count` shares, from 1.
+struct Shard {
+    int index = 1;
+    int count = 1;
+};
+
+/// Reads "3/8". Errors: CV8001.
+Result<Shard> parseShard(const std::string& text);
+
+/// Reads "90s", "5m", "1.5h" or plain seconds, above 0. Returns seconds. Errors: CV8001.
+Result<double> parseDuration(const std::string& text);
+
+struct BenchOptions {
+    std::vector<std::string> configs = {};  ///< Empty: every shipped config.
+    std::vector<std::string> scenes = {"room"};
+    std::vector<std::string> sizes = {"960x540"};
+    std::vector<double> radii = {};  ///< Scene units; empty: each config's own.
+    std::vector<int> samples = {};   ///< Empty: each config's own.
+    std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
+    std::string camera = {};
+    int rays = 256;
+    Shard shard = {};
+    std::string version = {};  ///< Of crevice; part of each key.
+};
+
+/// What several points look at.
+struct BenchView {
+    std::shared_ptr<const Scene> scene;
+    Bounds bounds;
+    SceneCamera camera;
+    Extent extent;
+
+    Camera matrices() const;
+};
+
+/// One point that is to be measured.
+struct BenchTask {
+    BenchPoint point;   ///< What is known beforehand. `failure` is set where the config is unusable.
+    std::size_t view = 0;     ///< Into BenchPlan::views.
+    std::string reference;    ///< Key of the truth, see tools/reference_cache.h.
+    Description description = {};
+};
+
+struct BenchPlan {
+    std::vector<BenchView> views;
+    std::vector<BenchTask> tasks;  ///< In an order in which neighbours share scene, size and truth.
+    Diagnostics diagnostics;       ///< Scenes left out (errors), values that do not fit (warnings).
+};
+
+/// Crosses scenes, sizes, radii, configs and sample counts, and takes the shard's share: a task's key,
+/// which names no device, decides whose it is. A scene that cannot be loaded is left out.
+///
+/// Errors: CV4005 for a size.
+Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);
+
+/// "learnopengl samples=16, room, 960x540, radius 0.5".
+std::string pointTitle(const BenchPoint& point);
+
+/// The key of a point on a device, from the task's.
+std::string keyOnDevice(const std::string& task_key, const std::string& device);
+
+/// FOLDER/results.jsonl, grown line by line.
+class ResultFile {
+public:
+    /// Makes the folder where it is not there, reads what it holds, and cuts off a last line that an
+    /// interrupt left unfinished. Keeps others out until it is destroyed.
+    ///
+    /// Errors: CV7007 when it cannot be written or another bench is at it; those of readBenchPoints.
+    static Result<ResultFile> open(const std::string& folder);
+    ~ResultFile();
+    ResultFile(ResultFile&& other) noexcept;
+    ResultFile(const ResultFile&) = delete;
+    ResultFile& operator=(const ResultFile&) = delete;
+
+    /// True when there are figures under that key; a failure is worth another try.
+    bool has(const std::string& key) const { return done_.count(key) > 0; }
+
+    /// Adds a whole line, or nothing. Errors: CV7007.
+    Status append(const BenchPoint& point);
+
+private:
+    ResultFile(std::string path, int file) : path_(std::move(path)), file_(file) {}
+
+    std::string path_;
+    int file_ = -1;
+    std::set<std::string> done_;
+};
+
+/// The world around the loop; tests put in their own.
+struct BenchWorld {
+    /// The point with its figures. CV7007 ends the run, any other error becomes the point's failure.
+    std::function<Result<BenchPoint>(const BenchTask&)> measure;
+    std::function<double()> seconds;    ///< A clock.
+    std::function<bool()> interrupted;  ///< A point that was under way is then dropped.
+    std::function<void(const std::string& line)> say;
+    std::string device;
+    double time_budget_s = 0;  ///< No point is begun after it; 0: no limit.
+};
+
+struct BenchSummary {
+    int measured = 0;
+    int kept = 0;  ///< Had figures from an earlier run.
+    std::vector<std::string> failures;  ///< Title and reason.
+    std::vector<std::string> missing;   ///< Titles of points that nobody began.
+    bool interrupted = false;
+    Status written;
+};
+
+/// Measures every task that has no figures yet and adds it to the file.
+BenchSummary runBench(const std::vector<BenchTask>& tasks, ResultFile& file,
+                      const BenchWorld& world);
+
+}  // namespace crevice

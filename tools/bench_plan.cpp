@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+// Which points a bench measures: the product of its lists, their keys and their shards.
+#include "tools/bench.h"
+
+#include "tools/camera_framing.h"
+#include "tools/content_hash.h"
+#include "tools/reference_cache.h"
+#include "tools/scene_options.h"
+
+#include "core/load.h"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace crevice {
+namespace {
+
+Diagnostic usageError(std::string message, std::string help)
+{
+    Diagnostic error{Code::usage, std::move(message)};
+    error.help = std::move(help);
+    return error;
+}
+
+std::string shortest(double value)
+{
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof(text), value);
+    return {text, end.ptr};
+}
+
+void addNode(ContentHash& hash, const Node& node)
+{
+    hash.add(static_cast<int>(node.kind));
+    hash.add(node.boolean);
+    hash.add(node.number);
+    hash.addText(node.kind == Node::Kind::string ? node.text : std::string());
+    for (const Node& item : node.items) addNode(hash, item);
+    for (const Member& member : node.members) {
+        hash.addText(member.key);
+        addNode(hash, member.value);
+    }
+}
+
+/// A config with its overrides in force.
+struct Loaded {
+    Description description;
+    std::string content;  ///< A hash over its document and its GLSL.
+};
+
+Result<Loaded> loadWith(const SourceSet& sources, const std::string& config,
+                        const std::vector<std::string>& overrides)
+{
+    const Result<Node> document = loadConfig(sources, {config, {}, overrides});
+    if (!document) return document.diagnostics();
+    Result<Description> description = decode(*document, sources);
+    if (!description) return description.diagnostics();
+    ContentHash hash;
+    addNode(hash, *document);
+    for (const auto& [path, source] : description->files) {
+        hash.addText(path);
+        hash.addText(source->text);
+    }
+    return Loaded{std::move(*description), hash.hex()};
+}
+
+class Planner {
+public:
+    Planner(const BenchOptions& options, const SourceSet& sources)
+        : options_(options), sources_(sources)
+    {
+    }
+
+    void addScene(const std::string& name, const std::vector<Extent>& extents);
+
+    BenchPlan plan;
+
+private:
+    struct Place {
+        std::string scene;
+        double radius;  ///< 0: the config's own.
+    };
+
+    void addConfig(const Place& place, const std::string& config);
+    std::vector<std::string> sampleOverrides(const std::string& config,
+                                             const Description& description);
+    void addTask(const Place& place, const std::string& config,
+                 std::vector<std::string> overrides);
+    Status describe(const Place& place, const Loaded& loaded, BenchTask& task);
+    const std::string& referenceOf(double radius);
+    void note(const std::string& message);
+
+    const BenchOptions& options_;
+    const SourceSet& sources_;
+    std::set<std::string> notes_;
+    std::map<std::pair<std::size_t, double>, std::string> references_;
+};
+
+void Planner::note(const std::string& message)
+{
+    if (!notes_.insert(message).second) return;
+    Diagnostic warning{Code::out_of_range, message};
+    warning.severity = Severity::warning;
+    plan.diagnostics.push_back(std::move(warning));
+}
+
+void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
+{
+    const auto append = [this](const Diagnostics& more) {
+        plan.diagnostics.insert(plan.diagnostics.end(), more.begin(), more.end());
+    };
+    Result<Scene> loaded = loadScene(name);
+    append(loaded.diagnostics());
+    if (!loaded) return;
+    const auto scene = std::make_shared<const Scene>(std::move(*loaded));
+    const Bounds bounds = scene->bounds();
+    for (const Extent extent : extents) {
+        const double aspect = static_cast<double>(extent.width) / extent.height;
+        const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
+        append(camera.diagnostics());
+        if (!camera) return;
+        plan.views.push_back({scene, bounds, *camera, extent});
+        const std::vector<double> radii =
+            options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
+        const std::vector<std::string> configs =
+            options_.configs.empty() ? configNames(sources_) : options_.configs;
+        for (const double radius : radii)
+            for (const std::string& config : configs) addConfig({name, radius}, config);
+    }
+}
+
+void Planner::addConfig(const Place& place, const std::string& config)
+{
+    std::vector<std::string> overrides = options_.overrides;
+    const Result<Loaded> loaded = loadWith(sources_, config, overrides);
+    if (!loaded) return addTask(place, config, overrides);
+    const Description& description = loaded->description;
+    if (place.radius > 0.0) {
+        if (findNamed(description.params, "radius"))
+            overrides.push_back("radius=" + shortest(place.radius));
+        else
+            note("'" + config + "' has no param 'radius': --radius sets that of the truth alone");
+    }
+    for (const std::string& samples : sampleOverrides(config, description)) {
+        std::vector<std::string> all = overrides;
+        if (!samples.empty()) all.push_back(samples);
+        addTask(place, config, std::move(all));
+    }
+}
+
+/// "samples=16" for each count of the sweep that the config can take; "" for its own.
+std::vector<std::string> Planner::sampleOverrides(const std::string& config,
+                                                  const Description& description)
+{
+    if (options_.samples.empty()) return {""};
+    const ParamDesc* param = findNamed(description.params, "samples");
+    if (!param) {
+        note("'" + config + "' has no param 'samples': it is measured once, as it is");
+        return {""};
+    }
+    std::vector<std::string> overrides;
+    for (const int count : options_.samples) {
+        if (count >= param->min && count <= param->max)
+            overrides.push_back("samples=" + std::to_string(count));
+        else
+            note("samples=" + std::to_string(count) + " is outside the range of '" + config +
+                 "', [" + shortest(param->min) + ", " + shortest(param->max) + "], and left out");
+    }
+    return overrides;
+}
+
+/// The truth's key for the newest view. Hashing a large scene is slow, so once a radius must do.
+const std::string& Planner::referenceOf(double radius)
+{
+    std::string& key = references_[{plan.views.size(), radius}];
+    if (!key.empty()) return key;
+    const BenchView& view = plan.views.back();
+    TraceOptions trace;
+    trace.radius = radius;
+    trace.rays = options_.rays;
+    return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
+}
+
+/// What the loaded config says about the point.
+Status Planner::describe(const Place& place, const Loaded& loaded, BenchTask& task)
+{
+    const ParamDesc* radius = findNamed(loaded.description.params, "radius");
+    const ParamDesc* samples = findNamed(loaded.description.params, "samples");
+    if (samples) task.point.samples = static_cast<int>(samples->value[0]);
+    task.point.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
+    if (place.radius <= 0.0 && !radius)
+        return Diagnostic{Code::unknown_param,
+                          "the config has no param 'radius', so --radius must give the truth's"};
+    task.reference = referenceOf(task.point.radius);
+    task.description = loaded.description;
+    return {};
+}
+
+void Planner::addTask(const Place& place, const std::string& config,
+                      std::vector<std::string> overrides)
+{
+    BenchTask task;
+    task.view = plan.views.size() - 1;
+    const BenchView& view = plan.views.back();
+    BenchPoint& point = task.point;
+    point.config = config;
+    point.family = config;
+    for (const std::string& text : options_.overrides) point.family += " " + text;
+    point.scene = place.scene;
+    point.camera = options_.camera.empty() ? view.camera.name : options_.camera;
+    point.extent = view.extent;
+    point.triangles = triangleCount(*view.scene);
+    point.version = options_.version;
+
+    const Result<Loaded> loaded = loadWith(sources_, config, overrides);
+    const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
+    if (!known) point.failure = known.diagnostics().front().message;
+
+    ContentHash hash;
+    hash.addText(options_.version);
+    hash.addText(config);
+    for (const std::string& text : overrides) hash.addText(text);
+    hash.addText(point.scene);
+    hash.addText(point.camera);
+    hash.add(point.extent.width);
+    hash.add(point.extent.height);
+    hash.add(place.radius);
+    hash.addText(task.reference);
+    hash.addText(loaded ? loaded->content : std::string());
+    point.key = hash.hex();
+    point.overrides = std::move(overrides);
+    const auto share = static_cast<std::uint64_t>(options_.shard.count);
+    if (hash.value() % share + 1 == static_cast<std::uint64_t>(options_.shard.index))
+        plan.tasks.push_back(std::move(task));
+}
+
+}  // namespace
+
+Result<Shard> parseShard(const std::string& text)
+{
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto index = std::from_chars(text.data(), end, shard.index);
+    if (index.ec == std::errc() && index.ptr != end && *index.ptr == '/') {
+        const auto count = std::from_chars(index.ptr + 1, end, shard.count);
+        if (count.ec == std::errc() && count.ptr == end && shard.index >= 1 &&
+            shard.index <= shard.count)
+            return shard;
+    }
+    return usageError("--shard '" + text + "' is not I/N with 1 <= I <= N", "write --shard 3/8");
+}
+
+Result<double> parseDuration(const std::string& text)
+{
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    const std::string unit(read.ptr, end);
+    const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+    const double seconds = number * factor;
+    if (read.ec == std::errc() && seconds > 0.0 && std::isfinite(seconds)) return seconds;
+    return usageError("'" + text + "' is not a length of time above 0",
+                      "write --time-budget 90s, 5m or 1.5h");
+}
+
+Camera BenchView::matrices() const
+{
+    return {camera.view_from_world, clipFromView(camera, extent, bounds)};
+}
+
+std::string pointTitle(const BenchPoint& point)
+{
+    std::string title = point.config;
+    for (const std::string& text : point.overrides) title += " " + text;
+    return title + ", " + point.scene + ", " + std::to_string(point.extent.width) + "x" +
+           std::to_string(point.extent.height);
+}
+
+std::string keyOnDevice(const std::string& task_key, const std::string& device)
+{
+    ContentHash hash;
+    hash.addText(task_key);
+    hash.addText(device);
+    return hash.hex();
+}
+
+Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)
+{
+    std::vector<Extent> extents;
+    for (const std::string& size : options.sizes) {
+        const Result<Extent> extent = parseSize(size);
+        if (!extent) return extent.diagnostics();
+        extents.push_back(*extent);
+    }
+    Planner planner(options, sources);
+    for (const std::string& scene : options.scenes) planner.addScene(scene, extents);
+    return std::move(planner.plan);
+}
+
+}  // namespace crevice
