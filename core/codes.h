@@ -98,6 +98,7 @@ enum class Code : int {
     image_size = 7006,      ///< Images that differ in size.
     cannot_write = 7007,    ///< A file or folder that cannot be written.
     nothing_seen = 7008,    ///< A camera that sees no surface.
+    results_broken = 7009,  ///< Bench results that cannot be read.
 
     // command line
     usage = 8001,  ///< Arguments that cannot be understood.

@@ -86,9 +86,10 @@ struct BenchPoint {
 std::string toJsonLine(const BenchPoint& point);
 
 /// Reads results; of two lines with one key the later one holds, but a failure never hides figures.
-/// A last line that was cut short by an interrupt is left out with a warning.
+/// A line that an interrupt cut short is left out with a warning. Pictures come back relative to
+/// the working folder. A figure that was not finite makes its point a failure.
 ///
-/// Errors: CV7005 for a file that cannot be read or a line that is no point.
+/// Errors: CV7009 for a file that cannot be read or a line that is no point.
 Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths);
 
 }  // namespace crevice

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Bench results as JSON Lines. The keys are the fields' names.
+#include "tools/bench_point.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <unordered_map>
+
+namespace crevice {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extent, width, height)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, noise, model, precision)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
+                                   camera, extent, radius, radius_px, samples, triangles, device,
+                                   software, version, error, budget, clock, repeats, total, passes,
+                                   ratio_floor, ratio_learnopengl, texture_bytes, bytes_read,
+                                   bytes_written, ao_picture, truth_picture, difference_picture)
+
+namespace {
+
+/// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
+bool replaceNulls(nlohmann::json& json)
+{
+    if (json.is_null()) {
+        json = 0;
+        return true;
+    }
+    bool found = false;
+    if (json.is_structured())
+        for (nlohmann::json& child : json) found = replaceNulls(child) || found;
+    return found;
+}
+
+BenchPoint parsePoint(const std::string& line)
+{
+    nlohmann::json json = nlohmann::json::parse(line);
+    const bool not_finite = replaceNulls(json);
+    BenchPoint point = json.get<BenchPoint>();
+    if (not_finite && point.failure.empty()) point.failure = "a figure is not finite";
+    return point;
+}
+
+/// Pictures are named relative to their results file; afterwards, relative to the working folder.
+void resolvePictures(BenchPoint& point, const std::filesystem::path& folder)
+{
+    for (std::string* picture :
+         {&point.ao_picture, &point.truth_picture, &point.difference_picture})
+        if (!picture->empty()) *picture = (folder / *picture).string();
+}
+
+/// An interrupt leaves the beginning of a point and no end.
+bool isCutShort(const std::string& line) { return line.front() == '{' && line.back() != '}'; }
+
+constexpr std::size_t kExcerpt = 72;
+
+Diagnostic lineDiagnostic(const std::string& path, int number, const std::string& line,
+                          const std::string& reason)
+{
+    Diagnostic diagnostic{Code::results_broken, "this line is not a bench point: " + reason};
+    // The message shows the line's beginning; a whole line would fill the screen.
+    const std::string excerpt = std::string(static_cast<std::size_t>(number - 1), '\n') +
+                                line.substr(0, kExcerpt);
+    diagnostic.place = {std::make_shared<SourceText>(SourceText{path, excerpt}), number, 1, 1};
+    diagnostic.help = "delete the line; 'crevice bench' measures its point again";
+    return diagnostic;
+}
+
+/// Without the library's own prefix, "[json.exception.type_error.302] ".
+std::string reasonOf(const nlohmann::json::exception& error)
+{
+    const std::string text = error.what();
+    const std::size_t end = text.find("] ");
+    return end == std::string::npos ? text : text.substr(end + 2);
+}
+
+class Reader {
+public:
+    void readFile(const std::string& path)
+    {
+        std::ifstream file(path);
+        if (!file || std::filesystem::is_directory(path)) {
+            Diagnostic error{Code::results_broken, "no results can be read from '" + path + "'"};
+            error.help = "'crevice bench' writes them: crevice bench --help";
+            diagnostics_.push_back(std::move(error));
+            return;
+        }
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        std::string line;
+        for (int number = 1; std::getline(file, line); ++number) {
+            if (!line.empty() && line.back() == '\r') line.pop_back();
+            if (!line.empty()) readLine(path, folder, number, line);
+        }
+    }
+
+    Result<std::vector<BenchPoint>> take()
+    {
+        if (hasErrors(diagnostics_)) return std::move(diagnostics_);
+        return {std::move(points_), std::move(diagnostics_)};
+    }
+
+private:
+    void readLine(const std::string& path, const std::filesystem::path& folder, int number,
+                  const std::string& line)
+    {
+        try {
+            BenchPoint point = parsePoint(line);
+            resolvePictures(point, folder);
+            add(std::move(point));
+        } catch (const nlohmann::json::exception& error) {
+            const bool cut = isCutShort(line);
+            Diagnostic diagnostic = lineDiagnostic(path, number, line,
+                                                   cut ? "it was cut short" : reasonOf(error));
+            if (cut) diagnostic.severity = Severity::warning;
+            diagnostics_.push_back(std::move(diagnostic));
+        }
+    }
+
+    void add(BenchPoint point)
+    {
+        const auto [place, is_new] = place_of_key_.emplace(point.key, points_.size());
+        if (is_new) {
+            points_.push_back(std::move(point));
+            return;
+        }
+        BenchPoint& known = points_[place->second];
+        if (point.failure.empty() || !known.failure.empty()) known = std::move(point);
+    }
+
+    std::vector<BenchPoint> points_;
+    std::unordered_map<std::string, std::size_t> place_of_key_;
+    Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+std::string toJsonLine(const BenchPoint& point)
+{
+    // File names in messages may be no UTF-8; a replaced character is better than a lost point.
+    return nlohmann::json(point).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths)
+{
+    Reader reader;
+    for (const std::string& path : paths) reader.readFile(path);
+    return reader.take();
+}
+
+}  // namespace crevice
