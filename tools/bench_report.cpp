@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Writes the report's page, JSON and CSV.
+#include "tools/bench_report.h"
+
+#include "tools/report_model.h"
+#include "tools/report_page.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace crevice {
+namespace {
+
+using nlohmann::json;
+
+std::string base64(std::string_view bytes)
+{
+    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::string_view three = bytes.substr(i, 3);
+        unsigned bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (k < three.size() ? static_cast<unsigned char>(three[k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= three.size() ? kDigits[bits >> (18 - 6 * k) & 63u] : '=';
+    }
+    return text;
+}
+
+/// Reads each picture once, however many points share it.
+class Pictures {
+public:
+    void add(const std::string& path)
+    {
+        if (path.empty() || found_.contains(path)) return;
+        std::ifstream file(path, std::ios::binary);
+        const std::string bytes((std::istreambuf_iterator<char>(file)),
+                                std::istreambuf_iterator<char>());
+        if (bytes.empty()) {
+            Diagnostic warning{Code::image_broken, "the picture '" + path + "' cannot be read"};
+            warning.help = "the report does without it; keep pictures beside their results file";
+            warning.severity = Severity::warning;
+            warnings.push_back(std::move(warning));
+        }
+        found_[path] = bytes.empty() ? std::string() : "data:image/png;base64," + base64(bytes);
+    }
+
+    json take() { return std::move(found_); }
+
+    Diagnostics warnings;
+
+private:
+    json found_ = json::object();
+};
+
+std::string dump(const json& value, int indent)
+{
+    return value.dump(indent, ' ', false, json::error_handler_t::replace);
+}
+
+/// JSON that may stand in a script element: "</script>" in a name must not end it.
+std::string forScript(const json& value)
+{
+    std::string safe;
+    for (const char c : dump(value, -1)) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+void replaceMark(std::string& page, std::string_view mark, std::string_view text)
+{
+    page.replace(page.find(mark), mark.size(), text);
+}
+
+std::string quoted(const json& value)
+{
+    if (!value.is_string()) return dump(value, -1);
+    const std::string text = value.get<std::string>();
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string safe = "\"";
+    for (const char c : text) safe += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return safe + '"';
+}
+
+/// The columns of the CSV: JSON pointers into a point, and what they are called.
+constexpr const char* kColumns[][2] = {
+    {"device", "/device"},
+    {"version", "/version"},
+    {"config", "/config"},
+    {"overrides", "/overrides"},
+    {"family", "/family"},
+    {"samples", "/samples"},
+    {"scene", "/scene"},
+    {"camera", "/camera"},
+    {"width", "/extent/width"},
+    {"height", "/extent/height"},
+    {"radius", "/radius"},
+    {"radius_px", "/radius_px"},
+    {"triangles", "/triangles"},
+    {"rmse", "/error/rmse"},
+    {"bias", "/error/bias"},
+    {"p99", "/error/p99"},
+    {"rmse_fit", "/error/rmse_fit"},
+    {"power_fit", "/error/power_fit"},
+    {"noise", "/budget/noise"},
+    {"model", "/budget/model"},
+    {"precision", "/budget/precision"},
+    {"clock", "/clock"},
+    {"repeats", "/repeats"},
+    {"ms", "/total/median"},
+    {"ms_q1", "/total/q1"},
+    {"ms_q3", "/total/q3"},
+    {"passes_ms", "/passes"},
+    {"ratio_floor", "/ratio_floor"},
+    {"ratio_learnopengl", "/ratio_learnopengl"},
+    {"texture_bytes", "/texture_bytes"},
+    {"bytes_read", "/bytes_read"},
+    {"bytes_written", "/bytes_written"},
+    {"failure", "/failure"},
+    {"key", "/key"},
+};
+
+/// Lists become words: "samples=16 bias=0.1", "geometry=1.2 ao=3.4".
+json flat(const json& value)
+{
+    if (!value.is_array()) return value;
+    std::string text;
+    for (const json& item : value) {
+        if (!text.empty()) text += ' ';
+        if (item.is_string())
+            text += item.get<std::string>();
+        else
+            text += item["name"].get<std::string>() + "=" + dump(item["ms"]["median"], -1);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string reportJson(const std::vector<BenchPoint>& points)
+{
+    return dump(reportModel(points), 1) + "\n";
+}
+
+std::string reportCsv(const std::vector<BenchPoint>& points)
+{
+    std::string csv;
+    for (const auto& [name, pointer] : kColumns)
+        csv += (csv.empty() ? "" : ",") + std::string(name);
+    csv += "\r\n";
+    for (const BenchPoint& point : points) {
+        const json row = json::parse(toJsonLine(point));
+        std::string line;
+        for (const auto& [name, pointer] : kColumns)
+            line += quoted(flat(row.at(json::json_pointer(pointer)))) + ",";
+        line.pop_back();
+        csv += line + "\r\n";
+    }
+    return csv;
+}
+
+Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures)
+{
+    Pictures pictures;
+    if (with_pictures) {
+        for (const BenchPoint& point : points)
+            for (const std::string& path :
+                 {point.ao_picture, point.truth_picture, point.difference_picture})
+                pictures.add(path);
+    }
+    json model = reportModel(points);
+    model["pictures"] = pictures.take();
+
+    std::string page(reportPage());
+    replaceMark(page, "/*report.css*/", reportStyle());
+    replaceMark(page, "/*report_chart.js*/", reportChartScript());
+    replaceMark(page, "/*report.js*/", reportScript());
+    replaceMark(page, "/*report.json*/", forScript(model));
+    return {std::move(page), std::move(pictures.warnings)};
+}
+
+}  // namespace crevice
