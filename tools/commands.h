@@ -15,5 +15,8 @@ void addExplainCommand(CLI::App& app, int& exit_code);
 void addCompareCommand(CLI::App& app, int& exit_code);
 void addReferenceCommand(CLI::App& app, int& exit_code);
 void addBenchCommand(CLI::App& app, int& exit_code);
+void addReportCommand(CLI::App& app, int& exit_code);
+void addChooseCommand(CLI::App& app, int& exit_code);
+void addCompareBenchCommand(CLI::App& app, int& exit_code);
 
 }  // namespace crevice

@@ -34,6 +34,9 @@ int run(int argc, char** argv)
     crevice::addCompareCommand(app, exit_code);
     crevice::addReferenceCommand(app, exit_code);
     crevice::addBenchCommand(app, exit_code);
+    crevice::addReportCommand(app, exit_code);
+    crevice::addChooseCommand(app, exit_code);
+    crevice::addCompareBenchCommand(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
