@@ -47,7 +47,7 @@ if $quick; then
     tools/install_packages.sh
     stage "All tests" all_tests
 else
-    tools/install_packages.sh clang
+    tools/install_packages.sh chromium clang
     stage "All tests" all_tests
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Build with clang" clang_build

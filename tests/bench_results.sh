@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# Bench results for shell tests; they source it.
+
+# bench_point KEY CONFIG SAMPLES MS RMSE [FAILURE]: one line of results.
+bench_point() {
+    local key=$1 config=$2 samples=$3 ms=$4 rmse=$5 failure=${6:-}
+    printf '{"key":"%s","failure":"%s","config":"%s","overrides":["samples=%s"],"family":"%s",' \
+        "$key" "$failure" "$config" "$samples" "$config"
+    printf '"scene":"room","camera":"","extent":{"width":960,"height":540},"radius":1,'
+    printf '"radius_px":80,"samples":%s,"triangles":1000,"device":"device A","software":true,' "$samples"
+    printf '"version":"0.1.0","error":{"rmse":%s,"bias":0.01,"p99":0.2,"rmse_fit":%s,' "$rmse" "$rmse"
+    printf '"power_fit":1,"pixels":500000},"budget":{"noise":0.02,"model":0.05,"precision":0.001},'
+    printf '"clock":"wall","repeats":9,"total":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
+    printf '"passes":[{"name":"ao","ms":{"median":%s,"q1":%s,"q3":%s}}],' "$ms" "$ms" "$ms"
+    printf '"ratio_floor":%s,"ratio_learnopengl":1,"texture_bytes":1e6,"bytes_read":2e6,' "$ms"
+    printf '"bytes_written":1e6,"ao_picture":"%s.png","truth_picture":"truth.png",' "$key"
+    printf '"difference_picture":"%s.png"}\n' "$key"
+}
+
+# A sweep of two configs and a failure in results.jsonl, with pictures of one pixel beside it.
+write_results() {
+    {
+        bench_point a4 quick 4 1.0 0.10
+        bench_point a16 quick 16 2.0 0.09
+        bench_point b4 fine 4 3.0 0.05
+        bench_point b16 fine 16 6.0 0.04
+        bench_point c4 '<b>slow</b>' 4 7.0 0.06
+        bench_point d4 broken 4 0 0 'the shader does not link'
+    } >results.jsonl
+    local name
+    for name in a4 a16 b4 b16 c4 d4 truth; do
+        base64 -d >"$name.png" <<<'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTwmiQAAAABJRU5ErkJggg=='
+    done
+}
