@@ -110,9 +110,21 @@ TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be ask
     points.push_back(small);
     points.push_back(narrow);
     CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
+    CHECK(findCandidates(points, {})->left_out.empty());
     ChoiceScope scope;
     scope.extent = {96, 54};
     CHECK(chosen(points, Kind::time_ms, 4, scope) == "fast samples=4");
+}
+
+TEST_CASE("a config that has another radius than the rest is no candidate and said so")
+{
+    auto points = twoScenes();
+    points.push_back(benchPoint("wide", 4, 0.1, 0.001));
+    points.back().radius = 1.5;
+    const auto candidates = findCandidates(points, {});
+    CHECK(candidates->list.size() == 3);
+    REQUIRE(candidates->left_out.size() == 1);
+    CHECK(candidates->left_out[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
 }
 
 TEST_CASE("scenes with radii of their own compare, since the radius is part of the question")

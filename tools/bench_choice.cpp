@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 namespace crevice {
 namespace {
@@ -124,17 +125,33 @@ private:
     double without_ao_ = -1;
 };
 
-/// The other figure: what is to be small once the limit is kept.
-double meritOf(const Candidate& candidate, ChoiceLimit::Kind kind)
-{
-    return kind == ChoiceLimit::Kind::error ? candidate.ms : candidate.error;
-}
-
 std::string format(const char* pattern, double value)
 {
     char text[64];
     std::snprintf(text, sizeof(text), pattern, value);
     return text;
+}
+
+/// Tells of what was measured in the scope, but with another radius or size than the rest.
+void addOtherwiseMeasured(const std::vector<BenchPoint>& points,
+                          const std::vector<ResultView>& in_scope, Candidates& candidates)
+{
+    std::set<std::string> known;
+    for (const ResultView& view : candidates.views)
+        for (const std::size_t i : view.points) known.insert(pointLabel(points[i]));
+    for (const ResultView& view : in_scope)
+        for (const std::size_t i : view.points) {
+            const std::string label = pointLabel(points[i]);
+            if (known.insert(label).second)
+                candidates.left_out.push_back(label + ": measured at " + extentName(view.extent) +
+                                              format(" and radius %g alone", view.radius));
+        }
+}
+
+/// The other figure: what is to be small once the limit is kept.
+double meritOf(const Candidate& candidate, ChoiceLimit::Kind kind)
+{
+    return kind == ChoiceLimit::Kind::error ? candidate.ms : candidate.error;
 }
 
 }  // namespace
@@ -161,6 +178,7 @@ Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const C
     Gatherer gatherer(points);
     for (const ResultView& view : candidates.views) gatherer.add(view);
     gatherer.finish(candidates);
+    addOtherwiseMeasured(points, in_scope, candidates);
     return candidates;
 }
 
