@@ -64,8 +64,9 @@ TEST_CASE("the balanced point is the knee of a front")
     CHECK(balancedPoint(points, paretoFront(points)) == 1);
     const std::vector<CostError> single = {{1, 1}};
     CHECK(balancedPoint(single, paretoFront(single)) == 0);
-    const std::vector<CostError> two = {{1, 2}, {2, 1}};
-    CHECK(balancedPoint(two, paretoFront(two)) == 0);
+    const std::vector<CostError> steep = {{10, 2}, {11, 1}}, shallow = {{10, 2}, {30, 1}};
+    CHECK(balancedPoint(steep, paretoFront(steep)) == 1);
+    CHECK(balancedPoint(shallow, paretoFront(shallow)) == 0);
 }
 
 TEST_CASE("a power law is recovered from points that follow it")

@@ -33,7 +33,8 @@ std::size_t balancedPoint(const std::vector<CostError>& points,
 {
     const CostError first = points[front.front()], last = points[front.back()];
     const double width = std::log(last.cost / first.cost), height = first.error - last.error;
-    std::size_t best = front.front();
+    const bool last_is_better = last.cost * last.error < first.cost * first.error;
+    std::size_t best = last_is_better ? front.back() : front.front();
     double best_depth = 0.0;
     for (const std::size_t i : front) {
         // Both from 0 to 1 along the front, so that the line between the ends is at + down = 1.

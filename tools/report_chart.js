@@ -30,14 +30,14 @@ const megabytes = x => (x / 1e6).toFixed(1);
 
 function ticks(low, high, log) {
   const list = [];
-  if (log) {
+  if (log && high > 4 * low) {
     const wide = Math.log10(high / low) > 2.4;
     for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); ++e)
       for (const m of wide ? [1] : [1, 2, 5]) list.push(m * 10 ** e);
   } else {
     const rough = (high - low) / 5, unit = 10 ** Math.floor(Math.log10(rough));
     const step = unit * [1, 2, 5, 10].find(m => m * unit >= rough);
-    for (let i = 0; i * step <= high * 1.0001; ++i) list.push(i * step);
+    for (let i = Math.ceil(low / step); i * step <= high * 1.0001; ++i) list.push(i * step);
   }
   return list.filter(t => t >= low * 0.9999 && t <= high * 1.0001);
 }
