@@ -201,7 +201,8 @@ Status BenchMeter::measureTimes(Renderer& renderer, BenchPoint& point)
         for (const FrameTimes& frame : turns[0].frames) times.push_back(frame.pass_ms[pass]);
         point.passes.push_back({plan.passes[pass].name, timeFigures(std::move(times))});
     }
-    const double cost = turns[0].medianCost();
+    point.cost = timeFigures(turns[0].costs);
+    const double cost = point.cost.median;
     point.ratio_floor = ratio(cost, turns[1].medianCost());
     if (turns.size() > 2) point.ratio_learnopengl = ratio(cost, turns[2].medianCost());
     return {};
@@ -216,6 +217,9 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchPo
                                                 std::to_string(figures->non_finite) + " pixels"};
     point.error = {figures->rmse,     figures->bias,      figures->p99,
                    figures->rmse_fit, figures->power_fit, figures->pixels};
+    const Image open(ao.extent, 1, 1.0f);
+    if (const auto without = compareImages(open, *setting_->truth))
+        point.error_without_ao = without->rmse;
     if (options_.budget)
         point.budget = budgetOf(ao, *setting_->truth, converged(task), precise(task));
     return {};

@@ -14,12 +14,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extent, width, height)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, noise, model, precision)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
                                    camera, extent, radius, radius_px, samples, triangles, device,
-                                   software, version, error, budget, clock, repeats, total, passes,
-                                   ratio_floor, ratio_learnopengl, texture_bytes, bytes_read,
-                                   bytes_written, ao_picture, truth_picture, difference_picture)
+                                   software, version, error, error_without_ao, budget, clock,
+                                   repeats, total, cost, passes, ratio_floor, ratio_learnopengl,
+                                   texture_bytes, bytes_read, bytes_written, ao_picture,
+                                   truth_picture, difference_picture)
 
 namespace {
 

@@ -38,6 +38,7 @@ struct ErrorFigures {
 
 /// The parts of the error, each an rmse; -1 where it was not measured.
 struct ErrorBudget {
+    double sampling = -1;   ///< As noise, but before any filter: what its samples alone leave.
     double noise = -1;      ///< Config against itself converged: what more samples would buy.
     double model = -1;      ///< Converged against the truth: what another estimator would buy.
     double precision = -1;  ///< Config against itself with 32-bit float targets: wider formats.
@@ -55,7 +56,7 @@ struct BenchPoint {
     Extent extent;
     double radius = 0;      ///< Scene units.
     double radius_px = 0;   ///< On screen, at the median depth of what is seen.
-    int samples = 0;        ///< Depth taps a pixel; 0 for a config without AO.
+    int samples = 0;        ///< The param `samples`; 0 for a config that has none.
     long long triangles = 0;
 
     std::string device;     ///< Renderer and driver.
@@ -63,14 +64,16 @@ struct BenchPoint {
     std::string version;    ///< Of crevice.
 
     ErrorFigures error;
+    double error_without_ao = 0;  ///< The rmse that no ambient occlusion at all has here.
     ErrorBudget budget;
 
     std::string clock;      ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
     int repeats = 0;
-    TimeFigures total;
+    TimeFigures total;  ///< All passes, those that draw the scene's geometry too.
+    TimeFigures cost;   ///< The other passes: what it adds to a host that has a G-buffer.
     std::vector<PassTime> passes;
-    double ratio_floor = 0;        ///< Median over that of a copy of the depth texture, same run.
-    double ratio_learnopengl = 0;  ///< Median over that of learnopengl, same run.
+    double ratio_floor = 0;        ///< Cost over that of a copy of the depth texture, same run.
+    double ratio_learnopengl = 0;  ///< Cost over that of learnopengl, same run.
 
     double texture_bytes = 0;
     double bytes_read = 0;     ///< Estimated, a frame.
