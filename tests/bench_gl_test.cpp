@@ -71,16 +71,20 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
     CHECK(point.error.rmse > 0.01);
     CHECK(point.error.rmse < 0.3);
     CHECK(point.error.rmse_fit <= point.error.rmse);
-    for (const double part : {point.budget.noise, point.budget.model, point.budget.precision}) {
+    for (const double part : {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
         CHECK(part >= 0.0);
         CHECK(part < 0.3);
     }
     CHECK(point.budget.precision < 0.05);
-    CHECK(point.repeats == 3);
+    CHECK(point.budget_failure.empty());
+    CHECK(point.error_without_ao > 0.01);
+    CHECK(point.repeats >= 3);
     REQUIRE(point.passes.size() == 3);
     CHECK(point.passes[0].name == "geometry");
     CHECK(point.total.median > 0.0);
     CHECK(point.total.q1 <= point.total.q3);
+    CHECK(point.cost.median > 0.0);
+    CHECK(point.cost.median < point.total.median);
     CHECK(point.ratio_floor > 0.0);
     CHECK(point.ratio_learnopengl > 0.0);
     CHECK(point.radius_px > 1.0);
@@ -136,4 +140,22 @@ TEST_CASE("What a config converges to does not depend on its samples or seeds")
     const Image many = need(convergedOcclusion(stage, plan.tasks[1].description, never));
     CHECK(few.extent == view.extent);
     CHECK(few.pixels == many.pixels);
+}
+
+TEST_CASE("Every shipped config converges, whatever filter follows")
+{
+    GlFixture gl;
+    BenchOptions options = smallOptions();
+    options.configs = {};
+    const BenchPlan plan = need(planBench(options, shippedSources()));
+    const BenchView& view = plan.views[0];
+    const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));
+    const Frame frame = makeFrame(scene, view.camera, view.extent);
+    const Stage stage = {*gl.device, frame, view.extent};
+    const auto at_once = [] { return true; };
+    for (const BenchTask& task : plan.tasks) {
+        CAPTURE(task.point.config);
+        CHECK(need(convergedOcclusion(stage, task.description, at_once)).extent == view.extent);
+        CHECK(need(unfilteredOcclusion(stage, task.description)).extent == view.extent);
+    }
 }

@@ -328,8 +328,36 @@ TEST_CASE("The budget is measured where the truth is known, and -1 where a pictu
     truth.at(1, 0) = std::nanf("");
     Image ao({2, 1}, 1, 0.75f), converged({2, 1}, 1, 0.625f);
     ao.at(1, 0) = 1.0f;
-    const ErrorBudget budget = budgetOf(ao, truth, converged, Image());
+    const Image unfiltered({2, 1}, 1, 1.0f);
+    const ErrorBudget budget = budgetOf({ao, truth, converged, unfiltered, Image()});
+    CHECK(budget.sampling == 0.375);
     CHECK(budget.noise == 0.125);
     CHECK(budget.model == 0.125);
     CHECK(budget.precision == -1);
+}
+
+TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides cancel")
+{
+    const std::vector<double> unit = {99, 10, 30, 10, 10};  // the first turn was another point's
+    const TimeFigures ratio = ratioFigures({5, 15, 5, 6}, unit);
+    CHECK(ratio.median == 0.5);
+    CHECK(ratio.q1 == 0.5);
+    CHECK(ratioFigures({1, 2}, {0, 0}).median == 0.0);
+    CHECK(ratioFigures({}, unit).median == 0.0);
+}
+
+TEST_CASE("The quickest turns are those that no slow moment reaches")
+{
+    std::vector<double> costs(20, 100.0);
+    costs[4] = costs[7] = costs[11] = 2.0;
+    CHECK(quickest(costs) == 2.0);
+    CHECK(quickest({3.0}) == 3.0);
+}
+
+TEST_CASE("A median is settled by more turns or by steadier ones")
+{
+    const TimeFigures steady{1.0, 0.99, 1.01}, restless{1.0, 0.8, 1.2};
+    CHECK(isSettled(steady, 4));
+    CHECK(!isSettled(restless, 7));
+    CHECK(isSettled(restless, 1000));
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crevice {
 namespace {
@@ -46,12 +47,17 @@ void widen(TargetDesc& target, const DeviceCaps& caps)
     if (caps.canRender(wide)) target.formats.insert(target.formats.begin(), wide);
 }
 
-/// Widens the targets that hold the occlusion, before and after the filter.
+/// Widens the targets that hold occlusion, before, within and after the filter: `ao`, what the output
+/// comes from, and what has their formats, since an identity passes a filter's input on as its output.
 void widenOcclusion(Description& description, const DeviceCaps& caps)
 {
     const OutputDesc* output = findNamed(description.outputs, kOutput);
-    for (TargetDesc& target : description.targets)
+    std::vector<std::vector<Format>> formats;
+    for (const TargetDesc& target : description.targets)
         if (target.name == kOutput || (output && target.name == output->target.name))
+            formats.push_back(target.formats);
+    for (TargetDesc& target : description.targets)
+        if (std::find(formats.begin(), formats.end(), target.formats) != formats.end())
             widen(target, caps);
 }
 
@@ -61,38 +67,71 @@ void takeAllSamples(Description& description)
         if (param.name == "samples") param.value[0] = static_cast<float>(param.max);
 }
 
+/// Seeds by counting down from the largest, since people count up from 1: noise that the mean shared
+/// with the config would look like no noise.
 void reseed(Description& description, unsigned frame)
 {
-    unsigned seed = frame * static_cast<unsigned>(description.generated.size()) + 1;
-    for (GeneratedDesc& generated : description.generated) generated.seed = seed++;
+    unsigned seed = ~(frame * static_cast<unsigned>(description.generated.size()));
+    for (GeneratedDesc& generated : description.generated) generated.seed = seed--;
 }
 
-/// Adds a frame to the mean of `count` before it. Returns the change as an rmse.
-double addToMean(Image& mean, const Image& frame, int count)
-{
-    double squares = 0;
-    for (std::size_t k = 0; k < mean.pixels.size(); ++k) {
-        const float value = frame.pixels[k * frame.channels];
-        const float change = (value - mean.pixels[k]) / static_cast<float>(count + 1);
-        mean.pixels[k] += change;
-        squares += static_cast<double>(change) * change;
+/// The mean of frames and how much noise is left in it (Welford's running variance).
+class MeanImage {
+public:
+    void add(const Image& frame)
+    {
+        if (count_++ == 0) {
+            mean_ = Image(frame.extent, 1);
+            squares_ = 0;
+        }
+        for (std::size_t k = 0; k < mean_.pixels.size(); ++k) {
+            const float value = frame.pixels[k * static_cast<std::size_t>(frame.channels)];
+            const float change = value - mean_.pixels[k];
+            mean_.pixels[k] += change / static_cast<float>(count_);
+            squares_ += static_cast<double>(change) * (value - mean_.pixels[k]);
+        }
     }
-    return std::sqrt(squares / static_cast<double>(mean.pixels.size()));
-}
+
+    /// As an rmse over the pixels. Infinite after one frame, which cannot tell.
+    double noise() const
+    {
+        if (count_ < 2) return std::numeric_limits<double>::infinity();
+        const double pixels = static_cast<double>(mean_.pixels.size());
+        return std::sqrt(squares_ / pixels / (count_ - 1) / count_);
+    }
+
+    Image take() { return std::move(mean_); }
+
+private:
+    Image mean_;
+    double squares_ = 0;  ///< Sum over pixels and frames of the squared distance to the mean.
+    int count_ = 0;
+};
 
 Result<Image> meanOverSeeds(const Stage& stage, Description& description, const std::string& output,
                             const std::function<bool()>& interrupted)
 {
-    Image mean;
+    MeanImage mean;
     for (int count = 0; count < kMostConvergedFrames; ++count) {
         reseed(description, static_cast<unsigned>(count));
         const Result<Image> frame = drawOutput(stage, description, output);
         if (!frame) return frame;
-        if (count == 0) mean = Image(frame->extent, 1);
-        const double change = addToMean(mean, *frame, count);
-        if ((count > 0 && change < kConvergedChange) || interrupted()) break;
+        mean.add(*frame);
+        if (mean.noise() < kConvergedNoise || interrupted()) break;
     }
-    return mean;
+    return mean.take();
+}
+
+/// The target before any filter, where there is one and it is of full size; else the output.
+/// `draw` gets the description that exposes it and its output's name.
+template <class Draw>
+Result<Image> beforeFilter(const Stage& stage, Description description, Draw draw)
+{
+    if (exposeOutput(description, kRawOutput)) {
+        Result<Image> raw = draw(description, kRawOutput);
+        if (!raw || raw->extent == stage.extent) return raw;
+    }
+    return draw(description, kOutput);
 }
 
 }  // namespace
@@ -113,11 +152,18 @@ Result<Image> convergedOcclusion(const Stage& stage, const Description& descript
     Description many = description;
     takeAllSamples(many);
     widenOcclusion(many, stage.device.caps());
-    if (exposeOutput(many, kRawOutput)) {
-        Result<Image> raw = meanOverSeeds(stage, many, kRawOutput, interrupted);
-        if (!raw || raw->extent == stage.extent) return raw;
-    }
-    return meanOverSeeds(stage, many, kOutput, interrupted);
+    return beforeFilter(stage, std::move(many),
+                        [&](Description& exposed, const std::string& output) {
+                            return meanOverSeeds(stage, exposed, output, interrupted);
+                        });
+}
+
+Result<Image> unfilteredOcclusion(const Stage& stage, const Description& description)
+{
+    return beforeFilter(stage, description,
+                        [&stage](Description& exposed, const std::string& output) {
+                            return drawOutput(stage, exposed, output);
+                        });
 }
 
 Result<Image> preciseOcclusion(const Stage& stage, const Description& description)
@@ -127,14 +173,14 @@ Result<Image> preciseOcclusion(const Stage& stage, const Description& descriptio
     return drawOutput(stage, std::move(wide), kOutput);
 }
 
-ErrorBudget budgetOf(const Image& ao, const Image& truth, const Image& converged,
-                     const Image& precise)
+ErrorBudget budgetOf(const BudgetPictures& pictures)
 {
-    const Image mask = seenMask(truth);
+    const Image mask = seenMask(pictures.truth);
     ErrorBudget budget;
-    budget.noise = rmseWhere(mask, ao, converged);
-    budget.model = rmseWhere(mask, converged, truth);
-    budget.precision = rmseWhere(mask, ao, precise);
+    budget.sampling = rmseWhere(mask, pictures.unfiltered, pictures.converged);
+    budget.noise = rmseWhere(mask, pictures.ao, pictures.converged);
+    budget.model = rmseWhere(mask, pictures.converged, pictures.truth);
+    budget.precision = rmseWhere(mask, pictures.ao, pictures.precise);
     return budget;
 }
 

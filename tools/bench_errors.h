@@ -14,8 +14,8 @@ namespace crevice {
 /// Most frames that are averaged into a converged picture.
 constexpr int kMostConvergedFrames = 64;
 
-/// A converged picture is done when one more frame changes it by less, as an rmse.
-constexpr double kConvergedChange = 0.001;
+/// A converged picture is done when what noise is left in it is less, as an rmse.
+constexpr double kConvergedNoise = 0.002;
 
 /// Where frames are drawn.
 struct Stage {
@@ -29,21 +29,34 @@ struct Stage {
 Result<Image> drawOutput(const Stage& stage, Description description, const std::string& output);
 
 /// The config with the param `samples` at its largest and 32-bit float for its occlusion, averaged
-/// over frames with other seeds in every generated kernel and noise. What is averaged is the target
-/// `ao`, before any filter; the output `ao` where there is no such target or it is not of full size.
+/// over frames with other seeds in every generated kernel and noise than the config's own. What is
+/// averaged is the target `ao`, before any filter; the output `ao` where there is no such target or it
+/// is not of full size.
 ///
 /// Stops early, with what it has, when `interrupted`. Errors: as drawOutput.
 Result<Image> convergedOcclusion(const Stage& stage, const Description& description,
                                  const std::function<bool()>& interrupted);
 
+/// One frame of the config as it is, of the same target: what its filter gets.
+/// Errors: as drawOutput.
+Result<Image> unfilteredOcclusion(const Stage& stage, const Description& description);
+
 /// The output `ao` with every target in the 32-bit float format of as many channels, or depth32f.
 /// Errors: as drawOutput.
 Result<Image> preciseOcclusion(const Stage& stage, const Description& description);
 
-/// The three parts over the pixels where `truth` is finite. An image without pixels, or of another
-/// size, leaves -1.
-ErrorBudget budgetOf(const Image& ao, const Image& truth, const Image& converged,
-                     const Image& precise);
+/// The pictures of one config that its error budget compares. One without pixels, or of another
+/// size, leaves its part at -1.
+struct BudgetPictures {
+    const Image& ao;
+    const Image& truth;
+    const Image& converged;
+    const Image& unfiltered;
+    const Image& precise;
+};
+
+/// The parts over the pixels where the truth is finite.
+ErrorBudget budgetOf(const BudgetPictures& pictures);
 
 /// A length in pixels at the median depth of what is seen: radius * clip_from_view[1][1] * height / (2
 /// w), where w is the view distance in a perspective and 1 in an orthographic view. `depth` holds

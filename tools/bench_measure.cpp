@@ -9,8 +9,10 @@
 #include "tools/reference_cache.h"
 #include "tools/scene_upload.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -20,10 +22,8 @@ namespace {
 const char* const kDepthModule = "bench/depth.json";
 const char* const kFloorModule = "bench/depth_copy.json";
 
-/// One copy of the depth texture is over so quickly that its time is mostly noise: a turn of it goes on
-/// for about as long as the scheduler lets another process run, or for so many frames.
-constexpr double kFloorTurnMs = 40.0;
-constexpr int kFloorTurnFrames = 256;
+/// Turns end at so many times the least, settled or not.
+constexpr int kMostPatience = 4;
 
 const char* const kYardstick = "learnopengl";
 
@@ -34,33 +34,22 @@ Image withOpenBackground(Image truth)
     return truth;
 }
 
-/// A renderer that takes its turn in the timing, and what its turns cost.
-struct Turns {
-    Renderer* renderer;
-    const Frame* frame;
-    double least_ms;  ///< A turn goes on until its passes took as long.
-    std::vector<FrameTimes> frames = {};  ///< The first of each turn.
-    std::vector<double> costs = {};       ///< The mean of each turn.
-
-    Status take(bool counts)
-    {
-        double sum = 0;
-        int drawn = 0;
-        do {
-            const Result<FrameTimes> times = timeFrame(*renderer, *frame);
-            if (!times) return times.diagnostics();
-            sum += occlusionCost(renderer->plan(), *times);
-            ++drawn;
-            if (counts && drawn == 1) frames.push_back(*times);
-        } while (sum < least_ms && drawn < kFloorTurnFrames);
-        if (counts) costs.push_back(sum / drawn);
-        return {};
-    }
-
-    double medianCost() const { return timeFigures(costs).median; }
-};
-
-double ratio(double cost, double unit) { return unit > 0.0 ? cost / unit : 0.0; }
+/// Puts the frames' times into the point, in all and pass by pass.
+void describeFrames(const std::vector<FrameTimes>& frames, const Plan& plan, BenchPoint& point)
+{
+    point.clock = frames[0].method == TimingMethod::gpu_timer ? "query" : "wall";
+    point.repeats = static_cast<int>(frames.size());
+    std::vector<double> times(frames.size());
+    const auto figuresOf = [&frames, &times](auto time) {
+        std::transform(frames.begin(), frames.end(), times.begin(), time);
+        return timeFigures(times);
+    };
+    point.total = figuresOf([](const FrameTimes& frame) { return frame.total_ms; });
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        point.passes.push_back({plan.passes[pass].name, figuresOf([pass](const FrameTimes& frame) {
+                                    return frame.pass_ms[pass];
+                                })});
+}
 
 }  // namespace
 
@@ -76,11 +65,29 @@ struct BenchMeter::Setting {
     /// Draws the depth and takes from it what every point needs: the floor and the radius on screen.
     Status makeFloor(Device& device, const SourceSet& sources, double radius);
 
+    void makeYardstick(Device& device, const SourceSet& sources, double radius);
+
+    /// Warms up, then so many turns, for the first point to have something to go by.
+    Status beginTurns(int count);
+
     Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
                                                    std::vector<std::string> outputs) const
     {
         return Renderer::create(device, std::move(description),
                                 {view.extent, std::move(outputs), {}}, traitsOf(frame));
+    }
+
+    /// A turn of the floor and one of the yardstick.
+    Status takeTurns();
+
+    /// Of what costs are put in relation to turn by turn: the yardstick, else the floor.
+    const std::vector<double>& unitCosts() const
+    {
+        return (yardstick_turns ? yardstick_turns : floor_turns)->costs();
+    }
+    double unitOverFloor() const
+    {
+        return quickest(unitCosts()) / quickest(floor_turns->costs());
     }
 
     const BenchView& view;
@@ -93,7 +100,9 @@ struct BenchMeter::Setting {
     std::unique_ptr<Renderer> floor;
     Frame floor_frame;
     std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
-    std::map<std::string, Image> converged;  ///< By family.
+    std::optional<TurnTaker> floor_turns;
+    std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
+    std::map<std::string, Result<Image>> converged;  ///< By family.
 };
 
 Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, double radius)
@@ -114,7 +123,35 @@ Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, 
     auto copy = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(floor_frame));
     if (!copy) return copy.diagnostics();
     floor = std::move(*copy);
+    floor_turns.emplace(*floor, floor_frame);
     return {};
+}
+
+/// Leaves it null where the device cannot draw it.
+void BenchMeter::Setting::makeYardstick(Device& device, const SourceSet& sources, double radius)
+{
+    const Result<Description> described = loadDescription({kYardstick, {}, {}, {}}, sources);
+    if (!described) return;
+    auto renderer = makeRenderer(device, *described, {"ao"});
+    if (!renderer || !(*renderer)->setParam("radius", static_cast<float>(radius))) return;
+    yardstick = std::move(*renderer);
+    yardstick_turns.emplace(*yardstick, frame);
+}
+
+Status BenchMeter::Setting::beginTurns(int count)
+{
+    if (const Status warm = takeTurns(); !warm) return warm;
+    floor_turns->restart();
+    if (yardstick_turns) yardstick_turns->restart();
+    for (int turn = 0; turn < count; ++turn)
+        if (const Status drawn = takeTurns(); !drawn) return drawn;
+    return {};
+}
+
+Status BenchMeter::Setting::takeTurns()
+{
+    if (const Status drawn = floor_turns->takeTurn(); !drawn) return drawn;
+    return yardstick_turns ? yardstick_turns->takeTurn() : Status();
 }
 
 BenchMeter::BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
@@ -147,11 +184,8 @@ Status BenchMeter::enter(const BenchTask& task)
     if (const Status made = setting->makeFloor(device_, sources_, task.point.radius); !made)
         return made;
 
-    const Result<Description> yardstick = loadDescription({kYardstick, {}, {}, {}}, sources_);
-    auto drawn = yardstick ? setting->makeRenderer(device_, *yardstick, {"ao"})
-                           : Result<std::unique_ptr<Renderer>>(yardstick.diagnostics());
-    if (drawn && (*drawn)->setParam("radius", static_cast<float>(task.point.radius)))
-        setting->yardstick = std::move(*drawn);
+    setting->makeYardstick(device_, sources_, task.point.radius);
+    if (const Status timed = setting->beginTurns(options_.repeats); !timed) return timed;
     setting_ = std::move(setting);
     return setting_->truth.ok() ? Status() : Status(setting_->truth.diagnostics());
 }
@@ -183,28 +217,21 @@ Result<BenchPoint> BenchMeter::measure(const BenchTask& task)
 
 Status BenchMeter::measureTimes(Renderer& renderer, BenchPoint& point)
 {
-    std::vector<Turns> turns = {{&renderer, &setting_->frame, 0.0},
-                                {setting_->floor.get(), &setting_->floor_frame, kFloorTurnMs}};
-    if (setting_->yardstick) turns.push_back({setting_->yardstick.get(), &setting_->frame, 0.0});
-    for (int repeat = -1; repeat < options_.repeats && !options_.interrupted(); ++repeat)
-        for (Turns& each : turns)
-            if (const Status drawn = each.take(repeat >= 0); !drawn) return drawn;  // -1 warms up
-    if (turns[0].frames.empty()) return {};  // interrupted
-    point.clock = turns[0].frames[0].method == TimingMethod::gpu_timer ? "query" : "wall";
-    point.repeats = static_cast<int>(turns[0].frames.size());
-    std::vector<double> totals;
-    for (const FrameTimes& frame : turns[0].frames) totals.push_back(frame.total_ms);
-    point.total = timeFigures(std::move(totals));
-    const Plan& plan = renderer.plan();
-    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass) {
-        std::vector<double> times;
-        for (const FrameTimes& frame : turns[0].frames) times.push_back(frame.pass_ms[pass]);
-        point.passes.push_back({plan.passes[pass].name, timeFigures(std::move(times))});
+    TurnTaker taker(renderer, setting_->frame);
+    if (const Status warm = taker.takeTurn(); !warm) return warm;
+    taker.restart();
+    TimeFigures ratio;
+    for (int turn = 1; turn <= kMostPatience * options_.repeats; ++turn) {
+        if (options_.interrupted()) return {};
+        if (const Status drawn = taker.takeTurn(); !drawn) return drawn;
+        if (const Status drawn = setting_->takeTurns(); !drawn) return drawn;
+        ratio = ratioFigures(taker.costs(), setting_->unitCosts());
+        if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
     }
-    point.cost = timeFigures(turns[0].costs);
-    const double cost = point.cost.median;
-    point.ratio_floor = ratio(cost, turns[1].medianCost());
-    if (turns.size() > 2) point.ratio_learnopengl = ratio(cost, turns[2].medianCost());
+    if (setting_->yardstick) point.ratio_learnopengl = ratio.median;
+    point.ratio_floor = ratio.median * setting_->unitOverFloor();
+    point.cost = timeFigures(taker.costs());
+    describeFrames(taker.frames(), renderer.plan(), point);
     return {};
 }
 
@@ -221,26 +248,33 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchPo
     if (const auto without = compareImages(open, *setting_->truth))
         point.error_without_ao = without->rmse;
     if (options_.budget)
-        point.budget = budgetOf(ao, *setting_->truth, converged(task), precise(task));
+        measureBudget(task, ao, point);
     return {};
 }
 
-/// Empty where the device cannot draw it: then that part of the budget is not measured.
-Image BenchMeter::precise(const BenchTask& task)
+void BenchMeter::measureBudget(const BenchTask& task, const Image& ao, BenchPoint& point)
 {
+    const Image none;
+    const auto taken = [&none, &point](const Result<Image>& image) -> const Image& {
+        if (image) return *image;
+        point.budget_failure = image.diagnostics().front().message;
+        return none;
+    };
     const Stage stage = {device_, setting_->frame, setting_->view.extent};
-    Result<Image> image = preciseOcclusion(stage, task.description);
-    return image ? std::move(*image) : Image();
+    const Result<Image> unfiltered = unfilteredOcclusion(stage, task.description);
+    const Result<Image> precise = preciseOcclusion(stage, task.description);
+    point.budget = budgetOf({ao, *setting_->truth, taken(converged(task)), taken(unfiltered),
+                             taken(precise)});
 }
 
-/// The same; kept, since all sample counts of a config converge to it.
-const Image& BenchMeter::converged(const BenchTask& task)
+/// Kept, since all sample counts of a config converge to it.
+const Result<Image>& BenchMeter::converged(const BenchTask& task)
 {
     const auto known = setting_->converged.find(task.point.family);
     if (known != setting_->converged.end()) return known->second;
     const Stage stage = {device_, setting_->frame, setting_->view.extent};
     Result<Image> image = convergedOcclusion(stage, task.description, options_.interrupted);
-    return setting_->converged[task.point.family] = image ? std::move(*image) : Image();
+    return setting_->converged.emplace(task.point.family, std::move(image)).first->second;
 }
 
 Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchPoint& point)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Measuring one point of a bench on a device: its error, the parts of it, its time, its pictures.
 //
-// What is timed are the passes that the output `ao` needs. A frame of the config, one of a plain copy
-// of the depth texture (effects/bench/depth_copy.json) and one of `learnopengl` with the same radius
-// take turns, so that whatever else the machine does falls on all three. The cost of a config is the
-// sum over its passes other than draw passes: what it adds to a host that has a G-buffer already.
-// The ratios are medians of that cost over the medians of the copy's and of learnopengl's.
+// What is timed are the passes that the output `ao` needs. The config, a plain copy of the depth
+// texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius take turns (see
+// tools/bench_times.h) until both ratios are known to a few per cent. The cost of a config is the sum
+// over its passes other than draw passes: what it adds to a host that has a G-buffer already.
 #pragma once
 
 #include "tools/bench.h"
@@ -17,7 +16,7 @@ namespace crevice {
 
 struct MeasureOptions {
     int rays = 256;    ///< A pixel of the truth.
-    int repeats = 5;   ///< Timed frames, after one that is not; at least 1.
+    int repeats = 7;   ///< Timed turns, at least; up to four times as many where ratios do not settle.
     bool budget = true;         ///< Measure the error budget.
     std::string cache_folder;   ///< For truths; empty for none.
     std::string out_folder;     ///< Pictures go to its pictures/; empty for none.
@@ -45,8 +44,8 @@ private:
     Status measureErrors(const BenchTask& task, const Image& ao, BenchPoint& point);
     Status measureTimes(Renderer& renderer, BenchPoint& point);
     Status writePictures(const BenchTask& task, const Image& ao, BenchPoint& point);
-    Image precise(const BenchTask& task);
-    const Image& converged(const BenchTask& task);
+    void measureBudget(const BenchTask& task, const Image& ao, BenchPoint& point);
+    const Result<Image>& converged(const BenchTask& task);
 
     Device& device_;
     const BenchPlan& plan_;

@@ -17,8 +17,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, powe
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
                                    camera, extent, radius, radius_px, samples, triangles, device,
-                                   software, version, error, error_without_ao, budget, clock,
-                                   repeats, total, cost, passes, ratio_floor, ratio_learnopengl,
+                                   software, version, error, error_without_ao, budget,
+                                   budget_failure, clock, repeats, total, cost, passes, ratio_floor, ratio_learnopengl,
                                    texture_bytes, bytes_read, bytes_written, ao_picture,
                                    truth_picture, difference_picture)
 

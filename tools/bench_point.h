@@ -66,6 +66,7 @@ struct BenchPoint {
     ErrorFigures error;
     double error_without_ao = 0;  ///< The rmse that no ambient occlusion at all has here.
     ErrorBudget budget;
+    std::string budget_failure;  ///< Why a part of it could not be measured; else empty.
 
     std::string clock;      ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
     int repeats = 0;

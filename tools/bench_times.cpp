@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Medians, costs and valid frames.
+// Medians, costs, valid frames and turns.
 #include "tools/bench_times.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crevice {
 namespace {
 
 constexpr int kTimingAttempts = 10;
+
+/// About as long as the scheduler lets another process run. Shorter turns make ratios of cheap
+/// passes restless, longer ones only cost time.
+constexpr double kTurnMs = 40.0;
+constexpr std::size_t kTurnFrames = 64;
+
+/// The half width of a median's interval of 95 % confidence is this times the interquartile range
+/// over the root of the count (McGill 1978, its factor 1.57).
+constexpr double kNotch = 1.57;
+constexpr double kSettled = 0.03;
+
+/// Of values in rising order, interpolated between neighbours.
+double quantile(const std::vector<double>& sorted, double share)
+{
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, sorted.size() - 1);
+    return sorted[low] + (sorted[high] - sorted[low]) * (place - static_cast<double>(low));
+}
 
 }  // namespace
 
@@ -32,13 +52,49 @@ double occlusionCost(const Plan& plan, const FrameTimes& times)
 TimeFigures timeFigures(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
-    const auto at = [&values](double share) {
-        const double place = share * static_cast<double>(values.size() - 1);
-        const auto low = static_cast<std::size_t>(place);
-        const std::size_t high = std::min(low + 1, values.size() - 1);
-        return values[low] + (values[high] - values[low]) * (place - static_cast<double>(low));
-    };
-    return {at(0.5), at(0.25), at(0.75)};
+    return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
+}
+
+double quickest(std::vector<double> costs)
+{
+    std::sort(costs.begin(), costs.end());
+    return quantile(costs, 0.1);
+}
+
+TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units)
+{
+    std::vector<double> ratios;
+    for (auto cost = costs.rbegin(), unit = units.rbegin();
+         cost != costs.rend() && unit != units.rend(); ++cost, ++unit)
+        if (*unit > 0.0) ratios.push_back(*cost / *unit);
+    return ratios.empty() ? TimeFigures() : timeFigures(std::move(ratios));
+}
+
+bool isSettled(const TimeFigures& figures, std::size_t count)
+{
+    const double spread = kNotch * (figures.q3 - figures.q1);
+    return spread <= kSettled * figures.median * std::sqrt(static_cast<double>(count));
+}
+
+Status TurnTaker::takeTurn()
+{
+    std::vector<double> costs;
+    double elapsed_ms = 0;
+    while (costs.empty() || (elapsed_ms < kTurnMs && costs.size() < kTurnFrames)) {
+        Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
+        if (!times) return times.diagnostics();
+        costs.push_back(occlusionCost(renderer_->plan(), *times));
+        elapsed_ms += times->total_ms;
+        frames_.push_back(std::move(*times));
+    }
+    costs_.push_back(timeFigures(std::move(costs)).median);
+    return {};
+}
+
+void TurnTaker::restart()
+{
+    frames_.clear();
+    costs_.clear();
 }
 
 }  // namespace crevice

@@ -178,7 +178,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<BenchCommand>();
     options->bench.version = CREVICE_VERSION;
     addPointOptions(*command, *options);
-    command->add_option("--repeats", options->measure.repeats, "Timed frames a point")
+    command->add_option("--repeats", options->measure.repeats, "Timed turns a point, at least; more while ratios are restless")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
