@@ -19,7 +19,8 @@ bool isObject(const Node& node)
 std::string oneOf(const Node& node)
 {
     const std::string name = kindName(node.kind);
-    return node.kind == Node::Kind::null ? name : (isObject(node) ? "an " : "a ") + name;
+    const bool vowel = isObject(node) || node.kind == Node::Kind::array;
+    return node.kind == Node::Kind::null ? name : (vowel ? "an " : "a ") + name;
 }
 
 Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer)
