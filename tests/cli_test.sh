@@ -108,4 +108,13 @@ expect 0 'wrote' reference --scene corner --size 16x24 --rays 1 --out small.pfm
 expect 1 'CV7006' compare small.pfm truth.pfm
 expect 1 'CV7005' compare cut.json truth.pfm
 expect 1 'CV7005' compare nothing.png truth.pfm
+expect 2 'max-rmse' compare far.pfm truth.pfm --max-rmse nan
+expect 2 'max-bad-fraction' compare far.pfm truth.pfm --max-bad-fraction nan
+printf 'Pf\n1 1\n-1\n\0\0\300\177' >nan.pfm
+printf 'Pf\n1 1\n-1\n\0\0\200\077' >one.pfm
+expect 1 'CV7005.*no pixel is left' compare one.pfm nan.pfm --max-rmse 0.1
+printf 'Pf\n1 2\n-1\n\0\0\300\177\0\0\200\077' >half.pfm
+printf 'Pf\n1 2\n-1\n\0\0\200\077\0\0\200\077' >ones.pfm
+expect 0 '1 not finite' compare half.pfm ones.pfm
+expect 5 'not finite' compare half.pfm ones.pfm --max-bad-fraction 1
 finish

@@ -65,6 +65,14 @@ Result<double> parseThreshold(const std::string& text)
     return error;
 }
 
+/// CLI11's own checks let "nan" through, a limit that nothing breaks.
+std::string checkLimit(const std::string& text)
+{
+    double value = 0.0;
+    if (CLI::detail::lexical_cast(text, value) && value >= 0.0) return {};
+    return "'" + text + "' is not a number of at least 0";
+}
+
 /// The limits that are broken, a sentence each.
 std::vector<std::string> brokenLimits(const CompareOptions& options, const ImageDifference& difference)
 {
@@ -75,10 +83,10 @@ std::vector<std::string> brokenLimits(const CompareOptions& options, const Image
                              ", over the limit of " + nlohmann::json(limit).dump());
     };
     check("rmse", difference.rmse, options.max_rmse);
-    const bool max_abs_alone = options.max_bad_fraction < 0.0 && !options.max_abs.empty();
+    const bool has_fraction = options.max_bad_fraction >= 0.0, has_abs = !options.max_abs.empty();
     check("the fraction of bad pixels", difference.bad_fraction,
-          max_abs_alone ? 0.0 : options.max_bad_fraction);
-    if (difference.non_finite > 0 && (options.max_rmse >= 0.0 || !options.max_abs.empty()))
+          has_abs && !has_fraction ? 0.0 : options.max_bad_fraction);
+    if (difference.non_finite > 0 && (options.max_rmse >= 0.0 || has_fraction || has_abs))
         broken.push_back(std::to_string(difference.non_finite) + " pixels are not finite");
     return broken;
 }
@@ -120,6 +128,17 @@ void printJson(const ImageDifference& figures, double threshold,
     std::puts(json.dump(2).c_str());
 }
 
+/// Figures over no pixel would look like a perfect match.
+Status checkCompared(const ImageDifference& figures)
+{
+    if (figures.pixels > 0) return {};
+    Diagnostic error{Code::image_broken,
+                     "no pixel is left to compare: " + std::to_string(figures.masked) +
+                         " are masked, " + std::to_string(figures.non_finite) + " are not finite"};
+    error.help = "masked is where the truth is not finite or the --mask is 0";
+    return error;
+}
+
 Status writeDifference(const CompareOptions& options, const Images& images)
 {
     if (options.difference.empty()) return {};
@@ -141,6 +160,8 @@ int compareFiles(const CompareOptions& options)
     const Result<ImageDifference> figures =
         compareImages(images->test, images->truth, images->maskOrNull(), *threshold);
     if (!figures) return report(figures.diagnostics(), options.json);
+    const Status compared = checkCompared(*figures);
+    if (!compared) return report(compared.diagnostics(), options.json);
     const Status written = writeDifference(options, *images);
     if (!written) return report(written.diagnostics(), options.json);
 
@@ -157,15 +178,16 @@ void addCompareCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<CompareOptions>();
     command->add_option("TEST", options->test, "The image to judge, PNG or PFM")->required();
     command->add_option("TRUTH", options->truth, "The image to judge it by")->required();
-    command->add_option("--mask", options->mask, "Only pixels where this image is not 0 count")
+    command->add_option("--mask", options->mask, "Only pixels where this image is above 0 count")
         ->type_name("FILE");
     command->add_option("--max-rmse", options->max_rmse, "Fail (5) where the rmse is larger")
-        ->check(CLI::NonNegativeNumber);
+        ->check(checkLimit, "at least 0");
     command->add_option("--max-abs", options->max_abs,
                         "A pixel that is off by more is bad: 0.05 (the default) or 2/255. Given "
                         "alone: fail (5) where any pixel is bad");
     command->add_option("--max-bad-fraction", options->max_bad_fraction,
                         "Fail (5) where more pixels are bad, [0, 1]")
+        ->check(checkLimit)
         ->check(CLI::Range(0.0, 1.0));
     command->add_option("--diff", options->difference,
                         "Write the signed difference: red is too bright, blue too dark")
