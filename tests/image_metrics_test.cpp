@@ -97,6 +97,18 @@ TEST_CASE("pixels without a truth or under a mask of zero do not count")
     CHECK(figures.non_finite == 0);
 }
 
+TEST_CASE("a mask counts by any of its colours and not by its alpha")
+{
+    Image test = ramp(3), mask({3, 1}, 4, 0.0f);
+    test.at(2, 0) = 99;
+    for (int x = 0; x < 3; ++x) mask.at(x, 0, 3) = 1;  // opaque
+    mask.at(0, 0, 0) = 1;
+    mask.at(1, 0, 1) = 0.5f;
+    const ImageDifference figures = compare(test, ramp(3), &mask);
+    CHECK(figures.pixels == 2);
+    CHECK(figures.rmse == 0);
+}
+
 TEST_CASE("values that are not finite are counted, and kept out of the figures")
 {
     Image test = ramp(10);

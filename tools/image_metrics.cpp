@@ -40,9 +40,18 @@ Status checkSizes(const Image& test, const Image& truth, const Image* mask)
     return error;
 }
 
+// By colour, so that alpha does not make black count.
+bool admits(const Image& mask, int x, int y)
+{
+    const int colors = mask.channels == 2 ? 1 : std::min(mask.channels, 3);
+    for (int channel = 0; channel < colors; ++channel)
+        if (mask.at(x, y, channel) > 0.0f) return true;
+    return false;
+}
+
 bool masked(const Image& truth, const Image* mask, int x, int y, int channels)
 {
-    if (mask && !(mask->at(x, y) > 0.0f)) return true;
+    if (mask && !admits(*mask, x, y)) return true;
     for (int channel = 0; channel < channels; ++channel)
         if (!std::isfinite(truth.at(x, y, channel))) return true;
     return false;

@@ -23,7 +23,8 @@ struct ImageDifference {
 };
 
 /// Compares channel by channel: a pixel of n channels counts n times, and the least number of
-/// channels of both images is used. `mask`, when not null, has one channel that counts.
+/// channels of both images is used. With a `mask` only pixels count where any of its colours is
+/// above 0.
 ///
 /// Errors: CV7006 when the sizes differ, CV7005 for images without pixels.
 Result<ImageDifference> compareImages(const Image& test, const Image& truth,
