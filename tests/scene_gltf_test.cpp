@@ -7,6 +7,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <cmath>
+
 using namespace crevice;
 
 namespace {
@@ -75,6 +77,18 @@ TEST_CASE("a node stands where all of its parents put it")
     CHECK(bounds.max == glm::dvec3(4, 12, 0));
 }
 
+TEST_CASE("a glTF mesh without normals has flat faces, as its specification asks")
+{
+    std::string folded = gltf(R"({"mesh": 0})");
+    folded.replace(folded.find(kSquare) + 60, 4, "AAA/");  // the last corner rises by a half
+    const Scene scene = load(folded);
+    CHECK(scene.meshes[0].vertices.size() == 6);
+    for (const Vertex& vertex : scene.meshes[0].vertices) {
+        const bool level = vertex.normal[2] == 1.0f;
+        CHECK((level || vertex.normal[2] == Approx(std::sqrt(2.0 / 3.0))));
+    }
+}
+
 TEST_CASE("a mesh used twice is kept once")
 {
     const Scene scene = load(gltf(R"({"children": [1, 2]}, {"mesh": 0},
@@ -93,6 +107,15 @@ TEST_CASE("a glTF camera keeps its vertical angle whatever its aspect ratio")
     CHECK(scene.cameras[1].fov_y_rad == Approx(0.8));
     CHECK(scene.cameras[0].near_distance == Approx(0.1));
     CHECK(scene.cameras[0].far_distance == Approx(50));
+}
+
+TEST_CASE("a glTF file is known by its extension in capitals too")
+{
+    const TemporaryFolder folder("scene_gltf_capitals");
+    const auto scene = importScene(folder.write("SCENE.GLTF", gltf(kCameraNodes, kCameras)));
+    REQUIRE(scene.ok());
+    CHECK(scene->cameras[0].fov_y_rad == Approx(0.8));
+    CHECK(glm::inverse(scene->cameras[0].view_from_world)[3].z == Approx(5));
 }
 
 TEST_CASE("a camera whose far plane the file leaves out sees the whole scene")

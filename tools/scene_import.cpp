@@ -21,7 +21,9 @@ namespace crevice {
 namespace {
 
 // Faces that meet at a sharper angle get an edge where a file has no normals: boxes stay boxes.
+// glTF 2.0 asks for flat faces then (3.7.2.1), and other tools show them so.
 constexpr double kCreaseDegrees = 60.0;
+constexpr double kGltfCreaseDegrees = 0.0;
 
 // Coordinates beyond it overflow a float when squared.
 constexpr float kMaxCoordinate = 1e18f;
@@ -84,7 +86,7 @@ Vertex vertexFrom(const aiMesh& mesh, unsigned index)
     return vertex;
 }
 
-MeshDesc meshFrom(const aiMesh& from)
+MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
 {
     MeshDesc mesh;
     mesh.label = from.mName.C_Str();
@@ -97,7 +99,7 @@ MeshDesc meshFrom(const aiMesh& from)
         if (face.mNumIndices == 3)
             mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
     }
-    if (!from.HasNormals()) smoothNormals(mesh, kCreaseDegrees);
+    if (!from.HasNormals()) smoothNormals(mesh, crease_degrees);
     fillNormals(mesh);
     joinVertices(mesh);
     return mesh;
@@ -166,8 +168,9 @@ Scene sceneFrom(const aiScene& from, const std::string& path, Diagnostics& warni
     Scene scene;
     scene.name = std::filesystem::path(path).stem().string();
     importMaterials(from, path, scene, warnings);
+    const double crease = isGltf(path) ? kGltfCreaseDegrees : kCreaseDegrees;
     for (unsigned index = 0; index < from.mNumMeshes; ++index)
-        scene.meshes.push_back(meshFrom(*from.mMeshes[index]));
+        scene.meshes.push_back(meshFrom(*from.mMeshes[index], crease));
     const NodePlaces places = importNodes(from, scene);
     importCameras(from, path, places, scene);
     importLights(from, places, scene);

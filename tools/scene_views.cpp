@@ -120,11 +120,17 @@ void normalizeLights(std::vector<SceneLight>& lights, const Bounds& bounds)
 
 }  // namespace
 
+bool isGltf(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& letter : extension) letter |= 0x20;  // to lower case
+    return extension == ".gltf" || extension == ".glb";
+}
+
 void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
                    Scene& scene)
 {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    const bool gltf = extension == ".gltf" || extension == ".glb";
+    const bool gltf = isGltf(path);
     for (unsigned index = 0; index < from.mNumCameras; ++index)
         scene.cameras.push_back(cameraFrom(*from.mCameras[index], places, gltf));
 }

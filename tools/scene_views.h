@@ -13,6 +13,9 @@ namespace crevice {
 /// world_from_node by node name: Assimp's cameras and lights stand where the node of their name is.
 using NodePlaces = std::map<std::string, glm::dmat4>;
 
+/// By the file's extension.
+bool isGltf(const std::string& path);
+
 /// Appends all cameras. `path` is the scene file's; its extension tells glTF.
 void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
                    Scene& scene);
