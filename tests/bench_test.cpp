@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Benches without GL: keys, shards, going on after an interrupt, the time budget, figures.
+// Benches without GL: their points, keys, shards and figures.
 #include "tools/bench.h"
 
 #include "core/plan.h"
-#include "effects/catalog.h"
-#include "tests/catch.h"
-#include "tests/temporary_folder.h"
+#include "tests/bench_small.h"
 #include "tools/bench_errors.h"
 #include "tools/bench_times.h"
 
@@ -17,72 +15,11 @@ using namespace crevice;
 
 namespace {
 
-BenchOptions smallOptions()
-{
-    BenchOptions options;
-    options.scenes = {"plane", "spheres"};
-    options.sizes = {"64x36"};
-    options.samples = {4, 16};
-    return options;
-}
-
-BenchPlan plan(const BenchOptions& options)
-{
-    const Result<BenchPlan> made = planBench(options, shippedSources());
-    INFO(toText(made.diagnostics()));
-    REQUIRE(made.ok());
-    return *made;
-}
-
 std::vector<std::string> keys(const BenchOptions& options)
 {
     std::vector<std::string> all;
     for (const BenchTask& task : plan(options).tasks) all.push_back(task.point.key);
     return all;
-}
-
-/// A world in which each point takes ten seconds.
-struct FakeWorld : BenchWorld {
-    FakeWorld()
-    {
-        measure = [this](const BenchTask& task) -> Result<BenchPoint> {
-            now += 10;
-            order.push_back(task.point.key);
-            if (task.point.config == fails) return Diagnostic{Code::gl_error, "it broke"};
-            if (order.size() == full_after) return Diagnostic{Code::cannot_write, "no space"};
-            BenchPoint point = task.point;
-            point.error.rmse = 0.125;
-            return point;
-        };
-        seconds = [this] { return now; };
-        interrupted = [this] { return order.size() >= stop_after; };
-        say = [this](const std::string& line) { lines.push_back(line); };
-        device = "fake";
-    }
-
-    double now = 100;
-    std::string fails;
-    std::size_t full_after = 1000;
-    std::size_t stop_after = 1000;
-    std::vector<std::string> order;
-    std::vector<std::string> lines;
-};
-
-BenchSummary run(const std::string& folder, const BenchWorld& world, const BenchPlan& planned)
-{
-    Result<ResultFile> file = ResultFile::open(folder);
-    INFO(toText(file.diagnostics()));
-    REQUIRE(file.ok());
-    return runBench(planned.tasks, *file, world);
-}
-
-std::size_t figuresIn(const TemporaryFolder& folder)
-{
-    const auto points = readBenchPoints({(folder.path / "results.jsonl").string()});
-    REQUIRE(points.ok());
-    std::size_t count = 0;
-    for (const BenchPoint& point : *points) count += point.failure.empty() && point.error.rmse > 0;
-    return count;
 }
 
 }  // namespace
@@ -165,109 +102,44 @@ TEST_CASE("Sample counts that a config cannot take are left out with a warning")
     CHECK(planned.diagnostics[0].severity == Severity::warning);
 }
 
-TEST_CASE("A scene that cannot be loaded is left out, and a broken config becomes a failure")
+TEST_CASE("Scenes, cameras and configs that are unusable become failures")
 {
     BenchOptions options = smallOptions();
-    options.scenes = {"nowhere", "plane"};
+    options.scenes = {"nowhere", "plane", "spheres"};
+    options.camera = "grazing";  // which spheres has not
     options.configs = {"nothing", "learnopengl"};
     const BenchPlan planned = plan(options);
+    CHECK(planned.diagnostics.size() == 2);
     CHECK(hasErrors(planned.diagnostics));
-    REQUIRE(planned.tasks.size() == 3);
-    CHECK(!planned.tasks[0].point.failure.empty());
-    CHECK(planned.tasks[1].point.failure.empty());
-    const TemporaryFolder folder("bench_broken");
-    const BenchSummary summary = run(folder.path.string(), FakeWorld(), planned);
-    CHECK(summary.measured == 2);
-    CHECK(summary.failures.size() == 1);
+    REQUIRE(planned.tasks.size() == 9);
+    const auto failureOf = [&planned](std::size_t task) {
+        return planned.tasks[task].point.failure.substr(0, 7);
+    };
+    CHECK(failureOf(0) == "CV7001:");
+    CHECK(failureOf(1) == "CV7001:");
+    CHECK(planned.tasks[1].point.samples == 4);
+    CHECK(failureOf(3) == "CV1201:");
+    CHECK(failureOf(4).empty());
+    CHECK(failureOf(7) == "CV7004:");
 }
 
-TEST_CASE("A second run measures nothing again but tries failures once more")
+TEST_CASE("A failure tells the place of its first error and passes over warnings")
 {
-    const TemporaryFolder folder("bench_resume");
-    const BenchPlan planned = plan(smallOptions());
-    const int all = static_cast<int>(planned.tasks.size());
-    FakeWorld world;
-    world.fails = "thesis";
-    const BenchSummary first = run(folder.path.string(), world, planned);
-    CHECK(first.measured == all - 4);
-    CHECK(first.failures.size() == 4);
-    CHECK(world.lines.size() == planned.tasks.size());
-
-    FakeWorld mended;
-    const BenchSummary second = run(folder.path.string(), mended, planned);
-    CHECK(second.kept == all - 4);
-    CHECK(second.measured == 4);
-    CHECK(mended.order.size() == 4);
-    CHECK(figuresIn(folder) == planned.tasks.size());
-
-    FakeWorld elsewhere;
-    elsewhere.device = "another device";
-    CHECK(run(folder.path.string(), elsewhere, planned).measured == all);
+    Diagnostic warning{Code::not_finite, "odd"};
+    warning.severity = Severity::warning;
+    Diagnostic error{Code::shader_compile, "syntax error"};
+    CHECK(failureText({warning, error}) == "CV5001: syntax error");
+    error.place = {std::make_shared<SourceText>(SourceText{"my.frag", "one\ntwo\n"}), 2, 3, 1};
+    CHECK(failureText({warning, error}) == "my.frag:2:3: CV5001: syntax error");
 }
 
-TEST_CASE("No point begins after the time budget, and what is missing is told")
+TEST_CASE("What is asked for twice is measured once")
 {
-    const TemporaryFolder folder("bench_time");
-    const BenchPlan planned = plan(smallOptions());
-    FakeWorld world;
-    world.time_budget_s = 25;
-    const BenchSummary summary = run(folder.path.string(), world, planned);
-    CHECK(summary.measured == 3);
-    CHECK(summary.missing.size() == planned.tasks.size() - 3);
-    CHECK(summary.missing[0] == pointTitle(planned.tasks[3].point));
-    CHECK(world.lines[0].find("left") != std::string::npos);
-}
-
-TEST_CASE("An interrupt drops the point under way and the next run goes on from there")
-{
-    const TemporaryFolder folder("bench_interrupt");
-    const BenchPlan planned = plan(smallOptions());
-    FakeWorld world;
-    world.stop_after = 3;
-    const BenchSummary summary = run(folder.path.string(), world, planned);
-    CHECK(summary.interrupted);
-    CHECK(summary.measured == 2);
-    CHECK(figuresIn(folder) == 2);
-    FakeWorld next;
-    CHECK(run(folder.path.string(), next, planned).kept == 2);
-    CHECK(next.order.front() == planned.tasks[2].point.key);
-}
-
-TEST_CASE("A full disk ends the run and loses nothing that was measured")
-{
-    const TemporaryFolder folder("bench_full");
-    const BenchPlan planned = plan(smallOptions());
-    FakeWorld world;
-    world.full_after = 3;
-    const BenchSummary summary = run(folder.path.string(), world, planned);
-    REQUIRE_FALSE(summary.written.ok());
-    CHECK(summary.written.diagnostics()[0].code == Code::cannot_write);
-    CHECK(summary.missing.size() == planned.tasks.size() - 2);
-    CHECK(figuresIn(folder) == 2);
-}
-
-TEST_CASE("A line that was cut short is cut off, and its point measured again")
-{
-    const TemporaryFolder folder("bench_torn");
-    const BenchPlan planned = plan(smallOptions());
-    run(folder.path.string(), FakeWorld(), planned);
-    const auto file = folder.path / "results.jsonl";
-    std::filesystem::resize_file(file, std::filesystem::file_size(file) - 30);
-    FakeWorld world;
-    const BenchSummary summary = run(folder.path.string(), world, planned);
-    CHECK(summary.measured == 1);
-    CHECK(world.order[0] == planned.tasks.back().point.key);
-    CHECK(figuresIn(folder) == planned.tasks.size());
-}
-
-TEST_CASE("Two benches cannot write to one folder")
-{
-    const TemporaryFolder folder("bench_locked");
-    const Result<ResultFile> first = ResultFile::open(folder.path.string());
-    REQUIRE(first.ok());
-    const Result<ResultFile> second = ResultFile::open(folder.path.string());
-    REQUIRE_FALSE(second.ok());
-    CHECK(second.diagnostics()[0].code == Code::cannot_write);
+    BenchOptions options = smallOptions();
+    options.configs = {"learnopengl", "learnopengl"};
+    options.sizes = {"64x36", "64x36"};
+    options.samples = {4, 4};
+    CHECK(plan(options).tasks.size() == 2);
 }
 
 TEST_CASE("Shards and lengths of time are read strictly")

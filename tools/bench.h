@@ -54,8 +54,8 @@ struct BenchView {
 
 /// One point that is to be measured.
 struct BenchTask {
-    BenchPoint point;   ///< What is known beforehand. `failure` is set where the config is unusable.
-    std::size_t view = 0;     ///< Into BenchPlan::views.
+    BenchPoint point;         ///< What is known beforehand, or why it cannot be measured.
+    std::size_t view = 0;     ///< Into BenchPlan::views; means nothing where there is a failure.
     std::string reference;    ///< Key of the truth, see tools/reference_cache.h.
     Description description = {};
 };
@@ -63,17 +63,24 @@ struct BenchTask {
 struct BenchPlan {
     std::vector<BenchView> views;
     std::vector<BenchTask> tasks;  ///< In an order in which neighbours share scene, size and truth.
-    Diagnostics diagnostics;       ///< Scenes left out (errors), values that do not fit (warnings).
+    Diagnostics diagnostics;       ///< Unusable scenes (errors), values that do not fit (warnings).
 };
 
 /// Crosses scenes, sizes, radii, configs and sample counts, and takes the shard's share: a task's key,
-/// which names no device, decides whose it is. A scene that cannot be loaded is left out.
+/// which names no device, decides whose it is. What is asked for twice is one task. The tasks of a
+/// scene that cannot be loaded have its error as their failure, so that reports know of them.
 ///
 /// Errors: CV4005 for a size.
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);
 
 /// "learnopengl samples=16, room, 960x540, radius 0.5".
 std::string pointTitle(const BenchPoint& point);
+
+/// The first that is an error; `diagnostics` has one.
+const Diagnostic& firstError(const Diagnostics& diagnostics);
+
+/// "my.frag:12:3: CV5001: the message": the first error, as a point's failure has it.
+std::string failureText(const Diagnostics& diagnostics);
 
 /// The key of a point on a device, from the task's.
 std::string keyOnDevice(const std::string& task_key, const std::string& device);
@@ -94,7 +101,7 @@ public:
     /// True when there are figures under that key; a failure is worth another try.
     bool has(const std::string& key) const { return done_.count(key) > 0; }
 
-    /// Adds a whole line, or nothing. Errors: CV7007.
+    /// Adds a whole line, or nothing. Errors: CV7007, also when the file is no longer there.
     Status append(const BenchPoint& point);
 
 private:
@@ -107,7 +114,8 @@ private:
 
 /// The world around the loop; tests put in their own.
 struct BenchWorld {
-    /// The point with its figures. CV7007 ends the run, any other error becomes the point's failure.
+    /// The point with its figures. CV7007 ends the run, any other error becomes the point's
+    /// failure; a warning is said once.
     std::function<Result<BenchPoint>(const BenchTask&)> measure;
     std::function<double()> seconds;    ///< A clock.
     std::function<bool()> interrupted;  ///< A point that was under way is then dropped.

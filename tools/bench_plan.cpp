@@ -9,6 +9,7 @@
 
 #include "core/load.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -79,9 +80,13 @@ public:
 private:
     struct Place {
         std::string scene;
-        double radius;  ///< 0: the config's own.
+        Extent extent;
+        std::string failure;  ///< Why there is no view; empty where the newest one is meant.
+        double radius = 0;    ///< 0: the config's own.
     };
 
+    void addView(const std::shared_ptr<const Scene>& scene, Place& place);
+    void addConfigs(Place place);
     void addConfig(const Place& place, const std::string& config);
     std::vector<std::string> sampleOverrides(const std::string& config,
                                              const Description& description);
@@ -90,43 +95,62 @@ private:
     Status describe(const Place& place, const Loaded& loaded, BenchTask& task);
     const std::string& referenceOf(double radius);
     void note(const std::string& message);
+    void tell(const Diagnostics& diagnostics);
 
     const BenchOptions& options_;
     const SourceSet& sources_;
-    std::set<std::string> notes_;
+    std::set<std::string> told_;
+    std::set<std::string> keys_;
     std::map<std::pair<std::size_t, double>, std::string> references_;
 };
 
 void Planner::note(const std::string& message)
 {
-    if (!notes_.insert(message).second) return;
     Diagnostic warning{Code::out_of_range, message};
     warning.severity = Severity::warning;
-    plan.diagnostics.push_back(std::move(warning));
+    tell({warning});
+}
+
+/// Once each.
+void Planner::tell(const Diagnostics& diagnostics)
+{
+    for (const Diagnostic& each : diagnostics)
+        if (told_.insert(toText(each)).second) plan.diagnostics.push_back(each);
 }
 
 void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
 {
-    const auto append = [this](const Diagnostics& more) {
-        plan.diagnostics.insert(plan.diagnostics.end(), more.begin(), more.end());
-    };
     Result<Scene> loaded = loadScene(name);
-    append(loaded.diagnostics());
-    if (!loaded) return;
-    const auto scene = std::make_shared<const Scene>(std::move(*loaded));
-    const Bounds bounds = scene->bounds();
+    tell(loaded.diagnostics());
+    std::shared_ptr<const Scene> scene;
+    if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
     for (const Extent extent : extents) {
-        const double aspect = static_cast<double>(extent.width) / extent.height;
-        const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
-        append(camera.diagnostics());
-        if (!camera) return;
-        plan.views.push_back({scene, bounds, *camera, extent});
-        const std::vector<double> radii =
-            options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
-        const std::vector<std::string> configs =
-            options_.configs.empty() ? configNames(sources_) : options_.configs;
-        for (const double radius : radii)
-            for (const std::string& config : configs) addConfig({name, radius}, config);
+        Place place = {name, extent};
+        if (scene) addView(scene, place);
+        else place.failure = failureText(loaded.diagnostics());
+        addConfigs(std::move(place));
+    }
+}
+
+void Planner::addView(const std::shared_ptr<const Scene>& scene, Place& place)
+{
+    const Bounds bounds = scene->bounds();
+    const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
+    const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
+    tell(camera.diagnostics());
+    if (camera) plan.views.push_back({scene, bounds, *camera, place.extent});
+    else place.failure = failureText(camera.diagnostics());
+}
+
+void Planner::addConfigs(Place place)
+{
+    const std::vector<double> radii =
+        options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
+    const std::vector<std::string> configs =
+        options_.configs.empty() ? configNames(sources_) : options_.configs;
+    for (const double radius : radii) {
+        place.radius = radius;
+        for (const std::string& config : configs) addConfig(place, config);
     }
 }
 
@@ -192,7 +216,7 @@ Status Planner::describe(const Place& place, const Loaded& loaded, BenchTask& ta
     if (place.radius <= 0.0 && !radius)
         return Diagnostic{Code::unknown_param,
                           "the config has no param 'radius', so --radius must give the truth's"};
-    task.reference = referenceOf(task.point.radius);
+    if (place.failure.empty()) task.reference = referenceOf(task.point.radius);
     task.description = loaded.description;
     return {};
 }
@@ -201,21 +225,25 @@ void Planner::addTask(const Place& place, const std::string& config,
                       std::vector<std::string> overrides)
 {
     BenchTask task;
-    task.view = plan.views.size() - 1;
-    const BenchView& view = plan.views.back();
     BenchPoint& point = task.point;
     point.config = config;
     point.family = config;
     for (const std::string& text : options_.overrides) point.family += " " + text;
     point.scene = place.scene;
-    point.camera = options_.camera.empty() ? view.camera.name : options_.camera;
-    point.extent = view.extent;
-    point.triangles = triangleCount(*view.scene);
+    point.camera = options_.camera;
+    point.extent = place.extent;
     point.version = options_.version;
+    point.failure = place.failure;
+    if (place.failure.empty()) {
+        const BenchView& view = plan.views.back();
+        task.view = plan.views.size() - 1;
+        if (point.camera.empty()) point.camera = view.camera.name;
+        point.triangles = triangleCount(*view.scene);
+    }
 
     const Result<Loaded> loaded = loadWith(sources_, config, overrides);
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
-    if (!known) point.failure = known.diagnostics().front().message;
+    if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
 
     ContentHash hash;
     hash.addText(options_.version);
@@ -231,7 +259,8 @@ void Planner::addTask(const Place& place, const std::string& config,
     point.key = hash.hex();
     point.overrides = std::move(overrides);
     const auto share = static_cast<std::uint64_t>(options_.shard.count);
-    if (hash.value() % share + 1 == static_cast<std::uint64_t>(options_.shard.index))
+    const bool mine = hash.value() % share + 1 == static_cast<std::uint64_t>(options_.shard.index);
+    if (keys_.insert(point.key).second && mine)
         plan.tasks.push_back(std::move(task));
 }
 
@@ -275,6 +304,19 @@ std::string pointTitle(const BenchPoint& point)
     for (const std::string& text : point.overrides) title += " " + text;
     return title + ", " + point.scene + ", " + std::to_string(point.extent.width) + "x" +
            std::to_string(point.extent.height);
+}
+
+const Diagnostic& firstError(const Diagnostics& diagnostics)
+{
+    const auto isError = [](const Diagnostic& each) { return each.severity == Severity::error; };
+    return *std::find_if(diagnostics.begin(), diagnostics.end(), isError);
+}
+
+std::string failureText(const Diagnostics& diagnostics)
+{
+    const Diagnostic& error = firstError(diagnostics);
+    const std::string place = placeName(error.place);
+    return (place.empty() ? "" : place + ": ") + codeName(error.code) + ": " + error.message;
 }
 
 std::string keyOnDevice(const std::string& task_key, const std::string& device)

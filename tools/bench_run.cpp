@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,12 +20,24 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
+const char* const kWayOut =
+    "what was measured before is safe; make room or name another folder, and run the same command "
+    "again to go on";
+
 Diagnostic cannotWrite(const std::string& path, const std::string& reason)
 {
     Diagnostic error{Code::cannot_write, "cannot write '" + path + "': " + reason};
-    error.help = "what was measured before is safe; make room or name another folder, and run the "
-                 "same command again to go on";
+    error.help = kWayOut;
     return error;
+}
+
+/// False once the path is gone or leads to another file.
+bool isNamed(int file, const std::string& path)
+{
+    struct stat open = {};
+    struct stat named = {};
+    return fstat(file, &open) == 0 && stat(path.c_str(), &named) == 0 &&
+           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
 }
 
 /// Cuts off what follows the last line feed. Zero, or the errno of what failed.
@@ -94,14 +107,15 @@ private:
             Result<BenchPoint> measured = world_.measure(task);
             summary_.interrupted = world_.interrupted();
             if (summary_.interrupted) return false;
-            if (measured) {
-                point = std::move(*measured);
-            } else if (measured.diagnostics().front().code == Code::cannot_write) {
-                summary_.written = measured.diagnostics();
+            if (!measured && firstError(measured.diagnostics()).code == Code::cannot_write) {
+                Diagnostic error = firstError(measured.diagnostics());
+                error.help = kWayOut;
+                summary_.written = error;
                 return false;
-            } else {
-                point.failure = measured.diagnostics().front().message;
             }
+            warn(measured.diagnostics());
+            if (measured) point = std::move(*measured);
+            else point.failure = failureText(measured.diagnostics());
         }
         point.key = keyOnDevice(task.point.key, world_.device);
         summary_.written = file_.append(point);
@@ -110,6 +124,17 @@ private:
         else summary_.failures.push_back(pointTitle(point) + ": " + point.failure);
         tell(point, index + 1);
         return true;
+    }
+
+    /// Once each.
+    void warn(const Diagnostics& diagnostics)
+    {
+        for (const Diagnostic& each : diagnostics) {
+            if (each.severity != Severity::warning) continue;
+            std::string text = toText(each);
+            text.pop_back();  // say() ends the line
+            if (warnings_.insert(text).second) world_.say(text);
+        }
     }
 
     void tell(const BenchPoint& point, std::size_t done) const
@@ -136,6 +161,7 @@ private:
     const BenchWorld& world_;
     const double start_;
     std::vector<const BenchTask*> todo_;
+    std::set<std::string> warnings_;
     BenchSummary summary_;
 };
 
@@ -174,6 +200,8 @@ ResultFile::ResultFile(ResultFile&& other) noexcept
 
 Status ResultFile::append(const BenchPoint& point)
 {
+    // Bytes in a file that no path leads to would be lost.
+    if (!isNamed(file_, path_)) return cannotWrite(path_, "it was deleted or replaced meanwhile");
     const off_t before = lseek(file_, 0, SEEK_END);
     const int failure = writeAll(file_, toJsonLine(point) + "\n");
     if (failure == 0) {
