@@ -31,7 +31,8 @@ struct BenchCommand {
 
 volatile std::sig_atomic_t signalled = 0;
 
-/// The first interrupt ends the run in good order, a second one at once.
+/// The first interrupt ends the run in good order, a second one at once. A file over the limit that
+/// the shell sets (ulimit -f) is an error like a full disk's and does not kill the program.
 void catchInterrupts()
 {
     struct sigaction action = {};
@@ -39,6 +40,7 @@ void catchInterrupts()
     action.sa_flags = SA_RESETHAND;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 double clockSeconds()
@@ -56,13 +58,13 @@ int listTasks(const BenchPlan& plan)
 
 void printMissing(const BenchSummary& summary, const std::string& file)
 {
-    std::fprintf(stderr, "%d measured, %d were there already, %zu failed, %zu not begun: %s\n",
-                 summary.measured, summary.kept, summary.failures.size(), summary.missing.size(),
-                 file.c_str());
     for (const std::string& failure : summary.failures)
         std::fprintf(stderr, "failed: %s\n", failure.c_str());
     for (const std::string& title : summary.missing)
         std::fprintf(stderr, "missing: %s\n", title.c_str());
+    std::fprintf(stderr, "%d measured, %d were there already, %zu failed, %zu not begun: %s\n",
+                 summary.measured, summary.kept, summary.failures.size(), summary.missing.size(),
+                 file.c_str());
     if (!summary.missing.empty() || !summary.failures.empty())
         std::fputs("the same command goes on where this one stopped\n", stderr);
 }
@@ -178,7 +180,8 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<BenchCommand>();
     options->bench.version = CREVICE_VERSION;
     addPointOptions(*command, *options);
-    command->add_option("--repeats", options->measure.repeats, "Timed turns a point, at least; more while ratios are restless")
+    command->add_option("--repeats", options->measure.repeats,
+                        "Timed turns a point, at least; more while ratios are restless")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
