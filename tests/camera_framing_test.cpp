@@ -166,6 +166,23 @@ TEST_CASE("a camera's text needs no more than an eye")
     CHECK(camera->far_distance == 0);
 }
 
+TEST_CASE("a shifted camera shows what lies beside the picture, in both projections")
+{
+    for (const std::string lens : {"fov=50", "ortho=3"}) {
+        const auto centered = choose("eye=0,0,5;at=0,0,0;near=1;far=9;" + lens);
+        const auto shifted = choose("eye=0,0,5;at=0,0,0;near=1;far=9;shift=0.5,-0.25;" + lens);
+        REQUIRE(shifted.ok());
+        for (const glm::dvec4 view : {glm::dvec4(0.3, 0.1, -4, 1), glm::dvec4(-1, 2, -8, 1)}) {
+            const glm::dvec4 from = glm::dmat4(clipFromView(*centered, {30, 20}, kBox)) * view;
+            const glm::dvec4 to = glm::dmat4(clipFromView(*shifted, {30, 20}, kBox)) * view;
+            CHECK(to.x / to.w == Approx(from.x / from.w - 1.0).margin(1e-6));
+            CHECK(to.y / to.w == Approx(from.y / from.w + 0.5).margin(1e-6));
+            CHECK(to.z / to.w == Approx(from.z / from.w).margin(1e-6));
+        }
+    }
+    CHECK(choose("eye=9,9,9;shift=1").diagnostics()[0].code == Code::usage);
+}
+
 TEST_CASE("an orthographic camera is as high as it says")
 {
     const auto camera = choose("eye=0,0,9;at=0,0,0;ortho=3");

@@ -52,6 +52,7 @@ struct CameraText {
     bool has_fov = false;
     double ortho = 0.0;
     bool has_ortho = false;
+    glm::dvec2 shift = glm::dvec2(0.0);
     double near_distance = 0.0;
     bool has_near = false;
     double far_distance = 0.0;
@@ -61,7 +62,8 @@ struct CameraText {
 Diagnostic unreadable(const std::string& what)
 {
     Diagnostic error = {Code::usage, what};
-    error.help = "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, near and far may follow";
+    error.help = "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, shift, near and far may "
+                 "follow";
     return error;
 }
 
@@ -87,7 +89,9 @@ Status readNumbers(const std::string& key, const std::string& text, int count, d
         const char wanted = k + 1 < count ? ',' : '\0';
         if (end == at || *end != wanted)
             return unreadable("the camera's " + key + " '" + text + "' is not " +
-                              (count == 1 ? "a number" : "three numbers joined by commas"));
+                              (count == 1   ? "a number"
+                               : count == 2 ? "two numbers joined by a comma"
+                                            : "three numbers joined by commas"));
         if (!std::isfinite(numbers[k]))
             return impossible(Code::not_finite,
                               "the camera's " + key + " '" + text + "' is not finite",
@@ -106,6 +110,7 @@ Status readEntry(const std::string& key, const std::string& value, CameraText& c
                            {"up", 3, &camera.up.x, &ignored},
                            {"fov", 1, &camera.fov, &camera.has_fov},
                            {"ortho", 1, &camera.ortho, &camera.has_ortho},
+                           {"shift", 2, &camera.shift.x, &ignored},
                            {"near", 1, &camera.near_distance, &camera.has_near},
                            {"far", 1, &camera.far_distance, &camera.has_far}};
     std::vector<std::string> names;
@@ -178,6 +183,7 @@ Result<SceneCamera> parseCamera(const std::string& text, const Bounds& bounds)
     camera.orthographic = parts.has_ortho;
     camera.half_height = parts.has_ortho ? parts.ortho / 2.0 : camera.half_height;
     camera.fov_y_rad = parts.fov * kDegree;
+    camera.shift = parts.shift;
     camera.near_distance = parts.near_distance;
     camera.far_distance = parts.far_distance;
     return camera;

@@ -16,7 +16,8 @@ SceneCamera frameScene(const Scene& scene, double aspect);
 ///   "eye=4,2,6;at=0,1,0;up=0,1,0;fov=50;near=0.1;far=100"
 ///           a view of one's own: `fov` is vertical and in degrees (default 50), or `ortho=3` is
 ///           the height of an orthographic view in scene units; only `eye` must be there; `at` is
-///           the centre of the scene, `up` is +y, near and far follow the bounds unless given.
+///           the centre of the scene, `up` is +y, near and far follow the bounds unless given;
+///           `shift=0.5,0` looks off-centre, at what lies half a picture further to the right.
 ///
 /// Errors: CV7004 for a name that the scene does not have; CV8001 for text that cannot be read,
 /// CV4001 and CV4003 for values that no camera can have.

@@ -126,12 +126,15 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
     const double aspect =
         static_cast<double>(std::max(extent.width, 1)) / std::max(extent.height, 1);
     const DepthRange range = clipDistances(camera, bounds);
-    if (!camera.orthographic)
-        return glm::perspectiveRH_NO(camera.fov_y_rad, aspect, range.near_distance,
-                                     range.far_distance);
-    const double half_width = camera.half_height * aspect;
-    return glm::orthoRH_NO(-half_width, half_width, -camera.half_height, camera.half_height,
-                           range.near_distance, range.far_distance);
+    const double half_height = camera.half_height, half_width = half_height * aspect;
+    const glm::dmat4 centered =
+        camera.orthographic
+            ? glm::orthoRH_NO(-half_width, half_width, -half_height, half_height,
+                              range.near_distance, range.far_distance)
+            : glm::perspectiveRH_NO(camera.fov_y_rad, aspect, range.near_distance,
+                                    range.far_distance);
+    const glm::dvec3 clip_shift = {-2.0 * camera.shift, 0.0};  // clip space is 2 wide
+    return glm::translate(glm::dmat4(1.0), clip_shift) * centered;
 }
 
 Result<Scene> loadScene(const std::string& name_or_file)

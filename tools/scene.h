@@ -52,6 +52,8 @@ struct SceneCamera {
     bool orthographic = false;
     double fov_y_rad = 0.87;         ///< Of a perspective view: top to bottom, in (0, pi).
     double half_height = 1.0;        ///< Of an orthographic view: centre to top, scene units.
+    glm::dvec2 shift = glm::dvec2(0.0);  ///< Off-centre: how far right of and above the axis the
+                                         ///< picture's centre lies, parts of its width and height.
     double near_distance = 0.0;      ///< Scene units; when `far_distance` is 0 both follow the
     double far_distance = 0.0;       ///< scene's bounds, but a near distance above 0 is kept.
 };

@@ -24,8 +24,8 @@ void addSceneOptions(CLI::App& app, SceneOptions& options)
         ->capture_default_str();
     app.add_option("--camera", options.camera,
                    "The name of one of the scene's cameras, or eye=X,Y,Z and, as wanted, ;at=X,Y,Z "
-                   ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;near=D ;far=D. Default: the scene's first "
-                   "camera, or one that frames it")
+                   ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
+                   ";near=D ;far=D. Default: the scene's first camera, or one that frames it")
         ->type_name("CAMERA");
 }
 
