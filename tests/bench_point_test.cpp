@@ -28,21 +28,48 @@ TEST_CASE("a bench point comes back as it was written")
     CHECK(read.diagnostics().empty());
     REQUIRE(read->size() == 1);
     CHECK(toJsonLine(read->front()) == toJsonLine(point));
-    CHECK(read->front().total.median == 1.0 / 3.0);
+    CHECK(read->front().cost.median == 1.0 / 3.0);
     CHECK(read->front().passes.at(1).name == "ao");
 }
 
-TEST_CASE("of two bench points with one key the later one holds")
+TEST_CASE("of two lines about one bench point the later one holds, whatever its key")
 {
     const TemporaryFolder folder("bench_point");
     const std::string first = folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) +
                                                           line(benchPoint("b", 4, 1, 0.1)));
-    const std::string second = folder.write("b.jsonl", line(benchPoint("a", 4, 1, 0.2)));
+    BenchPoint edited = benchPoint("a", 4, 1, 0.2);
+    edited.key = "of another shader";
+    BenchPoint elsewhere = benchPoint("b", 4, 1, 0.3);
+    elsewhere.device = "device B";
+    const std::string second = folder.write("b.jsonl", line(edited) + line(elsewhere));
     const auto read = readBenchPoints({first, second});
     REQUIRE(read.ok());
-    REQUIRE(read->size() == 2);
+    REQUIRE(read->size() == 3);
     CHECK(read->at(0).error.rmse == 0.2);
     CHECK(read->at(1).config == "b");
+    CHECK(read->at(2).device == "device B");
+}
+
+TEST_CASE("a shader that was edited and fails now hides what it was before")
+{
+    const TemporaryFolder folder("bench_point");
+    BenchPoint failed = benchPoint("a", 4, 0, 0);
+    failed.key = "of another shader";
+    failed.failure = "the shader does not link";
+    const auto read = readBenchPoints(
+        {folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + line(failed))});
+    REQUIRE(read.ok());
+    REQUIRE(read->size() == 1);
+    CHECK(!read->front().failure.empty());
+}
+
+TEST_CASE("a bench's folder stands for the results in it")
+{
+    const TemporaryFolder folder("bench_point");
+    folder.write("mine/results.jsonl", line(benchPoint("a", 4, 1, 0.1)));
+    const auto read = readBenchPoints({(folder.path / "mine").string()});
+    REQUIRE(read.ok());
+    CHECK(read->size() == 1);
 }
 
 TEST_CASE("a bench failure never hides figures, and figures end a failure")

@@ -24,6 +24,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, 
 
 namespace {
 
+/// File names may be no UTF-8; a replaced character is better than a lost point.
+std::string dump(const nlohmann::json& json)
+{
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 /// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
 bool replaceNulls(nlohmann::json& json)
 {
@@ -79,12 +85,19 @@ std::string reasonOf(const nlohmann::json::exception& error)
     return end == std::string::npos ? text : text.substr(end + 2);
 }
 
+std::string resultsFile(const std::string& path)
+{
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(path, unreadable)) return path;
+    return (std::filesystem::path(path) / "results.jsonl").string();
+}
+
 class Reader {
 public:
     void readFile(const std::string& path)
     {
         std::ifstream file(path);
-        if (!file || std::filesystem::is_directory(path)) {
+        if (!file) {
             Diagnostic error{Code::results_broken, "no results can be read from '" + path + "'"};
             error.help = "'crevice bench' writes them: crevice bench --help";
             diagnostics_.push_back(std::move(error));
@@ -123,32 +136,39 @@ private:
 
     void add(BenchPoint point)
     {
-        const auto [place, is_new] = place_of_key_.emplace(point.key, points_.size());
+        const auto [place, is_new] =
+            places_.emplace(point.device + identityOf(point), points_.size());
         if (is_new) {
             points_.push_back(std::move(point));
             return;
         }
         BenchPoint& known = points_[place->second];
-        if (point.failure.empty() || !known.failure.empty()) known = std::move(point);
+        const bool hides_figures = !point.failure.empty() && known.failure.empty();
+        if (!hides_figures || point.key != known.key) known = std::move(point);
     }
 
     std::vector<BenchPoint> points_;
-    std::unordered_map<std::string, std::size_t> place_of_key_;
+    std::unordered_map<std::string, std::size_t> places_;
     Diagnostics diagnostics_;
 };
 
 }  // namespace
 
+std::string identityOf(const BenchPoint& point)
+{
+    return dump({point.config, point.overrides, point.scene, point.camera, point.extent,
+                 point.radius});
+}
+
 std::string toJsonLine(const BenchPoint& point)
 {
-    // File names in messages may be no UTF-8; a replaced character is better than a lost point.
-    return nlohmann::json(point).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return dump(point);
 }
 
 Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths)
 {
     Reader reader;
-    for (const std::string& path : paths) reader.readFile(path);
+    for (const std::string& path : paths) reader.readFile(resultsFile(path));
     return reader.take();
 }
 

@@ -89,9 +89,14 @@ struct BenchPoint {
 /// One line, without the line feed.
 std::string toJsonLine(const BenchPoint& point);
 
-/// Reads results; of two lines with one key the later one holds, but a failure never hides figures.
-/// A line that an interrupt cut short is left out with a warning. Pictures come back relative to
-/// the working folder. A figure that was not finite makes its point a failure.
+/// What was measured, the same in every run and on every device: config, overrides, scene, camera,
+/// size and radius. A key says more: it changes with a shader's text, a driver or a version.
+std::string identityOf(const BenchPoint& point);
+
+/// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point on
+/// one device the later one holds, but a failure never hides figures of its own key. A line that an
+/// interrupt cut short is left out with a warning. Pictures come back relative to the working
+/// folder. A figure that was not finite makes its point a failure.
 ///
 /// Errors: CV7009 for a file that cannot be read or a line that is no point.
 Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths);
