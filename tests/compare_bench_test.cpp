@@ -22,7 +22,8 @@ TEST_CASE("a bench is no worse than itself, nor where times alone are others")
 {
     BenchPoint now = kBefore;
     now.total.median *= 10;
-    now.key = "another";
+    now.cost.median *= 10;
+    now.key = "of an edited shader";
     now.version = "1.1";
     const BenchComparison comparison = compared(now);
     CHECK(comparison.compared == 1);
@@ -33,16 +34,32 @@ TEST_CASE("a bench is no worse than itself, nor where times alone are others")
 TEST_CASE("more error than the limit is worse, less is better")
 {
     BenchPoint now = kBefore;
-    now.error.rmse += 0.00009;
+    now.error.rmse += 0.9e-6;
     CHECK(compared(now).worse.empty());
     now.error.rmse = kBefore.error.rmse + 0.0002;
     REQUIRE(compared(now).worse.size() == 1);
     CHECK(compared(now).worse[0].figure == "rmse");
     CHECK(compared(now).worse[0].point == "a samples=16, room, 960x540");
-    CHECK(compared(now, {0.001, 0.15}).worse.empty());
+    BenchLimits loose;
+    loose.error = 0.001;
+    CHECK(compared(now, loose).worse.empty());
     now.error.rmse = kBefore.error.rmse - 0.0002;
     CHECK(compared(now).worse.empty());
     CHECK(compared(now).better.size() == 1);
+}
+
+TEST_CASE("errors agree more closely on one device and version than across them")
+{
+    BenchPoint now = kBefore;
+    now.error.rmse += 0.9e-4;
+    CHECK(compared(now).worse.size() == 1);
+    now.version = "1.1";
+    CHECK(compared(now).worse.empty());
+    now.version = kBefore.version;
+    now.device = "device B";
+    CHECK(compared(now).worse.empty());
+    now.error.rmse += 0.2e-4;
+    CHECK(compared(now).worse.size() == 1);
 }
 
 TEST_CASE("a bias that grows is worse in either direction")
@@ -64,7 +81,12 @@ TEST_CASE("a cost ratio is worse beyond its share")
     REQUIRE(compared(now).worse.size() == 1);
     CHECK(compared(now).worse[0].figure == "ratio_floor");
     CHECK(compared(now).better.size() == 1);
-    CHECK(compared(now, {1e-4, 0.2}).worse.empty());
+    BenchLimits loose;
+    loose.ratio = 0.2;
+    CHECK(compared(now, loose).worse.empty());
+    BenchLimits errors;
+    errors.errors_only = true;
+    CHECK(compared(now, errors).worse.empty());
     now.ratio_floor = 0;
     CHECK(compared(now).worse.empty());
 }
@@ -81,16 +103,19 @@ TEST_CASE("on another device errors are compared and ratios are not")
     CHECK(compareBenches({kBefore}, {now, kBefore}).worse.empty());
 }
 
-TEST_CASE("what fails now counts, and what was not measured is told")
+TEST_CASE("what fails or is missing now is worse, and what failed before does not count")
 {
     BenchPoint failed = kBefore;
     failed.failure = "no memory";
     CHECK(compared(failed).failed.at(0) == "a samples=16, room, 960x540: no memory");
-    CHECK(compareBenches({failed}, {kBefore}).failed.empty());
+    CHECK(compared(failed).isWorse());
+    CHECK(!compareBenches({failed}, {kBefore}).isWorse());
+    CHECK(!compareBenches({failed}, {}).isWorse());
     const BenchComparison other = compared(benchPoint("b", 16, 2, 0.1));
     CHECK(other.compared == 0);
-    CHECK(other.not_measured.size() == 1);
+    CHECK(other.missing.size() == 1);
+    CHECK(other.isWorse());
     BenchPoint wide = kBefore;
     wide.radius = 2;
-    CHECK(compared(wide).not_measured.size() == 1);
+    CHECK(compared(wide).missing.size() == 1);
 }

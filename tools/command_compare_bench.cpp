@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace crevice {
 namespace {
@@ -14,13 +15,14 @@ namespace {
 struct CompareBenchOptions {
     std::string before;
     std::string now;
+    std::optional<double> max_error;
     BenchLimits limits;
 };
 
 void printChanges(const char* title, const std::vector<BenchChange>& changes)
 {
     for (const BenchChange& change : changes)
-        std::printf("%s: %s: %s was %.5g and is %.5g (at most %.5g is the same)\n", title,
+        std::printf("%s: %s: %s was %.7g and is %.7g (at most %.7g is the same)\n", title,
                     change.point.c_str(), change.figure.c_str(), change.before, change.now,
                     change.limit);
 }
@@ -28,18 +30,18 @@ void printChanges(const char* title, const std::vector<BenchChange>& changes)
 int printComparison(const BenchComparison& comparison)
 {
     printChanges("better", comparison.better);
-    for (const std::string& point : comparison.not_measured)
-        std::printf("not measured now: %s\n", point.c_str());
     printChanges("worse", comparison.worse);
+    for (const std::string& point : comparison.missing)
+        std::printf("missing now: %s\n", point.c_str());
     for (const std::string& failure : comparison.failed)
         std::printf("fails now: %s\n", failure.c_str());
     if (comparison.without_ratios > 0)
         std::printf("%d of %d points were measured on another device: cost ratios not compared\n",
                     comparison.without_ratios, comparison.compared);
-    std::printf("%d points compared: %zu figures worse, %zu better, %zu points fail\n",
+    std::printf("%d points compared: %zu figures worse, %zu better; %zu points fail, %zu missing\n",
                 comparison.compared, comparison.worse.size(), comparison.better.size(),
-                comparison.failed.size());
-    return comparison.worse.empty() && comparison.failed.empty() ? kExitOk : kExitDiffers;
+                comparison.failed.size(), comparison.missing.size());
+    return comparison.isWorse() ? kExitDiffers : kExitOk;
 }
 
 int compareBenchFiles(const CompareBenchOptions& options)
@@ -49,7 +51,9 @@ int compareBenchFiles(const CompareBenchOptions& options)
     report(before.diagnostics(), false);
     report(now.diagnostics(), false);
     if (!before || !now) return kExitBadInput;
-    const BenchComparison comparison = compareBenches(*before, *now, options.limits);
+    BenchLimits limits = options.limits;
+    if (options.max_error) limits.error = limits.other_error = *options.max_error;
+    const BenchComparison comparison = compareBenches(*before, *now, limits);
     if (comparison.compared == 0 && comparison.failed.empty()) {
         Diagnostic error{Code::results_broken,
                          "no point is in both '" + options.before + "' and '" + options.now + "'"};
@@ -66,18 +70,21 @@ void addCompareBenchCommand(CLI::App& app, int& exit_code)
     CLI::App* command =
         app.add_subcommand("compare-bench", "Fail (5) where a bench is worse than an older one");
     auto options = std::make_shared<CompareBenchOptions>();
-    command->add_option("OLD", options->before, "Results of the older bench")->required();
-    command->add_option("NEW", options->now, "Results of the fresh one")->required();
-    command->add_option("--max-error", options->limits.error,
-                        "How much more error counts as the same")
-        ->capture_default_str()
+    command->add_option("OLD", options->before, "Folder or results file of the older bench")
+        ->required();
+    command->add_option("NEW", options->now, "That of the fresh one")->required();
+    command->add_option("--max-error", options->max_error,
+                        "How much more error counts as the same; default: 1e-6, and 1e-4 where the "
+                        "device, its driver or crevice's version is another")
         ->check(CLI::NonNegativeNumber);
     command->add_option("--max-ratio", options->limits.ratio,
                         "How much more of a cost ratio does: 0.15 is 15 %")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
-    command->footer("Absolute times are never compared.\nExample:\n"
-                    "  crevice compare-bench docs/bench/results.jsonl fresh/results.jsonl");
+    command->add_flag("--errors-only", options->limits.errors_only, "Compare no cost ratios");
+    command->footer("Absolute times are never compared. A point that fails or is missing is worse.\n"
+                    "Example:\n"
+                    "  crevice compare-bench docs/bench fresh");
     command->callback([options, &exit_code] { exit_code = compareBenchFiles(*options); });
 }
 

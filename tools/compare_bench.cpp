@@ -9,18 +9,13 @@
 namespace crevice {
 namespace {
 
-bool areSame(const BenchPoint& a, const BenchPoint& b)
-{
-    return a.config == b.config && a.overrides == b.overrides && a.scene == b.scene &&
-           a.camera == b.camera && a.extent == b.extent && a.radius == b.radius;
-}
-
 /// The same point in other results; null when there is none.
 const BenchPoint* findSame(const std::vector<BenchPoint>& points, const BenchPoint& wanted)
 {
+    const std::string identity = identityOf(wanted);
     const BenchPoint* found = nullptr;
     for (const BenchPoint& point : points) {
-        if (!areSame(point, wanted)) continue;
+        if (identityOf(point) != identity) continue;
         if (point.device == wanted.device) return &point;
         if (!found) found = &point;
     }
@@ -45,11 +40,15 @@ public:
             return;
         }
         ++result.compared;
+        const bool same_device = before.device == now.device;
+        most_error_ = same_device && before.version == now.version ? limits_.error
+                                                                   : limits_.other_error;
         compareError("rmse", before.error.rmse, now.error.rmse);
         compareError("rmse_fit", before.error.rmse_fit, now.error.rmse_fit);
         compareError("bias without its sign", std::abs(before.error.bias),
                      std::abs(now.error.bias));
-        if (before.device != now.device) {
+        if (limits_.errors_only) return;
+        if (!same_device) {
             ++result.without_ratios;
             return;
         }
@@ -62,10 +61,10 @@ public:
 private:
     void compareError(const char* figure, double before, double now)
     {
-        if (now > before + limits_.error)
-            result.worse.push_back({point_, figure, before, now, before + limits_.error});
-        else if (now < before - limits_.error)
-            result.better.push_back({point_, figure, before, now, before + limits_.error});
+        if (now > before + most_error_)
+            result.worse.push_back({point_, figure, before, now, before + most_error_});
+        else if (now < before - most_error_)
+            result.better.push_back({point_, figure, before, now, before + most_error_});
     }
 
     void compareRatio(const char* figure, double before, double now)
@@ -79,6 +78,7 @@ private:
     }
 
     BenchLimits limits_;
+    double most_error_ = 0;
     std::string point_;
 };
 
@@ -93,7 +93,7 @@ BenchComparison compareBenches(const std::vector<BenchPoint>& before,
         if (const BenchPoint* same = findSame(now, point))
             comparer.compare(point, *same);
         else
-            comparer.result.not_measured.push_back(nameOf(point));
+            comparer.result.missing.push_back(nameOf(point));
     }
     return std::move(comparer.result);
 }
