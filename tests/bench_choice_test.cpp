@@ -90,14 +90,35 @@ TEST_CASE("a config that lacks a scene is left out of the choice and said so")
     CHECK(candidates->left_out[0] == "wonder samples=4: no figures for hall");
 }
 
-TEST_CASE("no ambient occlusion at all is no candidate but the error to compare with")
+TEST_CASE("what is no better than no ambient occlusion in one scene is no candidate")
 {
     auto points = twoScenes();
-    points.push_back(benchPoint("plain", 0, 0.5, 0.16));
+    points[1].error_without_ao = points[1].error.rmse;  // fast, in the hall
+    points[2].error_without_ao = 0.4;
     const auto candidates = findCandidates(points, {});
     REQUIRE(candidates.ok());
-    CHECK(candidates->list.size() == 3);
-    CHECK(candidates->error_without_ao == 0.16);
+    CHECK(candidates->list.size() == 2);
+    CHECK(candidates->harmful == std::vector<std::string>{"fast samples=4"});
+    CHECK(candidates->left_out.empty());
+    CHECK(candidates->error_without_ao == 0.4);
+    CHECK(!choose(*candidates, {Kind::time_ms, 1.5}).ok());
+}
+
+TEST_CASE("a config without samples of its own can be chosen")
+{
+    auto points = twoScenes();
+    for (const char* scene : {"room", "hall"}) {
+        points.push_back(benchPoint("horizons", 0, 0.5, 0.07, scene));
+        points.back().overrides = {"radius=1"};
+    }
+    CHECK(chosen(points, Kind::time_ms, 1) == "horizons");
+}
+
+TEST_CASE("a time is what a config adds to a host's own geometry")
+{
+    auto points = twoScenes();
+    for (BenchPoint& point : points) point.total.median = 100;
+    CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
 }
 
 TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")

@@ -53,8 +53,28 @@ TEST_CASE("a report names fronts, slopes and advice")
     CHECK((*curve)["slope"].get<double>() == Approx(-1));
     const auto& advice = report["advice"][0];
     CHECK(advice["steps"].size() == 3);
-    CHECK(advice["steps"][0]["roles"][0] == "fastest");
+    CHECK(advice["steps"][0]["roles"][0] == "cheapest");
     CHECK(advice["steps"][2]["roles"].back() == "most accurate");
+}
+
+TEST_CASE("a report puts nothing on a front that is no better than no ambient occlusion")
+{
+    auto points = sweep();
+    for (BenchPoint& point : points) point.error_without_ao = 0.04;
+    const auto report = nlohmann::json::parse(reportJson(points));
+    CHECK(report["views"][0]["front_ms"] == nlohmann::json({2, 4}));
+    CHECK(report["views"][0]["error_without_ao"] == 0.04);
+    CHECK(report["advice"][0]["steps"].size() == 2);
+    CHECK(report["advice"][0]["harmful"].size() == 4);
+}
+
+TEST_CASE("a report names a scene's camera only where there are several")
+{
+    auto points = sweep();
+    for (BenchPoint& point : points) point.camera = "main";
+    CHECK(nlohmann::json::parse(reportJson(points))["views"][0]["name"] == "room");
+    points[0].camera = "door";
+    CHECK(nlohmann::json::parse(reportJson(points))["views"][0]["name"] == "room from door");
 }
 
 TEST_CASE("a report knows cost over pixels, radius and triangles")
@@ -161,8 +181,8 @@ TEST_CASE("the CSV has a row a point, and quotes what needs it")
     points[1].failure = "no memory";
     const std::string csv = reportCsv(points);
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 7);
-    CHECK(csv.rfind("device,", 0) == 0);
-    CHECK(holds(csv, "\r\n\"Mesa, \"\"llvmpipe\"\"\","));
-    CHECK(holds(csv, ",geometry=0.2 ao=0.2,"));
+    CHECK(csv.rfind("config,", 0) == 0);
+    CHECK(holds(csv, ",\"Mesa, \"\"llvmpipe\"\"\","));
+    CHECK(holds(csv, ",geometry=0.4 ao=0.4,"));
     CHECK(holds(csv, ",no memory,"));
 }

@@ -58,6 +58,7 @@ std::string missingScope(const std::vector<ResultView>& views)
 struct Gathered {
     Candidate candidate;
     std::vector<std::string> views;
+    bool harmful = false;
 };
 
 class Gatherer {
@@ -66,13 +67,9 @@ public:
 
     void add(const ResultView& view)
     {
-        const std::string name = viewName(view.scene, view.camera);
         for (const std::size_t i : view.points) {
-            const BenchPoint& point = points_[i];
-            if (point.samples == 0)
-                without_ao_ = std::max(without_ao_, point.error.rmse);
-            else
-                addPoint(name, i, point);
+            without_ao_ = std::max(without_ao_, points_[i].error_without_ao);
+            addPoint(view.name, i, points_[i]);
         }
     }
 
@@ -82,15 +79,16 @@ public:
             const std::string& label = gathered.candidate.label;
             std::string lacking;
             for (const ResultView& view : candidates.views) {
-                const std::string name = viewName(view.scene, view.camera);
                 const auto& have = gathered.views;
-                if (std::find(have.begin(), have.end(), name) == have.end())
-                    lacking += (lacking.empty() ? "" : ", ") + name;
+                if (std::find(have.begin(), have.end(), view.name) == have.end())
+                    lacking += (lacking.empty() ? "" : ", ") + view.name;
             }
-            if (lacking.empty())
-                candidates.list.push_back(std::move(gathered.candidate));
-            else
+            if (gathered.harmful)
+                candidates.harmful.push_back(label);
+            else if (!lacking.empty())
                 candidates.left_out.push_back(label + ": no figures for " + lacking);
+            else
+                candidates.list.push_back(std::move(gathered.candidate));
         }
         candidates.error_without_ao = without_ao_;
     }
@@ -107,8 +105,8 @@ private:
         }
         Gathered& gathered = gathered_[place->second];
         Candidate& candidate = gathered.candidate;
-        if (gathered.views.empty() || point.total.median > candidate.ms) {
-            candidate.ms = point.total.median;
+        if (gathered.views.empty() || point.cost.median > candidate.ms) {
+            candidate.ms = point.cost.median;
             candidate.slowest_view = view;
         }
         if (gathered.views.empty() || point.error.rmse > candidate.error) {
@@ -116,13 +114,14 @@ private:
             candidate.worst_view = view;
         }
         candidate.ratio = std::max(candidate.ratio, point.ratio_floor);
+        gathered.harmful = gathered.harmful || point.error.rmse >= point.error_without_ao;
         gathered.views.push_back(view);
     }
 
     const std::vector<BenchPoint>& points_;
     std::vector<Gathered> gathered_;
     std::map<std::string, std::size_t> places_;
-    double without_ao_ = -1;
+    double without_ao_ = 0;
 };
 
 std::string format(const char* pattern, double value)
@@ -233,7 +232,8 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
     });
     if (within.empty()) {
         Diagnostic error{Code::out_of_range,
-                         "none of " + std::to_string(list.size()) + " configs has " +
+                         "none of " + std::to_string(list.size() + candidates.harmful.size()) +
+                             " configs is better than no ambient occlusion and has " +
                              limitText(limit)};
         if (!beyond.empty())
             error.help = "the nearest is " + list[beyond[0]].label + ": " +

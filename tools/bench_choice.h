@@ -19,12 +19,13 @@ struct ChoiceScope {
     Extent extent;       ///< 0x0: the one with the most points.
 };
 
-/// A config with its sample count and overrides, over all scenes of a scope.
+/// A config with its sample count and overrides, over all scenes of a scope. In each of them it is
+/// less wrong than no ambient occlusion at all.
 struct Candidate {
     std::string label;     ///< As pointLabel has it.
     std::size_t point = 0; ///< One of its points, for what is the same in all scenes.
-    double ms = 0;
-    double ratio = 0;      ///< Over the floor.
+    double ms = 0;         ///< BenchPoint::cost: what it adds to a host that has a G-buffer.
+    double ratio = 0;      ///< Of that over the floor.
     double error = 0;      ///< rmse.
     std::string slowest_view;
     std::string worst_view;
@@ -33,9 +34,10 @@ struct Candidate {
 struct Candidates {
     std::string device;
     std::vector<ResultView> views;
-    std::vector<Candidate> list;        ///< In the order of the results; none without AO.
+    std::vector<Candidate> list;        ///< In the order of the results.
     std::vector<std::string> left_out;  ///< What lacks figures in a view, and where.
-    double error_without_ao = -1;       ///< Where a config without AO was measured, else -1.
+    std::vector<std::string> harmful;   ///< Labels of what is no better than no ambient occlusion.
+    double error_without_ao = 0;        ///< In the scene where it is largest.
 };
 
 /// Everything that can be chosen.
@@ -62,7 +64,7 @@ struct Choice {
     std::vector<std::size_t> beyond;     ///< Over the limit, the nearest first.
 };
 
-/// Errors: CV4001 when nothing is within the limit; the help names what comes nearest.
+/// Errors: CV4001 when nothing is within the limit; the help names what comes nearest, if anything.
 Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit);
 
 /// "at most 2 ms".

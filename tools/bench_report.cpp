@@ -76,11 +76,6 @@ std::string forScript(const json& value)
     return safe;
 }
 
-void replaceMark(std::string& page, std::string_view mark, std::string_view text)
-{
-    page.replace(page.find(mark), mark.size(), text);
-}
-
 std::string quoted(const json& value)
 {
     if (!value.is_string()) return dump(value, -1);
@@ -91,10 +86,9 @@ std::string quoted(const json& value)
     return safe + '"';
 }
 
-/// The columns of the CSV: JSON pointers into a point, and what they are called.
+/// The columns of the CSV: what they are called, and JSON pointers into a point. The config comes
+/// first and free of commas, so that awk can tell the rows apart.
 constexpr const char* kColumns[][2] = {
-    {"device", "/device"},
-    {"version", "/version"},
     {"config", "/config"},
     {"overrides", "/overrides"},
     {"family", "/family"},
@@ -111,14 +105,17 @@ constexpr const char* kColumns[][2] = {
     {"p99", "/error/p99"},
     {"rmse_fit", "/error/rmse_fit"},
     {"power_fit", "/error/power_fit"},
+    {"rmse_without_ao", "/error_without_ao"},
+    {"sampling", "/budget/sampling"},
     {"noise", "/budget/noise"},
     {"model", "/budget/model"},
     {"precision", "/budget/precision"},
     {"clock", "/clock"},
     {"repeats", "/repeats"},
-    {"ms", "/total/median"},
-    {"ms_q1", "/total/q1"},
-    {"ms_q3", "/total/q3"},
+    {"cost_ms", "/cost/median"},
+    {"cost_ms_q1", "/cost/q1"},
+    {"cost_ms_q3", "/cost/q3"},
+    {"total_ms", "/total/median"},
     {"passes_ms", "/passes"},
     {"ratio_floor", "/ratio_floor"},
     {"ratio_learnopengl", "/ratio_learnopengl"},
@@ -126,6 +123,8 @@ constexpr const char* kColumns[][2] = {
     {"bytes_read", "/bytes_read"},
     {"bytes_written", "/bytes_written"},
     {"failure", "/failure"},
+    {"device", "/device"},
+    {"version", "/version"},
     {"key", "/key"},
 };
 
@@ -181,10 +180,7 @@ Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_
     model["pictures"] = pictures.take();
 
     std::string page(reportPage());
-    replaceMark(page, "/*report.css*/", reportStyle());
-    replaceMark(page, "/*report_chart.js*/", reportChartScript());
-    replaceMark(page, "/*report.js*/", reportScript());
-    replaceMark(page, "/*report.json*/", forScript(model));
+    page.replace(page.find(kReportDataMark), kReportDataMark.size(), forScript(model));
     return {std::move(page), std::move(pictures.warnings)};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace crevice {
@@ -16,6 +17,14 @@ bool shows(const ResultView& view, const BenchPoint& point)
     return view.device == point.device && view.scene == point.scene &&
            view.camera == point.camera && view.extent == point.extent &&
            view.radius == point.radius;
+}
+
+void nameViews(std::vector<ResultView>& views)
+{
+    std::map<std::string, std::set<std::string>> cameras;
+    for (const ResultView& view : views) cameras[view.scene].insert(view.camera);
+    for (ResultView& view : views)
+        view.name = cameras[view.scene].size() > 1 ? viewName(view.scene, view.camera) : view.scene;
 }
 
 long long pixelCount(Extent extent) { return 1LL * extent.width * extent.height; }
@@ -51,13 +60,14 @@ std::vector<ResultView> benchViews(const std::vector<BenchPoint>& points)
                                  [&point](const ResultView& v) { return shows(v, point); });
         if (view == views.end())
             view = views.insert(views.end(), {point.device, point.scene, point.camera, point.extent,
-                                              point.radius, {}});
+                                              point.radius, {}, {}});
         view->points.push_back(i);
     }
     std::stable_sort(views.begin(), views.end(), [](const ResultView& a, const ResultView& b) {
         if (placeOf(a) != placeOf(b)) return placeOf(a) < placeOf(b);
         return a.points.size() > b.points.size();
     });
+    nameViews(views);
     return views;
 }
 

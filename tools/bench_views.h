@@ -18,6 +18,7 @@ struct ResultView {
     Extent extent;
     double radius = 0;
     std::vector<std::size_t> points;  ///< Indexes, in the order of the results.
+    std::string name;                 ///< The scene; with its camera where it was seen from several.
 };
 
 /// Sorted by device, scene and camera; of one scene and camera the view with the most points first.
@@ -32,7 +33,7 @@ std::vector<ResultView> mainViews(const std::vector<ResultView>& views, const st
 /// The devices in the order of their first points.
 std::vector<std::string> benchDevices(const std::vector<BenchPoint>& points);
 
-/// "room", or "room from above" where the camera has a name.
+/// "room from above", or "room" where the camera has no name.
 std::string viewName(const std::string& scene, const std::string& camera);
 
 /// "bitmask samples=16": the config and what was set in it, but for the radius, which is part of

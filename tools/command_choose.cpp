@@ -91,10 +91,10 @@ void printAnswer(const Answer& answer)
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
     std::printf("%s\n", best.label.c_str());
-    std::printf("  error %.4f (%s), %.3f ms (%s), %.1f times the floor\n", best.error,
-                best.worst_view.c_str(), best.ms, best.slowest_view.c_str(), best.ratio);
-    if (all.error_without_ao >= 0.0)
-        std::printf("  without ambient occlusion the error is %.4f\n", all.error_without_ao);
+    std::printf("  error %.4f (%s); adds %.3f ms a frame (%s), %.1f times a depth copy\n",
+                best.error, best.worst_view.c_str(), best.ms, best.slowest_view.c_str(),
+                best.ratio);
+    std::printf("  without ambient occlusion the error is %.4f\n", all.error_without_ao);
     std::printf("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
                 all.views.size(), all.views.size() > 1 ? "scenes" : "scene",
                 extentName(all.views[0].extent).c_str(), all.device.c_str());
@@ -105,6 +105,8 @@ void printAnswer(const Answer& answer)
                                  : "within the time too, but more wrong:", answer.choice.also);
     printOthers(answer, by_error ? "too wrong:" : "too slow:", answer.choice.beyond);
     for (const std::string& left_out : all.left_out) std::printf("left out: %s\n", left_out.c_str());
+    for (const std::string& label : all.harmful)
+        std::printf("left out: %s: no better than no ambient occlusion\n", label.c_str());
     std::printf("see it: %s\n", renderCommand(answer.points[best.point]).c_str());
 }
 
@@ -112,7 +114,7 @@ nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchPoint>&
 {
     const BenchPoint& point = points[candidate.point];
     return {{"config", point.config}, {"overrides", point.overrides}, {"samples", point.samples},
-            {"ms", candidate.ms},     {"ratio_floor", candidate.ratio},
+            {"cost_ms", candidate.ms}, {"ratio_floor", candidate.ratio},
             {"rmse", candidate.error}};
 }
 
@@ -129,7 +131,8 @@ void printJson(const Answer& answer)
                                  {"best", toJson(answer.best(), answer.points)},
                                  {"also_within", list(answer.choice.also)},
                                  {"beyond", list(answer.choice.beyond)},
-                                 {"left_out", answer.candidates.left_out}};
+                                 {"left_out", answer.candidates.left_out},
+                                 {"harmful", answer.candidates.harmful}};
     std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
@@ -149,10 +152,13 @@ void addChooseCommand(CLI::App& app, int& exit_code)
     CLI::App* command =
         app.add_subcommand("choose", "Name the best measured config for a time or an error");
     auto options = std::make_shared<ChooseOptions>();
-    command->add_option("RESULTS", options->results, "What 'crevice bench' wrote")->required();
+    command->add_option("RESULTS", options->results,
+                        "Folders of 'crevice bench', or the results files in them")
+        ->required();
     CLI::Option_group* limit = command->add_option_group("Limit");
     limit->add_option("--budget", options->budget,
-                      "The least wrong within a time: 2ms, 500us, or 10x for ten times the floor");
+                      "The least wrong that adds no more to a frame: 2ms, 500us, or 10x for ten "
+                      "times a copy of the depth texture");
     limit->add_option("--error", options->error, "The cheapest whose rmse is not larger")
         ->check(CLI::PositiveNumber);
     limit->require_option(1);
@@ -162,8 +168,8 @@ void addChooseCommand(CLI::App& app, int& exit_code)
     command->add_option("--device", options->scope.device, "Part of the name of the device");
     command->add_flag("--json", options->json, "Print the answer as JSON");
     command->footer("Examples:\n"
-                    "  crevice choose results.jsonl --budget 2ms\n"
-                    "  crevice choose results.jsonl --error 0.06 --scene room");
+                    "  crevice choose bench --budget 2ms\n"
+                    "  crevice choose bench --error 0.06 --scene room");
     command->callback([options, &exit_code] { exit_code = chooseConfig(*options); });
 }
 

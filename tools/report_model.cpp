@@ -33,29 +33,23 @@ json toJson(const std::vector<Curve>& curves)
     return list;
 }
 
-double timeOf(const BenchPoint& point) { return point.total.median; }
+double costOf(const BenchPoint& point) { return point.cost.median; }
 double ratioOf(const BenchPoint& point) { return point.ratio_floor; }
 
-/// Indexes of the points on the front; those without AO or without that cost are no candidates.
+/// Indexes of the points on the front; no ambient occlusion at all is free and beats some of them.
 json frontOf(const Points& points, const ResultView& view, double (*cost)(const BenchPoint&))
 {
     std::vector<std::size_t> which;
     std::vector<CostError> figures;
     for (const std::size_t i : view.points) {
-        if (points[i].samples == 0 || !(cost(points[i]) > 0.0)) continue;
+        const BenchPoint& point = points[i];
+        if (!(cost(point) > 0.0) || point.error.rmse >= point.error_without_ao) continue;
         which.push_back(i);
-        figures.push_back({cost(points[i]), points[i].error.rmse});
+        figures.push_back({cost(point), point.error.rmse});
     }
     json front = json::array();
     for (const std::size_t i : paretoFront(figures)) front.push_back(which[i]);
     return front;
-}
-
-json errorWithoutAo(const Points& points, const ResultView& view)
-{
-    for (const std::size_t i : view.points)
-        if (points[i].samples == 0) return points[i].error.rmse;
-    return nullptr;
 }
 
 json toJson(const Points& points, const ResultView& view, bool main)
@@ -63,18 +57,18 @@ json toJson(const Points& points, const ResultView& view, bool main)
     return {{"device", view.device},
             {"scene", view.scene},
             {"camera", view.camera},
-            {"name", viewName(view.scene, view.camera)},
+            {"name", view.name},
             {"size", extentName(view.extent)},
             {"radius", view.radius},
             {"main", main},
             {"points", view.points},
-            {"front_ms", frontOf(points, view, timeOf)},
+            {"front_ms", frontOf(points, view, costOf)},
             {"front_ratio", frontOf(points, view, ratioOf)},
-            {"error_without_ao", errorWithoutAo(points, view)},
+            {"error_without_ao", points[view.points.front()].error_without_ao},
             {"curves", toJson(curvesOf(points, view))}};
 }
 
-/// The candidates worth taking, by rising time, with the part each plays.
+/// The candidates worth taking, by rising cost, with the part each plays.
 json stepsOf(const std::vector<Candidate>& list)
 {
     std::vector<CostError> figures;
@@ -91,7 +85,7 @@ json stepsOf(const std::vector<Candidate>& list)
     for (const std::size_t i : front) {
         const Candidate& candidate = list[timed[i]];
         json roles = json::array();
-        if (i == front.front()) roles.push_back("fastest");
+        if (i == front.front()) roles.push_back("cheapest");
         if (i == balanced) roles.push_back("balanced");
         if (i == front.back()) roles.push_back("most accurate");
         steps.push_back({{"label", candidate.label},
@@ -120,8 +114,7 @@ json adviceFor(const Points& points, const std::string& device)
     json steps = stepsOf(candidates->list);
     for (json& step : steps) step["point"] = index[step["point"].get<std::size_t>()];
     json views = json::array();
-    for (const ResultView& view : candidates->views)
-        views.push_back(viewName(view.scene, view.camera));
+    for (const ResultView& view : candidates->views) views.push_back(view.name);
     const BenchPoint& first = own.front();
     return {{"device", device},
             {"software", first.software},
@@ -129,9 +122,9 @@ json adviceFor(const Points& points, const std::string& device)
             {"version", first.version},
             {"size", extentName(candidates->views.front().extent)},
             {"views", std::move(views)},
-            {"configs", candidates->list.size()},
             {"steps", std::move(steps)},
             {"left_out", candidates->left_out},
+            {"harmful", candidates->harmful},
             {"error_without_ao", candidates->error_without_ao},
             {"curves", toJson(curvesAcross(own, candidates->views))}};
 }

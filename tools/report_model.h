@@ -2,9 +2,10 @@
 // What a report says, as JSON: what report.js reads and `crevice report` writes beside the page.
 //
 //     points    every point as in the results, with its label
-//     views     what is held against each other: points, Pareto fronts over ms and over the floor,
-//               the error without AO, curves; `main` where it is its scene's first
-//     advice    for each device, which configs to take over all of its scenes
+//     views     what is held against each other: points, Pareto fronts over cost in ms and over the
+//               floor, the error without AO, curves; `main` where it is its scene's first
+//     advice    for each device, which configs to take over all of its scenes, by rising cost, and
+//               which do more harm than good
 //     failures  what has no figures, and why
 //
 // Points are named by their index in `points`.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The text of tools/report.html, report.css, report_chart.js and report.js, embedded at build.
+// The report's page, put together at build from tools/report.html and what it names.
 #pragma once
 
 #include <string_view>
 
 namespace crevice {
 
+/// Where in the page the figures go.
+constexpr std::string_view kReportDataMark = "/*report.json*/";
+
 std::string_view reportPage();
-std::string_view reportStyle();
-std::string_view reportChartScript();
-std::string_view reportScript();
 
 }  // namespace crevice
