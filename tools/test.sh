@@ -6,7 +6,7 @@
 #   tools/test.sh          all of it
 #   tools/test.sh --quick  the tests alone
 #
-# With CI=true a missing GL context is a failure, not a skip.
+# With CI=true a missing GL context or browser is a failure, not a skip.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
@@ -18,7 +18,7 @@ for argument in "$@"; do
     esac
 done
 if [[ ${CI:-} == true ]]; then
-    export CREVICE_REQUIRE_GL=1
+    export CREVICE_REQUIRE_GL=1 CREVICE_REQUIRE_BROWSER=1
 fi
 
 failed=()
@@ -44,7 +44,7 @@ clang_build() {
 
 printf '== Packages (tools/packages.txt)\n'
 if $quick; then
-    tools/install_packages.sh
+    tools/install_packages.sh chromium
     stage "All tests" all_tests
 else
     tools/install_packages.sh chromium clang
