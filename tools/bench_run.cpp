@@ -31,6 +31,14 @@ Diagnostic cannotWrite(const std::string& path, const std::string& reason)
     return error;
 }
 
+/// Lines in a file that no path leads to would be lost.
+Diagnostic lostFile(const std::string& path)
+{
+    Diagnostic error = cannotWrite(path, "it was deleted or replaced meanwhile");
+    error.help = "put it back and run the same command again to go on";
+    return error;
+}
+
 /// False once the path is gone or leads to another file.
 bool isNamed(int file, const std::string& path)
 {
@@ -200,8 +208,7 @@ ResultFile::ResultFile(ResultFile&& other) noexcept
 
 Status ResultFile::append(const BenchPoint& point)
 {
-    // Bytes in a file that no path leads to would be lost.
-    if (!isNamed(file_, path_)) return cannotWrite(path_, "it was deleted or replaced meanwhile");
+    if (!isNamed(file_, path_)) return lostFile(path_);
     const off_t before = lseek(file_, 0, SEEK_END);
     const int failure = writeAll(file_, toJsonLine(point) + "\n");
     if (failure == 0) {
