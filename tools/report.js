@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Lays out the report: which config to take, a section for each scene, what is missing, how to repeat it.
+// Lays out the report: which config to take, each scene, what is missing, how to repeat it.
 "use strict";
-const ROLES = {cheapest: "Cheapest", balanced: "Take this", "most accurate": "Most accurate"};
+const ROLES = {
+  cheapest: "Cheapest",
+  balanced: "Take this",
+  "most accurate": "Most accurate"
+};
 const stepOf = (advice, role) => advice.steps.find(s => s.roles.includes(role));
 const plural = (n, word) => `${n} ${word}${n === 1 ? "" : "s"}`;
-const costText = step => `${ms(step.ms)} a frame` + (step.ratio > 0 ? `, ${three(step.ratio)} times a copy of the depth texture` : "");
+const costText = step => `${ms(step.ms)} a frame` +
+  (step.ratio > 0 ? `, ${three(step.ratio)} times a copy of the depth texture` : "");
 
 function showAnswer(parent, advice) {
   const take = stepOf(advice, "balanced"), without = advice.error_without_ao;
   const box = add(parent, "section", {class: "card answer"});
-  if (!take) return add(box, "p", {class: "take"}, "None of these configs is better than no ambient occlusion.");
+  if (!take)
+    return add(
+      box, "p", {class: "take"}, "None of these configs is better than no ambient occlusion.");
   const line = add(box, "p", {class: "take"}, "Take ");
   add(line, "strong", {}, brief(take.label));
-  add(box, "p", {}, `It is off by ${error(take.error)} from ray-traced ambient occlusion, where no ambient occlusion at all is ` +
-    `off by ${error(without)}. It adds ${costText(take)}.`);
+  add(box, "p", {},
+    `It is off by ${error(take.error)} from ray-traced ambient occlusion, where no ambient ` +
+      `occlusion at all is off by ${error(without)}. It adds ${costText(take)}.`);
   for (const role of ["cheapest", "most accurate"]) {
     const step = stepOf(advice, role), own = step === take, item = add(box, "p", {class: "other"});
     add(item, "strong", {}, `${ROLES[role]}: `);
-    item.append(own ? "this one as well." : `${brief(step.label)}, off by ${error(step.error)}, adds ${costText(step)}.`);
+    item.append(own ? "this one as well." :
+                      `${brief(step.label)}, off by ${error(step.error)}, adds ${costText(step)}.`);
   }
-  const scenes = advice.views.length > 1 ? `in the worst of ${advice.views.length} scenes (${advice.views.join(", ")})`
-    : `in the scene ${advice.views[0]}`;
-  add(box, "p", {class: "soft"}, `Measured at ${advice.size}, ${scenes}, on ${advice.device} (` +
-    `${advice.software ? "a software renderer, " : ""}timed by the ${advice.clock === "query" ? "GPU" : "wall clock"}).`);
+  const scenes = advice.views.length > 1 ?
+    `in the worst of ${advice.views.length} scenes (${advice.views.join(", ")})` :
+    `in the scene ${advice.views[0]}`;
+  const renderer = advice.software ? "a software renderer, " : "";
+  const clock = advice.clock === "query" ? "GPU" : "wall clock";
+  add(box, "p", {class: "soft"},
+    `Measured at ${advice.size}, ${scenes}, on ${advice.device} (${renderer}timed by the ${clock}).`);
 }
 function showSteps(parent, advice) {
   if (!advice.steps.length) return;
@@ -31,13 +43,15 @@ function showSteps(parent, advice) {
   add(parent, "p", {class: "soft"}, "Every config that no other beats in both error and cost.");
   const table = add(add(parent, "div", {class: "card"}), "table", {class: "advice"});
   const head = add(add(table, "thead"), "tr");
-  for (const [text, kind] of [["config", ""], ["error", "wider"], ["adds", "num"], ["× copy", "num"], ["", "wide"]])
+  for (const [text, kind] of [
+         ["config", ""], ["error", "wider"], ["adds", "num"], ["× copy", "num"], ["", "wide"]])
     add(head, "th", {class: kind}, text);
   const body = add(table, "tbody");
   const none = add(body, "tr");
   add(none, "td", {class: "soft"}, "no ambient occlusion");
   bar(add(none, "td"), advice.error_without_ao, longest, "soft");
-  for (const kind of ["num", "num", "wide"]) add(none, "td", {class: kind}, kind === "num" ? "0" : "");
+  for (const kind of ["num", "num", "wide"])
+    add(none, "td", {class: kind}, kind === "num" ? "0" : "");
   for (const step of advice.steps) {
     const row = add(body, "tr", {class: "step" + (step.roles.includes("balanced") ? " on" : "")});
     add(row, "td", {class: "label"}, brief(step.label));
@@ -46,14 +60,17 @@ function showSteps(parent, advice) {
     add(row, "td", {class: "num"}, times(step.ratio));
     add(row, "td", {class: "wide role"}, step.roles.map(r => ROLES[r]).join(", "));
   }
-  if (advice.harmful.length) add(parent, "p", {class: "soft"},
-    `Worse than no ambient occlusion in at least one scene: ${sampleLists(advice.harmful).join("; ")}.`);
+  if (advice.harmful.length)
+    add(parent, "p", {class: "soft"},
+      `Worse than no ambient occlusion in at least one scene: ${
+        sampleLists(advice.harmful).join("; ")}.`);
 }
 // "a samples=4" and "a samples=8" as "a samples=4, 8".
 function sampleLists(labels) {
   const lists = new Map();
   for (const label of labels.map(brief)) {
-    const [, before, count = "", after = ""] = /^(.*? samples=)(\d+)(.*)$/.exec(label) || [label, label];
+    const [, before, count = "", after = ""] =
+      /^(.*? samples=)(\d+)(.*)$/.exec(label) || [label, label];
     const key = before + after, list = lists.get(key) || {before, after, counts: []};
     list.counts.push(count);
     lists.set(key, list);
@@ -62,49 +79,61 @@ function sampleLists(labels) {
 }
 
 function showMissing(parent) {
-  const left = data.advice.flatMap(a => a.left_out), partly = points.filter(p => !p.failure && p.budget_failure);
+  const left = data.advice.flatMap(a => a.left_out),
+        partly = points.filter(p => !p.failure && p.budget_failure);
   if (!data.failures.length && !left.length && !partly.length) return;
   add(parent, "h2", {id: "missing"}, "What is missing");
   const list = add(parent, "ul", {class: "missing"});
   for (const {title, reason} of data.failures) add(list, "li", {}, `${title}: ${reason}`);
-  for (const p of partly) add(list, "li", {}, `${p.label}, ${p.scene}: a part of its error: ${p.budget_failure}`);
+  for (const p of partly)
+    add(list, "li", {}, `${p.label}, ${p.scene}: a part of its error: ${p.budget_failure}`);
   for (const text of left) add(list, "li", {}, `Not among those to choose from: ${text}`);
 }
 
+// A point that failed has no budget to tell it by.
+const hasBudget = p => p.budget.model >= 0;
+const inBudgetRun = p => p.failure ? points.some(hasBudget) : hasBudget(p);
 // The fewest commands that measure all of these points again.
 function benchCommands() {
   const groups = new Map(), own = o => !/^(radius|samples)=/.test(o);
   for (const p of points) {
-    const sets = p.overrides.filter(own).map(o => `--set ${quoted(o)}`), radius = p.overrides.find(o => o.startsWith("radius="));
-    const fixed = [p.camera && `--camera ${quoted(p.camera)}`, radius && `--radius ${radius.slice(7)}`,
-      !(p.budget.model >= 0) && "--no-budget", ...sets].filter(Boolean).join(" ");
-    const key = `${fixed} ${p.extent.width}x${p.extent.height}`;
-    if (!groups.has(key)) groups.set(key, {fixed, size: `${p.extent.width}x${p.extent.height}`, points: []});
-    groups.get(key).points.push(p);
+    const sets = p.overrides.filter(own).map(o => `--set ${quoted(o)}`),
+          radius = p.overrides.find(o => o.startsWith("radius="));
+    const fixed = [
+      `--size ${p.extent.width}x${p.extent.height}`, p.camera && `--camera ${quoted(p.camera)}`,
+      radius && `--radius ${radius.slice(7)}`, !inBudgetRun(p) && "--no-budget", ...sets
+    ].filter(Boolean).join(" ");
+    groups.set(fixed, [...(groups.get(fixed) || []), p]);
   }
   const all = (list, get) => [...new Set(list.map(get))];
-  return [...groups.values()].map(({fixed, size, points: list}) => {
-    const samples = all(list.flatMap(p => p.overrides).filter(o => o.startsWith("samples=")), o => Number(o.slice(8)));
-    return ["crevice bench", ...all(list, p => p.config).map(c => `--config ${quoted(c)}`),
-      ...all(list, p => p.scene).map(s => `--scene ${quoted(s)}`), `--size ${size}`,
-      samples.length ? `--samples ${samples.sort((a, b) => a - b).join(",")}` : "", fixed].filter(Boolean).join(" ");
+  return [...groups].map(([fixed, list]) => {
+    const samples = all(list.flatMap(p => p.overrides).filter(o => o.startsWith("samples=")),
+      o => Number(o.slice(8)));
+    return [
+      "crevice bench", ...all(list, p => p.config).map(c => `--config ${quoted(c)}`),
+      ...all(list, p => p.scene).map(s => `--scene ${quoted(s)}`), fixed,
+      ...(samples.length ? [`--samples ${samples.sort((a, b) => a - b).join(",")}`] : [])
+    ].join(" ");
   });
 }
 function showCommands(parent) {
   add(parent, "h2", {}, "Measure it again");
   add(parent, "p", {class: "soft"}, "Into one folder, then make this page of it:");
-  add(parent, "pre", {class: "card commands"}, [...benchCommands(), "crevice report bench"].join("\n"));
+  add(parent, "pre", {class: "card commands"},
+    [...benchCommands(), "crevice report bench"].join("\n"));
 }
 
 // --- the page ---
 const main = document.getElementById("main"), summary = document.getElementById("summary");
 main.replaceChildren();
 const measured = points.length - data.failures.length;
-summary.append(`${plural(measured, "point")} measured by crevice ${[...new Set(points.map(p => p.version))].join(", ")}` +
-  ` on ${data.advice.map(a => a.device).join("; ") || "no device"}.`);
+const versions = [...new Set(points.map(p => p.version))].join(", ");
+const devices = data.advice.map(a => a.device).join("; ") || "no device";
+summary.append(`${plural(measured, "point")} measured by crevice ${versions} on ${devices}.`);
 if (data.failures.length) {
   summary.append(" ");
-  add(summary, "a", {class: "warn", href: "#missing"}, `${plural(data.failures.length, "point")} failed.`);
+  add(summary, "a", {class: "warn", href: "#missing"},
+    `${plural(data.failures.length, "point")} failed.`);
 }
 if (!measured) add(main, "p", {class: "warn"}, "There are no figures to show.");
 for (const advice of data.advice) {
@@ -120,4 +149,9 @@ for (const advice of data.advice) {
 showMissing(main);
 if (points.length) showCommands(main);
 let width = innerWidth;
-addEventListener("resize", () => { if (innerWidth !== width) { width = innerWidth; redraw(); } });
+addEventListener("resize", () => {
+  if (innerWidth !== width) {
+    width = innerWidth;
+    redraw();
+  }
+});

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Below each plot: where the error comes from, how it scales, and all figures.
 "use strict";
-const PARTS = [["all", "error"], ["sampling", "noise before the filter"], ["noise", "noise after the filter"],
-  ["model", "model error"], ["precision", "precision error"]];
-const CURES = {sampling: "more samples", noise: "more samples or another filter", model: "another estimator",
-  precision: "wider formats"};
+const PARTS = [
+  ["all", "error"], ["sampling", "noise before the filter"], ["noise", "noise after the filter"],
+  ["model", "model error"], ["precision", "precision error"]
+];
+const CURES = {
+  noise: "more samples or another filter",
+  model: "another estimator",
+  precision: "wider formats"
+};
 const part = (p, name) => name === "all" ? p.error.rmse : p.budget[name];
 
 function showBudgets(parent, view) {
-  const known = view.points.filter(i => PARTS.slice(1).some(([name]) => points[i].budget[name] >= 0))
-    .sort((a, b) => points[a].error.rmse - points[b].error.rmse);
+  const known =
+    view.points.filter(i => PARTS.slice(1).some(([name]) => points[i].budget[name] >= 0))
+      .sort((a, b) => points[a].error.rmse - points[b].error.rmse);
   if (!known.length) return;
   add(parent, "h3", {}, "Where the error comes from");
-  add(parent, "p", {class: "soft"}, "Each part is an error of its own. Noise goes with more samples or another filter, " +
-    "model error with another estimator, precision error with wider formats; the longest is what to work on.");
-  const front = known.filter(i => view.front_ms.includes(i)), others = known.filter(i => !front.includes(i));
+  add(parent, "p", {class: "soft"},
+    "Each part is an error of its own. Noise goes with more samples or another filter, " +
+      "model error with another estimator, precision error with wider formats; the longest is " +
+      "what to work on.");
+  const front = known.filter(i => view.front_ms.includes(i)),
+        others = known.filter(i => !front.includes(i));
   showParts(parent, front);
   if (!others.length) return;
   const details = add(parent, "details");
@@ -34,30 +43,41 @@ function showParts(parent, shown) {
     const p = points[i], row = add(body, "tr", {class: "budget"});
     add(row, "td", {class: "label"}, brief(p.label));
     for (const [name] of PARTS) bar(add(row, "td"), part(p, name), longest, name);
-    const worst = ["noise", "model", "precision"].reduce((a, b) => p.budget[b] > p.budget[a] ? b : a);
+    const worst =
+      ["noise", "model", "precision"].reduce((a, b) => p.budget[b] > p.budget[a] ? b : a);
     add(row, "td", {class: "wide"}, p.budget[worst] >= 0 ? CURES[worst] : p.budget_failure);
   }
 }
 // A figure with a bar of its length.
 function bar(cell, value, longest, kind) {
   add(cell, "span", {class: "figure"}, error(value));
-  add(cell, "i", {class: "bar", style: `width:${Math.max(0, 100 * value / longest)}%;background:var(--${kind})`});
+  add(cell, "i", {
+    class: "bar",
+    style: `width:${Math.max(0, 100 * value / longest)}%;background:var(--${kind})`
+  });
 }
 
 // kind: [heading, x, y, the slope of the guide and what it means, where there is one]
-const CURVES = {sampling_samples: ["Noise of the kernel against samples", "depth taps a pixel", "noise before the filter", -0.5, "random"],
+const CURVES = {
+  sampling_samples: [
+    "Noise of the kernel against samples", "depth taps a pixel", "noise before the filter", -0.5,
+    "random"
+  ],
   noise_samples: ["Noise after the filter", "depth taps a pixel", "noise", -0.5, "random"],
   error_samples: ["Error against samples", "depth taps a pixel", "error"],
   cost_samples: ["Cost against samples", "depth taps a pixel", "ms", 1, "in proportion"],
   cost_pixels: ["Cost against pixels", "pixels", "ms", 1, "in proportion"],
   cost_radius: ["Cost against radius", "radius in pixels on screen", "ms", 1, "in proportion"],
-  cost_triangles: ["Time against triangles", "triangles", "ms", 1, "in proportion"]};
+  cost_triangles: ["Time against triangles", "triangles", "ms", 1, "in proportion"]
+};
 function showCurves(parent, curves, title) {
   const kinds = Object.keys(CURVES).filter(kind => curves.some(c => c.kind === kind));
   if (!kinds.length) return;
   add(parent, "h3", {}, title);
-  add(parent, "p", {class: "soft"}, "The figures are the exponents of fitted power laws. Noise falls as samples^−0.5 " +
-    "with random samples; an exponent further below 0 is better. Cost that rises in proportion has 1.");
+  add(parent, "p", {class: "soft"},
+    "The figures are the exponents of fitted power laws. Noise falls as samples^−0.5 " +
+      "with random samples; an exponent further below 0 is better. Cost that rises in " +
+      "proportion has 1.");
   const grid = add(parent, "div", {class: "charts"});
   for (const kind of kinds) {
     const card = add(grid, "div", {class: kind === "sampling_samples" ? "card double" : "card"});
@@ -69,27 +89,34 @@ function showCurve(card, curves, [heading, xlabel, ylabel, slope, meaning]) {
   const series = curves.map(c => ({family: c.family, points: c.points.map(([x, y]) => ({x, y}))}));
   const place = chart(card, {series, height: 260, xlabel, ylabel, title: heading});
   if (slope) showGuide(place, slope, meaning);
-  for (const s of series) for (const p of s.points) mark(place.svg, s.family, place.X(p.x), place.Y(p.y), 0.7);
+  for (const s of series)
+    for (const p of s.points) mark(place.svg, s.family, place.X(p.x), place.Y(p.y), 0.7);
   const sorted = [...curves].sort((a, b) => a.slope - b.slope);
-  legend(card, sorted.map(c => ({family: c.family, text: `${brief(c.label)}: ${c.slope.toFixed(2)}`.replace("-", "−")})));
+  legend(card, sorted.map(c => ({family: c.family, text: `${brief(c.label)}: ${signed(c.slope)}`})));
 }
 
 // A line from a corner, so that it shows a direction and hides nothing.
 function showGuide({svg, X, Y, x0, x1, y0, y1, right}, slope, meaning) {
-  const corner = slope < 0 ? y1 : y0, end = Math.min(x1, x0 * (slope < 0 ? y0 / y1 : y1 / y0) ** (1 / slope));
-  add(svg, "line", {class: "none", x1: X(x0), y1: Y(corner), x2: X(end), y2: Y(corner * (end / x0) ** slope)});
-  const near = X(end) > right - 80;
-  add(svg, "text", {class: "soft-name", x: X(end) + (near ? -6 : 5), y: Y(corner * (end / x0) ** slope) + (slope < 0 ? -6 : 12),
-    "text-anchor": near ? "end" : "start"}, `${meaning} (${slope})`.replace("-", "−"));
+  const corner = slope < 0 ? y1 : y0,
+        end = Math.min(x1, x0 * (slope < 0 ? y0 / y1 : y1 / y0) ** (1 / slope));
+  const x = X(end), y = Y(corner * (end / x0) ** slope), near = x > right - 80;
+  add(svg, "line", {class: "none", x1: X(x0), y1: Y(corner), x2: x, y2: y});
+  const at = {x: x + (near ? -6 : 5), y: y + (slope < 0 ? -6 : 12)};
+  add(svg, "text", {class: "soft-name", ...at, "text-anchor": near ? "end" : "start"},
+    `${meaning} (${signed(slope)})`);
 }
 
-const COLUMNS = [["error", p => error(p.error.rmse)], ["bias", p => p.error.bias.toFixed(4)],
-  ["p99", p => p.error.p99.toFixed(3)], ["fitted (power)", p => `${error(p.error.rmse_fit)} (${p.error.power_fit.toFixed(2)})`],
-  ["cost, ms", p => three(p.cost.median)], ["middle half", p => `${three(p.cost.q1)}–${three(p.cost.q3)}`],
+const COLUMNS = [
+  ["error", p => error(p.error.rmse)], ["bias", p => p.error.bias.toFixed(4)],
+  ["p99", p => p.error.p99.toFixed(3)],
+  ["fitted (power)", p => `${error(p.error.rmse_fit)} (${p.error.power_fit.toFixed(2)})`],
+  ["cost, ms", p => three(p.cost.median)],
+  ["middle half", p => `${three(p.cost.q1)}–${three(p.cost.q3)}`],
   ["× copy", p => times(p.ratio_floor)], ["× learnopengl", p => times(p.ratio_learnopengl)],
   ["with geometry, ms", p => three(p.total.median)], ["MB", p => megabytes(p.texture_bytes)],
   ["MB read", p => megabytes(p.bytes_read)], ["MB written", p => megabytes(p.bytes_written)],
-  ["passes, ms", p => p.passes.map(pass => `${pass.name} ${three(pass.ms.median)}`).join(" · ")]];
+  ["passes, ms", p => p.passes.map(pass => `${pass.name} ${three(pass.ms.median)}`).join(" · ")]
+];
 function showTable(parent, view, select) {
   const details = add(parent, "details");
   add(details, "summary", {}, `All ${view.points.length} points of ${view.name}`);
@@ -100,7 +127,8 @@ function showTable(parent, view, select) {
   const body = add(table, "tbody", {class: "points"});
   for (const i of [...view.points].sort((a, b) => points[a].cost.median - points[b].cost.median)) {
     const row = add(body, "tr"), star = view.front_ms.includes(i);
-    const link = add(add(row, "td", {class: "label"}), "button", {class: "link", type: "button", onclick: () => select(i)});
+    const link = add(add(row, "td", {class: "label"}), "button",
+      {class: "link", type: "button", onclick: () => select(i)});
     link.append(points[i].label + (star ? " ★" : ""));
     for (const [, text] of COLUMNS) add(row, "td", {class: "num"}, text(points[i]));
   }
