@@ -99,7 +99,7 @@ function showCurve(card, curves, [heading, xlabel, ylabel, slope, meaning]) {
 function showGuide({svg, X, Y, x0, x1, y0, y1, right}, slope, meaning) {
   const corner = slope < 0 ? y1 : y0,
         end = Math.min(x1, x0 * (slope < 0 ? y0 / y1 : y1 / y0) ** (1 / slope));
-  const x = X(end), y = Y(corner * (end / x0) ** slope), near = x > right - 80;
+  const x = X(end), y = Y(corner * (end / x0) ** slope), near = x > right - 110;
   add(svg, "line", {class: "none", x1: X(x0), y1: Y(corner), x2: x, y2: y});
   const at = {x: x + (near ? -6 : 5), y: y + (slope < 0 ? -6 : 12)};
   add(svg, "text", {class: "soft-name", ...at, "text-anchor": near ? "end" : "start"},
