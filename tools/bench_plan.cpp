@@ -125,7 +125,7 @@ void Planner::addScene(const std::string& name, const std::vector<Extent>& exten
     std::shared_ptr<const Scene> scene;
     if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
     for (const Extent extent : extents) {
-        Place place = {name, extent};
+        Place place = {name, extent, {}};
         if (scene) addView(scene, place);
         else place.failure = failureText(loaded.diagnostics());
         addConfigs(std::move(place));
@@ -232,6 +232,7 @@ void Planner::addTask(const Place& place, const std::string& config,
     point.scene = place.scene;
     point.camera = options_.camera;
     point.extent = place.extent;
+    point.rays = options_.rays;
     point.version = options_.version;
     point.failure = place.failure;
     if (place.failure.empty()) {
