@@ -79,7 +79,8 @@ struct GeneratedDesc : Named {
     std::string generator;      ///< A name from core/generators.h.
     Reference count_param = {}; ///< The int param that gives the count; empty when `count` does.
     int count = 16;             ///< Offsets of a kernel, or pixels along a side of a noise.
-    std::string distribution = "uniform";  ///< What the generator makes of it.
+    std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
+    std::string sequence = "random";       ///< How evenly they fill it.
     unsigned seed = 1;
 };
 

@@ -76,8 +76,10 @@ void fields(V& v, GeneratedDesc& g)
     v.field("count", NumberOrName<int>{g.count, g.count_param},
             "Offsets of a kernel or pixels along a side of a noise, or the int param that says.",
             range(1, kMaxKernelSize));
-    v.field("distribution", OneOf{g.distribution, {"uniform", "cube", "linear", "accelerated"}},
+    v.field("distribution", OneOf{g.distribution, distributionNames()},
             "Where the offsets of a kernel lie.");
+    v.field("sequence", OneOf{g.sequence, sequenceNames()},
+            "How evenly they fill it: less noise from as many, best at powers of two.");
     v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
 }
 

@@ -7,26 +7,16 @@
 // The C library's sin, cos and <random> differ between platforms and are not used.
 #include "core/generators.h"
 
+#include "core/sequences.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace crevice {
 
+static_assert(kMaxKernelSize <= kMaxSequenceSize);
+
 namespace {
-
-/// A PCG output function over one step of its generator [Jarzynski, Olano 2020].
-std::uint32_t pcg(std::uint32_t value)
-{
-    const std::uint32_t state = value * 747796405u + 2891336453u;
-    const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
-
-std::uint32_t hash(unsigned seed, unsigned index)
-{
-    return pcg(index + pcg(seed));
-}
 
 struct Vector {
     double x = 0, y = 0, z = 0;
@@ -34,60 +24,48 @@ struct Vector {
     double lengthSquared() const { return x * x + y * y + z * z; }
 };
 
-/// The numbers of one seed, one after the other.
-class Stream {
-public:
-    explicit Stream(unsigned seed) : seed_(seed) {}
+/// In (-1, 1): odd multiples of 2^-24, so that a float holds it exactly and none is 0.
+double signedNumber(Stream& stream)
+{
+    return 2.0 * stream.number() - 1.0 + 0x1p-24;
+}
 
-    /// In [0, 1).
-    double number() { return randomFloat(seed_, index_++); }
+Vector inCube(Stream& stream)
+{
+    const double x = signedNumber(stream), y = signedNumber(stream), z = signedNumber(stream);
+    return {x, y, z};
+}
 
-    /// In (-1, 1): odd multiples of 2^-24, so that a float holds it exactly and none is 0.
-    double signedNumber() { return 2.0 * number() - 1.0 + 0x1p-24; }
-
-    /// In [0, count).
-    int integer(int count) { return int(hash(seed_, index_++) % unsigned(count)); }
-
-    Vector inCube()
-    {
-        const double x = signedNumber(), y = signedNumber(), z = signedNumber();
-        return {x, y, z};
-    }
-
-    /// Uniform in volume, by rejection. The squared length has at most 50 bits, so a double holds
-    /// it exactly and every platform rejects the same points.
-    Vector inBall()
-    {
-        Vector point = inCube();
-        while (point.lengthSquared() > 1.0) point = inCube();
-        return point;
-    }
-
-private:
-    unsigned seed_;
-    unsigned index_ = 0;
-};
+/// Uniform in volume, by rejection. The squared length has at most 50 bits, so a double holds
+/// it exactly and every platform rejects the same points.
+Vector inBall(Stream& stream)
+{
+    Vector point = inCube(stream);
+    while (point.lengthSquared() > 1.0) point = inCube(stream);
+    return point;
+}
 
 enum class Distribution { uniform, cube, linear, accelerated };
-
-const std::vector<std::string>& distributionNames()
-{
-    static const std::vector<std::string> names = {"uniform", "cube", "linear", "accelerated"};
-    return names;
-}
+enum class Sequence { random, stratified, low_discrepancy };
 
 /// Share of its random length that the first offset keeps [Chapman 2013].
 constexpr double kInnermost = 0.1;
 
-/// Offset `index` of `count`, in the whole cube or sphere.
-Vector makeOffset(Stream& stream, Distribution distribution, int index, int count)
+/// Of the length of offset `index` of `count`: what its distribution multiplies it by.
+double lengthScale(Distribution distribution, int index, int count)
 {
-    if (distribution == Distribution::cube) return stream.inCube();
-    const Vector point = stream.inBall();
-    if (distribution == Distribution::uniform) return point;
     const double t = double(index) / count;
     const double along = distribution == Distribution::linear ? t : t * t;
-    const double length = stream.number() * (kInnermost + (1.0 - kInnermost) * along);
+    return kInnermost + (1.0 - kInnermost) * along;
+}
+
+/// Offset `index` of `count`, in the whole cube or sphere, from independent numbers.
+Vector randomOffset(Stream& stream, Distribution distribution, int index, int count)
+{
+    if (distribution == Distribution::cube) return inCube(stream);
+    const Vector point = inBall(stream);
+    if (distribution == Distribution::uniform) return point;
+    const double length = stream.number() * lengthScale(distribution, index, count);
     const double scale = length / std::sqrt(point.lengthSquared());
     return {point.x * scale, point.y * scale, point.z * scale};
 }
@@ -100,7 +78,7 @@ Diagnostic rangeError(const char* what, int value, int most)
 
 /// (cos, sin) of an angle in turns, [-0.5, 0.5]: their Taylor series, nested. 16 terms leave an
 /// error of about 1e-15, far below what a float shows.
-void direction(double turns, float& x, float& y)
+void direction(double turns, double& x, double& y)
 {
     constexpr int kTerms = 16;
     constexpr double kTwoPi = 6.283185307179586;
@@ -111,52 +89,116 @@ void direction(double turns, float& x, float& y)
         cosine = 1.0 - square / (i * (i - 1.0)) * cosine;
         sine = 1.0 - square / (i * (i + 1.0)) * sine;
     }
-    x = float(cosine);
-    y = float(sine * angle);
+    x = cosine;
+    y = sine * angle;
+}
+
+/// Of a number in (0, 1], by Newton's method. From 1 each step takes off at most a third, so that 20
+/// reach the root of 2^-25; the rest double the digits.
+double cubeRoot(double number)
+{
+    constexpr int kSteps = 25;
+    double root = 1.0;
+    for (int i = 0; i < kSteps; ++i) root -= (root - number / (root * root)) / 3.0;
+    return root;
+}
+
+/// A point of the unit cube, carried into the distribution so that equal volumes of the cube hold
+/// equal shares of it; `height` is evenly spread over the unit sphere or hemisphere (Archimedes).
+Vector warped(const CubePoint& point, Distribution distribution, bool hemisphere, int index, int count)
+{
+    const double height = hemisphere ? point[1] : 2.0 * point[1] - 1.0;
+    if (distribution == Distribution::cube)
+        return {2.0 * point[0] - 1.0, 2.0 * point[2] - 1.0, height};
+    const double length = distribution == Distribution::uniform
+                              ? cubeRoot(point[2])
+                              : point[2] * lengthScale(distribution, index, count);
+    const double across = length * std::sqrt(1.0 - height * height);
+    double x, y;
+    direction(point[0] - 0.5, x, y);
+    return {across * x, across * y, length * height};
+}
+
+std::vector<glm::vec3> randomKernel(const KernelDesc& desc, Distribution distribution)
+{
+    Stream stream(desc.seed);
+    std::vector<glm::vec3> kernel;
+    for (int i = 0; i < desc.count; ++i) {
+        const Vector offset = randomOffset(stream, distribution, i, desc.count);
+        kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
+    }
+    return kernel;
+}
+
+std::vector<glm::vec3> evenKernel(const KernelDesc& desc, Distribution distribution,
+                                  const std::vector<CubePoint>& points)
+{
+    std::vector<glm::vec3> kernel;
+    for (const CubePoint& point : points) {
+        const int index = static_cast<int>(kernel.size());
+        const Vector offset = warped(point, distribution, desc.hemisphere, index, desc.count);
+        kernel.emplace_back(offset.x, offset.y, offset.z);
+    }
+    return kernel;
+}
+
+/// Where a word is in its list. Errors: CV3005.
+Result<std::size_t> indexOf(std::string_view word, const std::vector<std::string>& words,
+                            const std::string& what)
+{
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    return Diagnostic{Code::bad_enum, "there is no " + what + " '" + std::string(word) + "'",
+                      {}, {}, {}, suggestName(word, words, what + "s")};
 }
 
 }  // namespace
 
-float randomFloat(unsigned seed, unsigned index)
+const std::vector<std::string>& distributionNames()
 {
-    return float(hash(seed, index) >> 8) * 0x1p-24f;
+    static const std::vector<std::string> names = {"uniform", "cube", "linear", "accelerated"};
+    return names;
 }
 
-Result<std::vector<glm::vec3>> makeKernel(bool hemisphere, int count, std::string_view distribution,
-                                          unsigned seed)
+const std::vector<std::string>& sequenceNames()
 {
-    const std::vector<std::string>& names = distributionNames();
-    const auto found = std::find(names.begin(), names.end(), distribution);
-    if (found == names.end())
-        return Diagnostic{Code::bad_enum,
-                          "there is no distribution '" + std::string(distribution) + "'",
-                          {}, {}, {}, suggestName(distribution, names, "distributions")};
-    if (count < 1 || count > kMaxKernelSize) return rangeError("count", count, kMaxKernelSize);
+    static const std::vector<std::string> names = {"random", "stratified", "low_discrepancy"};
+    return names;
+}
 
-    Stream stream(seed);
-    std::vector<glm::vec3> kernel;
-    for (int i = 0; i < count; ++i) {
-        const Vector offset = makeOffset(stream, Distribution(found - names.begin()), i, count);
-        kernel.emplace_back(offset.x, offset.y, hemisphere ? std::abs(offset.z) : offset.z);
+Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
+{
+    const Result<std::size_t> found = indexOf(desc.distribution, distributionNames(), "distribution");
+    if (!found) return found.diagnostics();
+    const Result<std::size_t> sequence = indexOf(desc.sequence, sequenceNames(), "sequence");
+    if (!sequence) return sequence.diagnostics();
+    if (desc.count < 1 || desc.count > kMaxKernelSize)
+        return rangeError("count", desc.count, kMaxKernelSize);
+
+    const Distribution distribution = Distribution(*found);
+    switch (Sequence(*sequence)) {
+        case Sequence::random: break;
+        case Sequence::stratified:
+            return evenKernel(desc, distribution, stratifiedPoints(desc.count, desc.seed));
+        case Sequence::low_discrepancy:
+            return evenKernel(desc, distribution, lowDiscrepancyPoints(desc.count, desc.seed));
     }
-    return kernel;
+    return randomKernel(desc, distribution);
 }
 
 Result<Image> makeRotationNoise(int size, unsigned seed)
 {
     if (size < 1 || size > kMaxNoiseSize) return rangeError("size", size, kMaxNoiseSize);
     const int count = size * size;
-    std::vector<int> strata(static_cast<std::size_t>(count));
     Stream stream(seed);
-    for (int i = 0; i < count; ++i) {  // shuffles while it fills, so that neighbours differ
-        const int other = stream.integer(i + 1);
-        strata[std::size_t(i)] = strata[std::size_t(other)];
-        strata[std::size_t(other)] = i;
-    }
+    const std::vector<int> strata = stream.permutation(count);
     Image noise({size, size}, 4);
     for (int i = 0; i < count; ++i) {
         const double turns = (strata[std::size_t(i)] + stream.number()) / count - 0.5;
-        direction(turns, noise.pixels[std::size_t(i) * 4], noise.pixels[std::size_t(i) * 4 + 1]);
+        double x, y;
+        direction(turns, x, y);
+        noise.pixels[std::size_t(i) * 4] = float(x);
+        noise.pixels[std::size_t(i) * 4 + 1] = float(y);
     }
     return noise;
 }

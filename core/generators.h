@@ -5,7 +5,7 @@
 //   Mittring 2007, "Finding Next Gen: CryEngine 2", SIGGRAPH course, chapter 8 - the sphere.
 //   Filion, McNaughton 2008, "StarCraft II: Effects & Techniques" - the hemisphere.
 //   Chapman 2013, "SSAO Tutorial" - offsets that cluster near the origin, a small tiled rotation.
-//   Jarzynski, Olano 2020, "Hash Functions for GPU Rendering" - the PCG hash behind the numbers.
+//   core/sequences.h names those of the numbers behind them.
 #pragma once
 
 #include "core/image.h"
@@ -25,16 +25,31 @@ constexpr int kMaxKernelSize = 128;
 /// Longest side of a noise texture, in pixels.
 constexpr int kMaxNoiseSize = 64;
 
-/// Where the offsets of a kernel lie.
-///
-/// `distribution` is one of
+/// What a kernel is made of.
+struct KernelDesc {
+    bool hemisphere = true;                ///< Offsets with z >= 0 only.
+    int count = 16;                        ///< [1, kMaxKernelSize].
+    std::string distribution = "uniform";  ///< Where the offsets lie; see distributionNames().
+    std::string sequence = "random";       ///< How evenly they fill it; see sequenceNames().
+    unsigned seed = 1;
+};
+
+/// The offsets of a kernel, `count` of them.
+/// Errors: CV4001 for a count outside its range, CV3005 for another distribution or sequence.
+Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
+
+/// Where the offsets of a kernel lie:
 ///   "uniform"           uniform in volume
 ///   "cube"              uniform in the cube (-1, 1)^3, not cut to the sphere (OGLdev 45)
 ///   "linear"            random direction, random length, times lerp(0.1, 1, i / n)
 ///   "accelerated"       random direction, random length, times lerp(0.1, 1, (i / n)^2) (Chapman)
-/// Errors: CV4001 for a count outside [1, kMaxKernelSize], CV3005 for another distribution.
-Result<std::vector<glm::vec3>> makeKernel(bool hemisphere, int count, std::string_view distribution,
-                                          unsigned seed);
+const std::vector<std::string>& distributionNames();
+
+/// How evenly the offsets fill their distribution, whatever that is and for every count:
+///   "random"            independent of each other
+///   "stratified"        a Latin hypercube of azimuth, height and length
+///   "low_discrepancy"   a scrambled Sobol sequence of them; least noise, best at powers of two
+const std::vector<std::string>& sequenceNames();
 
 /// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of its
 /// own stratum, so that a size x size box filter sees all directions evenly.
@@ -44,8 +59,5 @@ Result<Image> makeRotationNoise(int size, unsigned seed);
 /// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise".
 const std::vector<std::string>& generatorNames();
 bool generatesTexture(std::string_view generator);
-
-/// A stratum-free uniform number in [0, 1) for (seed, index); the source of all of the above.
-float randomFloat(unsigned seed, unsigned index);
 
 }  // namespace crevice

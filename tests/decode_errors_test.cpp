@@ -73,6 +73,8 @@ TEST_CASE("an unknown word is an error with the allowed ones in the help", "[dec
         {"generated", R"({"k": {"generator": "spheer_kernel"}})", "CV3005 /generated/k/generator"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "distribution": "gauss"}})",
          "CV3005 /generated/k/distribution"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "sequence": "sobol"}})",
+         "CV3005 /generated/k/sequence"},
         {"features", R"({"check": {"type": "enum", "values": ["a", "b"], "default": "c"}})",
          "CV3005 /features/check/default"},
         {"passes", R"({"p": {"type": "blit", "shader": "ao", "color": "ao"}})",

@@ -9,27 +9,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
 
 using namespace crevice;
 
 namespace {
 
-const char* const kDistributions[] = {"uniform", "cube", "linear", "accelerated"};
-
-std::vector<glm::vec3> kernelOf(bool hemisphere, int count, const char* distribution, unsigned seed)
+std::vector<glm::vec3> kernelOf(bool hemisphere, int count, const std::string& distribution,
+                                unsigned seed, const std::string& sequence = "random")
 {
-    Result<std::vector<glm::vec3>> kernel = makeKernel(hemisphere, count, distribution, seed);
+    const auto kernel = makeKernel({hemisphere, count, distribution, sequence, seed});
     REQUIRE(kernel.ok());
     return *kernel;
 }
 
 /// The offsets of kernels of the largest size with the seeds 0 to 199, next to each other.
-std::vector<glm::vec3> manyOffsets(bool hemisphere, const char* distribution)
+std::vector<glm::vec3> manyOffsets(bool hemisphere, const std::string& distribution,
+                                   const std::string& sequence)
 {
     std::vector<glm::vec3> all;
     for (unsigned seed = 0; seed < 200; ++seed)
-        for (const glm::vec3& offset : kernelOf(hemisphere, kMaxKernelSize, distribution, seed))
+        for (const glm::vec3& offset :
+             kernelOf(hemisphere, kMaxKernelSize, distribution, seed, sequence))
             all.push_back(offset);
     return all;
 }
@@ -75,45 +78,51 @@ TEST_CASE("random numbers fill 0 to 1 evenly")
 
 TEST_CASE("kernels have as many offsets as asked for, none longer than 1 but in the cube")
 {
-    for (const char* distribution : kDistributions)
-        for (int count : {1, 2, 16, kMaxKernelSize}) {
-            const std::vector<glm::vec3> kernel = kernelOf(false, count, distribution, 3);
-            CHECK(int(kernel.size()) == count);
-            const bool cube = std::string(distribution) == "cube";
-            for (const glm::vec3& offset : kernel) {
-                CHECK((cube || glm::dot(glm::dvec3(offset), glm::dvec3(offset)) <= 1.0));
-                for (int i = 0; i < 3; ++i) CHECK(std::abs(offset[i]) < 1.0f);
-            }
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const auto distribution = GENERATE(from_range(distributionNames()));
+    const bool hemisphere = GENERATE(false, true);
+    const float lowest = hemisphere ? 0.0f : -1.0f;
+    for (int count = 1; count <= kMaxKernelSize; ++count) {
+        const std::vector<glm::vec3> kernel = kernelOf(hemisphere, count, distribution, 3, sequence);
+        REQUIRE(int(kernel.size()) == count);
+        for (const glm::vec3& offset : kernel) {
+            REQUIRE((distribution == "cube" || glm::length(glm::dvec3(offset)) <= 1.0));
+            for (int i = 0; i < 3; ++i) REQUIRE(std::abs(offset[i]) < 1.0f);
+            REQUIRE(offset.z > lowest);
         }
+    }
 }
 
-TEST_CASE("a sphere favours no direction and a hemisphere lies above its plane")
+TEST_CASE("a sphere favours no direction and a hemisphere has the mean height of its distribution")
 {
-    for (const char* distribution : kDistributions) {
-        INFO(distribution);
-        const glm::dvec3 center = mean(manyOffsets(false, distribution));
-        CHECK(glm::length(center) < 0.02);
-        const std::vector<glm::vec3> hemisphere = manyOffsets(true, distribution);
-        for (const glm::vec3& offset : hemisphere) REQUIRE(offset.z >= 0.0f);
-        CHECK(glm::length(glm::dvec2(mean(hemisphere))) < 0.02);
-        CHECK(mean(hemisphere).z > 0.09);
-    }
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const auto distribution = GENERATE(from_range(distributionNames()));
+    INFO(distribution << ", " << sequence);
+    CHECK(glm::length(mean(manyOffsets(false, distribution, sequence))) < 0.02);
+    const glm::dvec3 hemisphere = mean(manyOffsets(true, distribution, sequence));
+    CHECK(glm::length(glm::dvec2(hemisphere)) < 0.02);
+    // The mean length times the mean cosine, 1/2; of the cube half of its upper side.
+    const std::map<std::string, double> heights = {
+        {"uniform", 0.375}, {"cube", 0.5}, {"linear", 0.1375}, {"accelerated", 0.1}};
+    CHECK(hemisphere.z == Approx(heights.at(distribution)).margin(0.006));
 }
 
 TEST_CASE("the uniform kernel fills its volume and the cube reaches its corners")
 {
-    const std::vector<glm::vec3> uniform = manyOffsets(false, "uniform");
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const std::vector<glm::vec3> uniform = manyOffsets(false, "uniform", sequence);
     for (float length : {0.5f, 0.75f, 0.9f})
         CHECK(shareWithin(uniform, length) == Approx(std::pow(length, 3)).margin(0.01));
-    CHECK(shareWithin(manyOffsets(false, "cube"), 1.0f) == Approx(0.5236).margin(0.01));
+    CHECK(shareWithin(manyOffsets(false, "cube", sequence), 1.0f) == Approx(0.5236).margin(0.01));
 }
 
 TEST_CASE("clustered kernels have the mean length that their ramp gives")
 {
     // Half of the mean of lerp(0.1, 1, t) and of lerp(0.1, 1, t^2) over t in [0, 1).
-    const auto meanLength = [](const char* distribution) {
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const auto meanLength = [&sequence](const char* distribution) {
         double sum = 0;
-        const std::vector<glm::vec3> offsets = manyOffsets(true, distribution);
+        const std::vector<glm::vec3> offsets = manyOffsets(true, distribution, sequence);
         for (const glm::vec3& offset : offsets) sum += glm::length(offset);
         return sum / double(offsets.size());
     };
@@ -123,20 +132,25 @@ TEST_CASE("clustered kernels have the mean length that their ramp gives")
 
 TEST_CASE("the first offsets of clustered kernels are the near ones")
 {
+    const auto sequence = GENERATE(from_range(sequenceNames()));
     for (unsigned seed = 0; seed < 50; ++seed) {
-        CHECK(glm::length(kernelOf(false, 64, "accelerated", seed)[0]) <= 0.1f);
-        CHECK(glm::length(kernelOf(false, 64, "linear", seed)[0]) <= 0.1f);
-        CHECK(glm::length(kernelOf(false, 64, "accelerated", seed)[32]) <= 0.325f);
-        CHECK(glm::length(kernelOf(false, 64, "linear", seed)[32]) <= 0.55f);
+        const auto accelerated = kernelOf(false, 64, "accelerated", seed, sequence);
+        const auto linear = kernelOf(false, 64, "linear", seed, sequence);
+        CHECK(glm::length(accelerated[0]) <= 0.1f);
+        CHECK(glm::length(linear[0]) <= 0.1f);
+        CHECK(glm::length(accelerated[32]) <= 0.325f);
+        CHECK(glm::length(linear[32]) <= 0.55f);
     }
 }
 
 TEST_CASE("a seed gives the same numbers again and another seed gives others")
 {
-    for (const char* distribution : kDistributions) {
-        CHECK(kernelOf(true, 16, distribution, 5) == kernelOf(true, 16, distribution, 5));
-        CHECK(kernelOf(true, 16, distribution, 5) != kernelOf(true, 16, distribution, 6));
-    }
+    for (const std::string& sequence : sequenceNames())
+        for (const std::string& distribution : distributionNames()) {
+            const auto kernel = kernelOf(true, 16, distribution, 5, sequence);
+            CHECK(kernel == kernelOf(true, 16, distribution, 5, sequence));
+            CHECK(kernel != kernelOf(true, 16, distribution, 6, sequence));
+        }
     CHECK(makeRotationNoise(4, 1)->pixels == makeRotationNoise(4, 1)->pixels);
     CHECK(makeRotationNoise(4, 1)->pixels != makeRotationNoise(4, 2)->pixels);
 }
@@ -198,17 +212,21 @@ TEST_CASE("rotation noise is shuffled, not a ramp")
 TEST_CASE("a generator that is asked for the impossible says what is possible")
 {
     for (int count : {-1, 0, kMaxKernelSize + 1}) {
-        const auto kernel = makeKernel(true, count, "uniform", 1);
+        const auto kernel = makeKernel({true, count, "uniform", "random", 1});
         REQUIRE(kernel.diagnostics().size() == 1);
         CHECK(kernel.diagnostics()[0].code == Code::out_of_range);
         CHECK(kernel.diagnostics()[0].message.find("[1, 128]") != std::string::npos);
     }
     for (int size : {-1, 0, kMaxNoiseSize + 1})
         CHECK(makeRotationNoise(size, 1).diagnostics()[0].code == Code::out_of_range);
-    const auto kernel = makeKernel(true, 4, "liner", 1);
+    const auto kernel = makeKernel({true, 4, "liner", "random", 1});
     REQUIRE(kernel.diagnostics().size() == 1);
     CHECK(kernel.diagnostics()[0].code == Code::bad_enum);
     CHECK(kernel.diagnostics()[0].help.find("linear") != std::string::npos);
+    const auto sequence = makeKernel({true, 4, "linear", "stratifyed", 1});
+    REQUIRE(sequence.diagnostics().size() == 1);
+    CHECK(sequence.diagnostics()[0].code == Code::bad_enum);
+    CHECK(sequence.diagnostics()[0].help.find("did you mean 'stratified'") != std::string::npos);
 }
 
 TEST_CASE("generators are known by name")

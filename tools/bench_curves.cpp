@@ -13,8 +13,10 @@ double samplesOf(const BenchPoint& point) { return point.samples; }
 double pixelsOf(const BenchPoint& point) { return 1.0 * point.extent.width * point.extent.height; }
 double radiusOf(const BenchPoint& point) { return point.radius_px; }
 double trianglesOf(const BenchPoint& point) { return static_cast<double>(point.triangles); }
-double costOf(const BenchPoint& point) { return point.total.median; }
+double costOf(const BenchPoint& point) { return point.cost.median; }
+double totalOf(const BenchPoint& point) { return point.total.median; }
 double errorOf(const BenchPoint& point) { return point.error.rmse; }
+double samplingOf(const BenchPoint& point) { return point.budget.sampling; }
 double noiseOf(const BenchPoint& point) { return point.budget.noise; }
 
 std::string familyOf(const BenchPoint& point) { return point.family; }
@@ -27,11 +29,12 @@ struct Axes {
 };
 
 constexpr Axes kErrorSamples{"error_samples", familyOf, samplesOf, errorOf};
+constexpr Axes kSamplingSamples{"sampling_samples", familyOf, samplesOf, samplingOf};
 constexpr Axes kNoiseSamples{"noise_samples", familyOf, samplesOf, noiseOf};
 constexpr Axes kCostSamples{"cost_samples", familyOf, samplesOf, costOf};
 constexpr Axes kCostPixels{"cost_pixels", pointLabel, pixelsOf, costOf};
 constexpr Axes kCostRadius{"cost_radius", pointLabel, radiusOf, costOf};
-constexpr Axes kCostTriangles{"cost_triangles", pointLabel, trianglesOf, costOf};
+constexpr Axes kCostTriangles{"cost_triangles", pointLabel, trianglesOf, totalOf};
 
 void addPoint(std::vector<Curve>& curves, const Axes& axes, const BenchPoint& point)
 {
@@ -84,7 +87,7 @@ std::vector<std::size_t> pointsAlong(const std::vector<BenchPoint>& points, cons
 std::vector<Curve> curvesOf(const std::vector<BenchPoint>& points, const ResultView& view)
 {
     std::vector<Curve> curves;
-    for (const Axes& axes : {kErrorSamples, kNoiseSamples, kCostSamples})
+    for (const Axes& axes : {kErrorSamples, kSamplingSamples, kNoiseSamples, kCostSamples})
         addCurves(points, view.points, axes, curves);
     const auto same_radius = [&view](const BenchPoint& p) { return p.radius == view.radius; };
     const auto same_extent = [&view](const BenchPoint& p) { return p.extent == view.extent; };

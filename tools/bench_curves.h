@@ -13,9 +13,10 @@ namespace crevice {
 
 /// What a curve shows; also its name in a report.
 ///
-///     error_samples    rmse over depth taps        cost_pixels     ms over pixels
-///     noise_samples    noise over depth taps       cost_radius     ms over the radius on screen
-///     cost_samples     ms over depth taps          cost_triangles  ms over triangles
+///     error_samples     rmse over depth taps      cost_samples    ms over depth taps
+///     sampling_samples  noise before the filter   cost_pixels     ms over pixels
+///     noise_samples     noise after the filter    cost_radius     ms over the radius on screen
+///                                                 cost_triangles  ms of a frame over triangles
 struct Curve {
     std::string kind;
     std::string label;   ///< The family for curves over samples, else the point's label.
