@@ -20,6 +20,7 @@ inline BenchPoint benchPoint(const std::string& config, int samples, double ms, 
     point.scene = scene;
     point.extent = {960, 540};
     point.radius = 1;
+    point.rays = 256;
     point.radius_px = 80;
     point.samples = samples;
     point.triangles = 1000;

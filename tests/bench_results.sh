@@ -6,7 +6,7 @@ bench_point() {
     local key=$1 config=$2 samples=$3 ms=$4 rmse=$5 failure=${6:-}
     printf '{"key":"%s","failure":"%s","config":"%s","overrides":["samples=%s"],"family":"%s",' \
         "$key" "$failure" "$config" "$samples" "$config"
-    printf '"scene":"room","camera":"","extent":{"width":960,"height":540},"radius":1,'
+    printf '"scene":"room","camera":"","extent":{"width":960,"height":540},"radius":1,"rays":256,'
     printf '"radius_px":80,"samples":%s,"triangles":1000,"device":"device A","software":true,' "$samples"
     printf '"version":"0.1.0","error":{"rmse":%s,"bias":0.01,"p99":0.2,"rmse_fit":%s,' "$rmse" "$rmse"
     printf '"power_fit":1,"pixels":500000},"error_without_ao":0.2,"budget_failure":"",'

@@ -16,11 +16,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
-                                   camera, extent, radius, radius_px, samples, triangles, device,
-                                   software, version, error, error_without_ao, budget,
-                                   budget_failure, clock, repeats, total, cost, passes, ratio_floor, ratio_learnopengl,
-                                   texture_bytes, bytes_read, bytes_written, ao_picture,
-                                   truth_picture, difference_picture)
+                                   camera, extent, radius, rays, radius_px, samples, triangles,
+                                   device, software, version, error, error_without_ao, budget,
+                                   budget_failure, clock, repeats, total, cost, passes,
+                                   ratio_floor, ratio_learnopengl, texture_bytes, bytes_read,
+                                   bytes_written, ao_picture, truth_picture, difference_picture)
 
 namespace {
 
@@ -157,7 +157,7 @@ private:
 std::string identityOf(const BenchPoint& point)
 {
     return dump({point.config, point.overrides, point.scene, point.camera, point.extent,
-                 point.radius});
+                 point.radius, point.rays});
 }
 
 std::string toJsonLine(const BenchPoint& point)

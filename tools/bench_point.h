@@ -55,6 +55,7 @@ struct BenchPoint {
     std::string camera;
     Extent extent;
     double radius = 0;      ///< Scene units.
+    int rays = 0;           ///< A pixel of the truth.
     double radius_px = 0;   ///< On screen, at the median depth of what is seen.
     int samples = 0;        ///< The param `samples`; 0 for a config that has none.
     long long triangles = 0;
@@ -90,7 +91,7 @@ struct BenchPoint {
 std::string toJsonLine(const BenchPoint& point);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
-/// size and radius. A key says more: it changes with a shader's text, a driver or a version.
+/// size, radius and rays. A key says more: it changes with a shader's text, a driver or a version.
 std::string identityOf(const BenchPoint& point);
 
 /// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point on

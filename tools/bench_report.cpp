@@ -98,6 +98,7 @@ constexpr const char* kColumns[][2] = {
     {"width", "/extent/width"},
     {"height", "/extent/height"},
     {"radius", "/radius"},
+    {"rays", "/rays"},
     {"radius_px", "/radius_px"},
     {"triangles", "/triangles"},
     {"rmse", "/error/rmse"},
