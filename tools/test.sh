@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Sets up what is missing and runs every check: all tests, those without GL under sanitizers, and a
-# build with clang. Warnings are errors everywhere. Safe to run again.
+# Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
+# docs/bench, the tests without GL under sanitizers, and a build with clang. Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it
 #   tools/test.sh --quick  the tests alone
@@ -32,6 +32,9 @@ stage() {
 all_tests() {
     cmake --preset ci && cmake --build --preset ci && ctest --preset ci --parallel 2
 }
+guard() {
+    CREVICE=build/ci/tools/crevice tools/guard_bench.sh --errors-only
+}
 sanitized_tests() {
     cmake --preset asan -DCREVICE_WERROR=ON &&
         cmake --build --preset asan --target crevice_tests &&
@@ -49,6 +52,7 @@ if $quick; then
 else
     tools/install_packages.sh chromium clang
     stage "All tests" all_tests
+    stage "Errors against docs/bench" guard
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Build with clang" clang_build
 fi
