@@ -4,7 +4,7 @@
 // A shader that needs no normals defines SURFACE_WITHOUT_NORMAL before it includes this, so that a plan
 // sees that nobody reads them.
 
-#include "common/view_space.glsl"
+#include "geometry/depth_point.glsl"
 
 uniform highp sampler2D depth;
 
@@ -14,11 +14,7 @@ const highp float kBackgroundZ = -1e30;
 // The point in view space of the texel at uv; false in the background, which the clear left at 1.
 bool pointAt(highp vec2 at, out highp vec3 point)
 {
-    highp vec2 size = vec2(textureSize(depth, 0));
-    highp vec2 texel = min(floor(at * size), size - 1.0);
-    highp float stored = texelFetch(depth, ivec2(texel), 0).r;
-    point = viewFromWindow((texel + 0.5) / size, stored);
-    return stored < 1.0;
+    return pointIn(depth, at, point);
 }
 
 // View-space z of the texel at uv; kBackgroundZ in the background.
@@ -34,6 +30,6 @@ uniform mediump sampler2D normal;
 // The unit normal in view space at uv, towards the camera's side.
 highp vec3 normalAt(highp vec2 at)
 {
-    return normalize(texture(normal, at).xyz * 2.0 - 1.0);
+    return normalize(texture(normal, uvInGuard(at)).xyz * 2.0 - 1.0);
 }
 #endif

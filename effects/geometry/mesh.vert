@@ -7,6 +7,8 @@
 //   uv      texture coordinates of the material
 precision highp float;
 
+#include "common/guard.glsl"
+
 uniform mat4 clip_from_model;
 uniform mat4 view_from_model;
 uniform mat3 view_normal_from_model;
@@ -25,4 +27,5 @@ void main()
     facing = view_normal_from_model * model_normal;
     uv = model_uv;
     gl_Position = clip_from_model * vec4(model_point, 1.0);
+    gl_Position.xy /= GUARD;
 }

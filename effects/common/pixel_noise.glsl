@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Two numbers in 0..1 a pixel, to turn a pattern of samples and to shift it along itself.
+//
+//   ROTATION_TILE      sixteen pairs that stand well apart, in a tile of 4x4 pixels: whatever averages
+//                      four by four pixels sees all of them once
+//   ROTATION_GRADIENT  each 3x3 pixels see numbers well apart, and no tile repeats: for a mean over frames
+//   ROTATION_NONE      the same for all pixels: bands, but nothing to filter
+//
+// [Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" - the gradient]
+// [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - the shifts]
+
+highp vec2 pixelNoise(highp vec2 pixel)
+{
+#if ROTATION == ROTATION_GRADIENT
+    highp float turn = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+    return vec2(turn, fract(dot(pixel, vec2(0.75487767, 0.56984029))));
+#elif ROTATION == ROTATION_TILE
+    mediump ivec2 at = ivec2(mod(pixel, 4.0));
+    // A Bayer matrix of the turns, so that neighbours differ by much.
+    mediump int across = at.x ^ at.y;
+    mediump int order = (across & 1) * 8 + (at.y & 1) * 4 + (across >> 1) * 2 + (at.y >> 1);
+    return vec2((float(order) + 0.5) / 16.0, fract(dot(vec2(at), vec2(0.61803399, 2.72213596))));
+#else
+    return vec2(0.5);
+#endif
+}

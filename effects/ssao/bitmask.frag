@@ -1,0 +1,171 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 32
+// sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
+// passes behind thin things.
+//
+//   surface            interface: point and normal in view space
+//   depth_back         with BACK_FACES: the first back faces, which end what the surface begins
+//   depth_second       with SECOND_LAYER: the first front faces behind those
+//   depth_second_back  with both: the back faces that end them
+//   ao                 visibility, 1 open .. 0 blocked; 1 in the background
+//
+// [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"]
+precision highp float;  // positions and depths; mediump bands
+precision highp int;    // all 32 bits of a mask: mediump has 16
+
+#include <surface>
+#include "geometry/depth_point.glsl"
+#include "ssao/march.glsl"
+#include "ssao/occlusion_curve.glsl"
+
+uniform float thickness;
+uniform float bridge;
+
+#if BACK_FACES
+uniform highp sampler2D depth_back;
+#endif
+#if SECOND_LAYER
+uniform highp sampler2D depth_second;
+#if BACK_FACES
+uniform highp sampler2D depth_second_back;
+#endif
+#endif
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+// The end of what a side's taps have seen so far, from the point outwards.
+struct Trail {
+    vec3 offset;    // of the last tap from the point
+    float sector;   // 0..32, of its front
+    bool inside;    // within the radius
+};
+
+uint maskOf(float first, float last)
+{
+    uint from = uint(min(first, last) + 0.5);
+    uint to = uint(max(first, last) + 0.5);
+    uint below_to = to >= 32u ? 0xffffffffu : (1u << to) - 1u;
+    uint below_from = from >= 32u ? 0xffffffffu : (1u << from) - 1u;
+    return below_to & ~below_from;
+}
+
+float countOf(uint mask)
+{
+    uint pairs = mask - ((mask >> 1u) & 0x55555555u);
+    uint fours = (pairs & 0x33333333u) + ((pairs >> 2u) & 0x33333333u);
+    return float((((fours + (fours >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
+}
+
+float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
+{
+    return 32.0 * lightUpTo(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
+}
+
+// The sectors that a surface at `offset` blocks, which is `deep` thick along the ray `away`. What the
+// tap before was on counts as one surface with it up to a step of `bridge` in depth, and then blocks all
+// between the two; where it leaves the radius, up to there.
+uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, inout Trail trail)
+{
+    float reached = length(offset);
+    bool inside = reached < radius;
+    bool joined = trail.inside && abs(dot(offset - trail.offset, march.to_camera)) < bridge * radius;
+    uint blocked = 0u;
+    if (inside || joined) {
+        vec3 front = offset;
+        if (!inside) {
+            float before = length(trail.offset);
+            front = mix(trail.offset, offset, (radius - before) / (reached - before));
+        }
+        float sector = sectorOf(march, side, outwards, front);
+        blocked = maskOf(sector, sectorOf(march, side, outwards, front + away * deep));
+        if (joined) blocked |= maskOf(sector, trail.sector);
+        trail.sector = sector;
+    }
+    trail.offset = offset;
+    trail.inside = inside;
+    return blocked;
+}
+
+// Away from the camera, at an offset from the point.
+vec3 awayAt(March march, vec3 offset)
+{
+#if CAMERA_ORTHOGRAPHIC
+    return vec3(0.0, 0.0, -1.0);
+#else
+    return normalize(march.point + offset);
+#endif
+}
+
+#if BACK_FACES
+// How deep a thing is that begins at `front`: up to its back face, or `thickness` where none was drawn.
+float depthOf(highp sampler2D backs, March march, vec2 at, vec3 front)
+{
+    vec3 back;
+    bool closed = pointIn(backs, at, back);
+    float deep = length(back - march.point - front);
+    return closed && back.z < march.point.z + front.z ? deep : thickness * radius;
+}
+#endif
+
+uint blockedOn(March march, Slice slice, Side side, float sign)
+{
+    vec3 outwards = outward(march, slice, sign);
+    uint blocked = 0u;
+    Trail trail = Trail(vec3(0.0), 32.0, true);
+#if SECOND_LAYER
+    Trail second = Trail(vec3(0.0), 32.0, false);
+#endif
+    for (int i = 0; i < STEPS; ++i) {
+        vec2 at = tapAt(march, slice, sign, i);
+        vec3 offset;
+        if (!offsetAt(march, at, offset)) {
+            trail.inside = false;
+            continue;
+        }
+        vec3 away = awayAt(march, offset);
+        float deep = thickness * radius;
+#if BACK_FACES
+        deep = depthOf(depth_back, march, at, offset);
+#endif
+        blocked |= blockedBy(march, side, outwards, offset, away, deep, trail);
+#if SECOND_LAYER
+        vec3 behind;
+        if (!pointIn(depth_second, at, behind)) {
+            second.inside = false;
+            continue;
+        }
+        behind -= march.point;
+        deep = thickness * radius;
+#if BACK_FACES
+        deep = depthOf(depth_second_back, march, at, behind);
+#endif
+        blocked |= blockedBy(march, side, outwards, behind, away, deep, second);
+#endif
+    }
+    return blocked;
+}
+
+void main()
+{
+    vec3 point;
+    if (!pointAt(uv, point)) {
+        ao = 1.0;
+        return;
+    }
+    March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
+    float blocked = 0.0;
+    float whole = 0.0;
+    for (int i = 0; i < SLICES; ++i) {
+        Slice slice = sliceOf(march, i);
+        float weight = slice.turn.z;
+        for (float sign = -1.0; sign < 2.0; sign += 2.0) {
+            Side side = sideOf(slice.turn, sign);
+            float share = countOf(blockedOn(march, slice, side, sign)) / 32.0;
+            blocked += weight * side.whole * share;
+            whole += weight * side.whole;
+        }
+    }
+    ao = visibilityOf(shareShown(march) * blocked / max(whole, 1e-6));
+}

@@ -1,0 +1,72 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Ambient occlusion from the horizons of slices through the hemisphere, cosine-weighted.
+//
+//   surface  interface: point and normal in view space
+//   ao       visibility, 1 open .. 0 blocked; 1 in the background
+//
+// Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count;
+// where the surface leaves the radius between two taps, the place where it does is interpolated, without
+// which few taps see too low a horizon.
+// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]
+precision highp float;  // positions and depths; mediump bands
+precision highp int;
+
+#include <surface>
+#include "ssao/march.glsl"
+#include "ssao/occlusion_curve.glsl"
+
+uniform float bridge;
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+// Cosine of the horizon of one side.
+float horizonOf(March march, Slice slice, Side side, float sign)
+{
+    vec3 outwards = outward(march, slice, sign);
+    float horizon = lastCosine(side);
+    vec3 before = vec3(0.0);
+    float before_distance = 0.0;
+    for (int i = 0; i < STEPS; ++i) {
+        vec2 at = tapAt(march, slice, sign, i);
+        vec3 offset;
+        if (!offsetAt(march, at, offset)) continue;
+        float distance_here = length(offset);
+        float share = 1.0;
+        if (distance_here > radius) {
+            bool leaves = before_distance < radius &&
+                          abs(dot(offset - before, march.to_camera)) < bridge * radius;
+            share = leaves ? (radius - before_distance) / (distance_here - before_distance) : 0.0;
+        }
+        vec3 counted = mix(before, offset, share);
+        if (distance_here < radius || share > 0.0)
+            horizon = max(horizon, cosineOf(march, side, outwards, counted));
+        before = offset;
+        before_distance = distance_here;
+    }
+    return horizon;
+}
+
+void main()
+{
+    vec3 point;
+    if (!pointAt(uv, point)) {
+        ao = 1.0;
+        return;
+    }
+    March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
+    float open = 0.0;
+    float whole = 0.0;
+    for (int i = 0; i < SLICES; ++i) {
+        Slice slice = sliceOf(march, i);
+        float weight = slice.turn.z;
+        for (float sign = -1.0; sign < 2.0; sign += 2.0) {
+            Side side = sideOf(slice.turn, sign);
+            float horizon = horizonOf(march, slice, side, sign);
+            open += weight * lightUpTo(side, horizon);
+            whole += weight * side.whole;
+        }
+    }
+    ao = visibilityOf(shareShown(march) * (1.0 - open / max(whole, 1e-6)));
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The hemisphere over a point, cut into slices by planes through the view ray, and each slice into two
+// sides, along which the screen is marched.
+//
+// An angle on a side counts from the direction to the camera and is given by its cosine. Of the light that
+// a cosine-weighted hemisphere gets, angle t of a side brings cos(t - n) sin t dt, where n is the angle
+// of the normal within the slice; `lightUpTo` is its integral.
+// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]
+
+#include "common/angles.glsl"
+
+struct Side {
+    highp float cos_n;  // of the normal's angle, positive towards this side
+    highp float sin_n;
+    highp float tilt;   // cosine between the normal and the slice: what a rise over the surface shrinks by
+    highp float whole;  // the light of all of the side
+};
+
+// Cosine of the angle at which the surface's own plane ends the side.
+highp float lastCosine(Side side)
+{
+    return -side.sin_n;
+}
+
+// The light from angle 0 up to that of cosine `c`, at most up to the end of the side.
+highp float lightUpTo(Side side, highp float c)
+{
+    highp float kept = clamp(c, lastCosine(side), 1.0);
+    highp float s = sqrt(max(1.0 - kept * kept, 0.0));
+    return 0.5 * (s * s * side.cos_n + (angleOf(kept) - s * kept) * side.sin_n);
+}
+
+// Cosine of the angle of what rises over the surface: `rise` is the cosine between its direction and the
+// normal, `leads` whether it lies on this side of the normal.
+//
+// A texel's centre lies somewhat off the slice, and on a surface seen at a grazing angle its angle to the
+// camera may then say that it stands high above that surface. Its rise tells that it does not.
+highp float cosineOfRise(Side side, highp float rise, bool leads)
+{
+    highp float up = clamp(rise / side.tilt, 0.0, 1.0);
+    highp float level = sqrt(1.0 - up * up);
+    if (leads) return side.cos_n * up - side.sin_n * level;
+    bool on_this_side = side.sin_n * up > side.cos_n * level;  // between the normal and the camera
+    return on_this_side ? side.cos_n * up + side.sin_n * level : lastCosine(side);
+}
+
+// `sign` is 1 for the side along which the march goes, -1 for the other.
+Side sideOf(highp vec3 turn, highp float sign)
+{
+    Side side = Side(turn.x, turn.y * sign, turn.z, 0.0);
+    side.whole = lightUpTo(side, -1.0);
+    return side;
+}
