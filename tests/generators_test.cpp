@@ -2,6 +2,7 @@
 // Sample kernels and rotation noise.
 #include "core/generators.h"
 
+#include "core/sequences.h"
 #include "tests/catch.h"
 
 #include <glm/geometric.hpp>
