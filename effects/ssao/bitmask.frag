@@ -35,11 +35,13 @@ uniform highp sampler2D depth_second_back;
 in vec2 uv;
 layout(location = 0) out float ao;
 
-// The end of what a side's taps have seen so far, from the point outwards.
+// What a side's last tap has seen.
 struct Trail {
-    vec3 offset;    // of the last tap from the point
-    float sector;   // 0..32, of its front
-    bool inside;    // within the radius
+    vec3 offset;   // of its front from the point
+    float sector;  // 0..32, of where its front ends within the radius
+    float front;   // how far behind the point, along the view, it begins
+    float back;    // and ends
+    bool inside;   // whether its front is within the radius
 };
 
 uint maskOf(float first, float last)
@@ -63,28 +65,46 @@ float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
     return 32.0 * lightUpTo(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
 }
 
-// The sectors that a surface at `offset` blocks, which is `deep` thick along the ray `away`. What the
-// tap before was on counts as one surface with it up to a step of `bridge` in depth, and then blocks all
-// between the two; where it leaves the radius, up to there.
+// Whether two neighbouring taps are on one surface: what lies between them in depth is at most as large as
+// the nearer of them is deep, times `bridge` and the spacing of the taps.
+bool isJoined(Trail trail, float front, float deep)
+{
+    float share = bridge / float(STEPS);
+    return trail.inside && front - trail.back < share * (trail.back - trail.front) &&
+           trail.front - front - deep < share * deep;
+}
+
+// The sectors blocked by something whose front is at `offset` and which is `deep` along the ray `away`,
+// as far as it lies within the radius; and by the surface that joins it to the tap before, without which
+// few taps would miss most of what blocks.
 uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, inout Trail trail)
 {
+    float front = -dot(offset, march.to_camera);
+    bool joined = isJoined(trail, front, deep);
+
+    // The ray is within the radius from -along - root to root - along.
+    float along = dot(offset, away);
     float reached = length(offset);
-    bool inside = reached < radius;
-    bool joined = trail.inside && abs(dot(offset - trail.offset, march.to_camera)) < bridge * radius;
+    float square = along * along + (radius - reached) * (radius + reached);
+    float root = sqrt(max(square, 0.0));
+    float first = max(-along - root, 0.0);
+    float last = min(deep, root - along);
     uint blocked = 0u;
-    if (inside || joined) {
-        vec3 front = offset;
+    float sector = 32.0;
+    if (square > 0.0 && first <= last) {
+        sector = sectorOf(march, side, outwards, offset + away * first);
+        blocked = maskOf(sector, sectorOf(march, side, outwards, offset + away * last));
+    }
+    bool inside = reached < radius;
+    if (joined) {
         if (!inside) {
             float before = length(trail.offset);
-            front = mix(trail.offset, offset, (radius - before) / (reached - before));
+            vec3 leaves = mix(trail.offset, offset, (radius - before) / (reached - before));
+            sector = sectorOf(march, side, outwards, leaves);
         }
-        float sector = sectorOf(march, side, outwards, front);
-        blocked = maskOf(sector, sectorOf(march, side, outwards, front + away * deep));
-        if (joined) blocked |= maskOf(sector, trail.sector);
-        trail.sector = sector;
+        blocked |= maskOf(sector, trail.sector);
     }
-    trail.offset = offset;
-    trail.inside = inside;
+    trail = Trail(offset, sector, front, front + deep, inside);
     return blocked;
 }
 
@@ -113,9 +133,9 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
 {
     vec3 outwards = outward(march, slice, sign);
     uint blocked = 0u;
-    Trail trail = Trail(vec3(0.0), 32.0, true);
+    Trail trail = Trail(vec3(0.0), 32.0, 0.0, thickness * radius, true);
 #if SECOND_LAYER
-    Trail second = Trail(vec3(0.0), 32.0, false);
+    Trail second = Trail(vec3(0.0), 32.0, 0.0, 0.0, false);
 #endif
     for (int i = 0; i < STEPS; ++i) {
         vec2 at = tapAt(march, slice, sign, i);

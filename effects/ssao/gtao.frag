@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion from the horizons of slices through the hemisphere, cosine-weighted.
 //
-//   surface  interface: point and normal in view space
-//   ao       visibility, 1 open .. 0 blocked; 1 in the background
+//   surface      interface: point and normal in view space
+//   ao           visibility, 1 open .. 0 blocked; 1 in the background
+//   bent_normal  with BENT_NORMALS: mean open direction, view space, stored as n * 0.5 + 0.5
 //
 // Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count;
 // where the surface leaves the radius between two taps, the place where it does is interpolated, without
@@ -20,6 +21,9 @@ uniform float bridge;
 
 in vec2 uv;
 layout(location = 0) out float ao;
+#ifdef BENT_NORMALS
+layout(location = 1) out vec4 bent_normal;
+#endif
 
 // Cosine of the horizon of one side.
 float horizonOf(March march, Slice slice, Side side, float sign)
@@ -36,7 +40,7 @@ float horizonOf(March march, Slice slice, Side side, float sign)
         float share = 1.0;
         if (distance_here > radius) {
             bool leaves = before_distance < radius &&
-                          abs(dot(offset - before, march.to_camera)) < bridge * radius;
+                          abs(dot(offset - before, march.to_camera)) < bridge / float(STEPS) * radius;
             share = leaves ? (radius - before_distance) / (distance_here - before_distance) : 0.0;
         }
         vec3 counted = mix(before, offset, share);
@@ -53,11 +57,15 @@ void main()
     vec3 point;
     if (!pointAt(uv, point)) {
         ao = 1.0;
+#ifdef BENT_NORMALS
+        bent_normal = vec4(0.5, 0.5, 1.0, 0.0);
+#endif
         return;
     }
     March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
     float open = 0.0;
     float whole = 0.0;
+    vec3 bent = vec3(0.0);
     for (int i = 0; i < SLICES; ++i) {
         Slice slice = sliceOf(march, i);
         float weight = slice.turn.z;
@@ -66,7 +74,15 @@ void main()
             float horizon = horizonOf(march, slice, side, sign);
             open += weight * lightUpTo(side, horizon);
             whole += weight * side.whole;
+#ifdef BENT_NORMALS
+            vec2 direction = openDirection(side, horizon);
+            bent += weight * (march.to_camera * direction.x + slice.along * (sign * direction.y));
+#endif
         }
     }
+#ifdef BENT_NORMALS
+    bent = mix(march.normal * 1e-3, bent, shareShown(march));
+    bent_normal = vec4(normalize(bent + march.normal * 1e-6) * 0.5 + 0.5, 1.0);
+#endif
     ao = visibilityOf(shareShown(march) * (1.0 - open / max(whole, 1e-6)));
 }

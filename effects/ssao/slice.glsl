@@ -30,6 +30,17 @@ highp float lightUpTo(Side side, highp float c)
     return 0.5 * (s * s * side.cos_n + (angleOf(kept) - s * kept) * side.sin_n);
 }
 
+// The light's direction up to the angle of cosine `c`, not normalised: towards the camera, and along the
+// side.
+highp vec2 openDirection(Side side, highp float c)
+{
+    highp float s = sqrt(max(1.0 - c * c, 0.0));
+    highp float c3 = c * c * c;
+    highp float s3 = s * s * s;
+    return vec2(side.cos_n * (1.0 - c3) + side.sin_n * s3,
+                side.cos_n * s3 + side.sin_n * (2.0 - 3.0 * c + c3)) / 3.0;
+}
+
 // Cosine of the angle of what rises over the surface: `rise` is the cosine between its direction and the
 // normal, `leads` whether it lies on this side of the normal.
 //
