@@ -30,6 +30,7 @@ uniform mediump sampler2D normal;
 // The unit normal in view space at uv, towards the camera's side.
 highp vec3 normalAt(highp vec2 at)
 {
-    return normalize(texture(normal, uvInGuard(at)).xyz * 2.0 - 1.0);
+    highp ivec2 texel = texelAt(uvInGuard(at), vec2(textureSize(normal, 0)));
+    return normalize(texelFetch(normal, texel, 0).xyz * 2.0 - 1.0);
 }
 #endif

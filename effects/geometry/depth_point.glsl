@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points from depth textures, for any projection.
 
+#include "common/texel.glsl"
 #include "common/view_space.glsl"
 
 // The point in view space that the texel at the view's uv holds, at its centre; false where nothing was
@@ -8,8 +9,8 @@
 bool pointIn(highp sampler2D depths, highp vec2 at, out highp vec3 point)
 {
     highp vec2 size = vec2(textureSize(depths, 0));
-    highp vec2 texel = clamp(floor(uvInGuard(at) * size), vec2(0.0), size - 1.0);
-    highp float stored = texelFetch(depths, ivec2(texel), 0).r;
-    point = viewFromWindow(uvFromGuard((texel + 0.5) / size), stored);
+    highp ivec2 texel = texelAt(uvInGuard(at), size);
+    highp float stored = texelFetch(depths, texel, 0).r;
+    point = viewFromWindow(uvFromGuard((vec2(texel) + 0.5) / size), stored);
     return stored < 1.0;
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Which texel of a texture a place in it names.
+
+// At half the size pixel centres lie where four texels meet. There rounding would decide, pixel by pixel
+// and for depth and normals apart; so the lesser texel is taken, by more than the error of a uv and less
+// than any distance that matters.
+const highp float kTie = 1.0 / 256.0;
+
+// The texel at `place`, 0..1 over a texture of `size` texels.
+highp ivec2 texelAt(highp vec2 place, highp vec2 size)
+{
+    return ivec2(clamp(floor(place * size - kTie), vec2(0.0), size - 1.0));
+}
