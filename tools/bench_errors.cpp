@@ -2,6 +2,7 @@
 // Converged and precise pictures of a config, and what they say about its error.
 #include "tools/bench_errors.h"
 
+#include "tools/bench_samples.h"
 #include "tools/image_metrics.h"
 #include "tools/output_request.h"
 #include "tools/read_output.h"
@@ -59,12 +60,6 @@ void widenOcclusion(Description& description, const DeviceCaps& caps)
     for (TargetDesc& target : description.targets)
         if (std::find(formats.begin(), formats.end(), target.formats) != formats.end())
             widen(target, caps);
-}
-
-void takeAllSamples(Description& description)
-{
-    for (ParamDesc& param : description.params)
-        if (param.name == "samples") param.value[0] = static_cast<float>(param.max);
 }
 
 /// Seeds by counting down from the largest, since people count up from 1: noise that the mean shared

@@ -2,6 +2,7 @@
 // Which points a bench measures: the product of its lists, their keys and their shards.
 #include "tools/bench.h"
 
+#include "tools/bench_samples.h"
 #include "tools/camera_framing.h"
 #include "tools/content_hash.h"
 #include "tools/reference_cache.h"
@@ -88,8 +89,8 @@ private:
     void addView(const std::shared_ptr<const Scene>& scene, Place& place);
     void addConfigs(Place place);
     void addConfig(const Place& place, const std::string& config);
-    std::vector<std::string> sampleOverrides(const std::string& config,
-                                             const Description& description);
+    std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
+                                                          const Description& description);
     void addTask(const Place& place, const std::string& config,
                  std::vector<std::string> overrides);
     Status describe(const Place& place, const Loaded& loaded, BenchTask& task);
@@ -166,32 +167,32 @@ void Planner::addConfig(const Place& place, const std::string& config)
         else
             note("'" + config + "' has no param 'radius': --radius sets that of the truth alone");
     }
-    for (const std::string& samples : sampleOverrides(config, description)) {
+    for (const std::vector<std::string>& samples : sampleOverrides(config, description)) {
         std::vector<std::string> all = overrides;
-        if (!samples.empty()) all.push_back(samples);
+        all.insert(all.end(), samples.begin(), samples.end());
         addTask(place, config, std::move(all));
     }
 }
 
-/// "samples=16" for each count of the sweep that the config can take; "" for its own.
-std::vector<std::string> Planner::sampleOverrides(const std::string& config,
-                                                  const Description& description)
+/// What to set for each count of the sweep that the config can take; nothing for its own.
+std::vector<std::vector<std::string>> Planner::sampleOverrides(const std::string& config,
+                                                               const Description& description)
 {
-    if (options_.samples.empty()) return {""};
-    const ParamDesc* param = findNamed(description.params, "samples");
-    if (!param) {
-        note("'" + config + "' has no param 'samples': it is measured once, as it is");
-        return {""};
+    if (options_.samples.empty()) return {{}};
+    if (samplesOf(description) == 0) {
+        note("'" + config + "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
+        return {{}};
     }
-    std::vector<std::string> overrides;
+    std::vector<std::vector<std::string>> all;
     for (const int count : options_.samples) {
-        if (count >= param->min && count <= param->max)
-            overrides.push_back("samples=" + std::to_string(count));
+        std::vector<std::string> overrides = overridesFor(description, count);
+        if (!overrides.empty())
+            all.push_back(std::move(overrides));
         else
-            note("samples=" + std::to_string(count) + " is outside the range of '" + config +
-                 "', [" + shortest(param->min) + ", " + shortest(param->max) + "], and left out");
+            note(std::to_string(count) + " samples are outside the ranges of '" + config +
+                 "' and left out");
     }
-    return overrides;
+    return all;
 }
 
 /// The truth's key for the newest view. Hashing a large scene is slow, so once a radius must do.
@@ -210,8 +211,7 @@ const std::string& Planner::referenceOf(double radius)
 Status Planner::describe(const Place& place, const Loaded& loaded, BenchTask& task)
 {
     const ParamDesc* radius = findNamed(loaded.description.params, "radius");
-    const ParamDesc* samples = findNamed(loaded.description.params, "samples");
-    if (samples) task.point.samples = static_cast<int>(samples->value[0]);
+    task.point.samples = samplesOf(loaded.description);
     task.point.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
     if (place.radius <= 0.0 && !radius)
         return Diagnostic{Code::unknown_param,

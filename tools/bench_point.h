@@ -57,7 +57,7 @@ struct BenchPoint {
     double radius = 0;      ///< Scene units.
     int rays = 0;           ///< A pixel of the truth.
     double radius_px = 0;   ///< On screen, at the median depth of what is seen.
-    int samples = 0;        ///< The param `samples`; 0 for a config that has none.
+    int samples = 0;        ///< Depth taps a pixel; 0 for a config without such a param.
     long long triangles = 0;
 
     std::string device;     ///< Renderer and driver.
