@@ -20,34 +20,6 @@ double meanOfRows(const Image& image, int first, int last)
     return sum / ((last - first) * double(image.extent.width));
 }
 
-/// What a filter makes of an estimator that writes the GLSL expression `ao` at each pixel.
-Image filteredPicture(const std::string& ao, const std::string& filter)
-{
-    MemorySources mine;
-    mine.add("ssao/given.frag", R"(#version 300 es
-precision highp float;
-#define SURFACE_WITHOUT_NORMAL
-#include <surface>
-uniform float radius;
-in vec2 uv;
-layout(location = 0) out float ao;
-void main() { ao = radius > 0.0 ? )" + ao + " : 0.0; }\n");
-    mine.add("ssao/given.json", R"({
-        "format": 1,
-        "params": {"radius": {"default": 0.5}},
-        "targets": {"ao": {"format": ["r8"]}},
-        "shaders": {"ssao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/given.frag"}},
-        "passes": {"ssao": {"type": "fullscreen", "shader": "ssao", "color": ["ao"]}}})");
-    mine.add("configs/given.json",
-             R"({"format": 1, "extends": ["geometry/depth_normal", "ssao/given", "filter/)" + filter +
-                 "\"]}");
-    const LayeredSources sources({&mine, &shippedSources()});
-    PictureRequest request;
-    request.config = "given";
-    request.sources = &sources;
-    return picture(request);
-}
-
 }  // namespace
 
 TEST_CASE("Every shipped config draws visibility and a picture that is not black")
@@ -135,27 +107,6 @@ TEST_CASE("Intensity 0 and radius 0 are the identity")
         INFO(off);
         CHECK(meanChange(without_work, picture(request)) == 0.0);
     }
-}
-
-TEST_CASE("Filters keep a constant picture constant")
-{
-    for (const char* filter : {"box", "bilateral"}) {
-        const Image filtered = filteredPicture("0.6", filter);
-        INFO(filter);
-        for (float value : filtered.pixels) REQUIRE(value == filtered.pixels.front());
-        CHECK(filtered.pixels.front() == Approx(0.6f).margin(1.01f / 255));
-    }
-}
-
-TEST_CASE("The bilateral filter does not bleed across silhouettes and the box does")
-{
-    // Surfaces are dark and the background is bright: nothing but these two values may remain.
-    const char* const step = "viewZAt(uv) > -1e20 ? 0.2 : 0.8";
-    const auto between = [](const Image& image) {
-        return shareBelow(image, 0.78f) - shareBelow(image, 0.22f);
-    };
-    CHECK(between(filteredPicture(step, "bilateral")) == 0.0);
-    CHECK(between(filteredPicture(step, "box")) > 0.01);
 }
 
 TEST_CASE("Occlusion does not depend on whether positions are stored or rebuilt from depth")
