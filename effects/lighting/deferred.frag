@@ -1,0 +1,95 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Deferred lighting of what a geometry module drew.
+//
+//   surface      interface: point and normal in view space
+//   albedo       linear colour; alpha is the strength of the highlight
+//   visibility   1 open .. 0 blocked
+//   bent_normal  with SPECULAR_OCCLUSION_BENT: mean open direction, view space, n * 0.5 + 0.5
+//   color        sRGB, ready to show; alpha 0 in a transparent background
+//   DISPLAY      the lit picture with occlusion, without, or the occlusion alone
+precision highp float;  // positions
+
+#if DISPLAY == DISPLAY_AO_ONLY
+uniform mediump sampler2D visibility;
+#else
+#if SCENE_LIGHTS == 0
+#define SURFACE_WITHOUT_NORMAL
+#endif
+#include "lighting/shade.glsl"
+#include "lighting/srgb.glsl"
+#include <surface>
+
+uniform mediump sampler2D albedo;
+#if BACKGROUND == BACKGROUND_COLOR
+uniform vec3 background_color;
+#endif
+#if DISPLAY == DISPLAY_LIT
+uniform mediump sampler2D visibility;
+#if HIGHLIGHTS && SPECULAR_OCCLUSION != SPECULAR_OCCLUSION_NONE
+#define GLOSS_OCCLUDED
+#include "lighting/caps.glsl"
+#if SPECULAR_OCCLUSION == SPECULAR_OCCLUSION_BENT
+uniform mediump sampler2D bent_normal;
+#endif
+#endif
+#endif
+#endif
+
+in vec2 uv;
+layout(location = 0) out vec4 color;
+
+#ifdef GLOSS_OCCLUDED
+float glossOpenAt(Surface s, float open)
+{
+    vec3 to_eye = toEye(s.point);
+#if SPECULAR_OCCLUSION == SPECULAR_OCCLUSION_AO
+    return glossOpen(open, clamp(dot(s.normal, to_eye), 0.0, 1.0), specular_power);
+#else
+    vec3 bent = texture(bent_normal, uv).xyz * 2.0 - 1.0;
+    bent /= max(length(bent), 1e-6);
+    return glossOpen(open, bent, s.normal, reflect(-to_eye, s.normal), specular_power);
+#endif
+}
+#endif
+
+#if DISPLAY != DISPLAY_AO_ONLY
+vec4 background()
+{
+#if BACKGROUND == BACKGROUND_COLOR
+    return vec4(srgbFromLinear(background_color), 1.0);
+#else
+    return vec4(0.0);
+#endif
+}
+#endif
+
+void main()
+{
+#if DISPLAY == DISPLAY_AO_ONLY
+    color = vec4(vec3(texture(visibility, uv).r), 1.0);
+#else
+    Surface s;
+    if (!pointAt(uv, s.point)) {
+        color = background();
+        return;
+    }
+    vec4 stored = texture(albedo, uv);
+    s.albedo = stored.rgb;
+    s.gloss = stored.a;
+#if SCENE_LIGHTS > 0
+    s.normal = normalAt(uv);
+#endif
+#if DISPLAY == DISPLAY_LIT
+    float open = texture(visibility, uv).r;
+#else
+    float open = 1.0;
+#endif
+#ifdef GLOSS_OCCLUDED
+    float gloss_open = glossOpenAt(s, open);
+#else
+    float gloss_open = 1.0;
+#endif
+    color = vec4(srgbFromLinear(shade(s, open, gloss_open)), 1.0);
+#endif
+}

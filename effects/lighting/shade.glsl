@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Light at a point: ambient, diffuse, highlights; and what occlusion does to each.
+//
+//   REFLECTION     lambert has no highlights; phong measures them at the mirrored light, blinn_phong
+//                  halfway between light and eye
+//   AO_ON          whether visibility dims the ambient light or everything
+//   MULTI_BOUNCE   light that bounces in corners, so that bright and coloured ones are less dark
+//
+// [Lambert 1760, "Photometria"]
+// [Phong 1975, "Illumination for Computer Generated Pictures"]
+// [Blinn 1977, "Models of Light Reflection for Computer Synthesized Pictures"]
+// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion" - bounces]
+
+#if SCENE_LIGHTS > 0 && SCENE_SPECULAR && REFLECTION != REFLECTION_LAMBERT
+#define HIGHLIGHTS 1
+#else
+#define HIGHLIGHTS 0
+#endif
+
+uniform vec3 ambient_light;
+uniform float ambient;
+#if SCENE_LIGHTS > 0
+uniform vec4 light_position[MAX_LIGHTS];
+uniform vec3 light_color[MAX_LIGHTS];
+uniform vec3 light_attenuation[MAX_LIGHTS];
+#endif
+#if HIGHLIGHTS
+uniform float specular_power;
+#endif
+
+// A point on a surface, in view space.
+struct Surface {
+    highp vec3 point;
+    highp vec3 normal;  // unit length
+    vec3 albedo;
+    float gloss;        // strength of its highlights
+};
+
+// The unit vector to the eye.
+highp vec3 toEye(highp vec3 point)
+{
+#if CAMERA_ORTHOGRAPHIC
+    return vec3(0.0, 0.0, 1.0);
+#else
+    return -normalize(point);
+#endif
+}
+
+#if HIGHLIGHTS
+float highlight(highp vec3 normal, highp vec3 to_light, highp vec3 to_eye)
+{
+#if REFLECTION == REFLECTION_PHONG
+    highp float facing = dot(reflect(-to_light, normal), to_eye);
+#else
+    highp vec3 halfway = to_light + to_eye;
+    highp float facing = dot(normal, halfway / max(length(halfway), 1e-20));
+#endif
+    return facing > 0.0 ? pow(facing, specular_power) : 0.0;
+}
+#endif
+
+#if SCENE_LIGHTS > 0
+vec3 litBy(int i, Surface s, float gloss_open)
+{
+    highp vec3 to_light = light_position[i].xyz - s.point * light_position[i].w;
+    highp float distance = length(to_light);
+    highp vec3 direction = to_light / max(distance, 1e-20);
+    // A directional light does not fade.
+    highp float reach = distance * light_position[i].w;
+    highp vec3 a = light_attenuation[i];
+    highp float fade = 1.0 / max(a.x + reach * (a.y + reach * a.z), 1e-6);
+    vec3 reflected = s.albedo * max(dot(s.normal, direction), 0.0);
+#if HIGHLIGHTS
+    reflected += s.gloss * gloss_open * highlight(s.normal, direction, toEye(s.point));
+#endif
+    return light_color[i] * reflected * fade;
+}
+#endif
+
+// The ambient light that reaches a place of visibility `open`, where surfaces of that albedo throw light
+// at each other. A cubic fitted to ray-traced scenes.
+vec3 ambientOpen(float open, vec3 albedo)
+{
+#if MULTI_BOUNCE
+    vec3 a = 2.0404 * albedo - 0.3324;
+    vec3 b = -4.7951 * albedo + 0.6417;
+    vec3 c = 2.7552 * albedo + 0.6903;
+    return max(vec3(open), ((open * a + b) * open + c) * open);
+#else
+    return vec3(open);
+#endif
+}
+
+// Linear light from the surface towards the eye. `gloss_open` dims the highlights alone.
+vec3 shade(Surface s, float open, float gloss_open)
+{
+    vec3 light = s.albedo * ambient_light * ambient * ambientOpen(open, s.albedo);
+#if SCENE_LIGHTS > 0
+    vec3 direct = vec3(0.0);
+    for (int i = 0; i < SCENE_LIGHTS; ++i) direct += litBy(i, s, gloss_open);
+#if AO_ON == AO_ON_EVERYTHING
+    direct *= open;
+#endif
+    light += direct;
+#endif
+    return light;
+}
