@@ -141,6 +141,17 @@ TEST_CASE("Filters keep 1 exactly, whatever the size and the projection")
             }
 }
 
+TEST_CASE("Filters keep 1 exactly at any radius")
+{
+    for (const std::string& filter : allFilters())
+        for (const char* radius : {"radius=1e-9", "radius=1e9"}) {
+            INFO(filter << " " << radius);
+            Given given = {"1.0", filter, "spheres", ""};
+            given.overrides = {radius};
+            CHECK(mean(filtered(given)) == 1.0);
+        }
+}
+
 TEST_CASE("Noise that repeats every four pixels leaves no trace on a plane")
 {
     for (const char* filter :
@@ -245,7 +256,7 @@ TEST_CASE("A filter that a param switches off is left out")
 TEST_CASE("Every filter runs over every geometry and every projection")
 {
     const std::string steps = "(fract(point.x * 4.0) < 0.5 ? 0.2 : 0.8)";
-    for (const std::string& geometry : modules("geometry", "\"interfaces\""))
+    for (const std::string& geometry : modules("geometry", "\"geometry\": { \"vertex\""))
         for (const char* camera : {"", "eye=0,2,4;at=0,0,0;ortho=4"}) {
             Given raw = {steps, "none", "spheres", camera};
             raw.geometry = geometry;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Interface `surface`, from depth alone; works for any projection. A normal costs nine fetches.
+
+#include "geometry/depth_point.glsl"
+
+uniform highp sampler2D depth;
+
+// View depth that stands for the background: behind everything.
+const highp float kBackgroundZ = -1e30;
+
+// The point in view space of the texel at uv; false in the background, which the clear left at 1.
+bool pointAt(highp vec2 at, out highp vec3 point)
+{
+    return pointIn(depth, at, point);
+}
+
+// View-space z of the texel at uv; kBackgroundZ in the background.
+highp float viewZAt(highp vec2 at)
+{
+    highp vec3 point;
+    return pointAt(at, point) ? point.z : kBackgroundZ;
+}
+
+#ifndef SURFACE_WITHOUT_NORMAL
+#include "geometry/rebuilt_normal.glsl"
+
+// The unit normal in view space at uv, towards the camera's side.
+highp vec3 normalAt(highp vec2 at)
+{
+    return rebuiltNormal(depth, at);
+}
+#endif
