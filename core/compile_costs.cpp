@@ -24,7 +24,8 @@ void estimate(const Plan& plan, PlanPass& pass)
     };
     for (const PlanInput& input : pass.inputs) {
         if (input.kind == InputKind::constant) continue;
-        const bool known = input.kind == InputKind::target;
+        const bool known =
+            input.kind == InputKind::target || input.kind == InputKind::history;
         pass.bytes_read += count * (known ? texel(input.index) : kUnknownTexelBytes);
     }
     const auto write = [&](const PlanAttachment& attachment) {
@@ -43,7 +44,8 @@ double bytesOf(const State& state, const Pass& pass)
 {
     double texel = 0;
     for (const Read& read : pass.reads) {
-        const bool target = read.named.kind == InputKind::target;
+        const bool target = read.named.kind == InputKind::target ||
+                            read.named.kind == InputKind::history;
         texel += target ? formatInfo(state.targets[read.named.index].format).bytes
                         : kUnknownTexelBytes;
     }
@@ -103,6 +105,13 @@ std::vector<LeftOut> leftOut(const State& state)
 {
     std::vector<LeftOut> left_out;
     for (const Pass& pass : state.passes) addLeftOut(state, pass, left_out);
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        const TargetDesc& desc = state.description.targets[i];
+        const Target& target = state.targets[i];
+        if (desc.history && target.textured && !target.remembered)
+            left_out.push_back({"history " + desc.name, "unread", "no pass reads " + historyName(desc),
+                                0});
+    }
     return left_out;
 }
 

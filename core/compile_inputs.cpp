@@ -23,6 +23,9 @@ std::optional<Source> sourceNamed(const State& state, const PassDesc& pass, std:
     const Description& description = state.description;
     if (const int i = indexOf(description.targets, name); i >= 0)
         return Source{InputKind::target, i};
+    for (std::size_t i = 0; i < description.targets.size(); ++i)
+        if (description.targets[i].history && historyName(description.targets[i]) == name)
+            return Source{InputKind::history, static_cast<int>(i)};
     if (const int i = indexOf(description.generated, name); i >= 0)
         if (generatesTexture(description.generated[i].generator))
             return Source{InputKind::generated, i};
@@ -37,6 +40,8 @@ std::optional<Source> sourceNamed(const State& state, const PassDesc& pass, std:
 std::vector<std::string> texturesOf(const State& state)
 {
     std::vector<std::string> names = namesOf(state.description.targets);
+    for (const TargetDesc& each : state.description.targets)
+        if (each.history) names.push_back(historyName(each));
     for (const GeneratedDesc& each : state.description.generated)
         if (generatesTexture(each.generator)) names.push_back(each.name);
     for (const ImportDesc& each : state.description.imports)

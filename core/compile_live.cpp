@@ -55,7 +55,8 @@ const IdentityDesc* nextIdentity(const State& state, const Pass& pass)
 bool need(State& state, const Source& source, std::vector<int>& work, int& misfit)
 {
     const std::optional<Source> behind = resolve(state, source);
-    if (!behind || behind->kind != InputKind::target) return true;
+    const bool history = behind && behind->kind == InputKind::history;
+    if (!behind || (behind->kind != InputKind::target && !history)) return true;
     Target& target = state.targets[behind->index];
     Pass& writer = state.passes[target.writer];
     if (writer.identity) {
@@ -63,6 +64,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
         return false;
     }
     target.textured = true;
+    target.remembered = target.remembered || history;
     if (!writer.live) work.push_back(target.writer);
     writer.live = true;
     return true;
@@ -72,7 +74,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
 int markNeeded(State& state)
 {
     for (Pass& pass : state.passes) pass.live = false;
-    for (Target& target : state.targets) target.textured = false;
+    for (Target& target : state.targets) target.textured = target.remembered = false;
     std::vector<int> work;
     int misfit = -1;
     for (const int index : state.outputs) {
@@ -99,6 +101,9 @@ int markNeeded(State& state)
 
 std::optional<Source> resolve(const State& state, const Source& source)
 {
+    // Nothing can stand in for what a target held: without its writer there is none.
+    if (source.kind == InputKind::history && state.targets[source.index].writer < 0)
+        return std::nullopt;
     std::optional<Source> at = source;
     for (std::size_t steps = 0; steps <= state.targets.size(); ++steps) {
         if (!at || at->kind != InputKind::target) return at;

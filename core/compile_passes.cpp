@@ -43,7 +43,7 @@ public:
 
 private:
     void addPass(int index);
-    void addTargets(const Pass& pass, int at);
+    void addTargets();
     void addInputs(const Pass& pass, PlanPass& into);
     void addOutputs();
     PlanAttachment attachment(const Pass& pass, int target, bool depth) const;
@@ -140,10 +140,18 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     return result;
 }
 
-void Builder::addTargets(const Pass& pass, int at)
+// All of them before the first pass: the history of a target is read before the target is written.
+void Builder::addTargets()
 {
-    for (const int target : writtenBy(pass))
-        if (state_.targets[target].textured) plan_.targets.push_back({nameOf(target), -1, at, at});
+    int at = 0;
+    for (const int index : state_.order) {
+        const Pass& pass = state_.passes[index];
+        if (!pass.live) continue;
+        for (const int target : writtenBy(pass))
+            if (state_.targets[target].textured)
+                plan_.targets.push_back({nameOf(target), -1, at, at});
+        ++at;
+    }
 }
 
 void Builder::addInputs(const Pass& pass, PlanPass& into)
@@ -162,6 +170,7 @@ void Builder::addInputs(const Pass& pass, PlanPass& into)
             input.index = planTarget(source.index);
             plan_.targets[input.index].last_pass = static_cast<int>(plan_.passes.size());
             break;
+        case InputKind::history: input.index = planTarget(source.index); break;
         case InputKind::generated:
             input.index = indexOf(plan_.generated, description_.generated[source.index].name);
             break;
@@ -186,7 +195,6 @@ void Builder::addPass(int index)
     result.state = desc.state;
     result.extent = extentOf(state_, pass);
     addInputs(pass, result);
-    addTargets(pass, static_cast<int>(plan_.passes.size()));
     for (const int target : pass.color) result.color.push_back(attachment(pass, target, false));
     result.has_depth = pass.depth >= 0;
     if (result.has_depth) result.depth = attachment(pass, pass.depth, true);
@@ -195,8 +203,12 @@ void Builder::addPass(int index)
     plan_.passes.push_back(std::move(result));
 }
 
+// What is remembered lasts to the next frame, and so does an output.
 void Builder::addOutputs()
 {
+    for (PlanTarget& target : plan_.targets)
+        if (state_.targets[indexOf(description_.targets, target.name)].remembered)
+            target.last_pass = static_cast<int>(plan_.passes.size());
     for (const int index : state_.outputs) {
         const OutputDesc& desc = description_.outputs[index];
         const int target = indexOf(description_.targets, desc.target.name);
@@ -224,6 +236,10 @@ std::string Builder::storeReason(const PlanTarget& target, int index) const
     readers.erase(std::unique(readers.begin(), readers.end()), readers.end());
     for (const PlanOutput& output : plan_.outputs)
         if (output.target == index) readers.push_back("output " + output.name);
+    for (const PlanPass& pass : plan_.passes)
+        for (const PlanInput& input : pass.inputs)
+            if (input.kind == InputKind::history && input.index == index)
+                readers.push_back(pass.name + " in the next frame");
     if (target.last_pass == target.first_pass) return "nobody reads it after this pass";
     return "read by " + joined(readers);
 }
@@ -247,6 +263,7 @@ Plan Builder::build()
     plan_.config = description_.name;
     plan_.extent = state_.options.extent;
     collectUsed();
+    addTargets();
     for (const int index : state_.order)
         if (state_.passes[index].live) addPass(index);
     addOutputs();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crevice::compiler {
 
@@ -47,13 +48,20 @@ FormatClass classOf(const TargetDesc& target)
 
 // ---- sizes
 
+float scaleOf(const Description& description, const SizeDesc& size)
+{
+    const ParamDesc* param = findNamed(description.params, size.scale_param.name);
+    return param ? param->value[0] : size.scale;
+}
+
 // Sizes do not follow each other in a circle: decode sees to that.
 Extent followedExtent(const State& state, const SizeDesc& size)
 {
     const TargetDesc* followed = findNamed(state.description.targets, size.of.name);
     const Extent extent =
         followed ? followedExtent(state, followed->size) : state.options.extent;
-    return {scaled(extent.width, size.scale), scaled(extent.height, size.scale)};
+    const float scale = scaleOf(state.description, size);
+    return {scaled(extent.width, scale), scaled(extent.height, scale)};
 }
 
 void checkAttachmentSizes(State& state, const Pass& pass)
@@ -197,6 +205,7 @@ void chooseFormats(State& state)
 
 void shareTextures(const State& state, Plan& plan)
 {
+    constexpr int kForever = std::numeric_limits<int>::max();
     std::vector<int> busy_until;  // the last pass that uses each texture
     const bool share = state.applies("sharing");
     for (PlanTarget& target : plan.targets) {
@@ -205,7 +214,7 @@ void shareTextures(const State& state, Plan& plan)
         const int mips = mipsOf(state.description.targets[index], found.extent);
         const auto fits = [&](std::size_t slot) {
             const PlanTexture& texture = plan.textures[slot];
-            return share && busy_until[slot] < target.first_pass &&
+            return share && !found.remembered && busy_until[slot] < target.first_pass &&
                    texture.format == found.format && texture.extent == found.extent &&
                    texture.mips == mips;
         };
@@ -216,8 +225,13 @@ void shareTextures(const State& state, Plan& plan)
             busy_until.push_back(-1);
         }
         plan.textures[slot].targets.push_back(target.name);
-        busy_until[slot] = target.last_pass;
+        busy_until[slot] = found.remembered ? kForever : target.last_pass;
         target.texture = static_cast<int>(slot);
+        if (!found.remembered) continue;
+        target.history_texture = static_cast<int>(plan.textures.size());
+        plan.textures.push_back(
+            {found.format, found.extent, mips, {historyName(state.description.targets[index])}});
+        busy_until.push_back(kForever);
     }
 }
 

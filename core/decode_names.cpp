@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Declared names against each other: collisions, counts taken from params, sizes that follow.
+// Declared names against each other: collisions, numbers taken from params, sizes that follow.
 #include "core/decode_steps.h"
 
 #include "core/frame_values.h"
@@ -49,6 +49,10 @@ void checkCollisions(const Description& description, Report& report)
     declare(glsl, description.generated, "a generated value");
     for (const ImportDesc& each : description.imports)
         if (each.type == ImportType::texture) glsl.push_back({&each, "a texture import"});
+    std::vector<Named> histories;
+    for (const TargetDesc& each : description.targets)
+        if (each.history) histories.push_back({historyName(each), each.place, each.pointer});
+    declare(glsl, histories, "a history");
     reportCollisions(glsl, "GLSL", report);
 
     declare(settable, description.params, "a param");
@@ -62,34 +66,44 @@ void checkCollisions(const Description& description, Report& report)
                 .help = "rename the param";
 }
 
-// A count that comes from a param: it must exist, be whole, and start inside the limit.
-void checkCountParam(const Node& document, const Description& description,
-                     const GeneratedDesc& generated, int limit, Report& report)
+// What takes a number from a param: "generated 'kernel' takes its count", say.
+struct Taker {
+    std::string what;     // "generated 'kernel'"
+    std::string number;   // "count"
+    const Reference& name;
+    bool whole;
+    double min;
+    double max;
+};
+
+// The param must exist, fit, and start inside the limits.
+void checkTaken(const Node& document, const Description& description, const Taker& taker,
+                Report& report)
 {
-    const Reference& name = generated.count_param;
+    const Reference& name = taker.name;
+    const std::string takes =
+        taker.what + " takes its " + taker.number + " from param '" + name.name + "', which ";
     const ParamDesc* param = findNamed(description.params, name.name);
     if (param && report.errorWithin(param->pointer)) return;
     if (!param) {
         if (report.errorAt("/params") || contains(strayNames(document, report), name.name)) return;
-        report.at(name, Code::reference_missing,
-                  "generated '" + generated.name + "' takes its count from param '" + name.name +
-                      "', which does not exist")
-            .help = suggestName(name.name, namesOf(description.params), "params");
+        report.at(name, Code::reference_missing, takes + "does not exist").help =
+            suggestName(name.name, namesOf(description.params), "params");
         report.sameMistake("param " + name.name);
-    } else if (param->type != ParamType::int_) {
-        report.at(name, Code::reference_missing,
-                  "generated '" + generated.name + "' takes its count from param '" + name.name +
-                      "', which is not an int")
-            .help = "give '" + name.name + "' the type \"int\"";
-    } else if (param->value[0] < 1 || param->value[0] > limit) {
+    } else if (param->type != ParamType::int_ && (taker.whole || param->type != ParamType::float_)) {
+        const std::string type = taker.whole ? "int" : "float";
+        const std::string wanted = std::string(taker.whole ? "an " : "a ") + type;
+        report.at(name, Code::reference_missing, takes + "is not " + wanted).help =
+            "give '" + name.name + "' the type \"" + type + "\"";
+    } else if (!(param->value[0] >= taker.min && param->value[0] <= taker.max)) {
         const std::string pointer = param->pointer + "/default";
         const Node& value = *locate(document, pointer).node;
         Diagnostic& error =
             report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
-                      name.name + " default " + value.text + " is outside [1, " +
-                          std::to_string(limit) + "], the counts that generated '" +
-                          generated.name + "' may have");
-        error.notes.push_back({name.place, "the count is taken from it here"});
+                      name.name + " default " + value.text + " is outside [" + numberText(taker.min) +
+                          ", " + numberText(taker.max) + "], the " + taker.number + "s that " +
+                          taker.what + " may have");
+        error.notes.push_back({name.place, "the " + taker.number + " is taken from it here"});
         error.help = "stay inside the range, and let '" + name.name + "' have it as min and max";
     }
 }
@@ -100,7 +114,10 @@ void checkCount(const Node& document, const Description& description,
     const bool texture = generatesTexture(generated.generator);
     const int limit = texture ? kMaxNoiseSize : kMaxKernelSize;
     if (!generated.count_param.pointer.empty())
-        return checkCountParam(document, description, generated, limit, report);
+        return checkTaken(document, description,
+                          {"generated '" + generated.name + "'", "count", generated.count_param,
+                           true, 1.0, static_cast<double>(limit)},
+                          report);
     if (generated.count <= limit) return;
     const std::string pointer = generated.pointer + "/count";
     const Node& value = *locate(document, pointer).node;
@@ -125,7 +142,17 @@ std::vector<const TargetDesc*> sizeCycle(const Description& description, const T
     return {};
 }
 
-void checkSize(const Description& description, const TargetDesc& target, Report& report)
+void checkScale(const Node& document, const Description& description, const TargetDesc& target,
+                Report& report)
+{
+    if (target.size.scale_param.pointer.empty()) return;
+    checkTaken(document, description,
+               {"target '" + target.name + "'", "scale", target.size.scale_param, false,
+                kSmallestScale, kLargestScale},
+               report);
+}
+
+void checkSizeCycle(const Description& description, const TargetDesc& target, Report& report)
 {
     const auto cycle = sizeCycle(description, target);
     if (cycle.empty() || *std::min_element(cycle.begin(), cycle.end()) != &target) return;
@@ -144,7 +171,10 @@ void checkNames(const Node& document, const Description& description, Report& re
 {
     for (const GeneratedDesc& each : description.generated)
         checkCount(document, description, each, report);
-    for (const TargetDesc& each : description.targets) checkSize(description, each, report);
+    for (const TargetDesc& each : description.targets) {
+        checkScale(document, description, each, report);
+        checkSizeCycle(description, each, report);
+    }
     checkCollisions(description, report);
 }
 

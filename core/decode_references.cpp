@@ -62,6 +62,8 @@ Checker::Checker(const Node& document, const Description& description, Report& r
       stray_(strayNames(document, report))
 {
     targets_.all = inputs_.all = namesOf(description.targets);
+    for (const TargetDesc& each : description.targets)
+        if (each.history) inputs_.all.push_back(historyName(each));
     for (const GeneratedDesc& each : description.generated)
         if (each.generator.empty() || generatesTexture(each.generator))
             inputs_.all.push_back(each.name);

@@ -5,6 +5,7 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace crevice::table {
 
@@ -134,6 +135,13 @@ Located locate(const Node& document, std::string_view pointer)
 bool isExtension(std::string_view key)
 {
     return key.substr(0, 2) == "x-";
+}
+
+std::string numberText(double number)
+{
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.10g", number);
+    return text;
 }
 
 }  // namespace crevice::table

@@ -61,6 +61,9 @@ struct Located {
 };
 Located locate(const Node& document, std::string_view pointer);
 
+/// A number as a message shows it: "0.5", "1e-09".
+std::string numberText(double number);
+
 /// "x-..." is the host's own data, at every level.
 bool isExtension(std::string_view key);
 

@@ -8,7 +8,7 @@
 
 namespace crevice::table {
 
-/// Reports names that collide (CV2107), counts that do not fit their generator (CV2102, CV4001) and
+/// Reports names that collide (CV2107), counts and scales that do not fit (CV2102, CV4001) and
 /// targets that follow each other's size (CV2204).
 void checkNames(const Node& document, const Description& description, Report& report);
 

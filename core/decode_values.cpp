@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <climits>
-#include <cstdio>
 
 namespace crevice::table {
 
@@ -37,13 +36,6 @@ bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted
                    cursor.label + ": found a list of " + std::to_string(cursor.node.items.size()) +
                        ", wanted " + wanted);
     return false;
-}
-
-std::string numberText(double number)
-{
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.10g", number);
-    return text;
 }
 
 bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)

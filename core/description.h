@@ -84,17 +84,25 @@ struct GeneratedDesc : Named {
     unsigned seed = 1;
 };
 
+constexpr double kSmallestScale = 1.0 / 64.0;
+constexpr double kLargestScale = 4.0;
+
 /// How large a target is: max(1, ceil(followed * scale)) in each direction.
 struct SizeDesc {
-    Reference of = {};   ///< Another target; empty follows the output.
-    float scale = 1.0f;  ///< [1/64, 4].
+    Reference of = {};           ///< Another target; empty follows the output.
+    Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
+    float scale = 1.0f;          ///< [kSmallestScale, kLargestScale].
 };
 
 struct TargetDesc : Named {
     std::vector<Format> formats;  ///< Preference list: the first one that the device renders to.
     SizeDesc size = {};
-    int mips = 1;  ///< Levels; 0 means down to 1x1.
+    int mips = 1;          ///< Levels; 0 means down to 1x1.
+    bool history = false;  ///< Last frame's content stays, under `historyName`.
 };
+
+/// Under which name passes read what the target held in the last frame: "ao" gives "ao_history".
+inline std::string historyName(const TargetDesc& target) { return target.name + "_history"; }
 
 struct ShaderDesc : Named {
     Reference vertex = {};    ///< Path in the sources.

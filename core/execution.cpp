@@ -2,6 +2,8 @@
 // Running a prepared plan: no allocation, no creation, no decision that could be made before.
 #include "core/execution.h"
 
+#include <algorithm>
+
 namespace crevice {
 namespace {
 
@@ -41,11 +43,62 @@ Status Execution::setImports(const std::vector<ImportedTexture>& textures)
 
 Status Execution::run(const Frame& frame)
 {
-    const CameraMatrices camera = cameraMatrices(frame.camera);
-    values_.setFrame(frame, camera);
-    device_.beginFrame();
+    const CameraMatrices camera = begin(frame);
     for (const PreparedPass& pass : passes_) runPass(pass, frame, camera);
-    return device_.endFrame();
+    return end(camera);
+}
+
+CameraMatrices Execution::begin(const Frame& frame)
+{
+    const CameraMatrices camera = cameraMatrices(frame.camera);
+    if (frame.camera_cut || !history_.valid) history_.camera = camera;
+    history_.valid = history_.valid && !frame.camera_cut;
+    values_.setFrame(frame, camera);
+    values_.setHistory(history_, camera);
+    swapHistories();
+    device_.beginFrame();
+    if (!remembers_) clearHistories();
+    remembers_ = true;
+    return camera;
+}
+
+Status Execution::end(const CameraMatrices& camera)
+{
+    Status status = device_.endFrame();
+    history_ = {status.ok(), (history_.frame_index + 1) % kFrameIndices, camera};
+    return status;
+}
+
+// What was written last frame is now read, and the other way round.
+void Execution::swapHistories()
+{
+    swapped_ = !swapped_;
+    for (PreparedPass& pass : passes_) {
+        for (TextureBinding& binding : pass.textures)
+            if (binding.other) std::swap(binding.texture, binding.other);
+        if (pass.other.id())
+            pass.info.framebuffer = (swapped_ ? pass.other : pass.framebuffer).id();
+    }
+}
+
+// Before the first frame histories hold whatever the memory held: not even a shader that multiplies
+// by `history_valid` could read that, for it may be no number.
+void Execution::clearHistories()
+{
+    for (const PreparedPass& pass : passes_) {
+        if (!pass.other.id()) continue;
+        PassInfo info = pass.info;
+        info.framebuffer = (swapped_ ? pass.framebuffer : pass.other).id();
+        for (int i = 0; i < info.color_count; ++i) {
+            info.color_load[i] = LoadOp::clear;
+            info.color_store[i] = StoreOp::store;
+            std::fill(std::begin(info.clear_color[i]), std::end(info.clear_color[i]), 0.0f);
+        }
+        info.depth_load = LoadOp::clear;
+        info.depth_store = StoreOp::store;
+        device_.beginPass(info);
+        device_.endPass();
+    }
 }
 
 void Execution::runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
@@ -94,7 +147,7 @@ TextureId Execution::output(std::string_view name) const
     for (const PlanOutput& output : plan_.outputs) {
         if (output.name != name) continue;
         if (output.constant >= 0) return constants_[output.constant].id();
-        return targetTexture(output.target);
+        return targetTexture(output.target, swapped_);
     }
     return {};
 }

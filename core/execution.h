@@ -52,6 +52,7 @@ private:
         int location;
         int unit;
         TextureId texture;
+        TextureId other;  // that takes its place in every second frame; null when none does
         SamplerDesc sampling;
         int import = -1;  // into the plan's imports; the texture is then set a frame
     };
@@ -66,6 +67,7 @@ private:
         std::vector<UniformBinding> uniforms;
         std::vector<UniformBinding> draw_uniforms;      // sent for each draw
         Owned<FramebufferId> framebuffer;
+        Owned<FramebufferId> other;  // that takes its place in every second frame; null likewise
     };
 
     Execution(Device& device, const Description& description, Plan plan);
@@ -78,14 +80,16 @@ private:
     Status createPasses();
     Status createFilled(const std::string& label, Format format, const Image& image,
                         Owned<TextureId>& texture);
-    Status createFramebuffer(const PlanPass& pass, PreparedPass& prepared);
+    Status createFramebuffers(const PlanPass& pass, PreparedPass& prepared);
+    Status createFramebuffer(const PlanPass& pass, bool swapped, Owned<FramebufferId>& framebuffer);
     std::shared_ptr<Owned<ProgramId>> programOf(const std::string& key) const;
     void bindUniform(const PlanPass& pass, const UniformInfo& uniform, PreparedPass& prepared,
                      Diagnostics& errors);
     void bindTexture(const PlanPass& pass, const PlanInput& input, int location,
                      PreparedPass& prepared);
-    TextureId textureOf(const PlanInput& input) const;
-    TextureId targetTexture(int target) const;
+    TextureId textureOf(const PlanInput& input, bool swapped) const;
+    TextureId targetTexture(int target, bool swapped) const;
+    TextureId historyTexture(int target, bool swapped) const;
 
     // execution_timed.cpp
     TimingMethod timePass(std::size_t index, const Frame& frame, const CameraMatrices& camera,
@@ -93,6 +97,10 @@ private:
     void readTimers(FrameTimes& times);
 
     // execution.cpp
+    CameraMatrices begin(const Frame& frame);
+    Status end(const CameraMatrices& camera);
+    void swapHistories();
+    void clearHistories();
     void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);
@@ -101,6 +109,9 @@ private:
     Device& device_;
     Plan plan_;
     ValueTable values_;
+    FrameHistory history_;
+    bool swapped_ = false;    // whether histories and their targets have changed places
+    bool remembers_ = false;  // whether histories hold anything
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.
     std::vector<Owned<TextureId>> textures_;

@@ -168,37 +168,60 @@ Status Execution::createPasses()
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
         prepared.type = pass.type;
-        if (Status status = createFramebuffer(pass, prepared); !status) return status;
+        if (Status status = createFramebuffers(pass, prepared); !status) return status;
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
             bindUniform(pass, uniform, prepared, errors);
     }
     return errors;
 }
 
-Status Execution::createFramebuffer(const PlanPass& pass, PreparedPass& prepared)
+/// One, or two where the pass writes a target whose history someone reads.
+Status Execution::createFramebuffers(const PlanPass& pass, PreparedPass& prepared)
+{
+    if (Status status = createFramebuffer(pass, false, prepared.framebuffer); !status)
+        return status;
+    prepared.info.framebuffer = prepared.framebuffer.id();
+    const auto remembered = [this](const PlanAttachment& attachment) {
+        return attachment.target >= 0 && plan_.targets[attachment.target].history_texture >= 0;
+    };
+    if (std::none_of(pass.color.begin(), pass.color.end(), remembered) &&
+        !(pass.has_depth && remembered(pass.depth))) return {};
+    return createFramebuffer(pass, true, prepared.other);
+}
+
+Status Execution::createFramebuffer(const PlanPass& pass, bool swapped,
+                                    Owned<FramebufferId>& framebuffer)
 {
     FramebufferDesc desc;
     desc.label = pass.name;
     for (const PlanAttachment& color : pass.color)
-        desc.color.push_back(targetTexture(color.target));
-    if (pass.has_depth) desc.depth = targetTexture(pass.depth.target);
+        desc.color.push_back(targetTexture(color.target, swapped));
+    if (pass.has_depth) desc.depth = targetTexture(pass.depth.target, swapped);
     Result<FramebufferId> id = device_.createFramebuffer(desc);
     if (!id) return id.diagnostics();
-    prepared.framebuffer = Owned<FramebufferId>(device_, *id);
-    prepared.info.framebuffer = *id;
+    framebuffer = Owned<FramebufferId>(device_, *id);
     return {};
 }
 
-TextureId Execution::targetTexture(int target) const
+TextureId Execution::targetTexture(int target, bool swapped) const
 {
-    return target < 0 ? TextureId{} : textures_[plan_.targets[target].texture].id();
+    if (target < 0) return {};
+    const PlanTarget& desc = plan_.targets[target];
+    const bool other = swapped && desc.history_texture >= 0;
+    return textures_[other ? desc.history_texture : desc.texture].id();
+}
+
+TextureId Execution::historyTexture(int target, bool swapped) const
+{
+    return targetTexture(target, !swapped);
 }
 
 /// The texture behind an input; null for those that a frame brings.
-TextureId Execution::textureOf(const PlanInput& input) const
+TextureId Execution::textureOf(const PlanInput& input, bool swapped) const
 {
     switch (input.kind) {
-    case InputKind::target: return targetTexture(input.index);
+    case InputKind::target: return targetTexture(input.index, swapped);
+    case InputKind::history: return historyTexture(input.index, swapped);
     case InputKind::generated: return generated_[input.index].id();
     case InputKind::constant: return constants_[input.index].id();
     case InputKind::imported: case InputKind::material: break;
@@ -243,7 +266,9 @@ void Execution::bindTexture(const PlanPass& pass, const PlanInput& input, int lo
     TextureBinding binding;
     binding.location = location;
     binding.unit = static_cast<int>(&input - pass.inputs.data());
-    binding.texture = textureOf(input);
+    binding.texture = textureOf(input, false);
+    const TextureId other = textureOf(input, true);
+    if (other.value != binding.texture.value) binding.other = other;
     binding.sampling = input.sampling;
     if (input.kind == InputKind::imported) binding.import = input.index;
     const bool material = input.kind == InputKind::material;

@@ -20,17 +20,14 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
 {
     FrameTimes times;
     times.pass_ms.resize(passes_.size());
-    const CameraMatrices camera = cameraMatrices(frame.camera);
-    values_.setFrame(frame, camera);
-
     device_.finish();
-    const Clock::time_point begin = Clock::now();
-    device_.beginFrame();
+    const Clock::time_point start = Clock::now();
+    const CameraMatrices camera = begin(frame);
     for (std::size_t i = 0; i < passes_.size(); ++i)
         times.method = timePass(i, frame, camera, times.pass_ms[i]);
-    if (Status status = device_.endFrame(); !status) return status.diagnostics();
+    if (Status status = end(camera); !status) return status.diagnostics();
     device_.finish();
-    times.total_ms = millisecondsSince(begin);
+    times.total_ms = millisecondsSince(start);
     if (times.method == TimingMethod::gpu_timer) readTimers(times);
     return times;
 }

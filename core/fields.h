@@ -87,8 +87,9 @@ template <class V>
 void fields(V& v, SizeDesc& s)
 {
     v.field("of", s.of, "The target whose size this follows; the output's when absent.");
-    v.field("scale", s.scale, "Pixels a pixel of what it follows, in each direction.",
-            range(1.0 / 64.0, 4.0));
+    v.field("scale", NumberOrName<float>{s.scale, s.scale_param},
+            "Pixels a pixel of what it follows, in each direction, or the param that says.",
+            range(kSmallestScale, kLargestScale));
 }
 
 template <class V>
@@ -98,6 +99,7 @@ void fields(V& v, TargetDesc& t)
             required());
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
     v.field("mips", t.mips, "Mip levels; 0 means down to 1x1.", range(0, 16));
+    v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
 }
 
 template <class V>

@@ -10,6 +10,9 @@
 //   lights     int light_count; vec4 light_position[MAX_LIGHTS] (w 1: a point, w 0: the direction
 //              towards the light); vec3 light_color[MAX_LIGHTS];
 //              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2)); vec3 ambient_light
+//   history    float history_valid (1, or 0 where there is no last frame: the first one of a plan,
+//              and the one after a cut); mat4 previous_view_from_view, previous_clip_from_view
+//              (from this frame's view space to the last one's); int frame_index, [0, 1024)
 //   pass       vec2 viewport_size, in pixels of the pass
 #pragma once
 
@@ -76,6 +79,7 @@ struct Frame {
     std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
+    bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
 };
 
 /// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.

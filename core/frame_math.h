@@ -17,6 +17,16 @@ struct CameraMatrices {
     glm::dmat4 world_from_view;
 };
 
+/// Frames are counted up to here and from 0 again, which keeps them exact in a mediump int.
+constexpr int kFrameIndices = 1024;
+
+/// What a frame knows of the one before.
+struct FrameHistory {
+    bool valid = false;   ///< There was one, drawn by this plan.
+    int frame_index = 0;  ///< Of this frame, [0, kFrameIndices).
+    CameraMatrices camera = {};
+};
+
 /// Requires that `checkFrame` had nothing against the camera.
 CameraMatrices cameraMatrices(const Camera& camera);
 

@@ -15,7 +15,8 @@ namespace crevice {
 /// The frame's values, in the order of `kFrameValues`.
 enum FrameValue : std::size_t {
     clip_from_view, view_from_clip, view_from_world, world_from_view, light_count, light_position,
-    light_color, light_attenuation, ambient_light, viewport_size, clip_from_model, view_from_model,
+    light_color, light_attenuation, ambient_light, viewport_size, history_valid, frame_index,
+    previous_view_from_view, previous_clip_from_view, clip_from_model, view_from_model,
     view_normal_from_model, base_color, alpha_cutoff, specular, shininess, frame_value_count,
 };
 

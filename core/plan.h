@@ -26,18 +26,20 @@ struct PlanTexture {
 /// A target that some active pass writes.
 struct PlanTarget {
     std::string name;
-    int texture = -1;     ///< Index into Plan::textures.
-    int first_pass = -1;  ///< The writer.
-    int last_pass = -1;   ///< The last reader; the number of passes when it is an output.
+    int texture = -1;          ///< Index into Plan::textures.
+    int first_pass = -1;       ///< The writer.
+    int last_pass = -1;        ///< The last reader; the number of passes when an output or remembered.
+    int history_texture = -1;  ///< What it held last frame, where someone reads that; the two
+                               ///< textures change places before each frame.
 };
 
-/// Where a sampler's texture comes from.
-enum class InputKind { target, generated, imported, material, constant };
+/// Where a sampler's texture comes from. `history` is what a target held in the last frame.
+enum class InputKind { target, history, generated, imported, material, constant };
 
 struct PlanInput {
     std::string sampler;  ///< GLSL name.
     InputKind kind = InputKind::target;
-    int index = -1;  ///< Into targets, generated, imports or constants of the plan.
+    int index = -1;  ///< Into targets (of history too), generated, imports or constants.
     SamplerDesc sampling;
 };
 

@@ -54,6 +54,8 @@ GraphNode inputNode(const Plan& plan, const PlanInput& input)
     if (input.kind == InputKind::target) return targetNode(plan, input.index);
     if (input.kind == InputKind::constant) return constantNode(plan, input.index);
     const std::string name = sourceName(plan, input);
+    if (input.kind == InputKind::history)
+        return {"history_" + name, Shape::texture, name, "of the last frame"};
     const std::string kind = nameOf(input.kind);
     return {kind + "_" + name, Shape::texture, name, kind};
 }

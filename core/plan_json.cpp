@@ -93,7 +93,8 @@ std::string targetJson(const PlanTarget& target)
 {
     return "{\"name\": " + json(target.name) + ", \"texture\": " + json(target.texture) +
            ", \"first_pass\": " + json(target.first_pass) + ", \"last_pass\": " +
-           json(target.last_pass) + "}";
+           json(target.last_pass) + ", \"history_texture\": " +
+           indexJson(target.history_texture) + "}";
 }
 
 std::string textureJson(const PlanTexture& texture)

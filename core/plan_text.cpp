@@ -29,6 +29,7 @@ const char* nameOf(InputKind kind)
 {
     switch (kind) {
     case InputKind::target: return "target";
+    case InputKind::history: return "history";
     case InputKind::generated: return "generated";
     case InputKind::imported: return "import";
     case InputKind::material: return "material";
@@ -40,7 +41,8 @@ const char* nameOf(InputKind kind)
 std::string sourceName(const Plan& plan, const PlanInput& input)
 {
     switch (input.kind) {
-    case InputKind::target: return plan.targets[input.index].name;
+    case InputKind::target:
+    case InputKind::history: return plan.targets[input.index].name;
     case InputKind::generated: return plan.generated[input.index].name;
     case InputKind::imported: return plan.imports[input.index].name;
     case InputKind::constant: return compiler::shortest(plan.constants[input.index].value);

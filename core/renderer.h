@@ -60,7 +60,8 @@ public:
     /// Plans anew for another size. Errors: those of `create`; the old size stays.
     Status resize(Extent extent);
 
-    /// The texture behind an output: owned by the renderer, valid until the next plan. Null when there is none.
+    /// The texture behind an output: owned by the renderer, valid until the next plan, or the next
+    /// frame where the output is a target with a history. Null when there is none.
     TextureId output(std::string_view name) const;
 
     const Plan& plan() const;

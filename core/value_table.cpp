@@ -91,6 +91,15 @@ void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
     }
 }
 
+void ValueTable::setHistory(const FrameHistory& history, const CameraMatrices& camera)
+{
+    const glm::dmat4 view_from_view = history.camera.view_from_world * camera.world_from_view;
+    write(history_valid, history.valid ? 1.0f : 0.0f);
+    write(frame_index, static_cast<std::int32_t>(history.frame_index));
+    write(previous_view_from_view, glm::mat4(view_from_view));
+    write(previous_clip_from_view, glm::mat4(history.camera.clip_from_view * view_from_view));
+}
+
 void ValueTable::setViewport(Extent extent)
 {
     write(viewport_size, glm::vec2(extent.width, extent.height));

@@ -39,6 +39,7 @@ public:
 
     void setParam(const ParamDesc& param);
     void setFrame(const Frame& frame, const CameraMatrices& camera);
+    void setHistory(const FrameHistory& history, const CameraMatrices& camera);
     void setViewport(Extent extent);
     void setDraw(const DrawItem& item, const Material& material, const CameraMatrices& camera);
 

@@ -130,6 +130,24 @@ TEST_CASE("a count comes from an int param whose value the generator can make", 
     });
 }
 
+TEST_CASE("a scale comes from a number param whose value a size can have", "[decode]")
+{
+    checkEach({
+        {"targets", R"({"ao": {"format": "r8", "size": {"scale": "radius"}},
+                        "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}})",
+         ""},
+        {"targets", R"({"ao": {"format": "r8", "size": {"scale": "raduis"}},
+                        "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}})",
+         "CV2102 /targets/ao/size/scale"},
+        {"targets", R"({"ao": {"format": "r8", "size": {"scale": "samples"}},
+                        "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}})",
+         "CV4001 /params/samples/default"},
+        {"targets", R"({"ao": {"format": "r8", "size": {"scale": 5}},
+                        "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}})",
+         "CV4001 /targets/ao/size/scale"},
+    });
+}
+
 TEST_CASE("targets that follow each other's size are one error", "[decode]")
 {
     checkEach({

@@ -18,6 +18,7 @@ inline const char* const kRigConfig = R"({
     "taps": {"type": "int", "default": 3, "min": 1, "max": 8},
     "samples": {"type": "int", "default": 4, "min": 1, "max": 64, "bind": "define"},
     "edge": {"default": 0.5, "min": 0, "max": 1, "bind": "define"},
+    "resolution": {"default": 0.5, "min": 0.25, "max": 1},
     "tile": {"type": "int", "default": 4, "min": 1, "max": 16},
     "tint": {"type": "vec3", "default": [1, 0.5, 0.25], "min": 0, "max": 1}
   },
@@ -28,8 +29,9 @@ inline const char* const kRigConfig = R"({
   "generated": {"kernel": {"generator": "hemisphere_kernel", "count": "samples"},
                 "noise": {"generator": "rotation_noise", "count": "tile"}},
   "targets": {"depth": {"format": ["depth24"]}, "normal": {"format": ["rgba8"]},
-              "albedo": {"format": ["rgba8"]}, "smooth_ao": {"format": ["r8"]},
-              "ao": {"format": ["r8"], "size": {"scale": 0.5}}, "color": {"format": ["rgba8"]}},
+              "albedo": {"format": ["rgba8"]}, "color": {"format": ["rgba8"]},
+              "smooth_ao": {"format": ["r8"], "history": false},
+              "ao": {"format": ["r8"], "size": {"scale": "resolution"}}},
   "shaders": {"geometry": {"vertex": "mesh.vert", "fragment": "geometry.frag"},
               "occlusion": {"vertex": "full.vert", "fragment": "occlusion.frag"},
               "filter": {"vertex": "full.vert", "fragment": "filter.frag"},
@@ -48,9 +50,19 @@ inline const char* const kRigConfig = R"({
   "outputs": {"ao": "smooth_ao", "color": "color"}
 })";
 
-inline Description rigDescription()
+/// With `remembers`, its filter reads what it wrote in the last frame.
+inline Description rigDescription(bool remembers = false)
 {
-    return describe(kRigConfig, {
+    std::string config = kRigConfig;
+    std::string remembering;
+    if (remembers) {
+        config.replace(config.find("\"history\": false"), 16, "\"history\": true");
+        remembering = "uniform sampler2D smooth_ao_history;\n"
+                      "uniform mat4 previous_view_from_view, previous_clip_from_view;\n"
+                      "uniform float history_valid;\n"
+                      "uniform int frame_index;\n";
+    }
+    return describe(config, {
         {"mesh.vert", "#version 300 es\n"
                       "uniform mat4 clip_from_model, view_from_model;\n"
                       "uniform mat3 view_normal_from_model;\n"},
@@ -77,7 +89,7 @@ inline Description rigDescription()
                         "uniform vec2 viewport_size;\n"
                         "uniform int taps;\n"
                         "const float edge = EDGE;\n"
-                        "uniform sampler2D source;\n"
+                        "uniform sampler2D source;\n" + remembering +
                         "layout(location = 0) out float smooth_ao;\n"},
         {"lighting.frag", "#version 300 es\n"
                           "precision highp float;\n"
@@ -93,6 +105,7 @@ inline Description rigDescription()
 
 /// A device with a mesh, a frame with a draw, a material and a light, and a renderer for them.
 struct Rig {
+    bool remembers = false;
     RecordingDevice device;
     MeshId mesh = device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
     Frame frame = makeFrame();
@@ -109,7 +122,7 @@ struct Rig {
 
     std::unique_ptr<Renderer> make(Device& on) const
     {
-        auto made = Renderer::create(on, rigDescription(), {{64, 32}}, traitsOf(frame));
+        auto made = Renderer::create(on, rigDescription(remembers), {{64, 32}}, traitsOf(frame));
         if (!made) FAIL(toText(made.diagnostics()));
         return std::move(*made);
     }

@@ -142,6 +142,17 @@ TEST_CASE("A define that is no count, and a count that is no define, plan anew")
     CHECK(rig.device.misuse().empty());
 }
 
+TEST_CASE("A param that a size takes its scale from makes new textures and no program")
+{
+    Rig rig;
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("resolution", 0.25f).ok());
+    CHECK(contains(rig.device.log(), "createTexture 'ao' r8 16x8"));
+    CHECK_FALSE(contains(rig.device.log(), "createProgram"));
+    rig.draw();
+    CHECK(rig.device.misuse().empty());
+}
+
 TEST_CASE("Setting what is already so makes no new plan")
 {
     Rig rig;
