@@ -105,7 +105,9 @@ inline Description rigDescription(bool remembers = false)
 
 /// A device with a mesh, a frame with a draw, a material and a light, and a renderer for them.
 struct Rig {
-    bool remembers = false;
+    explicit Rig(bool remembering = false) : remembers(remembering) {}
+
+    bool remembers;
     RecordingDevice device;
     MeshId mesh = device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
     Frame frame = makeFrame();
