@@ -6,10 +6,12 @@
 //   ROTATION_GRADIENT  each 3x3 pixels see numbers well apart, and no tile repeats: for a mean over frames
 //   ROTATION_NONE      the same for all pixels: bands, but nothing to filter
 //
+// With MOVING_NOISE both move on by golden ratios from frame to frame, for a mean over frames.
+//
 // [Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" - the gradient]
 // [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - the shifts]
 
-highp vec2 pixelNoise(highp vec2 pixel)
+highp vec2 stillNoise(highp vec2 pixel)
 {
 #if ROTATION == ROTATION_GRADIENT
     highp float turn = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
@@ -24,3 +26,18 @@ highp vec2 pixelNoise(highp vec2 pixel)
     return vec2(0.5);
 #endif
 }
+
+#ifndef MOVING_NOISE
+#define MOVING_NOISE 0
+#endif
+
+#if MOVING_NOISE
+uniform highp int frame_index;
+
+highp vec2 pixelNoise(highp vec2 pixel)
+{
+    return fract(stillNoise(pixel) + float(frame_index) * vec2(0.61803399, 0.75487767));
+}
+#else
+highp vec2 pixelNoise(highp vec2 pixel) { return stillNoise(pixel); }
+#endif
