@@ -25,6 +25,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string backend;
     std::vector<std::string> out = {"color=color.png"};
+    int frames = 1;
     bool json = false;
 };
 
@@ -40,7 +41,7 @@ struct Summary {
     Extent extent;
     long long triangles = 0;
     std::size_t passes = 0;
-    double ms = 0;  ///< Wall clock of the frame, the wait for the GPU included.
+    double ms = 0;  ///< Wall clock of the first frame, the wait for the GPU included.
 };
 
 using Clock = std::chrono::steady_clock;
@@ -88,7 +89,7 @@ Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
     return {};
 }
 
-/// Draws one frame and reads every picture back.
+/// Draws the frames and reads every picture of the last one back.
 Result<Summary> draw(const RenderOptions& options, const SceneView& view, Description description,
                      const std::vector<std::string>& outputs, std::vector<Picture>& pictures,
                      Progress& progress)
@@ -116,6 +117,8 @@ Result<Summary> draw(const RenderOptions& options, const SceneView& view, Descri
     if (!drawn) return drawn.diagnostics();
     device.finish();
     const std::chrono::duration<double, std::milli> time = Clock::now() - start;
+    for (int drawn_before = 1; drawn_before < options.frames; ++drawn_before)
+        if (const Status again = renderer.render(frame); !again) return again.diagnostics();
     for (Picture& picture : pictures) {
         const Status read = readPicture(device, renderer, picture);
         if (!read) return read.diagnostics();
@@ -221,6 +224,11 @@ void addRenderCommand(CLI::App& app, int& exit_code)
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->capture_default_str();
+    command->add_option("--frames", options->frames,
+                        "How many to draw before the last is written; configs that gather over "
+                        "frames need several")
+        ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
     command->footer("Examples:\n"
