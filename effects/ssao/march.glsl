@@ -2,10 +2,9 @@
 // What the estimators that march over the screen share: the pixel's slices and where their taps lie.
 
 #include "common/pixel_noise.glsl"
-#include "common/view_space.glsl"
+#include "ssao/reach.glsl"
 #include "ssao/slice.glsl"
 
-uniform highp float radius;
 uniform highp float bias;
 
 const highp float kPi = 3.14159265;
@@ -28,14 +27,12 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
     march.normal = normal;
 #if CAMERA_ORTHOGRAPHIC
     march.to_camera = vec3(0.0, 0.0, 1.0);
-    highp float w = 1.0;
 #else
     march.to_camera = -normalize(point);
-    highp float w = -point.z;
 #endif
     march.point = point + normal * (bias * radius);
     march.uv = uv;
-    march.reach = 0.5 * radius / w * vec2(clip_from_view[0][0], clip_from_view[1][1]);
+    march.reach = reachOf(point);
     march.pixel = pixel;
     march.noise = pixelNoise(at);
     return march;
@@ -73,12 +70,9 @@ highp float cosineOf(March march, Side side, highp vec3 outwards, highp vec3 off
     return cosineOfRise(side, rise, dot(offset, outwards) >= 0.0);
 }
 
-// 1 where the radius is two pixels or more, 0 where it is below one: no tap is as near, and there is nothing
-// to see.
 highp float shareShown(March march)
 {
-    highp vec2 pixels = march.reach / march.pixel;
-    return clamp(max(pixels.x, pixels.y) - 1.0, 0.0, 1.0);
+    return shareShown(march.reach, march.pixel);
 }
 
 // Whether the surface at the uv of a tap is known, and its offset from the point.

@@ -1,0 +1,28 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Horizon-based ambient occlusion.
+//
+//   surface  interface: point and normal in view space
+//   ao       visibility, 1 open .. 0 blocked; 1 in the background
+//
+// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"]
+precision highp float;  // positions and depths; mediump bands
+precision highp int;
+
+#include <surface>
+#include "ssao/hbao.glsl"
+#include "ssao/occlusion_curve.glsl"
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+void main()
+{
+    vec3 point;
+    if (!pointAt(uv, point)) {
+        ao = 1.0;
+        return;
+    }
+    March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
+    ao = visibilityOf(occlusionOf(march));
+}

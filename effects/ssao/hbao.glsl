@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The occlusion of a point by the horizons about it, for whoever provides `pointAt` and `normalAt`.
+//
+// Each side of a slice is marched outwards. Where a tap rises above all before it, the part of the side
+// between the two horizons is blocked, the less the farther the tap lies.
+//
+//   THIN_OCCLUDERS  skip: distance counts in space, so that light passes behind what stands far in front;
+//                   count: distance counts across the view ray, as if everything went on behind
+//
+// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"]
+
+#include "ssao/march.glsl"
+
+uniform highp float angle_bias;
+uniform highp float falloff;
+
+// How much a tap counts, 0..1.
+highp float weightOf(March march, highp vec3 offset)
+{
+#if THIN_OCCLUDERS == THIN_OCCLUDERS_COUNT
+    offset -= march.to_camera * dot(offset, march.to_camera);
+#endif
+    highp float share = dot(offset, offset) / max(radius * radius, 1e-30);
+    return share < 1.0 ? 1.0 - falloff * share : 0.0;
+}
+
+// The light of a side up to the cosine `c` of an angle from the direction to the camera.
+highp float lightBelow(Side side, highp float c)
+{
+#if LIGHT == LIGHT_COSINE
+    return lightUpTo(side, c);
+#else
+    return 1.0 - c;
+#endif
+}
+
+// The blocked light of one side.
+highp float blockedOn(March march, Slice slice, Side side, highp float sign)
+{
+    highp vec3 outwards = outward(march, slice, sign);
+    highp float angle = radians(angle_bias);
+    // The tangent, raised by the bias, at most up to the camera.
+    highp float horizon = side.cos_n < sin(angle) ? 1.0 : side.cos_n * sin(angle) - side.sin_n * cos(angle);
+    highp float open = lightBelow(side, horizon);
+    highp float blocked = 0.0;
+    for (int i = 0; i < STEPS; ++i) {
+        highp vec3 offset;
+        if (!offsetAt(march, tapAt(march, slice, sign, i), offset)) continue;
+        highp float weight = weightOf(march, offset);
+        highp float rise = cosineOf(march, side, outwards, offset);
+        if (weight <= 0.0 || rise <= horizon) continue;
+        highp float still_open = lightBelow(side, rise);
+        blocked += weight * (open - still_open);
+        open = still_open;
+        horizon = rise;
+    }
+    return blocked;
+}
+
+// Of all slices, 0..1.
+highp float occlusionOf(March march)
+{
+    highp float blocked = 0.0;
+    highp float whole = 0.0;
+    for (int i = 0; i < SLICES; ++i) {
+        Slice slice = sliceOf(march, i);
+#if LIGHT == LIGHT_COSINE
+        highp float weight = slice.turn.z;
+#else
+        const highp float weight = 1.0;
+#endif
+        for (highp float sign = -1.0; sign < 2.0; sign += 2.0) {
+            Side side = sideOf(slice.turn, sign);
+            blocked += weight * blockedOn(march, slice, side, sign);
+            whole += weight * lightBelow(side, lastCosine(side));
+        }
+    }
+    return shareShown(march) * blocked / max(whole, 1e-6);
+}
