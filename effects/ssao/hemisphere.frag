@@ -7,8 +7,15 @@
 //   kernel          SAMPLES offsets in the unit hemisphere about +z
 //   rotation_noise  a tile of unit vectors, one rotation about the normal a pixel
 //   ao              visibility, 1 open .. 0 blocked; 1 in the background
+//   BIAS_ALONG      view: an occluder must lie `bias` in front of an offset; normal: the offsets stand about a
+//                   point that is lifted off its surface by `bias`
+//   POWER_OF        of the visibility, as usual, or of the occlusion
+//   WITH_BOUNCE     also what the occluders reflect:
+//   direct          linear colour that surfaces reflect
+//   indirect        linear colour that the point gets from them
 //
 // [Filion, McNaughton 2008, "StarCraft II: Effects & Techniques"; Chapman 2013, "SSAO Tutorial"]
+// [Ritschel, Grosch, Seidel 2009, "Approximating Dynamic Global Illumination in Image Space" - the bounce]
 precision highp float;  // positions and depths; mediump bands
 
 #include "common/tangent_frame.glsl"
@@ -21,25 +28,63 @@ uniform vec3 kernel[SAMPLES];
 uniform mediump sampler2D rotation_noise;
 uniform float radius;
 uniform float bias;
+uniform float contrast;
+
+#ifdef WITH_BOUNCE
+uniform mediump sampler2D direct;
+uniform float bounce;
+#endif
 
 in vec2 uv;
 layout(location = 0) out float ao;
+#ifdef WITH_BOUNCE
+layout(location = 1) out vec4 indirect;
+
+// What the surface seen at `at` reflects, if it faces the point.
+vec3 reflectedFrom(vec2 at, vec3 seen, vec3 point)
+{
+    return dot(normalAt(at), point - seen) > 0.0 ? texture(direct, at).rgb : vec3(0.0);
+}
+#endif
+
+float shown(float occlusion)
+{
+#if POWER_OF == POWER_OF_OCCLUSION
+    float open = 1.0 - pow(clamp(intensity * occlusion, 0.0, 1.0), power);
+#else
+    float open = visibilityOf(occlusion);
+#endif
+    return clamp((open - 0.5) * contrast + 0.5, 0.0, 1.0);
+}
 
 void main()
 {
     vec3 origin;
     if (!pointAt(uv, origin)) {
         ao = 1.0;
+#ifdef WITH_BOUNCE
+        indirect = vec4(0.0);
+#endif
         return;
     }
     vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
     vec3 normal_here = normalAt(uv);
     mat3 view_from_kernel = rotatedFrame(normal_here, rotation);
+#if BIAS_ALONG == BIAS_ALONG_NORMAL
+    vec3 center = origin + normal_here * bias;
+    const float in_front = 0.0;
+#else
+    vec3 center = origin;
+    float in_front = bias;
+#endif
 
     float occlusion = 0.0;
+#ifdef WITH_BOUNCE
+    vec3 reflected = vec3(0.0);
+#endif
     float known = 0.0;  // probes off the screen say nothing, either way
     for (int i = 0; i < SAMPLES; ++i) {
-        vec3 probe = origin + view_from_kernel * kernel[i] * radius;
+        vec3 probe = center + view_from_kernel * kernel[i] * radius;
         vec2 at;
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
@@ -48,7 +93,15 @@ void main()
         // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
         // shades itself, since a texel's one depth stands for all of its slope.
         bool above = dot(seen - origin, normal_here) > bias;
-        if (above && seen.z >= probe.z + bias) occlusion += rangeWeight(origin.z - seen.z, radius);
+        if (!above || seen.z < probe.z + in_front) continue;
+        float weight = rangeWeight(origin.z, probe.z, seen.z, radius);
+        occlusion += weight;
+#ifdef WITH_BOUNCE
+        reflected += weight * reflectedFrom(at, seen, origin);
+#endif
     }
-    ao = visibilityOf(occlusion / max(known, 1.0));
+    ao = shown(occlusion / max(known, 1.0));
+#ifdef WITH_BOUNCE
+    indirect = vec4(reflected * (bounce / max(known, 1.0)), 1.0);
+#endif
 }

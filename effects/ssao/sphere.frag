@@ -47,7 +47,7 @@ void main()
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
         float seen_z = viewZAt(at);
-        if (seen_z >= probe.z) occlusion += rangeWeight(origin.z - seen_z, radius);
+        if (seen_z >= probe.z) occlusion += rangeWeight(origin.z, probe.z, seen_z, radius);
     }
     ao = visibilityOf(occlusion / max(known, 1.0));
 }
