@@ -5,6 +5,7 @@
 //   surface      interface: point and normal in view space
 //   albedo       linear colour; alpha is the strength of the highlight
 //   visibility   1 open .. 0 blocked
+//   indirect_filtered  with INDIRECT: linear colour that the surface gets from its occluders
 //   bent_normal  with SPECULAR_OCCLUSION_BENT: mean open direction, view space, n * 0.5 + 0.5
 //   color        sRGB, ready to show; alpha 0 in a transparent background
 //   DISPLAY      the lit picture with occlusion, without, or the occlusion alone
@@ -26,6 +27,9 @@ uniform vec3 background_color;
 #endif
 #if DISPLAY == DISPLAY_LIT
 uniform mediump sampler2D visibility;
+#if INDIRECT
+uniform mediump sampler2D indirect_filtered;
+#endif
 #if HIGHLIGHTS && SPECULAR_OCCLUSION != SPECULAR_OCCLUSION_NONE
 #define GLOSS_OCCLUDED
 #include "lighting/caps.glsl"
@@ -90,6 +94,10 @@ void main()
 #else
     float gloss_open = 1.0;
 #endif
-    color = vec4(srgbFromLinear(shade(s, open, gloss_open)), 1.0);
+    vec3 light = shade(s, open, gloss_open);
+#if DISPLAY == DISPLAY_LIT && INDIRECT
+    light += s.albedo * texture(indirect_filtered, uv).rgb;
+#endif
+    color = vec4(srgbFromLinear(light), 1.0);
 #endif
 }

@@ -20,9 +20,7 @@
 uniform vec3 ambient_light;
 uniform float ambient;
 #if SCENE_LIGHTS > 0
-uniform vec4 light_position[MAX_LIGHTS];
-uniform vec3 light_color[MAX_LIGHTS];
-uniform vec3 light_attenuation[MAX_LIGHTS];
+#include "lighting/light.glsl"
 #endif
 #if HIGHLIGHTS
 uniform float specular_power;
@@ -62,18 +60,13 @@ float highlight(highp vec3 normal, highp vec3 to_light, highp vec3 to_eye)
 #if SCENE_LIGHTS > 0
 vec3 litBy(int i, Surface s, float gloss_open)
 {
-    highp vec3 to_light = light_position[i].xyz - s.point * light_position[i].w;
-    highp float distance = length(to_light);
-    highp vec3 direction = to_light / max(distance, 1e-20);
-    // A directional light does not fade.
-    highp float reach = distance * light_position[i].w;
-    highp vec3 a = light_attenuation[i];
-    highp float fade = 1.0 / max(a.x + reach * (a.y + reach * a.z), 1e-6);
+    highp vec3 direction;
+    vec3 light = lightFrom(i, s.point, direction);
     vec3 reflected = s.albedo * max(dot(s.normal, direction), 0.0);
 #if HIGHLIGHTS
     reflected += s.gloss * gloss_open * highlight(s.normal, direction, toEye(s.point));
 #endif
-    return light_color[i] * reflected * fade;
+    return light * reflected;
 }
 #endif
 
