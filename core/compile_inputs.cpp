@@ -2,6 +2,7 @@
 // Samplers: the target, texture or import behind each, and renames of what no shader has.
 #include "core/compile_internal.h"
 
+#include "core/frame_values.h"
 #include "core/generators.h"
 
 #include <set>
@@ -32,8 +33,8 @@ std::optional<Source> sourceNamed(const State& state, const PassDesc& pass, std:
     if (const int i = indexOf(description.imports, name); i >= 0)
         if (description.imports[i].type == ImportType::texture)
             return Source{InputKind::imported, i};
-    if (pass.type == PassType::draw && name == "base_color_map")
-        return Source{InputKind::material};
+    if (const int i = findMaterialMap(name); i >= 0 && pass.type == PassType::draw)
+        return Source{InputKind::material, i};
     return std::nullopt;
 }
 

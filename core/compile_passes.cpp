@@ -178,7 +178,7 @@ void Builder::addInputs(const Pass& pass, PlanPass& into)
             input.index = indexOf(plan_.imports, description_.imports[source.index].name);
             break;
         case InputKind::constant: input.index = constant(source.value); break;
-        case InputKind::material: break;
+        case InputKind::material: input.index = source.index; break;
         }
         into.inputs.push_back(std::move(input));
     }

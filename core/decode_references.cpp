@@ -210,7 +210,7 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
     const Reference& source = renamed ? input.from : input.sampler;
     const bool broken = report_.errorAt(input.sampler.pointer) ||
                         report_.errorAt(input.sampler.pointer + "/from");
-    if (broken || (pass.type == PassType::draw && source.name == "base_color_map")) return;
+    if (broken || (pass.type == PassType::draw && findMaterialMap(source.name) >= 0)) return;
     expect(source, "pass '" + pass.name + "' reads", inputs_);
 }
 

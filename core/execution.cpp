@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/frame_values.h"
+
 namespace crevice {
 namespace {
 
@@ -122,9 +124,11 @@ void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const Cam
         const Material& material = frame.materials[item.material];
         values_.setDraw(item, material, camera);
         setUniforms(pass.draw_uniforms);
-        const TextureId map = material.base_color_map ? material.base_color_map : white_.id();
-        for (const TextureBinding& binding : pass.material_textures)
-            device_.setTexture(binding.location, binding.unit, map, binding.sampling);
+        for (const TextureBinding& binding : pass.material_textures) {
+            const TextureId map = material.*kMaterialMaps[binding.map].texture;
+            device_.setTexture(binding.location, binding.unit, map ? map : white_.id(),
+                               binding.sampling);
+        }
         device_.draw(item.mesh, item.first, item.count);
     }
 }

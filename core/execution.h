@@ -55,6 +55,7 @@ private:
         TextureId other;  // that takes its place in every second frame; null when none does
         SamplerDesc sampling;
         int import = -1;  // into the plan's imports; the texture is then set a frame
+        int map = -1;     // of the material; set for each draw
     };
 
     struct PreparedPass {

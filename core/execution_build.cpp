@@ -272,6 +272,7 @@ void Execution::bindTexture(const PlanPass& pass, const PlanInput& input, int lo
     binding.sampling = input.sampling;
     if (input.kind == InputKind::imported) binding.import = input.index;
     const bool material = input.kind == InputKind::material;
+    if (material) binding.map = input.index;
     (material ? prepared.material_textures : prepared.textures).push_back(binding);
 }
 

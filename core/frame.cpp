@@ -19,7 +19,8 @@ bool SceneTraits::operator==(const SceneTraits& other) const
 {
     return lights == other.lights && alpha_tested == other.alpha_tested &&
            specular == other.specular && textured == other.textured &&
-           orthographic == other.orthographic;
+           orthographic == other.orthographic && normal_mapped == other.normal_mapped &&
+           baked_occlusion == other.baked_occlusion;
 }
 
 SceneTraits traitsOf(const Frame& frame)
@@ -34,6 +35,8 @@ SceneTraits traitsOf(const Frame& frame)
         traits.specular =
             traits.specular || glm::any(glm::greaterThan(material.specular, glm::vec3(0.0f)));
         traits.textured = traits.textured || material.base_color_map;
+        traits.normal_mapped = traits.normal_mapped || material.normal_map;
+        traits.baked_occlusion = traits.baked_occlusion || material.occlusion_map;
     }
     return traits;
 }

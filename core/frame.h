@@ -6,10 +6,13 @@
 //   camera     mat4 clip_from_view, view_from_clip, view_from_world, world_from_view
 //   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
 //              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
-//              sampler2D base_color_map (white when the material has none)
+//              float normal_scale (0 without a map), occlusion_strength; sampler2D
+//              base_color_map, normal_map, occlusion_map (white when the material has none)
 //   lights     int light_count; vec4 light_position[MAX_LIGHTS] (w 1: a point, w 0: the direction
 //              towards the light); vec3 light_color[MAX_LIGHTS];
-//              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2)); vec3 ambient_light
+//              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2));
+//              vec4 light_cone[MAX_LIGHTS] (of a spot clamp(dot(xyz, towards) + w, 0, 1)^2 shines,
+//              where `towards` is the unit vector to the light); vec3 ambient_light
 //   history    float history_valid (1, or 0 where there is no last frame: the first one of a plan,
 //              and the one after a cut); mat4 previous_view_from_view, previous_clip_from_view
 //              (from this frame's view space to the last one's); int frame_index, [0, 1024)
@@ -42,9 +45,12 @@ struct Camera {
 struct Light {
     bool directional = false;
     glm::vec3 position = glm::vec3(0.0f);             ///< Of a point light.
-    glm::vec3 direction = glm::vec3(0.0f, 0.0f, -1);  ///< In which a directional light shines.
+    glm::vec3 direction = glm::vec3(0.0f, 0.0f, -1);  ///< Of a directional light or spot.
     glm::vec3 color = glm::vec3(1.0f);                ///< Linear, >= 0.
     glm::vec3 attenuation = glm::vec3(1.0f, 0, 0);    ///< Constant, linear (1/unit), quadratic.
+    bool spot = false;             ///< A point light that shines in a cone.
+    float inner_angle_rad = 0.0f;  ///< Of a spot: off its direction, as far as it shines in full.
+    float outer_angle_rad = 0.8f;  ///< ... and where it ends, [inner, pi].
 };
 
 struct Material {
@@ -53,6 +59,10 @@ struct Material {
     glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
     float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
     float alpha_cutoff = 0.0f;               ///< Below this alpha a pixel is discarded; 0 is opaque.
+    TextureId normal_map = {};               ///< Tangent space, n * 0.5 + 0.5, y up; null is flat.
+    float normal_scale = 1.0f;               ///< Of the map's x and y.
+    TextureId occlusion_map = {};            ///< Baked visibility in red; null is open.
+    float occlusion_strength = 1.0f;         ///< [0, 1]; 0 is open.
 };
 
 /// A mesh at a place.
@@ -89,6 +99,8 @@ struct SceneTraits {
     bool specular = false;       ///< scene.specular
     bool textured = false;       ///< scene.textured: some material has a base_color_map
     bool orthographic = false;   ///< camera.orthographic
+    bool normal_mapped = false;  ///< scene.normal_mapped: some material has a normal_map
+    bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
 
     bool operator==(const SceneTraits& other) const;
 };

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace crevice {
@@ -13,6 +14,9 @@ namespace {
 // Volume of the columns over the product of their lengths: below this a double's rounding is all
 // that keeps the matrix from being singular. Near and far planes do not matter to it.
 constexpr double kLeastVolume = 1e-14;
+
+// Least difference of a spot's cosines: its edge is then as sharp as a float shows.
+constexpr double kLeastConeRamp = 1e-4;
 
 bool finite(const float* values, int count)
 {
@@ -27,7 +31,15 @@ bool finite(const glm::vec3& vector) { return finite(&vector[0], 3); }
 bool finite(const Light& light)
 {
     return finite(light.position) && finite(light.direction) && finite(light.color) &&
-           finite(light.attenuation);
+           finite(light.attenuation) && std::isfinite(light.inner_angle_rad) &&
+           std::isfinite(light.outer_angle_rad);
+}
+
+glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
+{
+    const glm::dvec3 towards = -(glm::dmat3(view_from_world) * glm::dvec3(light.direction));
+    const double length = glm::length(towards);
+    return length > 0.0 ? towards / length : towards;
 }
 
 bool invertible(const glm::mat4& matrix)
@@ -105,9 +117,17 @@ glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)
 {
     if (!light.directional)
         return glm::vec4(view_from_world * glm::dvec4(glm::dvec3(light.position), 1.0));
-    const glm::dvec3 towards = -(glm::dmat3(view_from_world) * glm::dvec3(light.direction));
-    const double length = glm::length(towards);
-    return glm::vec4(length > 0.0 ? towards / length : towards, 0.0);
+    return glm::vec4(towardsLight(light, view_from_world), 0.0);
+}
+
+glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world)
+{
+    if (!light.spot || light.directional) return {0, 0, 0, 1};
+    // glTF's KHR_lights_punctual: a straight ramp between the cosines, squared in the shader.
+    const double outer = std::cos(double(light.outer_angle_rad));
+    const double inner = std::cos(double(light.inner_angle_rad));
+    const double scale = 1.0 / std::max(inner - outer, kLeastConeRamp);
+    return glm::vec4(towardsLight(light, view_from_world) * scale, -outer * scale);
 }
 
 Status checkFrame(const Frame& frame)

@@ -2,6 +2,7 @@
 #include "core/frame_values.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace crevice {
 namespace {
@@ -21,6 +22,7 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"light_position", GlslType::vec4, kMaxLights, kLights},
     {"light_color", GlslType::vec3, kMaxLights, kLights},
     {"light_attenuation", GlslType::vec3, kMaxLights, kLights},
+    {"light_cone", GlslType::vec4, kMaxLights, kLights},
     {"ambient_light", GlslType::vec3, 1, kLights},
     {"viewport_size", GlslType::vec2, 1, std::nullopt},
     {"history_valid", GlslType::float_, 1, std::nullopt},
@@ -34,9 +36,11 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"alpha_cutoff", GlslType::float_, 1, kDrawList},
     {"specular", GlslType::vec3, 1, kDrawList},
     {"shininess", GlslType::float_, 1, kDrawList},
+    {"normal_scale", GlslType::float_, 1, kDrawList},
+    {"occlusion_strength", GlslType::float_, 1, kDrawList},
 };
 
-const TraitInfo kTraits[5] = {
+const TraitInfo kTraits[7] = {
     {"scene.lights", "SCENE_LIGHTS",
      [](const SceneTraits& traits) { return std::min(traits.lights, kMaxLights); }, true},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED",
@@ -47,6 +51,16 @@ const TraitInfo kTraits[5] = {
      [](const SceneTraits& traits) { return int(traits.textured); }, false},
     {"camera.orthographic", "CAMERA_ORTHOGRAPHIC",
      [](const SceneTraits& traits) { return int(traits.orthographic); }, false},
+    {"scene.normal_mapped", "SCENE_NORMAL_MAPPED",
+     [](const SceneTraits& traits) { return int(traits.normal_mapped); }, false},
+    {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION",
+     [](const SceneTraits& traits) { return int(traits.baked_occlusion); }, false},
+};
+
+const MaterialMapInfo kMaterialMaps[3] = {
+    {"base_color_map", &Material::base_color_map},
+    {"normal_map", &Material::normal_map},
+    {"occlusion_map", &Material::occlusion_map},
 };
 
 const FrameValueInfo* findFrameValue(std::string_view name)
@@ -61,6 +75,13 @@ const TraitInfo* findTrait(std::string_view name)
     for (const TraitInfo& trait : kTraits)
         if (name == trait.name) return &trait;
     return nullptr;
+}
+
+int findMaterialMap(std::string_view name)
+{
+    for (int i = 0; i < static_cast<int>(std::size(kMaterialMaps)); ++i)
+        if (name == kMaterialMaps[i].name) return i;
+    return -1;
 }
 
 GlslType glslTypeOf(ParamType type)

@@ -15,9 +15,10 @@ namespace crevice {
 /// The frame's values, in the order of `kFrameValues`.
 enum FrameValue : std::size_t {
     clip_from_view, view_from_clip, view_from_world, world_from_view, light_count, light_position,
-    light_color, light_attenuation, ambient_light, viewport_size, history_valid, frame_index,
-    previous_view_from_view, previous_clip_from_view, clip_from_model, view_from_model,
-    view_normal_from_model, base_color, alpha_cutoff, specular, shininess, frame_value_count,
+    light_color, light_attenuation, light_cone, ambient_light, viewport_size, history_valid,
+    frame_index, previous_view_from_view, previous_clip_from_view, clip_from_model, view_from_model,
+    view_normal_from_model, base_color, alpha_cutoff, specular, shininess, normal_scale,
+    occlusion_strength, frame_value_count,
 };
 
 struct FrameValueInfo {
@@ -40,10 +41,21 @@ struct TraitInfo {
     bool counted;  ///< A number, of which true means at least one; else 0 or 1.
 };
 
-extern const TraitInfo kTraits[5];
+extern const TraitInfo kTraits[7];
 
 /// The trait of that name, or null.
 const TraitInfo* findTrait(std::string_view name);
+
+/// A texture that a material may have.
+struct MaterialMapInfo {
+    const char* name;  ///< Of the sampler in GLSL.
+    TextureId Material::*texture;
+};
+
+extern const MaterialMapInfo kMaterialMaps[3];
+
+/// Index of the map of that name, or -1.
+int findMaterialMap(std::string_view name);
 
 /// What GLSL calls a param of that type.
 GlslType glslTypeOf(ParamType type);

@@ -39,7 +39,7 @@ enum class InputKind { target, history, generated, imported, material, constant 
 struct PlanInput {
     std::string sampler;  ///< GLSL name.
     InputKind kind = InputKind::target;
-    int index = -1;  ///< Into targets (of history too), generated, imports or constants.
+    int index = -1;  ///< Into targets (of history too), generated, imports, constants, maps.
     SamplerDesc sampling;
 };
 

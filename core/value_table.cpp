@@ -88,6 +88,7 @@ void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
         write(light_position, lightInView(frame.lights[i], camera.view_from_world), i);
         write(light_color, frame.lights[i].color, i);
         write(light_attenuation, frame.lights[i].attenuation, i);
+        write(light_cone, coneInView(frame.lights[i], camera.view_from_world), i);
     }
 }
 
@@ -116,6 +117,8 @@ void ValueTable::setDraw(const DrawItem& item, const Material& material,
     write(alpha_cutoff, material.alpha_cutoff);
     write(specular, material.specular);
     write(shininess, material.shininess);
+    write(normal_scale, material.normal_map ? material.normal_scale : 0.0f);
+    write(occlusion_strength, material.occlusion_strength);
 }
 
 }  // namespace crevice

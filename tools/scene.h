@@ -31,6 +31,10 @@ struct SceneMaterial {
     glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
     float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
     float alpha_cutoff = 0.0f;               ///< Below this alpha is a hole; 0 is opaque.
+    int normal_texture = -1;                 ///< Into Scene::textures; tangent space, y up.
+    float normal_scale = 1.0f;               ///< Of its x and y.
+    int occlusion_texture = -1;              ///< Into Scene::textures; baked visibility in red.
+    float occlusion_strength = 1.0f;         ///< [0, 1]; 0 is open.
 };
 
 /// Four channels, linear, in [0, 1].

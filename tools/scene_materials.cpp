@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 namespace crevice {
 
@@ -27,16 +28,20 @@ float linearFromSrgb(float value)
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-// Four linear channels of an image in sRGB with any number of channels.
-Image linearRgba(const Image& image)
+enum class Encoding { srgb, linear };
+
+// Four linear channels of an image with any number of channels.
+Image linearRgba(const Image& image, Encoding encoding)
 {
     Image rgba(image.extent, 4, 1.0f);
     const std::size_t count = rgba.pixels.size() / 4;
     for (std::size_t pixel = 0; pixel < count; ++pixel) {
         const float* from = &image.pixels[pixel * image.channels];
         float* to = &rgba.pixels[pixel * 4];
-        for (int channel = 0; channel < 3; ++channel)
-            to[channel] = linearFromSrgb(image.channels >= 3 ? from[channel] : from[0]);
+        for (int channel = 0; channel < 3; ++channel) {
+            const float value = image.channels >= 3 ? from[channel] : from[0];
+            to[channel] = encoding == Encoding::srgb ? linearFromSrgb(value) : value;
+        }
         if (image.channels % 2 == 0) to[3] = from[image.channels - 1];
     }
     return rgba;
@@ -107,27 +112,39 @@ public:
     /// Index of the material's base-colour texture; -1 when it has none that can be read.
     int baseColor(const aiMaterial& material)
     {
-        aiString name;
-        if (material.GetTexture(aiTextureType_BASE_COLOR, 0, &name) != aiReturn_SUCCESS &&
-            material.GetTexture(aiTextureType_DIFFUSE, 0, &name) != aiReturn_SUCCESS)
-            return -1;
-        const auto [known, added] = indices_.try_emplace(name.C_Str(), -1);
-        if (added) known->second = read(name.C_Str());
-        return known->second;
+        const int index = find(material, aiTextureType_BASE_COLOR, Encoding::srgb);
+        return index != kNone ? index : find(material, aiTextureType_DIFFUSE, Encoding::srgb);
+    }
+
+    /// Index of a texture of numbers; -1 when the material has none that can be read.
+    int numbers(const aiMaterial& material, aiTextureType type)
+    {
+        return find(material, type, Encoding::linear);
     }
 
 private:
-    int read(const std::string& name)
+    static constexpr int kNone = -1;
+
+    int find(const aiMaterial& material, aiTextureType type, Encoding encoding)
+    {
+        aiString name;
+        if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS) return kNone;
+        const auto [known, added] = indices_.try_emplace({name.C_Str(), encoding}, kNone);
+        if (added) known->second = read(name.C_Str(), encoding);
+        return known->second;
+    }
+
+    int read(const std::string& name, Encoding encoding)
     {
         const Result<Image> image = readTexture(from_, path_, name);
         if (!image) {
             Diagnostic warning = image.diagnostics().front();
             warning.severity = Severity::warning;
-            warning.help = "the material's plain colour stands in for the texture";
+            warning.help = "the material goes without the texture";
             warnings_.push_back(warning);
-            return -1;
+            return kNone;
         }
-        scene_.textures.push_back({name, linearRgba(*image)});
+        scene_.textures.push_back({name, linearRgba(*image, encoding)});
         return static_cast<int>(scene_.textures.size()) - 1;
     }
 
@@ -135,7 +152,7 @@ private:
     const std::string& path_;
     Scene& scene_;
     Diagnostics& warnings_;
-    std::map<std::string, int> indices_;
+    std::map<std::pair<std::string, Encoding>, int> indices_;
 };
 
 float finiteOr(float value, float otherwise)
@@ -179,6 +196,21 @@ SceneMaterial materialFrom(const aiMaterial& from)
     return material;
 }
 
+// Assimp calls glTF's occlusionTexture a light map.
+void importSurfaceMaps(const aiMaterial& from, TextureImport& textures, SceneMaterial& material)
+{
+    material.normal_texture = textures.numbers(from, aiTextureType_NORMALS);
+    from.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), material.normal_scale);
+    material.normal_scale = finiteOr(material.normal_scale, 1.0f);
+
+    aiString gltf;  // only glTF has alpha modes; elsewhere a light map is a light map
+    if (from.Get(AI_MATKEY_GLTF_ALPHAMODE, gltf) != aiReturn_SUCCESS) return;
+    material.occlusion_texture = textures.numbers(from, aiTextureType_LIGHTMAP);
+    from.Get(AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0),
+             material.occlusion_strength);
+    material.occlusion_strength = std::clamp(finiteOr(material.occlusion_strength, 1), 0.0f, 1.0f);
+}
+
 }  // namespace
 
 void importMaterials(const aiScene& from, const std::string& path, Scene& scene,
@@ -188,6 +220,7 @@ void importMaterials(const aiScene& from, const std::string& path, Scene& scene,
     for (unsigned index = 0; index < from.mNumMaterials; ++index) {
         SceneMaterial material = materialFrom(*from.mMaterials[index]);
         material.base_color_texture = textures.baseColor(*from.mMaterials[index]);
+        importSurfaceMaps(*from.mMaterials[index], textures, material);
         scene.materials.push_back(std::move(material));
     }
     if (scene.materials.empty()) scene.materials.emplace_back();

@@ -60,6 +60,10 @@ Status UploadedScene::uploadTextures(const Scene& scene)
         material.specular = from.specular;
         material.shininess = from.shininess;
         material.alpha_cutoff = from.alpha_cutoff;
+        if (from.normal_texture >= 0) material.normal_map = textures_[from.normal_texture];
+        material.normal_scale = from.normal_scale;
+        if (from.occlusion_texture >= 0) material.occlusion_map = textures_[from.occlusion_texture];
+        material.occlusion_strength = from.occlusion_strength;
         frame_.materials.push_back(material);
     }
     return {};

@@ -83,6 +83,12 @@ SceneLight lightFrom(const aiLight& from, const NodePlaces& places)
     light.light.directional = from.mType == aiLightSource_DIRECTIONAL;
     light.light.position = place * glm::dvec4(vectorFrom(from.mPosition), 1.0);
     light.light.direction = turned(place, from.mDirection, {0, 0, -1});
+    light.light.spot = from.mType == aiLightSource_SPOT;
+    if (light.light.spot) {
+        // A file that says nothing gives two pi.
+        light.light.inner_angle_rad = std::min(from.mAngleInnerCone, glm::pi<float>());
+        light.light.outer_angle_rad = std::min(from.mAngleOuterCone, glm::pi<float>());
+    }
     light.light.color = {from.mColorDiffuse.r, from.mColorDiffuse.g, from.mColorDiffuse.b};
     light.light.attenuation = {from.mAttenuationConstant, from.mAttenuationLinear,
                                from.mAttenuationQuadratic};
