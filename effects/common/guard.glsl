@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The guard band: a G-buffer that is GUARD times as wide and as high as the view, so that estimators see
 // past the screen's edge. Everything else keeps the uv of the view; only what the band adds lies outside
-// 0..1. Without the module geometry/guard_band there is none.
+// 0..1. A geometry module that has no param `guard` has no band.
 
 #ifndef GUARD
 #define GUARD 1.0

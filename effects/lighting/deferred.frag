@@ -17,6 +17,7 @@ uniform mediump sampler2D visibility;
 #if SCENE_LIGHTS == 0
 #define SURFACE_WITHOUT_NORMAL
 #endif
+#include "common/guard.glsl"
 #include "lighting/shade.glsl"
 #include "lighting/srgb.glsl"
 #include <surface>
@@ -78,7 +79,7 @@ void main()
         color = background();
         return;
     }
-    vec4 stored = texture(albedo, uv);
+    vec4 stored = texture(albedo, uvInGuard(uv));
     s.albedo = stored.rgb;
     s.gloss = stored.a;
 #if SCENE_LIGHTS > 0

@@ -31,5 +31,5 @@ void main()
         }
     }
 #endif
-    direct = vec4(light * texture(albedo, uv).rgb, 1.0);
+    direct = vec4(light * texture(albedo, uvInGuard(uv)).rgb, 1.0);
 }
