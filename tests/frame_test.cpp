@@ -47,6 +47,19 @@ TEST_CASE("Traits come from the materials that something draws")
         frame.draws = {DrawItem{}};
         CHECK(traitsOf(frame).textured);
     }
+    SECTION("normal maps and baked occlusion")
+    {
+        material.normal_map = TextureId{7};
+        frame.materials = {material, Material{}};
+        frame.draws = {DrawItem{}};
+        CHECK(traitsOf(frame).normal_mapped);
+        CHECK_FALSE(traitsOf(frame).baked_occlusion);
+        CHECK_FALSE(traitsOf(frame) == SceneTraits{0, false, false, false, true});
+        frame.materials[0] = Material{};
+        frame.materials[0].occlusion_map = TextureId{7};
+        CHECK(traitsOf(frame).baked_occlusion);
+        CHECK_FALSE(traitsOf(frame).normal_mapped);
+    }
     SECTION("a material that is not there counts for nothing")
     {
         frame.draws = {DrawItem{}};

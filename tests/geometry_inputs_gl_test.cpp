@@ -58,6 +58,42 @@ glm::vec3 normalOf(const Image& image, int x, int y)
     return glm::vec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) * 2.0f - 1.0f;
 }
 
+/// A wall of one unit square at z = 0 that fills most of the picture of kFront.
+Scene wall()
+{
+    Scene scene;
+    MeshDesc mesh;
+    mesh.label = "wall";
+    const glm::vec2 corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (const glm::vec2& at : corners)
+        mesh.vertices.push_back({{at.x - 0.5f, at.y - 0.5f, 0}, {0, 0, 1}, {at.x, at.y}});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    scene.meshes = {mesh};
+    scene.instances.resize(1);
+    scene.materials.resize(1);
+    return scene;
+}
+
+const char* const kFront = "eye=0,0,2;at=0,0,0;fov=25";
+
+SceneTexture oneColor(const glm::vec4& color)
+{
+    SceneTexture texture{"color", Image({2, 2}, 4)};
+    for (int i = 0; i < 16; ++i) texture.image.pixels[i] = color[i % 4];
+    return texture;
+}
+
+Image target(const std::string& name, const Scene& scene, const std::string& camera = kFront,
+             const std::string& config = "hemisphere_box")
+{
+    PictureRequest request;
+    request.config = config;
+    request.camera = camera;
+    request.output = "color";
+    request.target = name;
+    return picture(request, scene);
+}
+
 /// The share of the seen surface whose normals are less than that many degrees apart.
 double shareWithin(const Image& a, const Image& b, double degrees)
 {
@@ -69,7 +105,8 @@ double shareWithin(const Image& a, const Image& b, double degrees)
             const glm::vec3 u = normalOf(a, x, y), v = normalOf(b, x, y);
             CHECK(glm::length(u) == Approx(1.0).margin(0.01));
             ++seen;
-            near += glm::dot(u, v) > std::cos(degrees * 0.0174533) * glm::length(u) * glm::length(v);
+            const float cosine = glm::dot(u, v) / (glm::length(u) * glm::length(v));
+            near += cosine > std::cos(degrees * 0.0174533) ? 1 : 0;
         }
     REQUIRE(seen > 0);
     return double(near) / seen;
@@ -171,4 +208,64 @@ TEST_CASE("A host that forgets its depth is told so")
     const Status status = renderer->render(bare);
     REQUIRE_FALSE(status.ok());
     CHECK(status.diagnostics().front().code == Code::missing_import);
+}
+
+TEST_CASE("A normal map tilts the normal towards growing u and v, from whichever side and scale")
+{
+    Scene scene = wall();
+    const glm::vec3 tilted = glm::normalize(glm::vec3(0.6f, 0.3f, 0.7f));
+    scene.textures = {oneColor(glm::vec4(tilted * 0.5f + 0.5f, 1.0f))};
+    scene.materials[0].normal_texture = 0;
+    const auto middle = [&](const char* camera) {
+        return glm::normalize(normalOf(target("normal", scene, camera), 64, 36));
+    };
+    CHECK(glm::distance(middle(kFront), tilted) < 0.02f);
+    const glm::vec3 mirrored = tilted * glm::vec3(-1, 1, 1);
+    CHECK(glm::distance(middle("eye=0,0,-2;at=0,0,0;fov=25"), mirrored) < 0.02f);
+    scene.instances[0].world_from_model = glm::mat4(glm::mat3(1e-6f));
+    CHECK(glm::distance(middle("eye=0,0,2e-6;at=0,0,0;fov=25"), tilted) < 0.02f);
+    scene.instances[0].world_from_model = glm::mat4(1.0f);
+
+    scene.materials[0].normal_scale = 0.0f;
+    CHECK(glm::distance(middle(kFront), glm::vec3(0, 0, 1)) < 0.02f);
+    scene.materials.push_back({});
+    scene.materials[0].normal_scale = 1.0f;
+    scene.instances[0].material = 1;
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances[1].material = 0;
+    scene.instances[1].world_from_model[3] = glm::vec4(9, 9, 9, 1);
+    CHECK(glm::distance(middle(kFront), glm::vec3(0, 0, 1)) < 0.02f);
+}
+
+TEST_CASE("What the alpha test cuts away is background to all that follows")
+{
+    Scene scene = wall();
+    SceneTexture holes{"holes", Image({2, 1}, 4, 1.0f)};
+    holes.image.at(0, 0, 3) = 0.0f;
+    scene.textures = {holes};
+    scene.materials[0].base_color_texture = 0;
+    scene.materials[0].alpha_cutoff = 0.5f;
+    const Image normal = target("normal", scene);
+    CHECK(normal.at(50, 36, 3) == 0.0f);
+    CHECK(normal.at(78, 36, 3) == 1.0f);
+    CHECK(target("ao_filtered", scene).at(50, 36) == 1.0f);
+}
+
+TEST_CASE("A wall is seen and lit from either side")
+{
+    const Scene scene = wall();
+    for (const char* camera : {kFront, "eye=0,0,-2;at=0,0,0;fov=25"})
+        CHECK(glm::distance(normalOf(target("normal", scene, camera), 64, 36), {0, 0, 1}) < 0.02f);
+}
+
+TEST_CASE("Baked occlusion joins that of the screen by the lesser of both")
+{
+    Scene scene = wall();
+    scene.textures = {oneColor({0.4f, 1, 1, 1})};
+    CHECK(target("ao_filtered", scene, kFront, "baked").at(64, 36) > 0.98f);
+    scene.materials[0].occlusion_texture = 0;
+    CHECK(target("ao_joined", scene, kFront, "baked").at(64, 36) == Approx(0.4).margin(0.01));
+    scene.materials[0].occlusion_strength = 0.5f;
+    CHECK(target("ao_joined", scene, kFront, "baked").at(64, 36) == Approx(0.7).margin(0.01));
+    CHECK(target("ao_joined", scene, kFront, "baked").at(1, 1) == 1.0f);
 }

@@ -202,6 +202,28 @@ TEST_CASE("A light that shines nowhere has no direction, not an invalid one")
     CHECK(lightInView(light, glm::dmat4(1.0)) == glm::vec4(0));
 }
 
+TEST_CASE("A spot's cone is 1 within its inner angle, 0 beyond the outer, and no other light has one")
+{
+    Light light;
+    light.direction = {0, 0, -2};
+    const glm::dmat4 place(1.0);
+    CHECK(coneInView(light, place) == glm::vec4(0, 0, 0, 1));
+    light.spot = true;
+    light.inner_angle_rad = 0.3f;
+    light.outer_angle_rad = 0.6f;
+    const auto shines = [&](float angle) {
+        const glm::vec3 towards(std::sin(angle), 0, std::cos(angle));
+        const glm::vec4 cone = coneInView(light, place);
+        return glm::dot(glm::vec3(cone), towards) + cone.w;
+    };
+    CHECK(shines(0.29f) > 1.0f);
+    CHECK(shines(0.61f) < 0.0f);
+    CHECK(shines(0.45f) == Approx(0.5).margin(0.1));
+    light.outer_angle_rad = light.inner_angle_rad;
+    CHECK(shines(0.29f) > 1.0f);
+    CHECK(shines(0.31f) < 0.0f);
+}
+
 TEST_CASE("An optional import that is absent is black, one that is there is taken")
 {
     Rig rig;

@@ -195,6 +195,39 @@ TEST_CASE("a masked glTF material keeps its colour, texture and cutoff")
     CHECK(image.at(1, 0, 0) == Approx(0.5).margin(0.003));
 }
 
+TEST_CASE("a glTF material keeps its normal and occlusion maps as plain numbers")
+{
+    const std::string more = R"("materials": [{"normalTexture": {"index": 0, "scale": 0.5},
+        "occlusionTexture": {"index": 0, "strength": 0.75}}, {}], "textures": [{"source": 0}],
+        "images": [{"uri": "data:image/png;base64,)" + kPicture + R"("}], )";
+    const Scene scene = load(gltf(R"({"mesh": 0})", more, R"(, "material": 0)"));
+    const SceneMaterial& material = scene.materials[scene.instances[0].material];
+    CHECK(material.base_color_texture == -1);
+    REQUIRE(material.normal_texture == 0);
+    CHECK(material.normal_scale == Approx(0.5));
+    CHECK(material.occlusion_texture == 0);
+    CHECK(material.occlusion_strength == Approx(0.75));
+    CHECK(scene.textures[0].image.at(1, 0, 0) == Approx(188.0 / 255));
+    CHECK(scene.textures.size() == 1);
+}
+
+TEST_CASE("a glTF spot keeps its cone")
+{
+    const char* const lights = R"("extensions": {"KHR_lights_punctual": {"lights": [
+      {"type": "spot", "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.6}},
+      {"type": "point"}]}}, )";
+    const Scene scene = load(gltf(
+        R"({"children": [1, 2], "mesh": 0},
+           {"extensions": {"KHR_lights_punctual": {"light": 0}}, "translation": [0.5, 0.5, 2]},
+           {"extensions": {"KHR_lights_punctual": {"light": 1}}, "translation": [0.5, 0.5, 2]})",
+        lights));
+    REQUIRE(scene.lights.size() == 2);
+    CHECK(scene.lights[0].light.spot);
+    CHECK(scene.lights[0].light.inner_angle_rad == Approx(0.2));
+    CHECK(scene.lights[0].light.outer_angle_rad == Approx(0.6));
+    CHECK_FALSE(scene.lights[1].light.spot);
+}
+
 TEST_CASE("texture coordinates begin at the lower left")
 {
     const Scene scene = load(gltf(R"({"mesh": 0})"));

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 // A G-buffer without positions: depth is kept and the position rebuilt from it.
 //
-//   normal  view space, stored as n * 0.5 + 0.5; alpha 1 on a surface, 0 (the clear value) elsewhere
-//   albedo  linear colour; alpha is the strength of the highlight
+//   normal    view space, stored as n * 0.5 + 0.5; alpha 1 on a surface, 0 (the clear value) elsewhere
+//   albedo    linear colour; alpha is the strength of the highlight
+//   baked_ao  with BAKED_AO: the material's own visibility, 1 open
 precision highp float;
 
 #include "geometry/material.glsl"
@@ -14,9 +15,15 @@ in vec2 uv;
 
 layout(location = 0) out vec4 normal;
 layout(location = 1) out vec4 albedo;
+#ifdef BAKED_AO
+layout(location = 2) out float baked_ao;
+#endif
 
 void main()
 {
     albedo = materialAlbedo(uv);
-    normal = vec4(seenNormal(point, facing) * 0.5 + 0.5, 1.0);
+    normal = vec4(materialNormal(point, facing, uv) * 0.5 + 0.5, 1.0);
+#ifdef BAKED_AO
+    baked_ao = materialOpen(uv);
+#endif
 }

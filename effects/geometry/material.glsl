@@ -9,6 +9,14 @@ uniform mediump sampler2D base_color_map;
 #if SCENE_ALPHA_TESTED
 uniform float alpha_cutoff;
 #endif
+#if SCENE_NORMAL_MAPPED
+uniform mediump sampler2D normal_map;
+uniform float normal_scale;
+#endif
+#if SCENE_BAKED_OCCLUSION
+uniform mediump sampler2D occlusion_map;
+uniform float occlusion_strength;
+#endif
 
 // Linear colour and, in alpha, the strength of the highlight. Discards what the alpha test cuts away.
 vec4 materialAlbedo(vec2 at)
@@ -35,4 +43,48 @@ highp vec3 seenNormal(highp vec3 at, highp vec3 vertex_normal)
     highp float size = max(abs(vertex_normal.x), max(abs(vertex_normal.y), abs(vertex_normal.z)));
     highp vec3 n = size > 0.0 ? normalize(vertex_normal / size) : normalize(plane);
     return dot(n, plane) < 0.0 ? -n : n;
+}
+
+#if SCENE_NORMAL_MAPPED
+// Columns: where the texture's u and v grow along the surface, both over the longer one, and n. Needs no
+// tangents in the mesh. [Mikkelsen 2010, "Bump Mapping Unparametrized Surfaces on the GPU"]
+// [Schueler 2013, "Followup: Normal Mapping Without Precomputed Tangents"]
+highp mat3 textureFrame(highp vec3 at, highp vec2 map_uv, highp vec3 n)
+{
+    highp vec3 across = dFdx(at);
+    highp vec3 up = dFdy(at);
+    highp vec2 uv_across = dFdx(map_uv);
+    highp vec2 uv_up = dFdy(map_uv);
+    // Lengths alone, so that scenes of any scale stay within floats.
+    highp float size = max(max(length(across), length(up)), 1e-30);
+    highp float uv_size = max(max(length(uv_across), length(uv_up)), 1e-30);
+    highp vec3 by_across = cross(up / size, n);
+    highp vec3 by_up = cross(n, across / size);
+    highp vec3 u = (by_across * uv_across.x + by_up * uv_up.x) / uv_size;
+    highp vec3 v = (by_across * uv_across.y + by_up * uv_up.y) / uv_size;
+    highp float longer = sqrt(max(max(dot(u, u), dot(v, v)), 1e-30));
+    return mat3(u / longer, v / longer, n);
+}
+#endif
+
+// As seenNormal, tilted by the material's normal map.
+highp vec3 materialNormal(highp vec3 at, highp vec3 vertex_normal, highp vec2 map_uv)
+{
+    highp vec3 n = seenNormal(at, vertex_normal);
+#if SCENE_NORMAL_MAPPED
+    highp vec3 tilt = texture(normal_map, map_uv).xyz * 2.0 - 1.0;
+    n = textureFrame(at, map_uv, n) * vec3(tilt.xy * normal_scale, max(tilt.z, 1e-3));
+    n = normalize(n);
+#endif
+    return n;
+}
+
+// The material's baked visibility, 1 open.
+mediump float materialOpen(highp vec2 map_uv)
+{
+#if SCENE_BAKED_OCCLUSION
+    return 1.0 + occlusion_strength * (texture(occlusion_map, map_uv).r - 1.0);
+#else
+    return 1.0;
+#endif
 }

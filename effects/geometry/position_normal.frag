@@ -21,5 +21,5 @@ void main()
 {
     albedo = materialAlbedo(uv);
     position = vec4(point, 1.0);
-    normal = vec4(seenNormal(point, facing) * 0.5 + 0.5, 1.0);
+    normal = vec4(materialNormal(point, facing, uv) * 0.5 + 0.5, 1.0);
 }

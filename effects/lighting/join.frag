@@ -1,0 +1,21 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// The lesser of what the screen and what the material say.
+//
+//   ao_filtered, baked_ao  visibility, 1 open .. 0 blocked
+//   ao_joined              likewise; a product would darken twice what both know of
+// [Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering"]
+precision mediump float;
+
+#include "common/guard.glsl"
+
+uniform sampler2D ao_filtered;
+uniform sampler2D baked_ao;
+
+in highp vec2 uv;
+layout(location = 0) out float ao_joined;
+
+void main()
+{
+    ao_joined = min(texture(ao_filtered, uv).r, texture(baked_ao, uvInGuard(uv)).r);
+}
