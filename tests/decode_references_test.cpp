@@ -148,6 +148,18 @@ TEST_CASE("a scale comes from a number param whose value a size can have", "[dec
     });
 }
 
+TEST_CASE("nothing may have the name of a history", "[decode]")
+{
+    const auto errorsWith = [](const std::string& name) {
+        return errorsOf(decodeWith({{"targets", R"({"ao": {"format": "r8", "history": true},
+            "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}, ")" + name +
+                                                    R"(": {"format": "r8"}})"}}));
+    };
+    CHECK(errorsWith("ao_before") == "");
+    CHECK(errorsWith("depth_history") == "");
+    CHECK(errorsWith("ao_history") == "CV2107 /targets/ao");
+}
+
 TEST_CASE("targets that follow each other's size are one error", "[decode]")
 {
     checkEach({
