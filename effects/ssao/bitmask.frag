@@ -65,22 +65,25 @@ float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
     return 32.0 * lightUpTo(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
 }
 
-// Whether two neighbouring taps are on one surface: what lies between them in depth is at most as large as
-// the nearer of them is deep, times `bridge` and the spacing of the taps.
-bool isJoined(Trail trail, float front, float deep)
+// Whether what lies between two neighbouring taps is filled: it is at most as large in depth as the nearer of
+// them is deep, times `bridge` and the spacing of the taps, and at most kWidest radii, each times `chance`.
+bool isJoined(Trail trail, float front, float deep, float chance)
 {
+    const float kWidest = 1.5;
     float share = bridge / float(STEPS);
-    return trail.inside && front - trail.back < share * (trail.back - trail.front) &&
-           trail.front - front - deep < share * deep;
+    float most = kWidest * radius;
+    return trail.inside && front - trail.back < chance * min(share * (trail.back - trail.front), most) &&
+           trail.front - front - deep < chance * min(share * deep, most);
 }
 
 // The sectors blocked by something whose front is at `offset` and which is `deep` along the ray `away`,
 // as far as it lies within the radius; and by the surface that joins it to the tap before, without which
 // few taps would miss most of what blocks.
-uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, inout Trail trail)
+uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, float chance,
+               inout Trail trail)
 {
     float front = -dot(offset, march.to_camera);
-    bool joined = isJoined(trail, front, deep);
+    bool joined = isJoined(trail, front, deep, chance);
 
     // The ray is within the radius from -along - root to root - along.
     float along = dot(offset, away);
@@ -98,8 +101,7 @@ uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, fl
     bool inside = reached < radius;
     if (joined) {
         if (!inside) {
-            float before = length(trail.offset);
-            vec3 leaves = mix(trail.offset, offset, (radius - before) / (reached - before));
+            vec3 leaves = mix(trail.offset, offset, shareWithin(trail.offset, offset));
             sector = sectorOf(march, side, outwards, leaves);
         }
         blocked |= maskOf(sector, trail.sector);
@@ -145,11 +147,12 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
             continue;
         }
         vec3 away = awayAt(march, offset);
+        float chance = chanceOf(march, sign, i);
         float deep = thickness * radius;
 #if BACK_FACES
         deep = depthOf(depth_back, march, at, offset);
 #endif
-        blocked |= blockedBy(march, side, outwards, offset, away, deep, trail);
+        blocked |= blockedBy(march, side, outwards, offset, away, deep, chance, trail);
 #if SECOND_LAYER
         vec3 behind;
         if (!pointIn(depth_second, at, behind)) {
@@ -161,7 +164,7 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
 #if BACK_FACES
         deep = depthOf(depth_second_back, march, at, behind);
 #endif
-        blocked |= blockedBy(march, side, outwards, behind, away, deep, second);
+        blocked |= blockedBy(march, side, outwards, behind, away, deep, chance, second);
 #endif
     }
     return blocked;

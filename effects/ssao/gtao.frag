@@ -32,6 +32,7 @@ float horizonOf(March march, Slice slice, Side side, float sign)
     float horizon = lastCosine(side);
     vec3 before = vec3(0.0);
     float before_distance = 0.0;
+    float widest = bridge / float(STEPS) * radius;
     for (int i = 0; i < STEPS; ++i) {
         vec2 at = tapAt(march, slice, sign, i);
         vec3 offset;
@@ -39,9 +40,9 @@ float horizonOf(March march, Slice slice, Side side, float sign)
         float distance_here = length(offset);
         float share = 1.0;
         if (distance_here > radius) {
-            bool leaves = before_distance < radius &&
-                          abs(dot(offset - before, march.to_camera)) < bridge / float(STEPS) * radius;
-            share = leaves ? (radius - before_distance) / (distance_here - before_distance) : 0.0;
+            float gap = abs(dot(offset - before, march.to_camera));
+            bool leaves = before_distance < radius && gap < widest * chanceOf(march, sign, i);
+            share = leaves ? shareWithin(before, offset) : 0.0;
         }
         vec3 counted = mix(before, offset, share);
         if (distance_here < radius || share > 0.0)

@@ -13,12 +13,32 @@ const highp float kPi = 3.14159265;
 struct March {
     highp vec3 point;      // view space, lifted off its own surface
     highp vec3 normal;
-    highp vec3 to_camera;  // unit
+    highp vec3 to_camera;  // unit; with `right` and `up` a frame about the view ray
+    highp vec3 right;
+    highp vec3 up;
+    highp vec3 clip;       // x, y and w of the point in clip space
+    highp float reach;     // how far along a slice one radius is seen, in scene units
+    highp vec2 shown;      // one radius across the middle of the screen, in uv
     highp vec2 uv;
-    highp vec2 reach;      // one radius across the screen, in uv
     highp vec2 pixel;      // one pixel, in uv
     highp vec2 noise;      // 0..1: turns the slices, shifts the taps
 };
+
+highp vec3 clipOf(highp vec4 place)
+{
+    return (clip_from_view * place).xyw;
+}
+
+// How far from the middle a sphere of one radius ends for the eye, measured across the view ray.
+highp float seenReach(highp vec3 point)
+{
+#if CAMERA_ORTHOGRAPHIC
+    return radius;
+#else
+    highp float share = radius * radius / max(dot(point, point), 1e-30);
+    return radius * inversesqrt(max(1.0 - share, 0.2));
+#endif
+}
 
 // `at` counts pixels, `pixel` is one of them in uv.
 March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point, highp vec3 normal)
@@ -30,9 +50,13 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
 #else
     march.to_camera = -normalize(point);
 #endif
+    march.right = normalize(vec3(max(march.to_camera.z, 1e-6), 0.0, -march.to_camera.x));
+    march.up = cross(march.to_camera, march.right);
     march.point = point + normal * (bias * radius);
+    march.clip = clipOf(vec4(point, 1.0));
+    march.reach = seenReach(point);
+    march.shown = reachOf(point);
     march.uv = uv;
-    march.reach = reachOf(point);
     march.pixel = pixel;
     march.noise = pixelNoise(at);
     return march;
@@ -40,21 +64,21 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
 
 // A slice through the hemisphere.
 struct Slice {
-    highp vec2 direction;  // across the screen, a unit vector
-    highp vec3 along;      // the same in view space, perpendicular to the direction to the camera
-    highp vec3 turn;       // cosine and sine of the normal's angle in it, and how much of the normal lies in it
+    highp vec3 along;  // unit, perpendicular to the direction to the camera
+    highp vec3 clip;   // x, y and w in clip space of one reach along it
+    highp vec3 turn;   // cosine and sine of the normal's angle in it, and how much of the normal lies in it
 };
 
-// Slices lie evenly over half a turn.
+// Slices lie evenly over half a turn about the view ray, not on the screen: towards the edge of a wide view
+// the two differ by a third.
 Slice sliceOf(March march, int index)
 {
     highp float angle = kPi * (float(index) + march.noise.x) / float(SLICES);
-    highp vec2 direction = vec2(cos(angle), sin(angle));
-    highp vec3 across = vec3(direction, 0.0);
-    highp vec3 along = normalize(across - march.to_camera * dot(across, march.to_camera));
+    highp vec3 along = cos(angle) * march.right + sin(angle) * march.up;
     highp vec2 turn = vec2(dot(march.normal, march.to_camera), dot(march.normal, along));
     highp float size = length(turn);
-    return Slice(direction, along, size > 1e-3 ? vec3(turn / size, size) : vec3(1.0, 0.0, 1e-3));
+    return Slice(along, clipOf(vec4(along * march.reach, 0.0)),
+                 size > 1e-3 ? vec3(turn / size, size) : vec3(1.0, 0.0, 1e-3));
 }
 
 // On the surface, away from the point; perpendicular to the normal within the slice.
@@ -72,7 +96,7 @@ highp float cosineOf(March march, Side side, highp vec3 outwards, highp vec3 off
 
 highp float shareShown(March march)
 {
-    return shareShown(march.reach, march.pixel);
+    return shareShown(march.shown, march.pixel);
 }
 
 // Whether the surface at the uv of a tap is known, and its offset from the point.
@@ -85,12 +109,32 @@ bool offsetAt(March march, highp vec2 at, out highp vec3 offset)
 }
 
 // Where tap `i` of a side lies: evenly from the pixel to somewhat beyond the radius, so that the surface
-// is seen to leave it. A tap is at least a pixel away.
+// is seen to leave it. A tap is at least a pixel away; behind the camera it is nowhere.
 highp vec2 tapAt(March march, Slice slice, highp float sign, int i)
 {
+    const highp float nowhere = -9.0;
     highp float shift = fract(march.noise.y + 0.25 * (1.0 - sign));
-    highp float share = (float(i) + shift) / (float(STEPS) - 0.5);
-    highp vec2 offset = slice.direction * march.reach * share;
-    highp float pixels = length(offset / march.pixel);
-    return march.uv + sign * (pixels < 1.0 ? slice.direction * march.pixel : offset);
+    highp float share = max((float(i) + shift) / (float(STEPS) - 0.6), 0.01);
+    highp vec3 clip = march.clip + slice.clip * (sign * share);
+    if (clip.z <= 0.0) return vec2(nowhere);
+    highp vec2 offset = clip.xy / clip.z * 0.5 + 0.5 - march.uv;
+    return march.uv + offset / min(length(offset / march.pixel), 1.0);
+}
+
+// What the camera does not see between two neighbouring taps may be filled or open, the likelier open the
+// wider the gap. A factor in 0..2 for the widest gap that counts as filled, another for each tap, lets
+// the filter's mean tell.
+highp float chanceOf(March march, highp float sign, int i)
+{
+    return 2.0 * fract(9.888 * march.noise.x + march.noise.y + 0.618 * float(i) + 0.3 * sign);
+}
+
+// How much of the way from a place within the radius to one outside lies within.
+highp float shareWithin(highp vec3 from, highp vec3 to)
+{
+    highp vec3 way = to - from;
+    highp float a = dot(way, way);
+    highp float b = dot(from, way);
+    highp float c = dot(from, from) - radius * radius;
+    return clamp((sqrt(max(b * b - a * c, 0.0)) - b) / max(a, 1e-30), 0.0, 1.0);
 }
