@@ -48,6 +48,7 @@ enum class Code : int {
     attachment_kind = 2207,     ///< A depth format as colour, or a colour format as depth.
     bypass_class = 2208,        ///< A bypass or identity stands in for a target of another class.
     output_missing = 2209,      ///< An output that the config does not export was asked for.
+    attachment_samples = 2210,  ///< Attachments of one pass differ in samples.
 
     // keys and types
     unknown_key = 3001,    ///< A key that the format does not have.
@@ -88,6 +89,7 @@ enum class Code : int {
     missing_import = 6010,     ///< The host did not supply something that is not optional.
     bad_input = 6011,          ///< The host supplied something unusable.
     no_backend = 6012,         ///< A backend that does not exist or was not built.
+    no_samples = 6013,         ///< More samples than the device draws.
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

@@ -129,6 +129,12 @@ Extent extentOf(const State& state, const Pass& pass)
     return written.empty() ? state.options.extent : state.targets[written.front()].extent;
 }
 
+int samplesOf(const State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    return written.empty() ? 1 : state.targets[written.front()].samples;
+}
+
 }  // namespace compiler
 
 Result<Plan> compile(const Description& description, const SceneTraits& traits,
@@ -146,6 +152,7 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     chooseLive(state);
     chooseExtents(state);
     chooseFormats(state);
+    chooseSamples(state);
     dropRepeats(state);
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     Plan plan = buildPlan(state);

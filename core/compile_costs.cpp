@@ -29,13 +29,17 @@ void estimate(const Plan& plan, PlanPass& pass)
         pass.bytes_read += count * (known ? texel(input.index) : kUnknownTexelBytes);
     }
     const auto write = [&](const PlanAttachment& attachment) {
-        if (attachment.store == StoreOp::store)
-            pass.bytes_written += count * texel(attachment.target);
+        if (attachment.store != StoreOp::store) return;
+        const double bytes = count * texel(attachment.target);
+        pass.bytes_written += bytes;
+        if (pass.samples == 1) return;
+        pass.bytes_written += bytes * pass.samples;  // and resolving reads them all
+        pass.bytes_read += bytes * pass.samples;
     };
     for (const PlanAttachment& color : pass.color) {
         write(color);
         const bool mixes = pass.state.blend != Blend::none && color.target >= 0;
-        if (mixes) pass.bytes_read += count * texel(color.target);
+        if (mixes) pass.bytes_read += count * texel(color.target) * pass.samples;
     }
     if (pass.has_depth) write(pass.depth);
 }
@@ -92,7 +96,7 @@ double textureBytes(const PlanTexture& texture)
     for (int level = 0; level < texture.mips; ++level)
         texels += static_cast<double>(std::max(1, texture.extent.width >> level)) *
                   std::max(1, texture.extent.height >> level);
-    return texels * formatInfo(texture.format).bytes;
+    return texels * texture.samples * formatInfo(texture.format).bytes;
 }
 
 void estimateBytes(Plan& plan)

@@ -6,7 +6,7 @@
 //                       compile_uniforms for the other uniforms
 //   compile_graph       writers and order
 //   compile_live        what is needed, and what stands in for what is not
-//   compile_textures    sizes, formats, shared slots
+//   compile_textures    sizes, formats, shared slots; with compile_samples for multisampling
 //   compile_passes      the plan itself; with compile_costs for the bytes and what is left out
 //
 // Indices are into the description's lists unless they say otherwise. Every step works on what the
@@ -63,6 +63,7 @@ struct Target {
     bool remembered = false;  ///< Someone reads what it held last frame: it needs two.
     Format format = Format::none;
     Extent extent = {};
+    int samples = 1;
 };
 
 /// Everything that the steps share.
@@ -97,8 +98,9 @@ int indexOf(const std::vector<T>& list, std::string_view name)
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);
 
-/// The size of what the pass writes.
+/// The size of what the pass writes, and the samples of a pixel of it.
 Extent extentOf(const State& state, const Pass& pass);
+int samplesOf(const State& state, const Pass& pass);
 
 // compile_conditions.cpp
 void decideConditions(State& state);
@@ -141,6 +143,9 @@ void chooseExtents(State& state);
 void chooseFormats(State& state);
 /// Fills the plan's texture list and each plan target's slot. Requires passes and lifetimes.
 void shareTextures(const State& state, Plan& plan);
+
+// compile_samples.cpp
+void chooseSamples(State& state);
 
 // compile_costs.cpp
 /// Of all mip levels.

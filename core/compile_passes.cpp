@@ -149,7 +149,7 @@ void Builder::addTargets()
         if (!pass.live) continue;
         for (const int target : writtenBy(pass))
             if (state_.targets[target].textured)
-                plan_.targets.push_back({nameOf(target), -1, at, at});
+                plan_.targets.push_back({nameOf(target), -1, -1, at, at});
         ++at;
     }
 }
@@ -194,6 +194,7 @@ void Builder::addPass(int index)
     result.program = program(pass);
     result.state = desc.state;
     result.extent = extentOf(state_, pass);
+    result.samples = samplesOf(state_, pass);
     addInputs(pass, result);
     for (const int target : pass.color) result.color.push_back(attachment(pass, target, false));
     result.has_depth = pass.depth >= 0;

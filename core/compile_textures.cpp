@@ -159,6 +159,44 @@ void checkFormat(State& state, const TargetDesc& desc, Format chosen)
     warning.severity = Severity::warning;
 }
 
+// ---- slots
+
+constexpr int kForever = std::numeric_limits<int>::max();
+
+// The plan's textures, and until which pass each is busy.
+class Slots {
+public:
+    Slots(std::vector<PlanTexture>& textures, bool share) : textures_(textures), share_(share) {}
+
+    // A texture for no one else.
+    int add(const PlanTexture& wanted, int last_pass)
+    {
+        textures_.push_back(wanted);
+        busy_until_.push_back(last_pass);
+        return static_cast<int>(textures_.size()) - 1;
+    }
+
+    // One that is free by `first_pass`, or a new one.
+    int take(const PlanTexture& wanted, int first_pass, int last_pass)
+    {
+        for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
+            PlanTexture& each = textures_[i];
+            if (busy_until_[i] >= first_pass || each.format != wanted.format ||
+                each.extent != wanted.extent || each.mips != wanted.mips ||
+                each.samples != wanted.samples) continue;
+            each.targets.push_back(wanted.targets.front());
+            busy_until_[i] = last_pass;
+            return static_cast<int>(i);
+        }
+        return add(wanted, last_pass);
+    }
+
+private:
+    std::vector<PlanTexture>& textures_;
+    std::vector<int> busy_until_;
+    bool share_;
+};
+
 }  // namespace
 
 void chooseExtents(State& state)
@@ -205,33 +243,25 @@ void chooseFormats(State& state)
 
 void shareTextures(const State& state, Plan& plan)
 {
-    constexpr int kForever = std::numeric_limits<int>::max();
-    std::vector<int> busy_until;  // the last pass that uses each texture
-    const bool share = state.applies("sharing");
+    Slots slots(plan.textures, state.applies("sharing"));
     for (PlanTarget& target : plan.targets) {
         const int index = indexOf(state.description.targets, target.name);
+        const TargetDesc& desc = state.description.targets[index];
         const Target& found = state.targets[index];
-        const int mips = mipsOf(state.description.targets[index], found.extent);
-        const auto fits = [&](std::size_t slot) {
-            const PlanTexture& texture = plan.textures[slot];
-            return share && !found.remembered && busy_until[slot] < target.first_pass &&
-                   texture.format == found.format && texture.extent == found.extent &&
-                   texture.mips == mips;
-        };
-        std::size_t slot = 0;
-        while (slot < plan.textures.size() && !fits(slot)) ++slot;
-        if (slot == plan.textures.size()) {
-            plan.textures.push_back({found.format, found.extent, mips, {}});
-            busy_until.push_back(-1);
+        PlanTexture texture{found.format, found.extent, mipsOf(desc, found.extent), found.samples,
+                            {target.name}};
+        if (found.remembered) {
+            target.texture = target.drawn_texture = slots.add(texture, kForever);
+            texture.targets = {historyName(desc)};
+            target.history_texture = slots.add(texture, kForever);
+            continue;
         }
-        plan.textures[slot].targets.push_back(target.name);
-        busy_until[slot] = found.remembered ? kForever : target.last_pass;
-        target.texture = static_cast<int>(slot);
-        if (!found.remembered) continue;
-        target.history_texture = static_cast<int>(plan.textures.size());
-        plan.textures.push_back(
-            {found.format, found.extent, mips, {historyName(state.description.targets[index])}});
-        busy_until.push_back(kForever);
+        const bool resolved = found.samples > 1 && target.last_pass > target.first_pass;
+        const int last_drawn = resolved ? target.first_pass : target.last_pass;
+        target.texture = target.drawn_texture = slots.take(texture, target.first_pass, last_drawn);
+        if (!resolved) continue;
+        texture.samples = 1;
+        target.texture = slots.take(texture, target.first_pass, target.last_pass);
     }
 }
 

@@ -152,6 +152,16 @@ void checkScale(const Node& document, const Description& description, const Targ
                report);
 }
 
+void checkSamples(const Node& document, const Description& description, const TargetDesc& target,
+                  Report& report)
+{
+    if (target.samples_param.pointer.empty()) return;
+    checkTaken(document, description,
+               {"target '" + target.name + "'", "samples", target.samples_param, true, 1.0,
+                static_cast<double>(kMaxSamples)},
+               report);
+}
+
 void checkSizeCycle(const Description& description, const TargetDesc& target, Report& report)
 {
     const auto cycle = sizeCycle(description, target);
@@ -173,6 +183,7 @@ void checkNames(const Node& document, const Description& description, Report& re
         checkCount(document, description, each, report);
     for (const TargetDesc& each : description.targets) {
         checkScale(document, description, each, report);
+        checkSamples(document, description, each, report);
         checkSizeCycle(description, each, report);
     }
     checkCollisions(description, report);

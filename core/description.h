@@ -87,6 +87,9 @@ struct GeneratedDesc : Named {
 constexpr double kSmallestScale = 1.0 / 64.0;
 constexpr double kLargestScale = 4.0;
 
+/// Most samples that a pixel may have; what a device draws, `DeviceCaps::sample_counts` says.
+constexpr int kMaxSamples = 32;
+
 /// How large a target is: max(1, ceil(followed * scale)) in each direction.
 struct SizeDesc {
     Reference of = {};           ///< Another target; empty follows the output.
@@ -99,6 +102,8 @@ struct TargetDesc : Named {
     SizeDesc size = {};
     int mips = 1;          ///< Levels; 0 means down to 1x1.
     bool history = false;  ///< Last frame's content stays, under `historyName`.
+    Reference samples_param = {};  ///< The param that gives the samples; empty when `samples` does.
+    int samples = 1;  ///< Of a pixel, [1, kMaxSamples]; above 1 its pass resolves it for readers.
 };
 
 /// Under which name passes read what the target held in the last frame: "ao" gives "ao_history".

@@ -48,6 +48,9 @@ struct DeviceCaps {
     int max_vertex_uniform_vectors = 256;
     bool renderable[kFormatCount + 1] = {};  ///< By Format.
 
+    /// By Format: bit n is set when a pixel may have n + 1 samples; bit 0 is not looked at.
+    std::uint32_t sample_counts[kFormatCount + 1] = {};
+
     bool canRender(Format format) const { return renderable[static_cast<int>(format)]; }
 };
 
@@ -59,12 +62,18 @@ struct TextureDesc {
     Format format = Format::rgba8;
     Extent extent = {};
     int mips = 1;
+    int samples = 1;  ///< Above 1 it can be drawn into and resolved, and neither sampled nor read.
 };
 
 struct FramebufferDesc {
     std::string label = {};
     std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
     TextureId depth = {};
+
+    /// Where the above have several samples: what those whose StoreOp is store are resolved into as
+    /// a pass ends; colour to the mean, depth to one sample. The samples themselves do not stay.
+    std::vector<TextureId> resolve_color = {};
+    TextureId resolve_depth = {};
 };
 
 struct ProgramDesc {

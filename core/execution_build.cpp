@@ -5,6 +5,7 @@
 #include "core/generators.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace crevice {
 namespace {
@@ -87,7 +88,8 @@ Status Execution::createTextures()
     for (const PlanTexture& texture : plan_.textures) {
         const std::string label = texture.targets.empty() ? "unused" : texture.targets.front();
         Result<TextureId> id =
-            device_.createTexture({label, texture.format, texture.extent, texture.mips});
+            device_.createTexture({label, texture.format, texture.extent, texture.mips,
+                                   texture.samples});
         if (!id) return id.diagnostics();
         textures_.emplace_back(device_, *id);
     }
@@ -194,9 +196,16 @@ Status Execution::createFramebuffer(const PlanPass& pass, bool swapped,
 {
     FramebufferDesc desc;
     desc.label = pass.name;
+    const auto attach = [&](const PlanAttachment& attachment, TextureId& drawn, TextureId& read) {
+        drawn = targetTexture(attachment.target, swapped);
+        if (attachment.target < 0) return;
+        const PlanTarget& target = plan_.targets[attachment.target];
+        if (target.drawn_texture == target.texture) return;
+        read = std::exchange(drawn, textures_[target.drawn_texture].id());
+    };
     for (const PlanAttachment& color : pass.color)
-        desc.color.push_back(targetTexture(color.target, swapped));
-    if (pass.has_depth) desc.depth = targetTexture(pass.depth.target, swapped);
+        attach(color, desc.color.emplace_back(), desc.resolve_color.emplace_back());
+    if (pass.has_depth) attach(pass.depth, desc.depth, desc.resolve_depth);
     Result<FramebufferId> id = device_.createFramebuffer(desc);
     if (!id) return id.diagnostics();
     framebuffer = Owned<FramebufferId>(device_, *id);

@@ -100,6 +100,15 @@ void fields(V& v, TargetDesc& t)
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
     v.field("mips", t.mips, "Mip levels; 0 means down to 1x1.", range(0, 16));
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
+    v.field("samples", NumberOrName<int>{t.samples, t.samples_param},
+            "Of a pixel as its pass draws it, or the int param that says; readers see their mean.",
+            range(1, kMaxSamples));
+    const bool multisampled = t.samples > 1 || !t.samples_param.empty();
+    if (multisampled && t.history)
+        v.refuse("history", Code::bad_enum,
+                 "a mean over samples of several surfaces matches none of the next frame");
+    if (multisampled && t.mips != 1)
+        v.refuse("mips", Code::out_of_range, "samples are resolved into one level alone");
 }
 
 template <class V>

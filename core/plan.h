@@ -20,6 +20,7 @@ struct PlanTexture {
     Format format = Format::none;
     Extent extent;
     int mips = 1;
+    int samples = 1;
     std::vector<std::string> targets;  ///< In the order in which they use it.
 };
 
@@ -27,6 +28,8 @@ struct PlanTexture {
 struct PlanTarget {
     std::string name;
     int texture = -1;          ///< Index into Plan::textures.
+    int drawn_texture = -1;    ///< What the writer draws into: `texture`, unless that is resolved
+                               ///< from one with several samples.
     int first_pass = -1;       ///< The writer.
     int last_pass = -1;        ///< The last reader; the number of passes when an output or remembered.
     int history_texture = -1;  ///< What it held last frame, where someone reads that; the two
@@ -66,6 +69,7 @@ struct PlanPass {
     bool has_depth = false;
     PlanAttachment depth;
     Extent extent;
+    int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.

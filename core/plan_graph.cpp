@@ -62,7 +62,8 @@ GraphNode inputNode(const Plan& plan, const PlanInput& input)
 
 void addPass(const Plan& plan, const PlanPass& pass, Graph& graph)
 {
-    const std::string detail = plan.programs[pass.program].label + " " + sizeText(pass.extent);
+    const std::string detail = plan.programs[pass.program].label + " " + sizeText(pass.extent) +
+                               samplesText(pass.samples);
     const std::string id = graph.add({"pass_" + pass.name, Shape::pass, pass.name, detail});
     for (const PlanInput& input : pass.inputs)
         graph.edges.emplace_back(graph.add(inputNode(plan, input)), id);

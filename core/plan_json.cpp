@@ -92,6 +92,7 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
 std::string targetJson(const PlanTarget& target)
 {
     return "{\"name\": " + json(target.name) + ", \"texture\": " + json(target.texture) +
+           ", \"drawn_texture\": " + json(target.drawn_texture) +
            ", \"first_pass\": " + json(target.first_pass) + ", \"last_pass\": " +
            json(target.last_pass) + ", \"history_texture\": " +
            indexJson(target.history_texture) + "}";
@@ -103,7 +104,8 @@ std::string textureJson(const PlanTexture& texture)
     for (const std::string& name : texture.targets)
         targets += (targets.empty() ? "" : ", ") + json(name);
     return "{\"format\": " + json(formatInfo(texture.format).name) + ", \"extent\": " +
-           json(texture.extent) + ", \"mips\": " + json(texture.mips) + ", \"bytes\": " +
+           json(texture.extent) + ", \"mips\": " + json(texture.mips) + ", \"samples\": " +
+           json(texture.samples) + ", \"bytes\": " +
            bytesJson(compiler::textureBytes(texture)) + ", \"targets\": [" + targets + "]}";
 }
 

@@ -16,6 +16,9 @@ std::string sourceName(const Plan& plan, const PlanInput& input);
 /// "256x144".
 std::string sizeText(const Extent& extent);
 
+/// ", 4 samples"; nothing for one.
+std::string samplesText(int samples);
+
 /// The texture behind a target of the plan.
 const PlanTexture& textureOf(const Plan& plan, int target);
 

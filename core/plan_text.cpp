@@ -56,6 +56,11 @@ std::string sizeText(const Extent& extent)
     return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
+std::string samplesText(int samples)
+{
+    return samples == 1 ? "" : ", " + std::to_string(samples) + " samples";
+}
+
 const PlanTexture& textureOf(const Plan& plan, int target)
 {
     return plan.textures[plan.targets[target].texture];
@@ -110,8 +115,11 @@ std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool d
 {
     std::string text = "    writes  " + attachment.name;
     if (attachment.target < 0) return text + ": no texture, " + attachment.reason + "\n";
+    const PlanTarget& target = plan.targets[attachment.target];
     text += ": " + std::string(formatInfo(textureOf(plan, attachment.target).format).name) +
-            " texture " + std::to_string(plan.targets[attachment.target].texture);
+            " texture " + std::to_string(target.texture);
+    if (target.drawn_texture != target.texture)
+        text += " resolved from " + std::to_string(target.drawn_texture);
     const std::string load = attachment.load == LoadOp::clear ? clearText(attachment, depth)
                                                               : nameOf(attachment.load);
     return text + ", " + load + ", " + nameOf(attachment.store) + " (" + attachment.reason + ")\n";
@@ -121,8 +129,8 @@ std::string passText(const Plan& plan, const PlanPass& pass)
 {
     std::string text = "  " + pass.name + ": " +
                        table::spellings(PassType{})[static_cast<std::size_t>(pass.type)] + " " +
-                       sizeText(pass.extent) + ", program " + plan.programs[pass.program].label +
-                       ", " + bytesText(pass.bytes_read) + " read, " +
+                       sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
+                       plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
@@ -134,7 +142,7 @@ std::string textureText(const Plan& plan, std::size_t index)
 {
     const PlanTexture& texture = plan.textures[index];
     std::string text = "  " + std::to_string(index) + ": " + formatInfo(texture.format).name + " " +
-                       sizeText(texture.extent);
+                       sizeText(texture.extent) + samplesText(texture.samples);
     if (texture.mips > 1) text += ", " + std::to_string(texture.mips) + " mips";
     text += ", " + bytesText(compiler::textureBytes(texture)) + ":";
     const char* separator = " ";

@@ -81,7 +81,8 @@ bool changesPlan(const Description& description, const ParamDesc& param,
     for (const GeneratedDesc& generated : description.generated)
         if (generated.count_param.name == param.name) return true;
     for (const TargetDesc& target : description.targets)
-        if (target.size.scale_param.name == param.name) return true;
+        if (target.size.scale_param.name == param.name ||
+            target.samples_param.name == param.name) return true;
     for (const PassDesc& pass : description.passes)
         for (const IdentityDesc& identity : pass.identity)
             if (identity.param.name == param.name &&

@@ -79,6 +79,7 @@ inline DeviceCaps ampleCaps()
 {
     DeviceCaps caps = minimumCaps();
     for (bool& each : caps.renderable) each = true;
+    for (auto& each : caps.sample_counts) each = 1u << 1 | 1u << 3;  // 2 and 4
     return caps;
 }
 

@@ -8,7 +8,10 @@ DeviceCaps usualCaps()
 {
     DeviceCaps caps = minimumCaps();
     caps.name = "OpenGL ES 3.0 with float targets";
-    for (const FormatInfo& info : allFormats()) caps.renderable[static_cast<int>(info.format)] = true;
+    for (const FormatInfo& info : allFormats()) {
+        caps.renderable[static_cast<int>(info.format)] = true;
+        caps.sample_counts[static_cast<int>(info.format)] = 1u << 1 | 1u << 3;
+    }
     return caps;
 }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Samples: how many each pass draws a pixel with. All attachments of a pass have as many.
+#include "core/compile_internal.h"
+
+namespace crevice::compiler {
+
+namespace {
+
+int askedOf(const State& state, int target)
+{
+    const TargetDesc& desc = state.description.targets[target];
+    const ParamDesc* param = findNamed(state.description.params, desc.samples_param.name);
+    return param ? static_cast<int>(param->value[0]) : desc.samples;
+}
+
+std::string text(int samples)
+{
+    return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
+}
+
+bool agree(State& state, const Pass& pass, const std::vector<int>& written)
+{
+    const int asked = askedOf(state, written.front());
+    for (const int index : written) {
+        if (askedOf(state, index) == asked) continue;
+        const auto& targets = state.description.targets;
+        report(state, Code::attachment_samples,
+               "pass '" + pass.desc->name + "' writes targets of different samples: '" +
+                   targets[written.front()].name + "' has " + text(asked) + " a pixel, '" +
+                   targets[index].name + "' has " + text(askedOf(state, index)),
+               *pass.desc).help = "give them the same `samples`";
+        return false;
+    }
+    return true;
+}
+
+// The least count that is no less than was asked for, or else the most.
+int nearestCount(std::uint32_t counts, int asked)
+{
+    const auto has = [counts](int samples) { return (counts >> (samples - 1) & 1u) != 0; };
+    for (int samples = asked; samples <= kMaxSamples; ++samples)
+        if (has(samples)) return samples;
+    for (int samples = asked - 1; samples > 1; --samples)
+        if (has(samples)) return samples;
+    return 1;
+}
+
+void choose(State& state, const Pass& pass, const std::vector<int>& written)
+{
+    const int asked = askedOf(state, written.front());
+    if (asked == 1) return;
+    std::uint32_t counts = ~0u;
+    std::string formats;
+    for (const int index : written) {
+        const Target& target = state.targets[index];
+        if (!target.textured) continue;
+        counts &= state.caps.sample_counts[static_cast<int>(target.format)];
+        formats += (formats.empty() ? "" : ", ") + std::string(formatInfo(target.format).name);
+    }
+    const int count = nearestCount(counts, asked);
+    for (const int index : written) state.targets[index].samples = count;
+    if (count >= asked || !pass.live) return;
+    report(state, Code::no_samples,
+           "pass '" + pass.desc->name + "' falls back from " + text(asked) + " a pixel to " +
+               std::to_string(count) + ": the device draws no more into " + formats,
+           *pass.desc).severity = Severity::warning;
+}
+
+}  // namespace
+
+void chooseSamples(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        const std::vector<int> written = writtenBy(pass);
+        if (!pass.active || written.empty()) continue;
+        if (agree(state, pass, written)) choose(state, pass, written);
+    }
+}
+
+}  // namespace crevice::compiler
