@@ -21,6 +21,7 @@ namespace crevice {
     X(BeginQuery, BEGINQUERY, false) \
     X(BindBuffer, BINDBUFFER, true) \
     X(BindFramebuffer, BINDFRAMEBUFFER, true) \
+    X(BindRenderbuffer, BINDRENDERBUFFER, true) \
     X(BindSampler, BINDSAMPLER, true) \
     X(BindTexture, BINDTEXTURE, true) \
     X(BindVertexArray, BINDVERTEXARRAY, true) \
@@ -30,6 +31,7 @@ namespace crevice {
     X(BlendEquationi, BLENDEQUATIONI, false) \
     X(BlendFuncSeparate, BLENDFUNCSEPARATE, true) \
     X(BlendFuncSeparatei, BLENDFUNCSEPARATEI, false) \
+    X(BlitFramebuffer, BLITFRAMEBUFFER, true) \
     X(BufferData, BUFFERDATA, true) \
     X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS, true) \
     X(ClearBufferfv, CLEARBUFFERFV, true) \
@@ -43,6 +45,7 @@ namespace crevice {
     X(DeleteFramebuffers, DELETEFRAMEBUFFERS, true) \
     X(DeleteProgram, DELETEPROGRAM, true) \
     X(DeleteQueries, DELETEQUERIES, false) \
+    X(DeleteRenderbuffers, DELETERENDERBUFFERS, true) \
     X(DeleteSamplers, DELETESAMPLERS, true) \
     X(DeleteShader, DELETESHADER, true) \
     X(DeleteTextures, DELETETEXTURES, true) \
@@ -61,11 +64,13 @@ namespace crevice {
     X(Enablei, ENABLEI, false) \
     X(EndQuery, ENDQUERY, false) \
     X(Finish, FINISH, true) \
+    X(FramebufferRenderbuffer, FRAMEBUFFERRENDERBUFFER, true) \
     X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D, true) \
     X(FrontFace, FRONTFACE, true) \
     X(GenBuffers, GENBUFFERS, true) \
     X(GenFramebuffers, GENFRAMEBUFFERS, true) \
     X(GenQueries, GENQUERIES, false) \
+    X(GenRenderbuffers, GENRENDERBUFFERS, true) \
     X(GenSamplers, GENSAMPLERS, true) \
     X(GenTextures, GENTEXTURES, true) \
     X(GenVertexArrays, GENVERTEXARRAYS, true) \
@@ -75,6 +80,7 @@ namespace crevice {
     X(GetFloatv, GETFLOATV, true) \
     X(GetIntegeri_v, GETINTEGERI_V, true) \
     X(GetIntegerv, GETINTEGERV, true) \
+    X(GetInternalformativ, GETINTERNALFORMATIV, false) \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG, true) \
     X(GetProgramiv, GETPROGRAMIV, true) \
     X(GetQueryObjectui64v, GETQUERYOBJECTUI64VEXT, false) \
@@ -91,7 +97,9 @@ namespace crevice {
     X(LinkProgram, LINKPROGRAM, true) \
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PixelStorei, PIXELSTOREI, true) \
+    X(ReadBuffer, READBUFFER, true) \
     X(ReadPixels, READPIXELS, true) \
+    X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE, true) \
     X(SamplerParameteri, SAMPLERPARAMETERI, true) \
     X(ShaderSource, SHADERSOURCE, true) \
     X(TexStorage2D, TEXSTORAGE2D, true) \

@@ -85,6 +85,22 @@ bool tryRender(const GlApi& gl, const FormatInfo& format)
     return complete && quiet;
 }
 
+/// The counts of samples that a renderbuffer of that format may have, as in DeviceCaps.
+std::uint32_t readSampleCounts(const GlApi& gl, GLenum internal)
+{
+    GLint counts[kMaxSamples] = {2, 4, 8, 16};
+    GLint most = integer(gl, GL_MAX_SAMPLES);
+    if (gl.GetInternalformativ) {
+        most = kMaxSamples;
+        std::fill(std::begin(counts), std::end(counts), 0);
+        gl.GetInternalformativ(GL_RENDERBUFFER, internal, GL_SAMPLES, kMaxSamples, counts);
+    }
+    std::uint32_t bits = 0;
+    for (const GLint count : counts)
+        if (count > 0 && count <= most) bits |= std::uint32_t(1) << (count - 1);
+    return bits;
+}
+
 /// What ends the names of the functions that mask or blend draw buffers apart; null for no such.
 const char* drawBufferMaskSuffix(const GlInfo& info)
 {
@@ -167,6 +183,8 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", timers);
     find(gl.GetQueryiv, "glGetQueryiv", timers);
 
+    if (info.desktop && info.native_version < 420 && !info.has("GL_ARB_internalformat_query"))
+        gl.GetInternalformativ = nullptr;
     if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
         gl.InvalidateFramebuffer = nullptr;
 
@@ -190,9 +208,12 @@ DeviceCaps readCaps(const GlApi& gl, const GlInfo& info)
     caps.max_texture_units = std::min(integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS), kMaxTextureUnits);
     caps.max_fragment_uniform_vectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_VECTORS);
     caps.max_vertex_uniform_vectors = integer(gl, GL_MAX_VERTEX_UNIFORM_VECTORS);
-    for (const FormatInfo& format : allFormats())
-        caps.renderable[static_cast<int>(format.format)] =
-            mayRender(info, format) && tryRender(gl, format);
+    for (const FormatInfo& format : allFormats()) {
+        if (!mayRender(info, format) || !tryRender(gl, format)) continue;
+        caps.renderable[static_cast<int>(format.format)] = true;
+        caps.sample_counts[static_cast<int>(format.format)] =
+            readSampleCounts(gl, glFormat(format.format).internal);
+    }
     return caps;
 }
 

@@ -49,6 +49,7 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
                            "x" + std::to_string(desc.extent.height) +
                            " pixels; this device holds " + std::to_string(limit) + " a side",
                        "render at a smaller size");
+    if (desc.samples > 1) return createMultisampled(desc);
     Scope scope(*this);
     auto texture = GlTexture::make(gl_);
     state_.bindTexture(0, texture.name(), 0);
@@ -58,7 +59,22 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
         return status.diagnostics();
     setLabel(gl_, GL_TEXTURE, texture.name(), desc.label);
     const GLuint name = texture.name();
-    return TextureId{textures_.add({std::move(texture), name, desc.format, desc.extent})};
+    return TextureId{textures_.add({std::move(texture), {}, name, desc.format, desc.extent})};
+}
+
+Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
+{
+    Scope scope(*this);
+    auto buffer = GlRenderbuffer::make(gl_);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, desc.samples,
+                                       glFormat(desc.format).internal, desc.extent.width,
+                                       desc.extent.height);
+    if (Status status = takeErrors(gl_, "createTexture", desc.label.c_str()); !status)
+        return status.diagnostics();
+    setLabel(gl_, GL_RENDERBUFFER, buffer.name(), desc.label);
+    const GLuint name = buffer.name();
+    return TextureId{textures_.add({{}, std::move(buffer), name, desc.format, desc.extent})};
 }
 
 Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
@@ -68,12 +84,38 @@ Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const Textur
                        "the host's texture '" + desc.label + "' has the name " +
                            std::to_string(native_name) + ", which is no texture of this context",
                        "make it in the device's context, or in one that shares with it");
-    return TextureId{textures_.add({GlTexture(), native_name, desc.format, desc.extent})};
+    return TextureId{textures_.add({{}, {}, native_name, desc.format, desc.extent})};
 }
 
 void GlDevice::attach(GLenum point, TextureId id)
 {
-    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, textures_.at(id.value).name, 0);
+    const TextureSlot& texture = textures_.at(id.value);
+    if (texture.renderbuffer.name() != 0)
+        gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, texture.name);
+    else
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name, 0);
+}
+
+Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
+                      const std::vector<TextureId>& color, TextureId depth)
+{
+    framebuffer = GlFramebuffer::make(gl_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    const auto count = static_cast<int>(color.size());
+    std::array<GLenum, kMaxColorAttachments> buffers = {GL_NONE};
+    for (int i = 0; i < count; ++i) {
+        buffers[i] = color[i] ? GL_COLOR_ATTACHMENT0 + i : GL_NONE;
+        if (color[i]) attach(buffers[i], color[i]);
+    }
+    if (depth) attach(GL_DEPTH_ATTACHMENT, depth);
+    gl_.DrawBuffers(std::max(count, 1), buffers.data());
+    const GLenum complete = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (complete != GL_FRAMEBUFFER_COMPLETE)
+        return failure(Code::gl_error,
+                       "framebuffer '" + label + "' is " + framebufferStatusName(complete),
+                       "give its targets one size, and formats that this device renders to");
+    setLabel(gl_, GL_FRAMEBUFFER, framebuffer.name(), label);
+    return takeErrors(gl_, "createFramebuffer", label.c_str());
 }
 
 Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
@@ -86,24 +128,16 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
                            std::to_string(caps_.max_color_attachments),
                        "write fewer targets in one pass");
     Scope scope(*this);
-    auto framebuffer = GlFramebuffer::make(gl_);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    std::array<GLenum, kMaxColorAttachments> buffers = {GL_NONE};
-    for (int i = 0; i < count; ++i) {
-        buffers[i] = desc.color[i] ? GL_COLOR_ATTACHMENT0 + i : GL_NONE;
-        if (desc.color[i]) attach(buffers[i], desc.color[i]);
-    }
-    if (desc.depth) attach(GL_DEPTH_ATTACHMENT, desc.depth);
-    gl_.DrawBuffers(std::max(count, 1), buffers.data());
-    const GLenum complete = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (complete != GL_FRAMEBUFFER_COMPLETE)
-        return failure(Code::gl_error,
-                       "framebuffer '" + desc.label + "' is " + framebufferStatusName(complete),
-                       "give its targets one size, and formats that this device renders to");
-    if (Status status = takeErrors(gl_, "createFramebuffer", desc.label.c_str()); !status)
+    FramebufferSlot slot;
+    if (Status status = fill(slot.drawn, desc.label, desc.color, desc.depth); !status)
         return status.diagnostics();
-    setLabel(gl_, GL_FRAMEBUFFER, framebuffer.name(), desc.label);
-    return FramebufferId{framebuffers_.add(std::move(framebuffer))};
+    const auto& colors = desc.resolve_color;
+    const auto used = [](TextureId id) { return static_cast<bool>(id); };
+    if (desc.resolve_depth || std::any_of(colors.begin(), colors.end(), used)) {
+        Status status = fill(slot.resolved, desc.label + " resolved", colors, desc.resolve_depth);
+        if (!status) return status.diagnostics();
+    }
+    return FramebufferId{framebuffers_.add(std::move(slot))};
 }
 
 Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)

@@ -54,10 +54,16 @@ public:
 
 private:
     struct TextureSlot {
-        GlTexture owned;  // nothing when adopted
-        GLuint name;      // either way
+        GlTexture owned;              // nothing when adopted, or when several samples make it a
+        GlRenderbuffer renderbuffer;  // ... thing to draw into alone
+        GLuint name;                  // whichever it is
         Format format;
         Extent extent;
+    };
+
+    struct FramebufferSlot {
+        GlFramebuffer drawn;
+        GlFramebuffer resolved;  // nothing where a pixel has one sample
     };
 
     struct MeshSlot {
@@ -84,7 +90,13 @@ private:
     /// The sampler object; nearest where the format takes no filter.
     GLuint sampler(const SamplerDesc& desc, Format format) const;
     void makeSamplers();
+    Result<TextureId> createMultisampled(const TextureDesc& desc);
     void attach(GLenum point, TextureId id);
+    Status fill(GlFramebuffer& framebuffer, const std::string& label,
+                const std::vector<TextureId>& color, TextureId depth);
+
+    /// Leaves the running pass's framebuffer with nothing to store.
+    void resolve(const FramebufferSlot& framebuffer);
 
     /// Keeps the errors of a call that returns none, for endFrame.
     void noteErrors(const char* what, const char* label = "");
@@ -100,7 +112,7 @@ private:
     GlPool<TextureSlot> textures_;
     GlPool<MeshSlot> meshes_;
     GlPool<GlLinkedProgram> programs_;
-    GlPool<GlFramebuffer> framebuffers_;
+    GlPool<FramebufferSlot> framebuffers_;
     PassInfo pass_ = {};
     Diagnostics errors_;  // of this frame's passes
 };

@@ -86,15 +86,38 @@ Status GlDevice::endFrame()
 void GlDevice::beginPass(const PassInfo& pass)
 {
     pass_ = pass;
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass.framebuffer.value).name());
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass.framebuffer.value).drawn.name());
     gl_.Viewport(0, 0, pass.extent.width, pass.extent.height);
     state_.unmask();
     invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
     clear(gl_, pass);
 }
 
+void GlDevice::resolve(const FramebufferSlot& framebuffer)
+{
+    const auto blit = [&](GLbitfield what) {
+        const auto [width, height] = pass_.extent;
+        gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, what, GL_NEAREST);
+    };
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.resolved.name());
+    for (int i = 0; i < pass_.color_count; ++i) {
+        if (pass_.color_store[i] != StoreOp::store) continue;
+        GLenum buffers[kMaxColorAttachments] = {};  // none
+        buffers[i] = GL_COLOR_ATTACHMENT0 + i;
+        gl_.ReadBuffer(buffers[i]);
+        gl_.DrawBuffers(i + 1, buffers);
+        blit(GL_COLOR_BUFFER_BIT);
+        pass_.color_store[i] = StoreOp::discard;
+    }
+    if (pass_.has_depth && pass_.depth_store == StoreOp::store) blit(GL_DEPTH_BUFFER_BIT);
+    pass_.depth_store = StoreOp::discard;
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.drawn.name());
+}
+
 void GlDevice::endPass()
 {
+    const FramebufferSlot& framebuffer = framebuffers_.at(pass_.framebuffer.value);
+    if (framebuffer.resolved.name() != 0) resolve(framebuffer);
     invalidate(gl_, pass_, pass_.color_store, pass_.depth_store, StoreOp::discard);
     noteErrors("pass", pass_.label);
 }

@@ -61,6 +61,7 @@ public:
 using GlTexture = GlGenerated<&GlApi::GenTextures, &GlApi::DeleteTextures>;
 using GlSampler = GlGenerated<&GlApi::GenSamplers, &GlApi::DeleteSamplers>;
 using GlQuery = GlGenerated<&GlApi::GenQueries, &GlApi::DeleteQueries>;
+using GlRenderbuffer = GlGenerated<&GlApi::GenRenderbuffers, &GlApi::DeleteRenderbuffers>;
 using GlFramebuffer = GlGenerated<&GlApi::GenFramebuffers, &GlApi::DeleteFramebuffers>;
 using GlBuffer = GlGenerated<&GlApi::GenBuffers, &GlApi::DeleteBuffers>;
 using GlVertexArray = GlGenerated<&GlApi::GenVertexArrays, &GlApi::DeleteVertexArrays>;

@@ -13,6 +13,7 @@ using Where = GlWhere;
 struct Switch {
     GLenum capability;
     Where where;
+    bool wanted = false;
 };
 
 struct PixelStore {
@@ -26,10 +27,12 @@ constexpr GLenum kColorLogicOp = 0x0BF2;
 constexpr GLenum kDepthClamp = 0x864F;
 constexpr GLenum kFramebufferSrgb = 0x8DB9;
 constexpr GLenum kPrimitiveRestart = 0x8F9D;
+constexpr GLenum kMultisample = 0x809D;
+constexpr GLenum kSampleAlphaToOne = 0x809F;
 constexpr GLenum kPackSwapBytes = 0x0D00;
 constexpr GLenum kUnpackSwapBytes = 0x0CF0;
 
-// All wanted off; passes turn on what they need. Blending stands with the draw buffers.
+// Wanted off but for one; passes turn on what they need. Blending stands with the draw buffers.
 constexpr Switch kSwitches[] = {
     {GL_CULL_FACE, Where::everywhere},
     {GL_DEPTH_TEST, Where::everywhere},
@@ -40,11 +43,14 @@ constexpr Switch kSwitches[] = {
     {GL_SAMPLE_ALPHA_TO_COVERAGE, Where::everywhere},
     {GL_SAMPLE_COVERAGE, Where::everywhere},
     {GL_SAMPLE_MASK, Where::sample_mask},
+    {GL_SAMPLE_SHADING, Where::sample_shading},
     {GL_SCISSOR_TEST, Where::everywhere},
     {GL_STENCIL_TEST, Where::everywhere},
     {kColorLogicOp, Where::desktop},
     {kDepthClamp, Where::desktop},
     {kFramebufferSrgb, Where::desktop},
+    {kMultisample, Where::desktop, true},
+    {kSampleAlphaToOne, Where::desktop},
     {kPrimitiveRestart, Where::desktop},
 };
 
@@ -67,7 +73,8 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     : gl_(gl),
       restore_(restore),
       desktop_(info.desktop),
-      sample_mask_(info.native_version >= (info.desktop ? 320 : 310))
+      sample_mask_(info.native_version >= (info.desktop ? 320 : 310)),
+      sample_shading_(info.native_version >= (info.desktop ? 400 : 320))
 {
     static_assert(std::size(kSwitches) <= kMaxSwitches);
     static_assert(std::size(kPixelStores) <= kMaxPixelStores);
@@ -84,6 +91,7 @@ bool GlState::has(GlWhere where) const
     switch (where) {
     case Where::desktop: return desktop_;
     case Where::sample_mask: return sample_mask_;
+    case Where::sample_shading: return sample_shading_;
     default: return true;
     }
 }
@@ -92,7 +100,7 @@ void GlState::enter()
 {
     if (depth_++ == 0 && restore_) save();
     for (const Switch& s : kSwitches)
-        if (has(s.where)) gl_.Disable(s.capability);
+        if (has(s.where)) setEnabled(s.capability, s.wanted);
     for (const PixelStore& store : kPixelStores)
         if (has(store.where)) gl_.PixelStorei(store.parameter, store.value);
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -144,6 +152,7 @@ void GlState::save()
     Saved& s = saved_;
     gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &s.draw_framebuffer);
     gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &s.read_framebuffer);
+    gl_.GetIntegerv(GL_RENDERBUFFER_BINDING, &s.renderbuffer);
     gl_.GetIntegerv(GL_CURRENT_PROGRAM, &s.program);
     gl_.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &s.vertex_array);
     gl_.GetIntegerv(GL_ACTIVE_TEXTURE, &s.active_unit);
@@ -172,6 +181,7 @@ void GlState::restore()
     gl_.ActiveTexture(s.active_unit);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.draw_framebuffer);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, s.read_framebuffer);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, s.renderbuffer);
     gl_.UseProgram(s.program);
     gl_.BindVertexArray(s.vertex_array);
     gl_.BindBuffer(GL_ARRAY_BUFFER, s.array_buffer);

@@ -2,16 +2,18 @@
 // The context's state: the host's is kept and put back, and set to known values in between.
 //
 // Kept, neutralised and put back:
-//   bindings     draw and read framebuffer, program, vertex array, array buffer, pixel pack and
-//                unpack buffer, active texture unit; for each unit used: its 2D texture and sampler
+//   bindings     draw and read framebuffer, renderbuffer, program, vertex array, array buffer, pixel
+//                pack and unpack buffer, active texture unit; for each unit used: its 2D texture and
+//                sampler
 //   fragments    for each draw buffer, where the context has them apart: blending on or off, its
 //                functions and equations, colour mask; dither, scissor test, stencil test, sample
-//                alpha to coverage, sample coverage, sample mask
+//                alpha to coverage, sample coverage, sample mask, sample shading
 //   depth        test, function, mask, range
 //   geometry     viewport, cull face test and mode, front face, polygon offset fill, rasterizer
 //                discard, primitive restart with fixed index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
-//   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes
+//   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes,
+//                multisampling, sample alpha to one
 //
 // Never touched: all else; scissor box, clear values and polygon offset among it. Must be at its
 // default, for nothing here changes it: clip control, polygon mode, clip distances. Must not be
@@ -25,7 +27,7 @@
 namespace crevice {
 
 /// Which contexts have a piece of state.
-enum class GlWhere { everywhere, desktop, sample_mask };
+enum class GlWhere { everywhere, desktop, sample_mask, sample_shading };
 
 class GlState {
 public:
@@ -49,7 +51,7 @@ public:
     void setEnabled(GLenum capability, bool enabled) const;
 
 private:
-    static constexpr int kMaxSwitches = 16;
+    static constexpr int kMaxSwitches = 20;
     static constexpr int kMaxPixelStores = 10;
 
     struct DrawBuffer {
@@ -64,7 +66,7 @@ private:
     };
 
     struct Saved {
-        GLint draw_framebuffer, read_framebuffer, program, vertex_array, active_unit;
+        GLint draw_framebuffer, read_framebuffer, renderbuffer, program, vertex_array, active_unit;
         GLint array_buffer, pack_buffer, unpack_buffer;
         GLint viewport[4];
         GLfloat depth_range[2];
@@ -88,6 +90,7 @@ private:
     bool restore_;
     bool desktop_;
     bool sample_mask_;
+    bool sample_shading_;
     int mask_count_ = 1;   // draw buffers that are masked apart
     int blend_count_ = 1;  // ... and blended apart
     int depth_ = 0;

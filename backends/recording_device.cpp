@@ -47,6 +47,8 @@ DeviceCaps generousCaps()
     caps.max_fragment_uniform_vectors = 1024;
     caps.max_vertex_uniform_vectors = 1024;
     std::fill(std::begin(caps.renderable), std::end(caps.renderable), true);
+    constexpr std::uint32_t kTwoFourEight = 1u << 1 | 1u << 3 | 1u << 7;
+    std::fill(std::begin(caps.sample_counts), std::end(caps.sample_counts), kTwoFourEight);
     return caps;
 }
 
@@ -128,13 +130,30 @@ Result<TextureId> RecordingDevice::adoptTexture(std::uint32_t, const TextureDesc
     return TextureId{add(std::move(object), Call::adopt_texture)};
 }
 
+/// All that is drawn into has as many samples, and what that is resolved into has one.
+void RecordingDevice::checkAttachments(const FramebufferDesc& desc)
+{
+    int samples = 0;
+    const auto check = [&](TextureId id, bool resolved) {
+        const Object* texture = id ? find(id, "createFramebuffer") : nullptr;
+        if (!texture) return;
+        const int found = texture->texture.samples;
+        if (resolved ? found != 1 || samples == 1 : samples > 0 && found != samples)
+            blame("framebuffer '" + desc.label + "' cannot have '" + texture->label + "' with " +
+                  std::to_string(found) + " samples");
+        if (!resolved) samples = found;
+    };
+    for (const TextureId id : desc.color) check(id, false);
+    check(desc.depth, false);
+    for (const TextureId id : desc.resolve_color) check(id, true);
+    check(desc.resolve_depth, true);
+}
+
 Result<FramebufferId> RecordingDevice::createFramebuffer(const FramebufferDesc& desc)
 {
     Diagnostics errors;
     if (failsNow(errors, "framebuffer '" + desc.label + "'")) return errors;
-    for (TextureId id : desc.color)
-        if (id) find(id, "createFramebuffer");
-    if (desc.depth) find(desc.depth, "createFramebuffer");
+    checkAttachments(desc);
     Object object{ObjectId::Kind::framebuffer, desc.label};
     object.framebuffer = desc;
     return FramebufferId{add(std::move(object), Call::create_framebuffer)};
@@ -169,9 +188,7 @@ void RecordingDevice::destroy(ObjectId id)
     if (!object) return;
     for (const Object& other : objects_) {
         if (!other.alive || other.kind != ObjectId::Kind::framebuffer) continue;
-        const auto is = [&](TextureId texture) { return texture.value == id.value; };
-        const std::vector<TextureId>& color = other.framebuffer.color;
-        if (is(other.framebuffer.depth) || std::any_of(color.begin(), color.end(), is))
+        if (uses(other.framebuffer, id.value))
             blame("texture '" + object->label + "' is destroyed before framebuffer '" +
                   other.label + "', which uses it");
     }

@@ -132,7 +132,8 @@ private:
     std::uint32_t add(Object object, Call call);
     Object* find(ObjectId id, const char* caller);
     int uniformAt(int location, const char* caller);
-    bool attached(std::uint32_t texture) const;
+    void checkAttachments(const FramebufferDesc& desc);
+    static bool uses(const FramebufferDesc& desc, std::uint32_t texture);
     void loadAttachment(TextureId id, LoadOp load);
     void checkDraw(const char* caller);
     std::string label(std::uint32_t object) const;

@@ -40,12 +40,14 @@ Status RecordingDevice::endFrame()
     return Diagnostic{Code::gl_error, "the frame failed, as it was asked to"};
 }
 
-/// Whether the running pass draws into that texture.
-bool RecordingDevice::attached(std::uint32_t texture) const
+/// Whether a pass to that framebuffer draws into the texture or resolves into it.
+bool RecordingDevice::uses(const FramebufferDesc& desc, std::uint32_t texture)
 {
-    const FramebufferDesc& desc = objects_[pass_.framebuffer.value - 1].framebuffer;
     const auto is = [&](TextureId id) { return id.value == texture; };
-    return is(desc.depth) || std::any_of(desc.color.begin(), desc.color.end(), is);
+    const auto any = [&](const std::vector<TextureId>& all) {
+        return std::any_of(all.begin(), all.end(), is);
+    };
+    return is(desc.depth) || is(desc.resolve_depth) || any(desc.color) || any(desc.resolve_color);
 }
 
 void RecordingDevice::loadAttachment(TextureId id, LoadOp load)
@@ -92,14 +94,21 @@ void RecordingDevice::endPass()
     if (!in_pass_) return blame("endPass outside a pass");
     in_pass_ = false;
     const FramebufferDesc& desc = objects_[pass_.framebuffer.value - 1].framebuffer;
-    const auto storeAttachment = [&](TextureId id, StoreOp store) {
+    const auto storeAttachment = [&](TextureId id, TextureId resolved, StoreOp store) {
         if (!id) return;
         Object& texture = objects_[id.value - 1];
-        texture.defined = store == StoreOp::store && (texture.defined || drawn_);
+        const bool stored = store == StoreOp::store && (texture.defined || drawn_);
+        texture.defined = stored && texture.texture.samples == 1;
+        if (resolved) objects_[resolved.value - 1].defined = stored;
+        else if (stored && texture.texture.samples > 1)
+            blame("the samples of texture '" + texture.label + "' are stored, not resolved");
     };
-    for (std::size_t i = 0; i < desc.color.size(); ++i)
-        storeAttachment(desc.color[i], pass_.color_store[i]);
-    storeAttachment(desc.depth, pass_.depth_store);
+    for (std::size_t i = 0; i < desc.color.size(); ++i) {
+        const bool resolves = i < desc.resolve_color.size();
+        storeAttachment(desc.color[i], resolves ? desc.resolve_color[i] : TextureId{},
+                        pass_.color_store[i]);
+    }
+    storeAttachment(desc.depth, desc.resolve_depth, pass_.depth_store);
 }
 
 void RecordingDevice::setProgram(ProgramId id, const StateDesc& state)
@@ -148,7 +157,9 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
     if (unit < 0 || unit >= caps_.max_texture_units) blameSampler("gets a unit that is not there");
     if (!texture->defined)
         blameSampler("reads texture '" + texture->label + "', with undefined content");
-    if (in_pass_ && attached(id.value))
+    if (texture->texture.samples > 1)
+        blameSampler("reads texture '" + texture->label + "', whose samples are not resolved");
+    if (in_pass_ && uses(objects_[pass_.framebuffer.value - 1].framebuffer, id.value))
         blameSampler("reads texture '" + texture->label + "', which the pass draws into");
 }
 

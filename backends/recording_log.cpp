@@ -138,10 +138,16 @@ std::string RecordingDevice::createdText(const Object& object) const
     std::ostringstream out;
     if (object.kind == ObjectId::Kind::texture)
         out << ' ' << formatInfo(object.texture.format).name << ' ' << object.texture.extent;
+    if (object.kind == ObjectId::Kind::texture && object.texture.samples > 1)
+        out << ' ' << object.texture.samples << " samples";
     if (object.kind == ObjectId::Kind::mesh) out << ' ' << object.index_count << " indices";
     if (object.kind == ObjectId::Kind::framebuffer) {
         for (TextureId id : object.framebuffer.color) out << " color " << label(id.value);
         if (object.framebuffer.depth) out << " depth " << label(object.framebuffer.depth.value);
+        for (TextureId id : object.framebuffer.resolve_color)
+            if (id) out << " resolve " << label(id.value);
+        if (object.framebuffer.resolve_depth)
+            out << " resolve depth " << label(object.framebuffer.resolve_depth.value);
     }
     return out.str();
 }

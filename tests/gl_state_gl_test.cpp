@@ -10,6 +10,8 @@ namespace {
 
 constexpr GLenum kFramebufferSrgb = 0x8DB9;
 constexpr GLenum kColorLogicOp = 0x0BF2;
+constexpr GLenum kMultisample = 0x809D;
+constexpr GLenum kSampleAlphaToOne = 0x809F;
 
 /// A context apart, so that no other test meets what is left in it.
 struct OwnContext {
@@ -38,6 +40,7 @@ public:
     {
         gl.DeleteTextures(2, textures_);
         gl.DeleteFramebuffers(2, framebuffers_);
+        gl.DeleteRenderbuffers(1, &renderbuffer_);
         gl.DeleteBuffers(3, buffers_);
         gl.DeleteVertexArrays(1, &vertex_array_);
         gl.DeleteSamplers(1, &sampler_);
@@ -50,8 +53,9 @@ public:
 
     GLuint hostFramebuffer() const { return framebuffers_[0]; }
 
-    /// One frame of everything: a pass that blends and tests depth, through two texture units.
-    Image frame();
+    /// One frame of everything: a pass that blends and tests depth, through two texture units, into
+    /// several samples or one.
+    Image frame(int samples = 1);
 
 private:
     void makeObjects();
@@ -69,6 +73,7 @@ private:
     GLuint textures_[2] = {};
     GLuint framebuffers_[2] = {};
     GLuint buffers_[3] = {};
+    GLuint renderbuffer_ = 0;
     GLuint vertex_array_ = 0;
     GLuint sampler_ = 0;
 };
@@ -84,6 +89,7 @@ void HostileHost::makeObjects()
         gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textures_[i],
                                 0);
     }
+    gl.GenRenderbuffers(1, &renderbuffer_);
     gl.GenBuffers(3, buffers_);
     gl.GenVertexArrays(1, &vertex_array_);
     gl.GenSamplers(1, &sampler_);
@@ -96,13 +102,16 @@ std::vector<GLenum> HostileHost::switches() const
         GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
         GL_SAMPLE_COVERAGE, GL_SCISSOR_TEST, GL_STENCIL_TEST};
     if (device->caps().version >= 310) all.push_back(GL_SAMPLE_MASK);
-    if (desktop_) all.insert(all.end(), {kFramebufferSrgb, kColorLogicOp});
+    if (perDrawBuffer()) all.push_back(GL_SAMPLE_SHADING);
+    if (desktop_) all.insert(all.end(), {kFramebufferSrgb, kColorLogicOp, kMultisample, kSampleAlphaToOne});
     return all;
 }
 
 void HostileHost::setStrangeState()
 {
     for (GLenum name : switches()) gl.Enable(name);
+    if (desktop_) gl.Disable(kMultisample);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer_);
     gl.ActiveTexture(GL_TEXTURE0 + 1);
     gl.BindTexture(GL_TEXTURE_2D, textures_[1]);
     gl.BindSampler(1, sampler_);
@@ -212,7 +221,7 @@ std::map<std::string, std::vector<float>> HostileHost::snapshot() const
     return values;
 }
 
-Image HostileHost::frame()
+Image HostileHost::frame(int samples)
 {
     const TextureId source = texture(Format::rgba8);
     need(device->writeTexture(source, Image({4, 4}, 4, 0.5f)));
@@ -222,10 +231,18 @@ Image HostileHost::frame()
     const ProgramId sum = program(R"(uniform sampler2D a; uniform sampler2D b;
 in vec2 uv; out vec4 color; void main() { color = texture(a, uv) + texture(b, uv); })",
                                   kMeshVertex);
-    PassInfo pass = wholePass(framebuffer({target}, depth), {4, 4});
+    FramebufferDesc desc{"framebuffer", {target}, depth};
+    if (samples > 1) {
+        const auto drawn = [&](Format format) {
+            return need(device->createTexture({"drawn", format, {4, 4}, 1, samples}));
+        };
+        desc = {"framebuffer", {drawn(Format::rgba32f)}, drawn(Format::depth32f), {target}, depth};
+    }
+    PassInfo pass = wholePass(need(device->createFramebuffer(desc)), {4, 4});
     pass.clear_color[0][0] = 0.25f;
     pass.has_depth = true;
     pass.depth_load = LoadOp::clear;
+    pass.depth_store = StoreOp::store;
     StateDesc state;
     state.depth_test = Compare::less;
     state.depth_write = true;
@@ -250,6 +267,7 @@ TEST_CASE_METHOD(HostileHost, "a frame, and all calls around it, leave the host'
     setStrangeState();
     const auto before = snapshot();
     frame();
+    frame(4);
     const TextureId shown = texture(Format::rgba8);
     device->present(shown, {hostFramebuffer(), 0, 0, {4, 4}});
     const auto after = snapshot();
@@ -264,8 +282,11 @@ TEST_CASE_METHOD(HostileHost, "no state of the host changes the picture")
 {
     const Image calm = frame();
     CHECK(calm.pixels[0] == Approx(1.25f).margin(0.01));
+    const Image samples = frame(4);
+    CHECK(samples.pixels == calm.pixels);
     setStrangeState();
     CHECK(frame().pixels == calm.pixels);
+    CHECK(frame(4).pixels == samples.pixels);
 }
 
 TEST_CASE("making a device leaves the host's state as it was")
