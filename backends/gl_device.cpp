@@ -74,7 +74,8 @@ Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
         return status.diagnostics();
     setLabel(gl_, GL_RENDERBUFFER, buffer.name(), desc.label);
     const GLuint name = buffer.name();
-    return TextureId{textures_.add({{}, std::move(buffer), name, desc.format, desc.extent})};
+    return TextureId{
+        textures_.add({{}, std::move(buffer), name, desc.format, desc.extent, desc.samples})};
 }
 
 Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
@@ -84,7 +85,14 @@ Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const Textur
                        "the host's texture '" + desc.label + "' has the name " +
                            std::to_string(native_name) + ", which is no texture of this context",
                        "make it in the device's context, or in one that shares with it");
-    return TextureId{textures_.add({{}, {}, native_name, desc.format, desc.extent})};
+    if (desc.samples > 1 && caps_.version < 310)
+        return failure(Code::sampler_version,
+                       "the host's texture '" + desc.label + "' has " +
+                           std::to_string(desc.samples) +
+                           " samples a pixel, and OpenGL ES 3.0 reads none of them",
+                       "resolve it to one sample, with glBlitFramebuffer");
+    return TextureId{
+        textures_.add({{}, {}, native_name, desc.format, desc.extent, desc.samples})};
 }
 
 void GlDevice::attach(GLenum point, TextureId id)
@@ -93,7 +101,7 @@ void GlDevice::attach(GLenum point, TextureId id)
     if (texture.renderbuffer.name() != 0)
         gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, texture.name);
     else
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name, 0);
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, point, texture.target(), texture.name, 0);
 }
 
 Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,

@@ -27,6 +27,7 @@ public:
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
     Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    int samples(TextureId id) const override { return textures_.at(id.value).samples; }
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
     Result<Image> readTexture(TextureId id) override;
@@ -59,6 +60,9 @@ private:
         GLuint name;                  // whichever it is
         Format format;
         Extent extent;
+        int samples = 1;
+
+        GLenum target() const { return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
     };
 
     struct FramebufferSlot {

@@ -137,7 +137,7 @@ void GlDevice::setProgram(ProgramId id, const StateDesc& state)
 void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& desc)
 {
     const TextureSlot& texture = textures_.at(id.value);
-    state_.bindTexture(unit, texture.name, sampler(desc, texture.format));
+    state_.bindTexture(unit, texture.name, sampler(desc, texture.format), texture.target());
     gl_.Uniform1i(location, unit);
 }
 

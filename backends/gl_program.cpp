@@ -21,6 +21,7 @@ GlslType glslType(GLenum type)
     case GL_FLOAT_MAT3: return GlslType::mat3;
     case GL_FLOAT_MAT4: return GlslType::mat4;
     case GL_SAMPLER_2D: return GlslType::sampler2d;
+    case GL_SAMPLER_2D_MULTISAMPLE: return GlslType::sampler2d_ms;
     default: return GlslType::other;
     }
 }
@@ -131,6 +132,7 @@ void setUniformValues(const GlApi& gl, int location, GlslType type, int count, c
     case GlslType::mat3: gl.UniformMatrix3fv(location, count, GL_FALSE, floats); break;
     case GlslType::mat4: gl.UniformMatrix4fv(location, count, GL_FALSE, floats); break;
     case GlslType::sampler2d:
+    case GlslType::sampler2d_ms:
     case GlslType::other: assert(false && "set samplers with setTexture"); break;
     }
 }

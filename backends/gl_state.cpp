@@ -133,7 +133,7 @@ void GlState::setEnabled(GLenum capability, bool enabled) const
         gl_.Disable(capability);
 }
 
-void GlState::bindTexture(int unit, GLuint texture, GLuint sampler)
+void GlState::bindTexture(int unit, GLuint texture, GLuint sampler, GLenum target)
 {
     assert(unit >= 0 && unit < kMaxTextureUnits);
     gl_.ActiveTexture(GL_TEXTURE0 + unit);
@@ -143,7 +143,12 @@ void GlState::bindTexture(int unit, GLuint texture, GLuint sampler)
         gl_.GetIntegerv(GL_SAMPLER_BINDING, &units_[unit].sampler);
         saved_units_ |= bit;
     }
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
+    const bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
+    if (restore_ && depth_ > 0 && multisampled && !(saved_multisampled_ & bit)) {
+        gl_.GetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &units_[unit].multisampled);
+        saved_multisampled_ |= bit;
+    }
+    gl_.BindTexture(target, texture);
     gl_.BindSampler(unit, sampler);
 }
 
@@ -209,8 +214,10 @@ void GlState::restoreUnits()
         gl_.ActiveTexture(GL_TEXTURE0 + unit);
         gl_.BindTexture(GL_TEXTURE_2D, units_[unit].texture);
         gl_.BindSampler(unit, units_[unit].sampler);
+        if (saved_multisampled_ >> unit & 1)
+            gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, units_[unit].multisampled);
     }
-    saved_units_ = 0;
+    saved_units_ = saved_multisampled_ = 0;
 }
 
 void GlState::saveMask(int index)

@@ -3,8 +3,8 @@
 //
 // Kept, neutralised and put back:
 //   bindings     draw and read framebuffer, renderbuffer, program, vertex array, array buffer, pixel
-//                pack and unpack buffer, active texture unit; for each unit used: its 2D texture and
-//                sampler
+//                pack and unpack buffer, active texture unit; for each unit used: its sampler and its
+//                texture, the 2D or the multisampled one
 //   fragments    for each draw buffer, where the context has them apart: blending on or off, its
 //                functions and equations, colour mask; dither, scissor test, stencil test, sample
 //                alpha to coverage, sample coverage, sample mask, sample shading
@@ -43,7 +43,7 @@ public:
     bool entered() const { return depth_ > 0; }
 
     /// Binds to a unit and leaves that unit active.
-    void bindTexture(int unit, GLuint texture, GLuint sampler);
+    void bindTexture(int unit, GLuint texture, GLuint sampler, GLenum target = GL_TEXTURE_2D);
 
     /// Undoes what a pass sets: clears and copies want all masks open, and no test or blending.
     void unmask() const;
@@ -62,7 +62,7 @@ private:
     };
 
     struct Unit {
-        GLint texture, sampler;
+        GLint texture, sampler, multisampled;
     };
 
     struct Saved {
@@ -97,6 +97,7 @@ private:
     Saved saved_ = {};
     Unit units_[kMaxTextureUnits] = {};
     std::uint32_t saved_units_ = 0;  // a bit for each
+    std::uint32_t saved_multisampled_ = 0;  // likewise
 };
 
 }  // namespace crevice

@@ -180,6 +180,12 @@ Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
     return MeshId{add(std::move(object), Call::create_mesh)};
 }
 
+int RecordingDevice::samples(TextureId id) const
+{
+    const bool known = id.value >= 1 && id.value <= objects_.size();
+    return known ? objects_[id.value - 1].texture.samples : 1;
+}
+
 void RecordingDevice::destroy(ObjectId id)
 {
     if (id.value == 0) return;

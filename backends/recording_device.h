@@ -71,6 +71,7 @@ public:
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
     Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    int samples(TextureId id) const override;
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
 

@@ -157,8 +157,8 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
     if (unit < 0 || unit >= caps_.max_texture_units) blameSampler("gets a unit that is not there");
     if (!texture->defined)
         blameSampler("reads texture '" + texture->label + "', with undefined content");
-    if (texture->texture.samples > 1)
-        blameSampler("reads texture '" + texture->label + "', whose samples are not resolved");
+    if ((texture->texture.samples > 1) != (uniform.type == GlslType::sampler2d_ms))
+        blameSampler("reads texture '" + texture->label + "', which has another count of samples");
     if (in_pass_ && uses(objects_[pass_.framebuffer.value - 1].framebuffer, id.value))
         blameSampler("reads texture '" + texture->label + "', which the pass draws into");
 }

@@ -90,6 +90,7 @@ enum class Code : int {
     bad_input = 6011,          ///< The host supplied something unusable.
     no_backend = 6012,         ///< A backend that does not exist or was not built.
     no_samples = 6013,         ///< More samples than the device draws.
+    sampler_version = 6014,    ///< A sampler that the device's version of OpenGL ES does not have.
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

@@ -88,6 +88,31 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
            name).help = suggestName(name.name, names, "uniforms");
 }
 
+// Samples come from the host alone: targets are resolved before anyone reads them.
+void checkMultisampled(State& state, const Pass& pass, const GlslUniform& uniform,
+                       const Source& source)
+{
+    if (uniform.type != GlslType::sampler2d_ms) return;
+    const std::string who = "pass '" + pass.desc->name + "': sampler '" + uniform.name + "' ";
+    const bool imported = source.kind == InputKind::imported;
+    if (state.caps.version < 310) {
+        report(state, Code::sampler_version,
+               who + "reads samples one by one, which needs OpenGL ES 3.1, and the device has 3.0",
+               uniform.place).help =
+            "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and take "
+            "a module for one sample a pixel: geometry/host_depth";
+    } else if (!imported) {
+        report(state, Code::uniform_type,
+               who + "is a sampler2DMS, and what it reads has one sample a pixel", uniform.place)
+            .help = "declare it as sampler2D: what has several is resolved before it is read";
+    } else if (const ImportDesc& import = state.description.imports[source.index]; import.optional) {
+        report(state, Code::uniform_type,
+               who + "is a sampler2DMS, and nothing can stand in for import '" + import.name +
+                   "' when it is absent",
+               import).help = "leave out its 'optional'";
+    }
+}
+
 }  // namespace
 
 bool mentions(std::string_view text, std::string_view word)
@@ -115,6 +140,7 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
     const std::string& name = input && !input->from.empty() ? input->from.name : uniform.name;
     const auto source = sourceNamed(state, *pass.desc, name);
     if (source) {
+        checkMultisampled(state, pass, uniform, *source);
         pass.reads.push_back({uniform.name, uniform.place, input, *source});
         return;
     }

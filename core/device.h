@@ -62,7 +62,8 @@ struct TextureDesc {
     Format format = Format::rgba8;
     Extent extent = {};
     int mips = 1;
-    int samples = 1;  ///< Above 1 it can be drawn into and resolved, and neither sampled nor read.
+    int samples = 1;  ///< Above 1 it can be drawn into and resolved, and neither sampled nor read,
+                      ///< unless it is adopted: then sampler2DMS reads it, from OpenGL ES 3.1 on.
 };
 
 struct FramebufferDesc {
@@ -153,7 +154,11 @@ public:
     virtual Result<MeshId> createMesh(const MeshDesc& desc) = 0;
 
     /// Wraps a texture that the host owns; `destroy` forgets it and leaves it alive.
+    /// Errors: CV6011; CV6014 for samples that the device cannot read.
     virtual Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) = 0;
+
+    /// Samples of a pixel of a texture.
+    virtual int samples(TextureId id) const = 0;
 
     /// Destroys one object of any kind. A null id is ignored.
     virtual void destroy(ObjectId id) = 0;

@@ -26,13 +26,42 @@ Diagnostic missing(const ImportDesc& import)
     return error;
 }
 
+Diagnostic otherSamples(const ImportDesc& import, const char* pass, int samples)
+{
+    const std::string found = samples == 1 ? "one sample" : std::to_string(samples) + " samples";
+    Diagnostic error{Code::bad_input, "the frame's texture '" + import.name + "' has " + found +
+                                          " a pixel, and pass '" + pass + "' reads it as " +
+                                          (samples == 1 ? "sampler2DMS" : "sampler2D")};
+    error.place = import.place;
+    error.pointer = import.pointer;
+    error.help = samples == 1 ? "adopt it with its TextureDesc::samples, or take a module for one"
+                              : "resolve it, or take a module that reads samples";
+    return error;
+}
+
 }  // namespace
 
-Status Execution::setImports(const std::vector<ImportedTexture>& textures)
+Status Execution::checkImports(const std::vector<ImportedTexture>& textures) const
 {
     for (const ImportDesc& import : plan_.imports)
         if (import.type == ImportType::texture && !import.optional &&
             !findTexture(textures, import.name)) return missing(import);
+    for (const PreparedPass& pass : passes_) {
+        for (const TextureBinding& binding : pass.textures) {
+            if (binding.import < 0) continue;
+            const ImportDesc& import = plan_.imports[binding.import];
+            const TextureId texture = findTexture(textures, import.name);
+            const int samples = texture ? device_.samples(texture) : 1;
+            if (binding.multisampled != (samples > 1))
+                return otherSamples(import, pass.info.label, samples);
+        }
+    }
+    return {};
+}
+
+Status Execution::setImports(const std::vector<ImportedTexture>& textures)
+{
+    if (Status status = checkImports(textures); !status) return status;
     for (PreparedPass& pass : passes_) {
         for (TextureBinding& binding : pass.textures) {
             if (binding.import < 0) continue;

@@ -54,6 +54,7 @@ private:
         TextureId texture;
         TextureId other;  // that takes its place in every second frame; null when none does
         SamplerDesc sampling;
+        bool multisampled = false;  // what the shader's sampler reads
         int import = -1;  // into the plan's imports; the texture is then set a frame
         int map = -1;     // of the material; set for each draw
     };
@@ -86,7 +87,7 @@ private:
     std::shared_ptr<Owned<ProgramId>> programOf(const std::string& key) const;
     void bindUniform(const PlanPass& pass, const UniformInfo& uniform, PreparedPass& prepared,
                      Diagnostics& errors);
-    void bindTexture(const PlanPass& pass, const PlanInput& input, int location,
+    void bindTexture(const PlanPass& pass, const PlanInput& input, const UniformInfo& uniform,
                      PreparedPass& prepared);
     TextureId textureOf(const PlanInput& input, bool swapped) const;
     TextureId targetTexture(int target, bool swapped) const;
@@ -102,6 +103,7 @@ private:
     Status end(const CameraMatrices& camera);
     void swapHistories();
     void clearHistories();
+    Status checkImports(const std::vector<ImportedTexture>& textures) const;
     void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);

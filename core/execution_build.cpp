@@ -257,7 +257,7 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
     if (isSampler(uniform.type)) {
         const PlanInput* input = inputOf(pass, uniform.name);
         if (!input) return report(Code::uniform_unbound, "which no texture is bound to");
-        return bindTexture(pass, *input, uniform.location, prepared);
+        return bindTexture(pass, *input, uniform, prepared);
     }
     const Value* value = values_.find(valueOf(pass, uniform.name));
     if (!value) return report(Code::uniform_unbound, "which nothing supplies");
@@ -269,11 +269,12 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
                         value->offset});
 }
 
-void Execution::bindTexture(const PlanPass& pass, const PlanInput& input, int location,
-                            PreparedPass& prepared)
+void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,
+                            const UniformInfo& uniform, PreparedPass& prepared)
 {
     TextureBinding binding;
-    binding.location = location;
+    binding.location = uniform.location;
+    binding.multisampled = uniform.type == GlslType::sampler2d_ms;
     binding.unit = static_cast<int>(&input - pass.inputs.data());
     binding.texture = textureOf(input, false);
     const TextureId other = textureOf(input, true);

@@ -17,7 +17,7 @@ constexpr struct {
     {GlslType::vec4, "vec4"},    {GlslType::int_, "int"},    {GlslType::ivec2, "ivec2"},
     {GlslType::ivec3, "ivec3"},  {GlslType::ivec4, "ivec4"}, {GlslType::uint_, "uint"},
     {GlslType::bool_, "bool"},   {GlslType::mat3, "mat3"},   {GlslType::mat4, "mat4"},
-    {GlslType::sampler2d, "sampler2D"},
+    {GlslType::sampler2d, "sampler2D"}, {GlslType::sampler2d_ms, "sampler2DMS"},
 };
 
 /// Values on one line and without comments, so that a #define holds all of each.
@@ -74,7 +74,7 @@ GlslType glslTypeFromName(std::string_view name)
 
 bool isSampler(GlslType type)
 {
-    return type == GlslType::sampler2d;
+    return type == GlslType::sampler2d || type == GlslType::sampler2d_ms;
 }
 
 std::vector<GlslInclude> findIncludes(const SourceRef& source)

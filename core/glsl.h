@@ -19,7 +19,7 @@ namespace crevice {
 /// GLSL types that a uniform may have here.
 enum class GlslType {
     float_, vec2, vec3, vec4, int_, ivec2, ivec3, ivec4, uint_, bool_,
-    mat3, mat4, sampler2d, other,
+    mat3, mat4, sampler2d, sampler2d_ms, other,
 };
 
 /// The GLSL spelling; "other" for other.

@@ -216,6 +216,8 @@ std::map<std::string, std::vector<float>> HostileHost::snapshot() const
         gl.ActiveTexture(GL_TEXTURE0 + unit);
         floats("texture of unit " + std::to_string(unit), GL_TEXTURE_BINDING_2D, 1);
         floats("sampler of unit " + std::to_string(unit), GL_SAMPLER_BINDING, 1);
+        if (device->caps().version >= 310)
+            floats("samples of unit " + std::to_string(unit), GL_TEXTURE_BINDING_2D_MULTISAMPLE, 1);
     }
     gl.ActiveTexture(active);
     return values;
@@ -287,6 +289,41 @@ TEST_CASE_METHOD(HostileHost, "no state of the host changes the picture")
     setStrangeState();
     CHECK(frame().pixels == calm.pixels);
     CHECK(frame(4).pixels == samples.pixels);
+}
+
+TEST_CASE_METHOD(HostileHost, "reading samples of a texture leaves the host's in its unit")
+{
+    if (device->caps().version < 310) return;  // then it reads none
+    const auto storage = reinterpret_cast<PFNGLTEXSTORAGE2DMULTISAMPLEPROC>(
+        testContext().loader()("glTexStorage2DMultisample"));
+    GLuint names[2] = {};
+    gl.GenTextures(2, names);
+    for (const GLuint name : names) {
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, name);
+        storage(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA8, 4, 4, GL_TRUE);
+    }
+    const TextureId read_from =
+        need(device->adoptTexture(names[0], {"host", Format::rgba8, {4, 4}, 1, 4}));
+    const ProgramId reads = need(device->createProgram(
+        {"reads", stage("#version 310 es\nvoid main() { gl_Position = vec4(0.0); }\n"),
+         stage("#version 310 es\nuniform highp sampler2DMS host;\nout highp vec4 color;\n"
+               "void main() { color = texelFetch(host, ivec2(0), 3); }\n")}));
+    const FramebufferId into = framebuffer({texture(Format::rgba8)});
+    setStrangeState();
+    for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE0 + 1}) {
+        gl.ActiveTexture(unit);
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, names[1]);
+    }
+    const auto before = snapshot();
+    device->beginFrame();
+    device->beginPass(wholePass(into, {4, 4}));
+    device->setProgram(reads, {});
+    device->setTexture(location(reads, "host"), 1, read_from, {});
+    device->drawFullscreen();
+    device->endPass();
+    need(device->endFrame());
+    CHECK(snapshot() == before);
+    gl.DeleteTextures(2, names);
 }
 
 TEST_CASE("making a device leaves the host's state as it was")

@@ -185,3 +185,82 @@ TEST_CASE("A recording device blames what no device can do with samples")
     CHECK(blamed({"into samples", {four}, {}, {eight}}));
     CHECK(blamed({"nothing to resolve", {one}, {}, {one}}));
 }
+
+namespace {
+
+/// A pass that reads what `import` says one sample at a time.
+Description reading(const std::string& import, const std::string& sampler = "sampler2DMS")
+{
+    return describe(R"({"format": 1, "imports": {"host": )" + import + R"(},
+        "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
+        "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
+        "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},
+        "outputs": {"y": "y"}})",
+        {{"v", kFullVertex},
+         {"f", "#version 310 es\nuniform highp " + sampler + " host;\nout highp vec4 c;\n"},
+         {"g", "#version 310 es\nuniform highp sampler2D x;\nout highp vec4 c;\n"}});
+}
+
+const char* const kHostTexture = R"({"type": "texture"})";
+
+DeviceCaps newerCaps()
+{
+    DeviceCaps caps = ampleCaps();
+    caps.version = 310;
+    return caps;
+}
+
+/// What a frame whose texture has that many samples is told.
+Status drawnWith(int samples, const std::string& sampler)
+{
+    RecordingDevice device;
+    auto renderer = Renderer::create(device, reading(kHostTexture, sampler), sized(), {});
+    REQUIRE(renderer.ok());
+    Frame frame;
+    frame.textures = {{"host", *device.adoptTexture(7, {"host", Format::r8, {64, 32}, 1, samples})}};
+    const Status status = (*renderer)->render(frame);
+    CHECK(device.misuse().empty());
+    return status;
+}
+
+}  // namespace
+
+TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names the way out")
+{
+    CHECK(compile(reading(kHostTexture), {}, newerCaps(), sized()).ok());
+    const Diagnostic error = onlyError(reading(kHostTexture), {}, ampleCaps());
+    CHECK(error.code == Code::sampler_version);
+    CHECK(textAt(error.place) == "host");
+    CHECK(error.help.find("geometry/host_depth") != std::string::npos);
+}
+
+TEST_CASE("Samples are read of the host's textures alone, and of such as are there for certain")
+{
+    const Diagnostic optional =
+        onlyError(reading(R"({"type": "texture", "optional": true})"), {}, newerCaps());
+    CHECK(optional.code == Code::uniform_type);
+    CHECK(optional.pointer == "/imports/host");
+
+    const Diagnostic resolved = onlyError(
+        describe(R"({"format": 1, "targets": {"x": {"format": ["r8"], "samples": 4},
+            "y": {"format": ["r8"]}},
+            "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
+            "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},
+            "outputs": {"y": "y"}})",
+                 {{"v", kFullVertex},
+                  {"f", "#version 310 es\nout highp vec4 c;\n"},
+                  {"g", "#version 310 es\nuniform highp sampler2DMS x;\nout highp vec4 c;\n"}}),
+        {}, newerCaps());
+    CHECK(resolved.code == Code::uniform_type);
+    CHECK(textAt(resolved.place) == "x");
+}
+
+TEST_CASE("A host's texture with other samples than its sampler reads is refused")
+{
+    CHECK(drawnWith(4, "sampler2DMS").ok());
+    CHECK(drawnWith(1, "sampler2D").ok());
+    for (const Status& status : {drawnWith(1, "sampler2DMS"), drawnWith(4, "sampler2D")}) {
+        CHECK(codeOf(status) == Code::bad_input);
+        CHECK(status.diagnostics().front().pointer == "/imports/host");
+    }
+}
