@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
-# docs/bench, the tests without GL under sanitizers, and a build with clang. Warnings are errors everywhere. Safe to run again.
+# docs/bench, the pictures of docs/methods, the tests without GL under sanitizers, and a build with clang.
+# Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it
 #   tools/test.sh --quick  the tests alone
@@ -35,6 +36,9 @@ all_tests() {
 guard() {
     CREVICE=build/ci/tools/crevice tools/guard_bench.sh --errors-only
 }
+pictures() {
+    CREVICE=build/ci/tools/crevice tools/pictures.sh --check
+}
 sanitized_tests() {
     cmake --preset asan -DCREVICE_WERROR=ON &&
         cmake --build --preset asan --target crevice_tests &&
@@ -53,6 +57,7 @@ else
     tools/install_packages.sh chromium clang
     stage "All tests" all_tests
     stage "Errors against docs/bench" guard
+    stage "Pictures in docs/methods" pictures
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Build with clang" clang_build
 fi
