@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Fills in the figures of docs/methods: in each table that ends in `| room | spheres | cost |`, the row of a
+# Fills in the figures of README.md and docs/methods: in each table that ends in `| room | spheres | cost |`, the row of a
 # config gets its rmse in both scenes and its cost in the room, as a ratio to learnopengl's.
 #
 #   tools/method_figures.sh            measures every shipped config; half an hour, on a quiet machine
@@ -28,7 +28,7 @@ if ((${#results[@]} == 0)); then
 fi
 "$CREVICE" report "${results[@]}" --out "$work/report.html" --no-pictures
 
-for page in docs/methods/*.md; do
+for page in README.md docs/methods/*.md; do
     awk -F, -v page="$page" '
         FNR == 1 && NR != 1 { FS = "|" }
         FILENAME != page {  # the report: columns by their names
