@@ -7,6 +7,7 @@
 //   direct   linear colour; 0 in the background
 precision highp float;  // positions
 
+#include "common/guard.glsl"
 #include <surface>
 #if SCENE_LIGHTS > 0
 #include "lighting/light.glsl"
