@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The shipped modules by what they declare, so that tests run over all of them and a new one is among
+// them by itself.
+#pragma once
+
+#include "core/source.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// What a module declares, together with all that it extends.
+struct Module {
+    std::string name;               ///< As in `extends`: "ssao/gtao".
+    std::set<std::string> targets;  ///< Its own, and the host's textures that it imports.
+    std::set<std::string> needs;    ///< Targets of others that its passes name.
+    std::set<std::string> options;  ///< Its params and features.
+    bool reads_normals = false;     ///< A shader of its own asks the surface for normals.
+    bool reads_albedo = false;      ///< A shader of its own reads the colour of surfaces.
+    bool host_textures = false;     ///< It reads textures of the host's.
+    bool remembers = false;         ///< It has a history.
+};
+
+/// Inputs: all below geometry/ that tell how a surface is found.
+const std::vector<Module>& shippedInputs();
+
+/// Estimators: all below ssao/ that make `ao` by shaders of their own.
+const std::vector<Module>& shippedEstimators();
+
+/// Filters: all below filter/ that make another output `ao` from the target `ao`.
+const std::vector<Module>& shippedFilters();
+
+/// Sources with one config, "given", that extends `modules`; over the shipped ones.
+class GivenConfig {
+public:
+    explicit GivenConfig(const std::vector<std::string>& modules, const std::string& more = "");
+    const SourceSet& sources() const { return layers_; }
+
+private:
+    MemorySources mine_;
+    LayeredSources layers_;
+};
+
+}  // namespace crevice
