@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Properties that every estimator has, drawn for real: one line of the table is one module.
+// Properties that every estimator has, drawn for real.
+#include "tests/modules.h"
 #include "tests/picture.h"
-
-#include "effects/catalog.h"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -13,34 +10,23 @@ using namespace crevice;
 
 namespace {
 
-struct Estimator {
-    const char* module;
-    bool open_wall = true;  ///< Half of the sphere's offsets lie inside a wall, which is then grey.
-};
-
-const Estimator kEstimators[] = {
-    {"ssao/bitmask"},    {"ssao/gtao"}, {"ssao/hbao"}, {"ssao/hbao_plus"},
-    {"ssao/hemisphere"}, {"ssao/sao"},  {"ssao/ssdo"}, {"ssao/sphere", false},
-};
-
-const char* const kBox = ", \"filter/box\"";
 const char* const kTowardsCorner = "eye=0,1.5,4;at=0,0,0;fov=40";
+const char* const kBox = "filter/box";  // takes the noise out
 
-/// The module's visibility, unfiltered or followed by kBox, which takes the noise out.
-Image visibility(const char* module, PictureRequest request, const Scene& scene,
-                 const std::string& filter = "")
+/// The module's visibility, unfiltered unless a filter is named.
+Image visibility(const std::string& module, PictureRequest request, const Scene& scene,
+                 const char* filter = nullptr)
 {
-    MemorySources mine;
-    mine.add("configs/given.json",
-             std::string(R"({"format": 1, "extends": ["geometry/depth_normal", ")") + module + "\"" +
-                 filter + "]}");
-    const LayeredSources sources({&mine, &shippedSources()});
+    std::vector<std::string> modules = {"geometry/depth_normal", module};
+    if (filter) modules.push_back(filter);
+    const GivenConfig config(modules);
     request.config = "given";
-    request.sources = &sources;
+    request.sources = &config.sources();
     return picture(request, scene);
 }
 
-Image visibility(const char* module, const PictureRequest& request, const std::string& filter = "")
+Image visibility(const std::string& module, const PictureRequest& request,
+                 const char* filter = nullptr)
 {
     return visibility(module, request, need(loadScene(request.scene)), filter);
 }
@@ -60,53 +46,32 @@ double meanOfRows(const Image& image, int first, int last)
     return sum / ((last - first) * double(image.extent.width));
 }
 
-/// Left and right swapped in the world; triangles keep their front.
-Scene mirrored(Scene scene)
-{
-    for (SceneInstance& instance : scene.instances)
-        instance.world_from_model =
-            glm::scale(glm::mat4(1.0f), glm::vec3(-1, 1, 1)) * instance.world_from_model;
-    for (MeshDesc& mesh : scene.meshes)
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-    return scene;
-}
-
-Image mirrored(Image image)
-{
-    for (int y = 0; y < image.extent.height; ++y)
-        for (int x = 0; x < image.extent.width / 2; ++x)
-            std::swap(image.pixels[y * image.extent.width + x],
-                      image.pixels[(y + 1) * image.extent.width - 1 - x]);
-    return image;
-}
-
 }  // namespace
 
 TEST_CASE("A flat wall is open, however it lies to the camera")
 {
-    for (const Estimator& estimator : kEstimators) {
-        if (!estimator.open_wall) continue;
+    for (const Module& estimator : shippedEstimators()) {
+        if (!estimator.reads_normals) continue;  // probes inside the wall, and finds it grey
         for (const char* camera : {"", "eye=0,0.4,4;at=0,0,-8;fov=60", "eye=1,9,2;at=0,0,0;fov=50",
                                    "eye=3,4,5;at=0,0,0;ortho=4"}) {
             PictureRequest request;
             request.scene = "plane";
             request.camera = camera;
-            INFO(estimator.module << " " << camera);
-            CHECK(least(visibility(estimator.module, request)) == 1.0f);
+            INFO(estimator.name << " " << camera);
+            CHECK(least(visibility(estimator.name, request)) == 1.0f);
         }
     }
 }
 
 TEST_CASE("A corner is darker than the open floor")
 {
-    for (const Estimator& estimator : kEstimators) {
+    for (const Module& estimator : shippedEstimators()) {
         PictureRequest request;
         request.scene = "corner";
         request.camera = kTowardsCorner;
-        const Image ao = visibility(estimator.module, request);
+        const Image ao = visibility(estimator.name, request);
         const int middle = ao.extent.height / 2;
-        INFO(estimator.module);
+        INFO(estimator.name);
         CHECK(allVisibility(ao));
         CHECK(meanOfRows(ao, middle - 3, middle + 3) < meanOfRows(ao, 4, 12) - 0.05);
     }
@@ -114,26 +79,26 @@ TEST_CASE("A corner is darker than the open floor")
 
 TEST_CASE("The occlusion vanishes as the radius tends to 0")
 {
-    for (const Estimator& estimator : kEstimators) {
-        if (!estimator.open_wall) continue;
+    for (const Module& estimator : shippedEstimators()) {
+        if (!estimator.reads_normals) continue;  // probes inside the wall, and finds it grey
         PictureRequest request;
         request.scene = "corner";
         request.overrides = {"radius=1e-6"};
-        INFO(estimator.module);
-        CHECK(least(visibility(estimator.module, request)) == 1.0f);
+        INFO(estimator.name);
+        CHECK(least(visibility(estimator.name, request)) == 1.0f);
     }
 }
 
 TEST_CASE("A mirrored scene gives the mirrored picture")
 {
     const Scene scene = need(loadScene("spheres"));
-    for (const Estimator& estimator : kEstimators) {
+    for (const Module& estimator : shippedEstimators()) {
         PictureRequest request;
         request.camera = "eye=0,1.2,2.4;at=0,0.4,0;fov=45";
         request.overrides = {"radius=1"};
-        const Image plain = visibility(estimator.module, request, scene, kBox);
-        const Image swapped = mirrored(visibility(estimator.module, request, mirrored(scene), kBox));
-        INFO(estimator.module);
+        const Image plain = visibility(estimator.name, request, scene, kBox);
+        const Image swapped = mirrored(visibility(estimator.name, request, mirrored(scene), kBox));
+        INFO(estimator.name);
         CHECK(meanChange(plain, swapped) < 0.01);
         CHECK(meanChange(plain, mirrored(plain)) > 0.01);
     }
@@ -141,14 +106,14 @@ TEST_CASE("A mirrored scene gives the mirrored picture")
 
 TEST_CASE("Estimators see an orthographic view as the narrow perspective that tends to it")
 {
-    for (const Estimator& estimator : kEstimators) {
+    for (const Module& estimator : shippedEstimators()) {
         PictureRequest request;
         request.scene = "corner";
         request.camera = "eye=0,200,200;at=0,0,0;fov=0.81";
-        const Image narrow = visibility(estimator.module, request);
+        const Image narrow = visibility(estimator.name, request);
         request.camera = "eye=0,200,200;at=0,0,0;ortho=4";
-        const Image orthographic = visibility(estimator.module, request);
-        INFO(estimator.module);
+        const Image orthographic = visibility(estimator.name, request);
+        INFO(estimator.name);
         CHECK(mean(orthographic) < 0.99);
         CHECK(meanChange(narrow, orthographic) < 0.01);
     }
@@ -156,12 +121,12 @@ TEST_CASE("Estimators see an orthographic view as the narrow perspective that te
 
 TEST_CASE("Estimators draw visibility at odd and tiny sizes")
 {
-    for (const Estimator& estimator : kEstimators) {
+    for (const Module& estimator : shippedEstimators()) {
         for (const Extent extent : {Extent{1, 1}, Extent{3, 2}, Extent{127, 5}}) {
             PictureRequest request;
             request.extent = extent;
-            INFO(estimator.module << " " << extent.width << "x" << extent.height);
-            CHECK(allVisibility(visibility(estimator.module, request)));
+            INFO(estimator.name << " " << extent.width << "x" << extent.height);
+            CHECK(allVisibility(visibility(estimator.name, request)));
         }
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What must hold for every filter over the occlusion, drawn for real.
+#include "tests/modules.h"
 #include "tests/picture.h"
 
 #include "backends/recording_device.h"
@@ -83,22 +84,15 @@ std::size_t passCount(const Given& given)
         .passes.size();
 }
 
-/// The modules of a family whose JSON holds `text`.
-std::vector<std::string> modules(const std::string& family, const std::string& text)
+/// Those over the occlusion of one frame and nothing else.
+std::vector<std::string> filters()
 {
     std::vector<std::string> names;
-    for (const std::string& path : shippedSources().list()) {
-        const bool json = path.size() > 5 && path.substr(path.size() - 5) == ".json";
-        if (!json || path.rfind(family + "/", 0) != 0) continue;
-        if (shippedSources().find(path)->text.find(text) == std::string::npos) continue;
-        names.push_back(path.substr(family.size() + 1, path.size() - family.size() - 6));
-    }
+    for (const Module& filter : shippedFilters())
+        if (!filter.remembers && filter.needs.size() == filter.needs.count("ao"))
+            names.push_back(filter.name.substr(sizeof("filter")));
     return names;
 }
-
-/// Those over the occlusion of one frame.
-const char* const kFilters[] = {"none",     "box",    "gaussian", "bilateral", "bilateral_normal",
-                                "edges3x3", "atrous", "median",   "kuwahara",  "upsample"};
 
 /// Least and greatest at least 16 pixels from the border, where no window is cut off.
 std::pair<float, float> rangeInside(const Image& image)
@@ -122,7 +116,7 @@ double shareBetween(const Image& image)
 
 TEST_CASE("Filters keep a constant picture constant")
 {
-    for (const std::string filter : kFilters) {
+    for (const std::string& filter : filters()) {
         const Image image = filtered({"0.6", filter});
         INFO(filter);
         for (float value : image.pixels) REQUIRE(value == image.pixels.front());
@@ -132,7 +126,7 @@ TEST_CASE("Filters keep a constant picture constant")
 
 TEST_CASE("Filters keep 1 exactly, whatever the size and the projection")
 {
-    for (const std::string filter : kFilters)
+    for (const std::string& filter : filters())
         for (const char* camera : {kSlant, "eye=0,2,1;at=0,0,0;ortho=1"})
             for (const Extent extent : {Extent{97, 51}, Extent{1, 1}, Extent{1, 37}}) {
                 INFO(filter << " " << camera << " " << extent.width << "x" << extent.height);
@@ -145,7 +139,7 @@ TEST_CASE("Filters keep 1 exactly, whatever the size and the projection")
 
 TEST_CASE("Filters keep 1 exactly at any radius")
 {
-    for (const std::string filter : kFilters)
+    for (const std::string& filter : filters())
         for (const char* radius : {"radius=1e-9", "radius=1e9"}) {
             INFO(filter << " " << radius);
             Given given = {"1.0", filter, "spheres", ""};
@@ -179,7 +173,7 @@ TEST_CASE("Filters that weigh by place keep the mean of any noise on a plane")
     const std::string noise =
         "fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453)";
     const double before = mean(filtered({noise, "none"}));
-    for (const std::string filter : kFilters) {
+    for (const std::string& filter : filters()) {
         if (filter == "median" || filter == "upsample") continue;
         INFO(filter);
         CHECK(mean(filtered({noise, filter})) == Approx(before).margin(0.005));
@@ -262,16 +256,17 @@ TEST_CASE("A filter that a param switches off is left out")
 TEST_CASE("Every filter runs over every geometry and every projection")
 {
     const std::string steps = "(fract(point.x * 4.0) < 0.5 ? 0.2 : 0.8)";
-    for (const std::string& geometry : modules("geometry", "\"geometry\": { \"vertex\""))
+    for (const Module& input : shippedInputs())
         for (const char* camera : {"", "eye=0,2,4;at=0,0,0;ortho=4"}) {
+            if (input.host_textures) continue;
             Given raw = {steps, "none", "spheres", camera};
-            raw.geometry = geometry;
+            raw.geometry = input.name.substr(sizeof("geometry"));
             const double before = mean(filtered(raw));
-            for (const std::string filter : kFilters) {
+            for (const std::string& filter : filters()) {
                 Given given = raw;
                 given.filter = filter;
                 const Image image = filtered(given);
-                INFO(filter << " over " << geometry << " " << camera);
+                INFO(filter << " over " << input.name << " " << camera);
                 CHECK(allVisibility(image));
                 CHECK(mean(image) == Approx(before).margin(0.1));
             }

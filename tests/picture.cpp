@@ -7,7 +7,10 @@
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <cmath>
+#include <utility>
 
 namespace crevice {
 namespace {
@@ -86,6 +89,26 @@ bool allVisibility(const Image& image)
     for (float value : image.pixels)
         if (!(value >= 0.0f && value <= 1.0f)) return false;
     return true;
+}
+
+Scene mirrored(Scene scene)
+{
+    for (SceneInstance& instance : scene.instances)
+        instance.world_from_model =
+            glm::scale(glm::mat4(1.0f), glm::vec3(-1, 1, 1)) * instance.world_from_model;
+    for (MeshDesc& mesh : scene.meshes)
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    return scene;
+}
+
+Image mirrored(Image image)
+{
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = 0; x < image.extent.width / 2; ++x)
+            std::swap(image.pixels[y * image.extent.width + x],
+                      image.pixels[(y + 1) * image.extent.width - 1 - x]);
+    return image;
 }
 
 }  // namespace crevice

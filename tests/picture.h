@@ -39,4 +39,8 @@ double meanChange(const Image& a, const Image& b);
 /// True when every value is finite and in [0, 1].
 bool allVisibility(const Image& image);
 
+/// Left and right swapped, in the world (triangles keep their front) and in a picture.
+Scene mirrored(Scene scene);
+Image mirrored(Image image);
+
 }  // namespace crevice
