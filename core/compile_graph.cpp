@@ -141,6 +141,26 @@ void checkOutputs(State& state, std::vector<bool>& told)
     }
 }
 
+// A target that one pass writes and another one, which is off, passes on: two chains with one end.
+void checkBypasses(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        if (pass.active) continue;
+        for (const BypassDesc& bypass : pass.desc->bypass) {
+            const int target = indexOf(state.description.targets, bypass.output.name);
+            if (target < 0 || state.targets[target].writer < 0) continue;
+            const Pass& writer = state.passes[state.targets[target].writer];
+            Diagnostic& error = report(
+                state, Code::two_writers,
+                "pass '" + pass.desc->name + "' passes on '" + bypass.output.name +
+                    "' while it is off, which pass '" + writer.desc->name + "' writes",
+                bypass.output);
+            error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
+            error.help = "take one of the two out, or let one write a target of its own";
+        }
+    }
+}
+
 }  // namespace
 
 void findWriters(State& state)
@@ -165,6 +185,7 @@ void findWriters(State& state)
                          "each other";
         }
     }
+    checkBypasses(state);
 }
 
 void orderPasses(State& state)

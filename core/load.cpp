@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -86,6 +87,7 @@ public:
     explicit FileLoader(const SourceSet& sources) : sources_(sources) {}
 
     void load(const SourceRef& source, const Place& asked_at);
+    void checkClashes();
 
     std::vector<Node> bodies;      // without `extends` and `variants`
     std::vector<Member> variants;  // in the same order; a name may come more than once
@@ -95,6 +97,12 @@ private:
     struct Opened {
         std::string identity;
         std::string name;
+    };
+    // Of a file that has been read; in the order of `bodies`.
+    struct Read {
+        std::string identity;
+        std::string name;
+        Place asked_at;
     };
 
     bool mayOpen(const Opened& file, const Place& asked_at);
@@ -106,6 +114,8 @@ private:
     const SourceSet& sources_;
     std::vector<Opened> open_;  // from the config to the file being read
     std::set<std::string> done_;
+    std::vector<Read> read_;
+    std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
 };
 
 // What tells two files apart, by whatever path they were reached. A catalog path never begins with
@@ -131,8 +141,54 @@ void FileLoader::load(const SourceRef& source, const Place& asked_at)
         open_.pop_back();
         takeVariants(*document);
         bodies.push_back(std::move(*document));
+        read_.push_back({file.identity, file.name, asked_at});
     }
     done_.insert(file.identity);
+}
+
+// What is one thing only: the GLSL of a shader, the file behind an interface. Null when neither.
+const Node* glslAt(const Node& body, const char* list, const std::string& name)
+{
+    const Node* all = body.find(list);
+    const Node* value = all ? all->find(name) : nullptr;
+    const Node* file = value && value->kind == Node::Kind::object ? value->find("fragment") : value;
+    return file && file->kind == Node::Kind::string ? file : nullptr;
+}
+
+// The first thing that both files make, or nothing.
+std::optional<std::string> madeByBoth(const Node& one, const Node& other)
+{
+    for (const char* list : {"interfaces", "shaders"}) {
+        const Node* made = one.find(list);
+        if (!made) continue;
+        for (const Member& member : made->members) {
+            const Node* mine = glslAt(one, list, member.key);
+            const Node* theirs = glslAt(other, list, member.key);
+            if (!mine || !theirs) continue;
+            if (list[0] == 'i') return "interface '" + member.key + "'";
+            if (mine->text != theirs->text) return "shader '" + member.key + "'";
+        }
+    }
+    return std::nullopt;
+}
+
+// Tells one clash, that of the files read last: those before are often what they extend.
+void FileLoader::checkClashes()
+{
+    for (std::size_t later = read_.size(); later-- > 1;)
+        for (std::size_t first = later; first-- > 0;) {
+            // A file is read after all that it extends.
+            if (extended_[read_[later].identity].count(read_[first].identity) > 0) continue;
+            const auto made = madeByBoth(bodies[first], bodies[later]);
+            if (!made) continue;
+            Diagnostic error{Code::module_clash, "'" + read_[later].name + "' and '" +
+                             read_[first].name + "' both make " + *made +
+                             ", and neither extends the other", read_[later].asked_at, "/extends"};
+            error.notes.push_back({read_[first].asked_at, "the other one was asked for here"});
+            error.help = "keep one of the two in 'extends'";
+            errors.push_back(std::move(error));
+            return;
+        }
 }
 
 bool FileLoader::mayOpen(const Opened& file, const Place& asked_at)
@@ -195,8 +251,15 @@ void FileLoader::loadExtended(const SourceRef& source, const Node& list)
             continue;
         }
         const Result<SourceRef> found = findExtended(*source, entry);
-        if (found) load(*found, entry.place);
-        else append(errors, found.diagnostics());
+        if (!found) {
+            append(errors, found.diagnostics());
+            continue;
+        }
+        load(*found, entry.place);
+        std::set<std::string>& mine = extended_[open_.back().identity];
+        const std::string theirs = identityOf(**found);
+        mine.insert(theirs);
+        mine.insert(extended_[theirs].begin(), extended_[theirs].end());
     }
 }
 
@@ -255,6 +318,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     if (!config) return config.diagnostics();
     FileLoader files(sources);
     files.load(*config, {});
+    if (files.errors.empty()) files.checkClashes();
     if (!files.errors.empty()) return files.errors;  // merging what is not whole adds false errors
 
     Node document;
