@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every estimator with every filter on every input, by pairs, drawn for real: whatever makes sense runs
-// and has the properties of visibility, and the rest is refused with a reason.
+// Every estimator with every filter on every input, by pairs, drawn for real: whatever makes sense
+// runs and has the properties of visibility, and the rest is refused with a reason.
 #include "tests/modules.h"
 #include "tests/picture.h"
 
@@ -108,8 +108,8 @@ struct Stage {
     Stage()
     {
         const double aspect = double(kExtent.width) / kExtent.height;
-        const SceneCamera camera =
-            need(chooseCamera(scene, uploaded.bounds(), "eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45", aspect));
+        const SceneCamera camera = need(chooseCamera(
+            scene, uploaded.bounds(), "eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45", aspect));
         frame = makeFrame(uploaded, camera, kExtent);
         const GivenConfig config({"geometry/depth_normal"},
                                  R"(, "outputs": {"depth": "depth", "normal": "normal"})");

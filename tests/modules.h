@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shipped modules by what they declare, so that tests run over all of them and a new one is among
-// them by itself.
+// The shipped modules by what they declare, so that tests run over all of them and a new one is
+// among them by itself.
 #pragma once
 
 #include "core/source.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plan of each shipped config, as `crevice explain NAME` prints it, held against the approved one
-// in tests/data/plans. tools/approve.sh takes the new plans as the approved ones.
+// The plan of each shipped config, as `crevice explain NAME` prints it, held against the approved
+// one in tests/data/plans. tools/approve.sh takes the new plans as the approved ones.
 #include "core/load.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
@@ -47,7 +47,7 @@ Lines linesOf(const std::string& text)
     return lines;
 }
 
-/// The lines from the first to the last that differ: the approved ones with a '-', the new with a '+'.
+/// The lines from the first to the last that differ: approved ones after '-', new ones after '+'.
 std::string difference(const std::string& approved, const std::string& now)
 {
     const Lines old_lines = linesOf(approved), new_lines = linesOf(now);
@@ -57,8 +57,10 @@ std::string difference(const std::string& approved, const std::string& now)
     while (last < shorter - first && *(old_lines.rbegin() + last) == *(new_lines.rbegin() + last))
         ++last;
     std::string text = "from line " + std::to_string(first + 1) + "\n";
-    for (std::size_t i = first; i < old_lines.size() - last; ++i) text += "- " + old_lines[i] + "\n";
-    for (std::size_t i = first; i < new_lines.size() - last; ++i) text += "+ " + new_lines[i] + "\n";
+    for (std::size_t i = first; i + last < old_lines.size(); ++i)
+        text += "- " + old_lines[i] + "\n";
+    for (std::size_t i = first; i + last < new_lines.size(); ++i)
+        text += "+ " + new_lines[i] + "\n";
     return text;
 }
 

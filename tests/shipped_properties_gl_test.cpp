@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds for every shipped config and each of its variants, on the built-in scenes and on random ones,
-// however the camera projects.
+// What holds for every shipped config and each of its variants, on the built-in scenes and on
+// random ones, however the camera projects.
 #include "tests/picture.h"
 
 #include "core/load.h"
@@ -22,8 +22,8 @@ namespace {
 
 constexpr Extent kExtent = {128, 72};
 
-// Directions and noise are not mirrored along. Most for the unrotated cube of ogldev45, 0.011, then the
-// one slice at half the size of mobile_low, 0.008; below 0.006 for all others.
+// Directions and noise are not mirrored along. Most for the unrotated cube of ogldev45, 0.011, then
+// the one slice at half the size of mobile_low, 0.008; below 0.006 for all others.
 constexpr double kMirrorBound = 0.013;
 
 const char* const kCentred = "eye=0,3,6;at=0,0.5,0;fov=45";
@@ -69,7 +69,8 @@ std::vector<Subject> subjects()
     std::vector<Subject> all;
     for (const std::string& name : configNames(shippedSources())) {
         all.push_back({name, ""});
-        const Node document = need(parseDocument(shippedSources().find("configs/" + name + ".json")));
+        const SourceRef source = shippedSources().find("configs/" + name + ".json");
+        const Node document = need(parseDocument(source));
         if (const Node* variants = document.find("variants"))
             for (const Member& variant : variants->members) all.push_back({name, variant.key});
     }
