@@ -30,7 +30,7 @@ enum class Code : int {
     variant_missing = 1205,   ///< No such variant.
     override_syntax = 1206,   ///< An override that is not name=value.
     format_version = 1207,    ///< `format` is missing or newer than this library.
-    module_clash = 1208,      ///< Two modules, neither of which extends the other, are one thing twice.
+    module_clash = 1208,      ///< Two modules in `extends` that are one thing twice.
 
     // references and graph
     shader_missing = 2101,      ///< A pass names a shader that is not declared.

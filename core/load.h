@@ -24,8 +24,8 @@ struct LoadRequest {
 /// `variants`. A name is looked up as "configs/NAME.json" in `sources`; what ends in ".json" is a
 /// file on disk first. `extends` entries are module names ("ssao/hemisphere", found as
 /// "ssao/hemisphere.json" in `sources`), config names, or paths relative to the file ("./mine.json").
-/// Two files, neither of which extends the other, may not give one shader or interface different GLSL:
-/// that is two filters or two estimators, of which a merge would keep halves.
+/// Two files, neither of which extends the other, may not make one shader or interface: that is two
+/// filters or two estimators, of which a merge would keep halves.
 ///
 /// Errors: CV1xxx of any file, CV1201 to CV1208, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);

@@ -100,6 +100,14 @@ bool everyPassHasItsShader(const Node& document)
     return true;
 }
 
+/// Not every context reads several samples a pixel.
+bool readsSamples(const Node& document)
+{
+    for (const Member& shader : membersOf(document, "shaders"))
+        if (holds(shaderText(textAt(shader.value, "fragment")), "sampler2DMS")) return true;
+    return false;
+}
+
 std::string outputAo(const Node& document)
 {
     const Node* outputs = document.find("outputs");
@@ -137,7 +145,7 @@ GivenConfig::GivenConfig(const std::vector<std::string>& modules, const std::str
 const std::vector<Module>& shippedInputs()
 {
     static const std::vector<Module> inputs = modulesBelow("geometry", [](const Node& document) {
-        return keysOf(document, "interfaces").count("surface") > 0;
+        return keysOf(document, "interfaces").count("surface") > 0 && !readsSamples(document);
     });
     return inputs;
 }
