@@ -18,7 +18,7 @@ double pixels(const Extent& extent)
 
 void estimate(const Plan& plan, PlanPass& pass)
 {
-    const double count = pixels(pass.extent);
+    const double count = pixels(pass.extent) * plan.views;
     const auto texel = [&plan](int target) {
         return formatInfo(plan.textures[plan.targets[target].texture].format).bytes;
     };
@@ -55,7 +55,7 @@ double bytesOf(const State& state, const Pass& pass)
     }
     for (const int target : writtenBy(pass))
         texel += formatInfo(state.targets[target].format).bytes;
-    return texel * pixels(extentOf(state, pass));
+    return texel * pixels(extentOf(state, pass)) * state.traits.views;
 }
 
 // "intensity is 0, so ao is 1".
@@ -82,7 +82,8 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
     for (const int index : pass.color) {
         const Target& target = state.targets[index];
         if (target.textured) continue;
-        const double bytes = pixels(target.extent) * formatInfo(target.format).bytes;
+        const double bytes =
+            pixels(target.extent) * formatInfo(target.format).bytes * state.traits.views;
         const std::string& name = state.description.targets[index].name;
         left_out.push_back({"attachment " + name, "unread", "nobody reads it", bytes});
     }
@@ -96,7 +97,7 @@ double textureBytes(const PlanTexture& texture)
     for (int level = 0; level < texture.mips; ++level)
         texels += static_cast<double>(std::max(1, texture.extent.width >> level)) *
                   std::max(1, texture.extent.height >> level);
-    return texels * texture.samples * formatInfo(texture.format).bytes;
+    return texels * texture.samples * formatInfo(texture.format).bytes * texture.copies;
 }
 
 void estimateBytes(Plan& plan)

@@ -141,14 +141,14 @@ std::optional<Source> resolveTarget(const State& state, int target);
 // compile_textures.cpp
 void chooseExtents(State& state);
 void chooseFormats(State& state);
-/// Fills the plan's texture list and each plan target's slot. Requires passes and lifetimes.
+/// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
 void shareTextures(const State& state, Plan& plan);
 
 // compile_samples.cpp
 void chooseSamples(State& state);
 
 // compile_costs.cpp
-/// Of all mip levels.
+/// Of all mip levels and copies.
 double textureBytes(const PlanTexture& texture);
 /// Fills in the bytes of each pass and of the textures.
 void estimateBytes(Plan& plan);

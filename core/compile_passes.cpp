@@ -263,6 +263,7 @@ Plan Builder::build()
 {
     plan_.config = description_.name;
     plan_.extent = state_.options.extent;
+    plan_.views = std::max(state_.traits.views, 1);
     collectUsed();
     addTargets();
     for (const int index : state_.order)

@@ -263,6 +263,12 @@ void shareTextures(const State& state, Plan& plan)
         texture.samples = 1;
         target.texture = slots.take(texture, target.first_pass, target.last_pass);
     }
+    for (const PlanTarget& target : plan.targets) {
+        if (target.last_pass < static_cast<int>(plan.passes.size())) continue;
+        plan.textures[target.texture].copies = plan.views;
+        if (target.history_texture >= 0)
+            plan.textures[target.history_texture].copies = plan.views;
+    }
 }
 
 }  // namespace crevice::compiler

@@ -16,6 +16,13 @@ TextureId findTexture(const std::vector<ImportedTexture>& textures, std::string_
     return {};
 }
 
+TextureId findTexture(const Frame& frame, std::size_t view, std::string_view name)
+{
+    const TextureId own =
+        view > 0 ? findTexture(frame.other_views[view - 1].textures, name) : TextureId{};
+    return own ? own : findTexture(frame.textures, name);
+}
+
 Diagnostic missing(const ImportDesc& import)
 {
     Diagnostic error{Code::missing_import,
@@ -41,32 +48,37 @@ Diagnostic otherSamples(const ImportDesc& import, const char* pass, int samples)
 
 }  // namespace
 
-Status Execution::checkImports(const std::vector<ImportedTexture>& textures) const
+Status Execution::checkImports(const Frame& frame) const
 {
     for (const ImportDesc& import : plan_.imports)
         if (import.type == ImportType::texture && !import.optional &&
-            !findTexture(textures, import.name)) return missing(import);
-    for (const PreparedPass& pass : passes_) {
-        for (const TextureBinding& binding : pass.textures) {
-            if (binding.import < 0) continue;
-            const ImportDesc& import = plan_.imports[binding.import];
-            const TextureId texture = findTexture(textures, import.name);
-            const int samples = texture ? device_.samples(texture) : 1;
-            if (binding.multisampled != (samples > 1))
-                return otherSamples(import, pass.info.label, samples);
+            !findTexture(frame.textures, import.name)) return missing(import);
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        for (const PreparedPass& pass : views_[view].passes) {
+            for (const TextureBinding& binding : pass.textures) {
+                if (binding.import < 0) continue;
+                const ImportDesc& import = plan_.imports[binding.import];
+                const TextureId texture = findTexture(frame, view, import.name);
+                const int samples = texture ? device_.samples(texture) : 1;
+                if (binding.multisampled != (samples > 1))
+                    return otherSamples(import, pass.info.label, samples);
+            }
         }
     }
     return {};
 }
 
-Status Execution::setImports(const std::vector<ImportedTexture>& textures)
+Status Execution::setImports(const Frame& frame)
 {
-    if (Status status = checkImports(textures); !status) return status;
-    for (PreparedPass& pass : passes_) {
-        for (TextureBinding& binding : pass.textures) {
-            if (binding.import < 0) continue;
-            const TextureId texture = findTexture(textures, plan_.imports[binding.import].name);
-            binding.texture = texture ? texture : black_.id();
+    if (Status status = checkImports(frame); !status) return status;
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        for (PreparedPass& pass : views_[view].passes) {
+            for (TextureBinding& binding : pass.textures) {
+                if (binding.import < 0) continue;
+                const TextureId texture =
+                    findTexture(frame, view, plan_.imports[binding.import].name);
+                binding.texture = texture ? texture : black_.id();
+            }
         }
     }
     return {};
@@ -74,29 +86,39 @@ Status Execution::setImports(const std::vector<ImportedTexture>& textures)
 
 Status Execution::run(const Frame& frame)
 {
-    const CameraMatrices camera = begin(frame);
-    for (const PreparedPass& pass : passes_) runPass(pass, frame, camera);
-    return end(camera);
+    begin();
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        const CameraMatrices camera = beginView(frame, view);
+        for (const PreparedPass& pass : views_[view].passes) runPass(pass, frame, camera);
+    }
+    return end();
 }
 
-CameraMatrices Execution::begin(const Frame& frame)
+void Execution::begin()
 {
-    const CameraMatrices camera = cameraMatrices(frame.camera);
-    if (frame.camera_cut || !history_.valid) history_.camera = camera;
-    history_.valid = history_.valid && !frame.camera_cut;
-    values_.setFrame(frame, camera);
-    values_.setHistory(history_, camera);
     swapHistories();
     device_.beginFrame();
     if (!remembers_) clearHistories();
     remembers_ = true;
+}
+
+/// Puts the view's values into the table.
+CameraMatrices Execution::beginView(const Frame& frame, std::size_t view)
+{
+    const CameraMatrices camera = cameraMatrices(cameraOf(frame, view));
+    FrameHistory& history = views_[view].history;
+    history.valid = history.valid && !frame.camera_cut;
+    if (!history.valid) history.camera = camera;
+    values_.setFrame(frame, camera);
+    values_.setHistory(history, camera);
+    history = {true, (history.frame_index + 1) % kFrameIndices, camera};
     return camera;
 }
 
-Status Execution::end(const CameraMatrices& camera)
+Status Execution::end()
 {
     Status status = device_.endFrame();
-    history_ = {status.ok(), (history_.frame_index + 1) % kFrameIndices, camera};
+    for (PreparedView& view : views_) view.history.valid = status.ok();
     return status;
 }
 
@@ -104,11 +126,13 @@ Status Execution::end(const CameraMatrices& camera)
 void Execution::swapHistories()
 {
     swapped_ = !swapped_;
-    for (PreparedPass& pass : passes_) {
-        for (TextureBinding& binding : pass.textures)
-            if (binding.other) std::swap(binding.texture, binding.other);
-        if (pass.other.id())
-            pass.info.framebuffer = (swapped_ ? pass.other : pass.framebuffer).id();
+    for (PreparedView& view : views_) {
+        for (PreparedPass& pass : view.passes) {
+            for (TextureBinding& binding : pass.textures)
+                if (binding.other) std::swap(binding.texture, binding.other);
+            if (pass.other.id())
+                pass.info.framebuffer = (swapped_ ? pass.other : pass.framebuffer).id();
+        }
     }
 }
 
@@ -116,20 +140,24 @@ void Execution::swapHistories()
 // by `history_valid` could read that, for it may be no number.
 void Execution::clearHistories()
 {
-    for (const PreparedPass& pass : passes_) {
-        if (!pass.other.id()) continue;
-        PassInfo info = pass.info;
-        info.framebuffer = (swapped_ ? pass.framebuffer : pass.other).id();
-        for (int i = 0; i < info.color_count; ++i) {
-            info.color_load[i] = LoadOp::clear;
-            info.color_store[i] = StoreOp::store;
-            std::fill(std::begin(info.clear_color[i]), std::end(info.clear_color[i]), 0.0f);
-        }
-        info.depth_load = LoadOp::clear;
-        info.depth_store = StoreOp::store;
-        device_.beginPass(info);
-        device_.endPass();
+    for (const PreparedView& view : views_)
+        for (const PreparedPass& pass : view.passes)
+            if (pass.other.id()) clearHistory(pass);
+}
+
+void Execution::clearHistory(const PreparedPass& pass)
+{
+    PassInfo info = pass.info;
+    info.framebuffer = (swapped_ ? pass.framebuffer : pass.other).id();
+    for (int i = 0; i < info.color_count; ++i) {
+        info.color_load[i] = LoadOp::clear;
+        info.color_store[i] = StoreOp::store;
+        std::fill(std::begin(info.clear_color[i]), std::end(info.clear_color[i]), 0.0f);
     }
+    info.depth_load = LoadOp::clear;
+    info.depth_store = StoreOp::store;
+    device_.beginPass(info);
+    device_.endPass();
 }
 
 void Execution::runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
@@ -175,12 +203,13 @@ void Execution::setUniforms(const std::vector<UniformBinding>& uniforms)
                            values_.data(uniform.offset));
 }
 
-TextureId Execution::output(std::string_view name) const
+TextureId Execution::output(std::string_view name, int view) const
 {
+    if (view < 0 || view >= plan_.views) return {};
     for (const PlanOutput& output : plan_.outputs) {
         if (output.name != name) continue;
         if (output.constant >= 0) return constants_[output.constant].id();
-        return targetTexture(output.target, swapped_);
+        return targetTexture(output.target, view, swapped_);
     }
     return {};
 }

@@ -25,8 +25,9 @@ public:
     static Result<std::unique_ptr<Execution>> create(Device& device, const Description& description,
                                                      Plan plan, const Execution* previous);
 
-    /// Takes the host's textures for the plan's imports. Errors: CV6010; then nothing changed.
-    Status setImports(const std::vector<ImportedTexture>& textures);
+    /// Takes the host's textures for the plan's imports. Requires a frame of the plan's views.
+    /// Errors: CV6010; then nothing changed.
+    Status setImports(const Frame& frame);
 
     /// Draws the plan. Requires that `checkFrame` had nothing against the frame and that its
     /// imports were set. Errors: CV6005.
@@ -37,7 +38,7 @@ public:
 
     void setParam(const ParamDesc& param) { values_.setParam(param); }
 
-    TextureId output(std::string_view name) const;
+    TextureId output(std::string_view name, int view) const;
     const Plan& plan() const { return plan_; }
 
 private:
@@ -72,6 +73,11 @@ private:
         Owned<FramebufferId> other;  // that takes its place in every second frame; null likewise
     };
 
+    struct PreparedView {
+        FrameHistory history;
+        std::vector<PreparedPass> passes;  // the plan's
+    };
+
     Execution(Device& device, const Description& description, Plan plan);
 
     // execution_build.cpp
@@ -79,31 +85,36 @@ private:
     Status createTextures();
     Status createGenerated();
     Status createPrograms(const Execution* previous);
-    Status createPasses();
+    Status createPasses(int view);
     Status createFilled(const std::string& label, Format format, const Image& image,
                         Owned<TextureId>& texture);
-    Status createFramebuffers(const PlanPass& pass, PreparedPass& prepared);
-    Status createFramebuffer(const PlanPass& pass, bool swapped, Owned<FramebufferId>& framebuffer);
+    Status createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared);
+    Status createFramebuffer(const PlanPass& pass, int view, bool swapped,
+                             Owned<FramebufferId>& framebuffer);
     std::shared_ptr<Owned<ProgramId>> programOf(const std::string& key) const;
-    void bindUniform(const PlanPass& pass, const UniformInfo& uniform, PreparedPass& prepared,
-                     Diagnostics& errors);
+    void bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
+                     PreparedPass& prepared, Diagnostics& errors);
     void bindTexture(const PlanPass& pass, const PlanInput& input, const UniformInfo& uniform,
-                     PreparedPass& prepared);
-    TextureId textureOf(const PlanInput& input, bool swapped) const;
-    TextureId targetTexture(int target, bool swapped) const;
-    TextureId historyTexture(int target, bool swapped) const;
+                     int view, PreparedPass& prepared);
+    TextureId textureOf(const PlanInput& input, int view, bool swapped) const;
+    TextureId targetTexture(int target, int view, bool swapped) const;
+    TextureId texture(int index, int view) const;
+    TextureId historyTexture(int target, int view, bool swapped) const;
 
     // execution_timed.cpp
-    TimingMethod timePass(std::size_t index, const Frame& frame, const CameraMatrices& camera,
-                          double& clock_ms);
+    TimingMethod timePass(const PreparedPass& pass, int slot, const Frame& frame,
+                          const CameraMatrices& camera, double& clock_ms);
+    int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
     void readTimers(FrameTimes& times);
 
     // execution.cpp
-    CameraMatrices begin(const Frame& frame);
-    Status end(const CameraMatrices& camera);
+    void begin();
+    CameraMatrices beginView(const Frame& frame, std::size_t view);
+    Status end();
     void swapHistories();
     void clearHistories();
-    Status checkImports(const std::vector<ImportedTexture>& textures) const;
+    void clearHistory(const PreparedPass& pass);
+    Status checkImports(const Frame& frame) const;
     void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);
@@ -112,18 +123,17 @@ private:
     Device& device_;
     Plan plan_;
     ValueTable values_;
-    FrameHistory history_;
     bool swapped_ = false;    // whether histories and their targets have changed places
     bool remembers_ = false;  // whether histories hold anything
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.
-    std::vector<Owned<TextureId>> textures_;
+    std::vector<std::vector<Owned<TextureId>>> textures_;  // the plan's, with their copies
     std::vector<Owned<TextureId>> constants_;
     std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
     Owned<TextureId> white_;  // for materials without a map
     Owned<TextureId> black_;  // for optional imports that are absent
     std::vector<std::shared_ptr<Owned<ProgramId>>> programs_;
-    std::vector<PreparedPass> passes_;
+    std::vector<PreparedView> views_;
 };
 
 }  // namespace crevice

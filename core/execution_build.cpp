@@ -70,7 +70,7 @@ Result<std::unique_ptr<Execution>> Execution::create(Device& device, const Descr
 }
 
 Execution::Execution(Device& device, const Description& description, Plan plan)
-    : device_(device), plan_(std::move(plan)), values_(description.params)
+    : device_(device), plan_(std::move(plan)), values_(description.params), views_(plan_.views)
 {
 }
 
@@ -79,7 +79,7 @@ Status Execution::build(const Execution* previous)
     Status status = createTextures();
     if (status) status = createGenerated();
     if (status) status = createPrograms(previous);
-    if (status) status = createPasses();
+    for (int view = 0; status && view < plan_.views; ++view) status = createPasses(view);
     return status;
 }
 
@@ -87,11 +87,15 @@ Status Execution::createTextures()
 {
     for (const PlanTexture& texture : plan_.textures) {
         const std::string label = texture.targets.empty() ? "unused" : texture.targets.front();
-        Result<TextureId> id =
-            device_.createTexture({label, texture.format, texture.extent, texture.mips,
-                                   texture.samples});
-        if (!id) return id.diagnostics();
-        textures_.emplace_back(device_, *id);
+        textures_.emplace_back();
+        for (int view = 0; view < texture.copies; ++view) {
+            const std::string of_view = view > 0 ? " of view " + std::to_string(view) : "";
+            Result<TextureId> id =
+                device_.createTexture({label + of_view, texture.format, texture.extent,
+                                       texture.mips, texture.samples});
+            if (!id) return id.diagnostics();
+            textures_.back().emplace_back(device_, *id);
+        }
     }
     for (const PlanConstant& constant : plan_.constants) {
         constants_.emplace_back();
@@ -160,27 +164,28 @@ std::shared_ptr<Owned<ProgramId>> Execution::programOf(const std::string& key) c
     return nullptr;
 }
 
-Status Execution::createPasses()
+Status Execution::createPasses(int view)
 {
     Diagnostics errors;
-    passes_.reserve(plan_.passes.size());
+    std::vector<PreparedPass>& passes = views_[view].passes;
+    passes.reserve(plan_.passes.size());
     for (const PlanPass& pass : plan_.passes) {
-        PreparedPass& prepared = passes_.emplace_back();
+        PreparedPass& prepared = passes.emplace_back();
         prepared.info = passInfo(pass);
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
         prepared.type = pass.type;
-        if (Status status = createFramebuffers(pass, prepared); !status) return status;
+        if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
-            bindUniform(pass, uniform, prepared, errors);
+            bindUniform(pass, uniform, view, prepared, errors);
     }
     return errors;
 }
 
 /// One, or two where the pass writes a target whose history someone reads.
-Status Execution::createFramebuffers(const PlanPass& pass, PreparedPass& prepared)
+Status Execution::createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared)
 {
-    if (Status status = createFramebuffer(pass, false, prepared.framebuffer); !status)
+    if (Status status = createFramebuffer(pass, view, false, prepared.framebuffer); !status)
         return status;
     prepared.info.framebuffer = prepared.framebuffer.id();
     const auto remembered = [this](const PlanAttachment& attachment) {
@@ -188,20 +193,20 @@ Status Execution::createFramebuffers(const PlanPass& pass, PreparedPass& prepare
     };
     if (std::none_of(pass.color.begin(), pass.color.end(), remembered) &&
         !(pass.has_depth && remembered(pass.depth))) return {};
-    return createFramebuffer(pass, true, prepared.other);
+    return createFramebuffer(pass, view, true, prepared.other);
 }
 
-Status Execution::createFramebuffer(const PlanPass& pass, bool swapped,
+Status Execution::createFramebuffer(const PlanPass& pass, int view, bool swapped,
                                     Owned<FramebufferId>& framebuffer)
 {
     FramebufferDesc desc;
     desc.label = pass.name;
     const auto attach = [&](const PlanAttachment& attachment, TextureId& drawn, TextureId& read) {
-        drawn = targetTexture(attachment.target, swapped);
+        drawn = targetTexture(attachment.target, view, swapped);
         if (attachment.target < 0) return;
         const PlanTarget& target = plan_.targets[attachment.target];
         if (target.drawn_texture == target.texture) return;
-        read = std::exchange(drawn, textures_[target.drawn_texture].id());
+        read = std::exchange(drawn, texture(target.drawn_texture, view));
     };
     for (const PlanAttachment& color : pass.color)
         attach(color, desc.color.emplace_back(), desc.resolve_color.emplace_back());
@@ -212,25 +217,31 @@ Status Execution::createFramebuffer(const PlanPass& pass, bool swapped,
     return {};
 }
 
-TextureId Execution::targetTexture(int target, bool swapped) const
+TextureId Execution::targetTexture(int target, int view, bool swapped) const
 {
     if (target < 0) return {};
     const PlanTarget& desc = plan_.targets[target];
     const bool other = swapped && desc.history_texture >= 0;
-    return textures_[other ? desc.history_texture : desc.texture].id();
+    return texture(other ? desc.history_texture : desc.texture, view);
 }
 
-TextureId Execution::historyTexture(int target, bool swapped) const
+TextureId Execution::texture(int index, int view) const
 {
-    return targetTexture(target, !swapped);
+    const std::vector<Owned<TextureId>>& copies = textures_[index];
+    return copies[copies.size() > 1 ? view : 0].id();
+}
+
+TextureId Execution::historyTexture(int target, int view, bool swapped) const
+{
+    return targetTexture(target, view, !swapped);
 }
 
 /// The texture behind an input; null for those that a frame brings.
-TextureId Execution::textureOf(const PlanInput& input, bool swapped) const
+TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) const
 {
     switch (input.kind) {
-    case InputKind::target: return targetTexture(input.index, swapped);
-    case InputKind::history: return historyTexture(input.index, swapped);
+    case InputKind::target: return targetTexture(input.index, view, swapped);
+    case InputKind::history: return historyTexture(input.index, view, swapped);
     case InputKind::generated: return generated_[input.index].id();
     case InputKind::constant: return constants_[input.index].id();
     case InputKind::imported: case InputKind::material: break;
@@ -240,7 +251,7 @@ TextureId Execution::textureOf(const PlanInput& input, bool swapped) const
 
 /// Finds what feeds an active uniform. The plan was checked against a scan of the text; where the
 /// driver sees more than the scan did, the uniform would silently stay 0.
-void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
+void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
                             PreparedPass& prepared, Diagnostics& errors)
 {
     const PlanProgram& program = plan_.programs[pass.program];
@@ -257,7 +268,7 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
     if (isSampler(uniform.type)) {
         const PlanInput* input = inputOf(pass, uniform.name);
         if (!input) return report(Code::uniform_unbound, "which no texture is bound to");
-        return bindTexture(pass, *input, uniform, prepared);
+        return bindTexture(pass, *input, uniform, view, prepared);
     }
     const Value* value = values_.find(valueOf(pass, uniform.name));
     if (!value) return report(Code::uniform_unbound, "which nothing supplies");
@@ -270,14 +281,14 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform,
 }
 
 void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,
-                            const UniformInfo& uniform, PreparedPass& prepared)
+                            const UniformInfo& uniform, int view, PreparedPass& prepared)
 {
     TextureBinding binding;
     binding.location = uniform.location;
     binding.multisampled = uniform.type == GlslType::sampler2d_ms;
     binding.unit = static_cast<int>(&input - pass.inputs.data());
-    binding.texture = textureOf(input, false);
-    const TextureId other = textureOf(input, true);
+    binding.texture = textureOf(input, view, false);
+    const TextureId other = textureOf(input, view, true);
     if (other.value != binding.texture.value) binding.other = other;
     binding.sampling = input.sampling;
     if (input.kind == InputKind::imported) binding.import = input.index;

@@ -19,13 +19,18 @@ double millisecondsSince(Clock::time_point begin)
 Result<FrameTimes> Execution::runTimed(const Frame& frame)
 {
     FrameTimes times;
-    times.pass_ms.resize(passes_.size());
+    times.pass_ms.resize(plan_.passes.size());
     device_.finish();
     const Clock::time_point start = Clock::now();
-    const CameraMatrices camera = begin(frame);
-    for (std::size_t i = 0; i < passes_.size(); ++i)
-        times.method = timePass(i, frame, camera, times.pass_ms[i]);
-    if (Status status = end(camera); !status) return status.diagnostics();
+    begin();
+    int slot = 0;
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        const CameraMatrices camera = beginView(frame, view);
+        for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
+            times.method =
+                timePass(views_[view].passes[i], slot++, frame, camera, times.pass_ms[i]);
+    }
+    if (Status status = end(); !status) return status.diagnostics();
     device_.finish();
     times.total_ms = millisecondsSince(start);
     if (times.method == TimingMethod::gpu_timer) readTimers(times);
@@ -33,32 +38,31 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
 }
 
 /// The method is the same for every pass: the device's answer is, and so is the count of passes.
-/// With the GPU's timer, `clock_ms` stays as it is.
-TimingMethod Execution::timePass(std::size_t index, const Frame& frame,
+/// Adds to `clock_ms`; with the GPU's timer that stays as it is.
+TimingMethod Execution::timePass(const PreparedPass& pass, int slot, const Frame& frame,
                                  const CameraMatrices& camera, double& clock_ms)
 {
-    if (passes_.size() <= kMaxTimers && device_.beginTimer(static_cast<int>(index))) {
-        runPass(passes_[index], frame, camera);
+    if (runCount() <= kMaxTimers && device_.beginTimer(slot)) {
+        runPass(pass, frame, camera);
         device_.endTimer();
         return TimingMethod::gpu_timer;
     }
     const Clock::time_point begin = Clock::now();
-    runPass(passes_[index], frame, camera);
+    runPass(pass, frame, camera);
     device_.finish();
-    clock_ms = millisecondsSince(begin);
+    clock_ms += millisecondsSince(begin);
     return TimingMethod::wall_clock;
 }
 
 void Execution::readTimers(FrameTimes& times)
 {
     times.total_ms = 0;
-    bool valid = true;
-    for (std::size_t i = 0; i < times.pass_ms.size(); ++i) {
-        times.pass_ms[i] = device_.readTimer(static_cast<int>(i));
-        times.total_ms += times.pass_ms[i];
-        valid = valid && times.pass_ms[i] >= 0;
+    for (int slot = 0; slot < runCount(); ++slot) {
+        const double ms = device_.readTimer(slot);
+        double& pass_ms = times.pass_ms[slot % times.pass_ms.size()];
+        pass_ms = ms < 0 || pass_ms < 0 ? -1 : pass_ms + ms;
+        times.total_ms = ms < 0 || times.total_ms < 0 ? -1 : times.total_ms + ms;
     }
-    if (!valid) times.total_ms = -1;
 }
 
 }  // namespace crevice

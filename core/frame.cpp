@@ -15,12 +15,17 @@ bool Camera::orthographic() const
     return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f;
 }
 
+const Camera& cameraOf(const Frame& frame, std::size_t view)
+{
+    return view == 0 ? frame.camera : frame.other_views[view - 1].camera;
+}
+
 bool SceneTraits::operator==(const SceneTraits& other) const
 {
     return lights == other.lights && alpha_tested == other.alpha_tested &&
            specular == other.specular && textured == other.textured &&
            orthographic == other.orthographic && normal_mapped == other.normal_mapped &&
-           baked_occlusion == other.baked_occlusion;
+           baked_occlusion == other.baked_occlusion && views == other.views;
 }
 
 SceneTraits traitsOf(const Frame& frame)
@@ -28,6 +33,7 @@ SceneTraits traitsOf(const Frame& frame)
     SceneTraits traits;
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     traits.orthographic = frame.camera.orthographic();
+    traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {
         if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size())) continue;
         const Material& material = frame.materials[draw.material];

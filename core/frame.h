@@ -17,6 +17,9 @@
 //              and the one after a cut); mat4 previous_view_from_view, previous_clip_from_view
 //              (from this frame's view space to the last one's); int frame_index, [0, 1024)
 //   pass       vec2 viewport_size, in pixels of the pass
+//
+// A frame may have further views, such as the right eye: the plan then runs once for each, and
+// camera, lights and the matrices of the last frame are those of the view at hand.
 #pragma once
 
 #include "core/device.h"
@@ -80,6 +83,12 @@ struct ImportedTexture {
     TextureId texture = {};
 };
 
+/// A further view of the same things.
+struct FrameView {
+    Camera camera;
+    std::vector<ImportedTexture> textures;  ///< Its own, such as its depth; else the frame's.
+};
+
 /// A frame's input. The host keeps it and changes it in place, so that a steady frame allocates
 /// nothing.
 struct Frame {
@@ -89,8 +98,12 @@ struct Frame {
     std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
+    std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic if `camera` (view 0) is.
     bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
 };
+
+/// The camera of a view: 0 is `frame.camera`. Requires 0 <= view <= other_views.size().
+const Camera& cameraOf(const Frame& frame, std::size_t view);
 
 /// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
 struct SceneTraits {
@@ -101,6 +114,7 @@ struct SceneTraits {
     bool orthographic = false;   ///< camera.orthographic
     bool normal_mapped = false;  ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
+    int views = 1;                 ///< camera.views
 
     bool operator==(const SceneTraits& other) const;
 };

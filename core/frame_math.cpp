@@ -58,19 +58,38 @@ Diagnostic bad(std::string what, std::string help)
     return diagnostic;
 }
 
-Status checkCamera(const Camera& camera)
+std::string ownedBy(std::size_t view, const char* matrix)
 {
-    const auto check = [](const glm::mat4& matrix, const char* name) -> Status {
+    return (view == 0 ? "the camera" : "view " + std::to_string(view)) + "'s " + matrix;
+}
+
+Status checkCamera(const Camera& camera, std::size_t view)
+{
+    const auto check = [view](const glm::mat4& matrix, const char* name) -> Status {
         if (!finite(matrix))
-            return bad(std::string("the camera's ") + name + " is not finite",
+            return bad(ownedBy(view, name) + " is not finite",
                        "look for a zero aspect ratio, near plane or up vector");
         if (!invertible(matrix))
-            return bad(std::string("the camera's ") + name + " has no inverse",
+            return bad(ownedBy(view, name) + " has no inverse",
                        "near and far plane must differ, and neither width nor height be 0");
         return {};
     };
     if (Status status = check(camera.clip_from_view, "clip_from_view"); !status) return status;
     return check(camera.view_from_world, "view_from_world");
+}
+
+Status checkViews(const Frame& frame)
+{
+    const bool orthographic = frame.camera.orthographic();
+    for (std::size_t view = 0; view <= frame.other_views.size(); ++view) {
+        const Camera& camera = cameraOf(frame, view);
+        if (Status status = checkCamera(camera, view); !status) return status;
+        if (camera.orthographic() != orthographic)
+            return bad("view " + std::to_string(view) + (orthographic ? " is not" : " is") +
+                           " orthographic, and the camera is" + (orthographic ? "" : " not"),
+                       "draw it as a frame of its own, by another renderer");
+    }
+    return {};
 }
 
 Diagnostic whyNotDrawable(const Frame& frame, std::size_t index)
@@ -132,7 +151,7 @@ glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world)
 
 Status checkFrame(const Frame& frame)
 {
-    if (Status status = checkCamera(frame.camera); !status) return status;
+    if (Status status = checkViews(frame); !status) return status;
     for (std::size_t i = 0; i < frame.draws.size(); ++i)
         if (frame.draws[i].count > 0 && !drawable(frame, frame.draws[i])) 
             return whyNotDrawable(frame, i);

@@ -40,8 +40,9 @@ glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 /// How a light's cone dims it, as (x, y, z, w) of core/frame.h; (0, 0, 0, 1) of all but spots.
 glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world);
 
-/// What no shader could draw: numbers that are not finite, a camera without an inverse, a draw
-/// without a mesh or with a material that is not there. Errors: CV6011.
+/// What no shader could draw: numbers that are not finite, a camera without an inverse, views of
+/// which not all are orthographic, a draw without a mesh or with a material that is not there.
+/// Errors: CV6011.
 Status checkFrame(const Frame& frame);
 
 }  // namespace crevice

@@ -15,7 +15,8 @@ enum class TimingMethod {
 struct FrameTimes {
     TimingMethod method = TimingMethod::wall_clock;
 
-    /// In the order of the plan's passes. Negative where the GPU's timer gave no valid result.
+    /// In the order of the plan's passes, each with all views together. Negative where the GPU's
+    /// timer gave no valid result.
     std::vector<double> pass_ms = {};
 
     /// By the clock: all of the frame, with what lies between the passes. By the GPU's timer: the

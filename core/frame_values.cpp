@@ -40,7 +40,7 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"occlusion_strength", GlslType::float_, 1, kDrawList},
 };
 
-const TraitInfo kTraits[7] = {
+const TraitInfo kTraits[8] = {
     {"scene.lights", "SCENE_LIGHTS",
      [](const SceneTraits& traits) { return std::min(traits.lights, kMaxLights); }, true},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED",
@@ -51,6 +51,7 @@ const TraitInfo kTraits[7] = {
      [](const SceneTraits& traits) { return int(traits.textured); }, false},
     {"camera.orthographic", "CAMERA_ORTHOGRAPHIC",
      [](const SceneTraits& traits) { return int(traits.orthographic); }, false},
+    {"camera.views", "CAMERA_VIEWS", [](const SceneTraits& traits) { return traits.views; }, true},
     {"scene.normal_mapped", "SCENE_NORMAL_MAPPED",
      [](const SceneTraits& traits) { return int(traits.normal_mapped); }, false},
     {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION",

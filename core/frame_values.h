@@ -41,7 +41,7 @@ struct TraitInfo {
     bool counted;  ///< A number, of which true means at least one; else 0 or 1.
 };
 
-extern const TraitInfo kTraits[7];
+extern const TraitInfo kTraits[8];
 
 /// The trait of that name, or null.
 const TraitInfo* findTrait(std::string_view name);

@@ -22,6 +22,8 @@ struct PlanTexture {
     int mips = 1;
     int samples = 1;
     std::vector<std::string> targets;  ///< In the order in which they use it.
+    int copies = 1;  ///< One for all views, which use it in turn; or one a view, where what it
+                     ///< holds outlives the view's passes: an output, a history.
 };
 
 /// A target that some active pass writes.
@@ -73,7 +75,7 @@ struct PlanPass {
     StateDesc state;
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.
-    double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel.
+    double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
     double bytes_written = 0;  ///< An estimate a frame.
 };
 
@@ -109,6 +111,7 @@ struct PlanOutput {
 struct Plan {
     std::string config;
     Extent extent;
+    int views = 1;  ///< Every pass runs once for each, all passes of one before the next.
     std::vector<PlanPass> passes;
     std::vector<PlanTarget> targets;
     std::vector<PlanTexture> textures;
@@ -118,7 +121,7 @@ struct Plan {
     std::vector<ImportDesc> imports;       ///< Those that a pass uses.
     std::vector<PlanOutput> outputs;
     std::vector<LeftOut> left_out;
-    double texture_bytes = 0;  ///< Of `textures`.
+    double texture_bytes = 0;  ///< Of `textures`, with all their copies.
 };
 
 struct CompileOptions {

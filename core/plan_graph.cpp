@@ -39,7 +39,8 @@ GraphNode targetNode(const Plan& plan, int index)
     const PlanTexture& texture = textureOf(plan, index);
     return {"target_" + target.name, Shape::texture, target.name,
             std::string(formatInfo(texture.format).name) + " " + sizeText(texture.extent) +
-                ", texture " + std::to_string(target.texture)};
+                ", texture " + std::to_string(target.texture) +
+                (texture.copies > 1 ? ", one a view" : "")};
 }
 
 GraphNode constantNode(const Plan& plan, int index)
@@ -62,8 +63,9 @@ GraphNode inputNode(const Plan& plan, const PlanInput& input)
 
 void addPass(const Plan& plan, const PlanPass& pass, Graph& graph)
 {
-    const std::string detail = plan.programs[pass.program].label + " " + sizeText(pass.extent) +
-                               samplesText(pass.samples);
+    std::string detail = plan.programs[pass.program].label + " " + sizeText(pass.extent) +
+                         samplesText(pass.samples);
+    if (plan.views > 1) detail += ", " + std::to_string(plan.views) + " views";
     const std::string id = graph.add({"pass_" + pass.name, Shape::pass, pass.name, detail});
     for (const PlanInput& input : pass.inputs)
         graph.edges.emplace_back(graph.add(inputNode(plan, input)), id);

@@ -106,7 +106,8 @@ std::string textureJson(const PlanTexture& texture)
     return "{\"format\": " + json(formatInfo(texture.format).name) + ", \"extent\": " +
            json(texture.extent) + ", \"mips\": " + json(texture.mips) + ", \"samples\": " +
            json(texture.samples) + ", \"bytes\": " +
-           bytesJson(compiler::textureBytes(texture)) + ", \"targets\": [" + targets + "]}";
+           bytesJson(compiler::textureBytes(texture)) + ", \"copies\": " + json(texture.copies) +
+           ", \"targets\": [" + targets + "]}";
 }
 
 std::string programJson(const PlanProgram& program)
@@ -147,6 +148,7 @@ std::string toJson(const Plan& plan)
     const auto pass = [&](const PlanPass& each) { return passJson(plan, each); };
     const auto output = [&](const PlanOutput& each) { return outputJson(plan, each); };
     return "{\n  \"config\": " + json(plan.config) + ",\n  \"extent\": " + json(plan.extent) +
+           ",\n  \"views\": " + json(plan.views) +
            ",\n  \"texture_bytes\": " + bytesJson(plan.texture_bytes) +
            ",\n  \"passes\": " + list(plan.passes, pass) +
            ",\n  \"targets\": " + list(plan.targets, targetJson) +

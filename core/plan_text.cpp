@@ -84,6 +84,13 @@ std::string counted(std::size_t count, const std::string& what)
     return std::to_string(count) + " " + what + (count == 1 ? "" : what == "pass" ? "es" : "s");
 }
 
+std::size_t textureCount(const Plan& plan)
+{
+    std::size_t count = 0;
+    for (const PlanTexture& texture : plan.textures) count += texture.copies;
+    return count;
+}
+
 std::string samplingText(const SamplerDesc& sampling)
 {
     return table::spellings(Filter{})[static_cast<std::size_t>(sampling.filter)] + ", " +
@@ -144,6 +151,7 @@ std::string textureText(const Plan& plan, std::size_t index)
     std::string text = "  " + std::to_string(index) + ": " + formatInfo(texture.format).name + " " +
                        sizeText(texture.extent) + samplesText(texture.samples);
     if (texture.mips > 1) text += ", " + std::to_string(texture.mips) + " mips";
+    if (texture.copies > 1) text += ", one a view";
     text += ", " + bytesText(compiler::textureBytes(texture)) + ":";
     const char* separator = " ";
     for (const std::string& target : texture.targets) {
@@ -167,8 +175,9 @@ std::string outputText(const Plan& plan, const PlanOutput& output)
 std::string toText(const Plan& plan)
 {
     std::string text = "plan " + plan.config + " " + sizeText(plan.extent) + ": " +
-                       counted(plan.passes.size(), "pass") + ", " +
-                       counted(plan.textures.size(), "texture") + ", " +
+                       counted(plan.passes.size(), "pass") +
+                       (plan.views > 1 ? " for each of " + counted(plan.views, "view") : "") +
+                       ", " + counted(textureCount(plan), "texture") + ", " +
                        bytesText(plan.texture_bytes) + "\npasses\n";
     for (const PlanPass& pass : plan.passes) text += passText(plan, pass);
     text += "textures\n";

@@ -139,10 +139,10 @@ Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& fram
 {
     if (Status status = checkFrame(frame); !status) return status;
     const SceneTraits traits = traitsOf(frame);
-    if (traits == state->traits) return state->execution->setImports(frame.textures);
+    if (traits == state->traits) return state->execution->setImports(frame);
     auto next = make(state->device, state->description, state->options, traits, state.get());
     if (!next) return next.diagnostics();
-    if (Status status = (*next)->execution->setImports(frame.textures); !status) return status;
+    if (Status status = (*next)->execution->setImports(frame); !status) return status;
     state = std::move(*next);
     return {};
 }
@@ -227,7 +227,11 @@ Status Renderer::resize(Extent extent)
     return State::replan(state_, state_->description, options);
 }
 
-TextureId Renderer::output(std::string_view name) const { return state_->execution->output(name); }
+TextureId Renderer::output(std::string_view name, int view) const
+{
+    return state_->execution->output(name, view);
+}
+
 const Plan& Renderer::plan() const { return state_->execution->plan(); }
 const Description& Renderer::description() const { return state_->description; }
 

@@ -39,8 +39,8 @@ public:
     Status render(const Frame& frame);
 
     /// The same, but measures how long each pass takes: by the GPU's timer where the device has one
-    /// and the plan has at most kMaxTimers passes, else by the clock, waiting for the GPU after each
-    /// pass. Slower than `render`, and allocates.
+    /// and the plan's views have at most kMaxTimers passes together, else by the clock, waiting for
+    /// the GPU after each pass. Slower than `render`, and allocates.
     ///
     /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
     Result<FrameTimes> renderTimed(const Frame& frame);
@@ -60,9 +60,10 @@ public:
     /// Plans anew for another size. Errors: those of `create`; the old size stays.
     Status resize(Extent extent);
 
-    /// The texture behind an output: owned by the renderer, valid until the next plan, or the next
-    /// frame where the output is a target with a history. Null when there is none.
-    TextureId output(std::string_view name) const;
+    /// The texture behind an output of a view, 0 up to `plan().views`: owned by the renderer, valid
+    /// until the next plan, or the next frame where the output is a target with a history. Null
+    /// when there is none.
+    TextureId output(std::string_view name, int view = 0) const;
 
     const Plan& plan() const;
     const Description& description() const;
