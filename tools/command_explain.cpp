@@ -28,6 +28,7 @@ struct ExplainOptions {
     std::vector<std::string> keep;
     std::string why;
     std::string format = "text";
+    int views = 1;
 };
 
 int explainValue(const ExplainOptions& options, const SourceSet& sources)
@@ -77,8 +78,9 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
         if (!source) return source.diagnostics();
         compile_options.outputs.push_back(source->output);
     }
-    const Result<SceneTraits> traits = sceneTraits(options.scene);
+    Result<SceneTraits> traits = sceneTraits(options.scene);
     if (!traits) return traits.diagnostics();
+    traits->views = options.views;
     const Result<DeviceCaps> caps = deviceCaps(options.backend);
     if (!caps) return caps.diagnostics();
     return compile(*description, *traits, *caps, compile_options);
@@ -120,6 +122,10 @@ void addExplainCommand(CLI::App& app, int& exit_code)
                                    "Switch off a rule that leaves things out: unread, condition, "
                                    "identity, sharing or all; may be repeated")
                    ->check(CLI::IsMember({"unread", "condition", "identity", "sharing", "all"})));
+    command->add_option("--views", options->views,
+                        "Plan for frames of that many views, 2 for stereo")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
     command->add_option("--why", options->why,
                         "Tell which files set this value: a param's or feature's name, "
                         "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");

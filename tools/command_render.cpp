@@ -9,6 +9,7 @@
 #include "tools/read_output.h"
 #include "tools/scene_options.h"
 #include "tools/scene_upload.h"
+#include "tools/stereo.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@ namespace {
 struct RenderOptions {
     ConfigOptions config;
     SceneOptions scene;
+    StereoOptions stereo;
     std::string backend;
     std::vector<std::string> out = {"color=color.png"};
     int frames = 1;
@@ -38,7 +40,8 @@ struct Picture {
 /// What the run tells when it is done.
 struct Summary {
     std::string config, scene, device;
-    Extent extent;
+    Extent extent;  ///< Of a view.
+    int views = 1;
     long long triangles = 0;
     std::size_t passes = 0;
     double ms = 0;  ///< Wall clock of the first frame, the wait for the GPU included.
@@ -85,6 +88,11 @@ Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
     Result<Image> image = readOutput(device, renderer, picture.source.output);
     if (!image) return image.diagnostics();
     picture.image = std::move(*image);
+    if (renderer.plan().views > 1) {
+        const Result<Image> right = readOutput(device, renderer, picture.source.output, 1);
+        if (!right) return right.diagnostics();
+        picture.image = sideBySide(picture.image, *right);
+    }
     applyView(picture.image, picture.source);
     return {};
 }
@@ -97,13 +105,16 @@ Result<Summary> draw(const RenderOptions& options, const SceneView& view, Descri
     CompileOptions compile_options;
     compile_options.extent = view.extent;
     compile_options.outputs = outputs;
+    const Result<std::vector<SceneCamera>> cameras =
+        eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
+    if (!cameras) return cameras.diagnostics();
     const Result<OpenDevice> open = openDevice(options.backend);
     if (!open) return open.diagnostics();
     Device& device = *open->device;
     progress.begin("uploading the scene");
     const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
     if (!scene) return scene.diagnostics();
-    const Frame frame = makeFrame(*scene, view.camera, view.extent);
+    const Frame frame = makeFrame(*scene, *cameras, view.extent);
     progress.begin("compiling shaders");
     const Result<std::unique_ptr<Renderer>> created =
         Renderer::create(device, std::move(description), compile_options, traitsOf(frame));
@@ -128,8 +139,8 @@ Result<Summary> draw(const RenderOptions& options, const SceneView& view, Descri
     append(warnings, created.diagnostics());
     append(warnings, drawn.diagnostics());
     return {Summary{renderer.description().name, view.scene.name, open->context->description(),
-                    view.extent, triangleCount(view.scene), renderer.plan().passes.size(),
-                    time.count()},
+                    view.extent, renderer.plan().views, triangleCount(view.scene),
+                    renderer.plan().passes.size(), time.count()},
             std::move(warnings)};
 }
 
@@ -143,9 +154,10 @@ Status writePictures(const std::vector<Picture>& pictures)
 
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
 {
-    std::fprintf(stderr, "%s: %d passes over %s, %lld triangles, %dx%d\n", summary.config.c_str(),
-                 static_cast<int>(summary.passes), summary.scene.c_str(), summary.triangles,
-                 summary.extent.width, summary.extent.height);
+    std::fprintf(stderr, "%s: %d passes over %s, %lld triangles, %dx%d%s\n",
+                 summary.config.c_str(), static_cast<int>(summary.passes), summary.scene.c_str(),
+                 summary.triangles, summary.extent.width, summary.extent.height,
+                 summary.views > 1 ? " an eye" : "");
     std::fprintf(stderr, "on %s\n", summary.device.c_str());
     std::fprintf(stderr, "drawn in %.1f ms (wall clock, first frame)\n", summary.ms);
     for (const Picture& picture : pictures)
@@ -165,6 +177,7 @@ void printJson(const Summary& summary, const std::vector<Picture>& pictures,
         {"triangles", summary.triangles},
         {"width", summary.extent.width},
         {"height", summary.extent.height},
+        {"views", summary.views},
         {"passes", summary.passes},
         {"device", summary.device},
         {"first_frame_ms", summary.ms},
@@ -216,6 +229,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     command->add_option("CONFIG", options->config.config, "A shipped config's name, or a file")
         ->required();
     addSceneOptions(*command, options->scene);
+    addStereoOptions(*command, options->stereo);
     addConfigOptions(*command, options->config);
     addBackendOption(*command, options->backend);
     command->add_option("--out", options->out,

@@ -4,9 +4,9 @@
 
 namespace crevice {
 
-Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name)
+Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name, int view)
 {
-    Result<Image> image = device.readTexture(renderer.output(name));
+    Result<Image> image = device.readTexture(renderer.output(name, view));
     if (!image) return image;
     const PlanOutput* output = findNamed(renderer.plan().outputs, name);
     if (output && output->constant >= 0)

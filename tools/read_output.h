@@ -8,10 +8,11 @@
 
 namespace crevice {
 
-/// Reads an output back. One that the plan found to be constant has a single texel, spread out here
-/// over the plan's extent. Requires an output that the renderer was made for, and a frame drawn.
+/// Reads a view's output back. One that the plan found to be constant has a single texel, spread out
+/// here over the plan's extent. Requires an output that the renderer was made for, and a frame drawn.
 ///
 /// Errors: those of Device::readTexture.
-Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name);
+Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name,
+                         int view = 0);
 
 }  // namespace crevice
