@@ -63,6 +63,7 @@ TEST_CASE("A steady frame allocates nothing")
 {
     Rig rig(GENERATE(false, true));
     rig.frame.draws.resize(20, rig.frame.draws[0]);
+    rig.frame.other_views.resize(GENERATE(0, 1));
     rig.draw();
     rig.device.clearLog();
     bool ok = true;

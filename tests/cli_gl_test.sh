@@ -24,6 +24,13 @@ expect 0 'wrote' render learnopengl "${small[@]}" --out target.ao=raw.pfm --out 
     --out view_normal=normal.png --out depth=depth.pfm
 expect 5 'over' compare raw.pfm ao.pfm --max-rmse 0.0001
 
+# Two eyes are two halves of one picture, even where the plan finds it to be constant.
+expect 0 '96x64 an eye' render learnopengl "${small[@]}" --camera 'eye=0,1,3;at=0,1,0' --stereo 0.5 \
+    --out ao=eyes.pfm
+check "both eyes are beside each other" test "$(sed -n 2p eyes.pfm | tr -d '\0')" = "192 64"
+expect 0 '"views": 2' render learnopengl "${small[@]}" --stereo 0.5 --convergence 4 \
+    --set intensity=0 --out ao=eyes.pfm --json
+
 # Intensity 0 leaves the whole AO chain out; the constant still fills the picture.
 expect 0 'wrote' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm
 expect 1 'CV7006|CV7005' compare open.pfm "$readme"

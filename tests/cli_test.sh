@@ -73,6 +73,8 @@ expect 0 '1920x1080' explain learnopengl --size 1920x1080
 expect 0 'left out' explain learnopengl --set intensity=0 --output ao
 expect 1 'CV2209' explain learnopengl --output aoo
 expect 1 'CV4005' explain learnopengl --size 0x0
+expect 0 'for each of 2 views' explain learnopengl --views 2
+expect 2 'views' explain learnopengl --views 0
 
 # --- render, up to where a context is needed ---
 for size in 0x0 -5x3 abc 640 640x 640x480x3 99999999999x2; do
@@ -84,6 +86,9 @@ expect 1 'CV1201' render nothing.json
 expect 1 'CV7001' render learnopengl --scene nothing.glb
 expect 1 'CV7001' render learnopengl --scene castle
 expect 1 'CV7004' render learnopengl --scene plane --camera left
+expect 2 'stereo' render learnopengl --scene plane --stereo -1
+expect 2 'stereo' render learnopengl --scene plane --convergence 2
+expect 2 'CV8001.*orthographic' render learnopengl --scene plane --camera 'eye=0,1,3;ortho=2' --stereo 1
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
 expect 4 'CV7007' render learnopengl --scene plane --out color=nowhere/a.png
