@@ -14,7 +14,7 @@ expect() {
     shift 2
     checks=$((checks + 1))
     "$crevice" "$@" >stdout.txt 2>stderr.txt </dev/null || got=$?
-    if ((got != code)) || ! cat stdout.txt stderr.txt | grep -qE -- "$pattern"; then
+    if ((got != code)) || ! grep -qE -- "$pattern" stdout.txt stderr.txt; then
         failures=$((failures + 1))
         printf 'FAILED: crevice %s\n  exit code %d, wanted %d and /%s/\n' "$*" "$got" "$code" "$pattern"
         sed 's/^/  | /' stdout.txt stderr.txt

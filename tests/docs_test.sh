@@ -22,7 +22,7 @@ for page in "${pages[@]}"; do
 done
 
 for page in "${methods[@]}"; do
-    links_of "$page" | grep -q '^pictures/.*\.png$' || fail "$page: has no picture"
+    grep -q '^pictures/.*\.png$' <<<"$(links_of "$page")" || fail "$page: has no picture"
     grep -qE '^    (for|crevice|tools/)|`tools/[a-z_]+\.sh`' "$page" || fail "$page: names no command"
     grep -q "($(basename -- "$page")" docs/methods/README.md || fail "$page: docs/methods/README.md does not name it"
 done
