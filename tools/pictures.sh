@@ -57,6 +57,7 @@ half ssdo_on color ssdo --set bounce=4
 half lighting_no_ao color gtao --set display=no_ao
 half lighting_everything color gtao --set ao_on=everything
 half lighting_ambient color gtao
+draw stereo 240x180 "$near" color gtao --stereo 0.065
 for config in mobile_low balanced high reference; do half "presets_$config" ao "$config"; done
 
 for filter in none box edges3x3 upsample; do
