@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # crevice bench where something goes wrong: broken scenes and configs, an interrupt, a kill, a full disk,
-# shards. Whatever happened, the points at the end are those of a run that nothing disturbed.
+# shards. Whatever happened, the errors at the end are those of a run that nothing disturbed.
 #   bench_stop_test.sh CREVICE
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/cli_checks.sh"
 
-small=(--size 64x36 --rays 4 --repeats 2 --no-budget --cache cache)
+tiny=(--size 64x36 --rays 4 --no-budget --cache cache)
+small=("${tiny[@]}" --repeats 2)
 got=0
 "$crevice" bench --config learnopengl --scene plane "${small[@]}" --out probe 2>stderr.txt || got=$?
 if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
@@ -42,6 +43,13 @@ check "the report names the scene that is missing" grep -q 'nowhere.glb' report.
 expect 1 'CV7008: the camera sees no surface' bench --config learnopengl --scene corner --scene plane \
     --camera 'eye=0,5,0;at=0,50,1' "${small[@]}" --out away
 expect 0 '1 measured' bench --config learnopengl --scene corner "${small[@]}" --out away
+
+# --- a mean over frames does not depend on how many were timed ---
+for turns in 1 3; do
+    expect 0 '1 measured' bench --config gtao_temporal --scene corner "${tiny[@]}" --repeats "$turns" \
+        --out "frames$turns"
+done
+check "more turns change no error" same_figures frames1 frames3
 
 # --- stopped and gone on ---
 points=(--config learnopengl --config thesis --scene corner --samples 4,8,16 "${small[@]}")

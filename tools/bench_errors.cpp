@@ -137,8 +137,7 @@ Result<Image> drawOutput(const Stage& stage, Description description, const std:
         Renderer::create(stage.device, std::move(description), {stage.extent, {output}, {}},
                          traitsOf(stage.frame));
     if (!renderer) return renderer.diagnostics();
-    if (const Status drawn = (*renderer)->render(stage.frame); !drawn) return drawn.diagnostics();
-    return readOutput(stage.device, **renderer, output);
+    return drawSettled(stage.device, **renderer, stage.frame, output);
 }
 
 Result<Image> convergedOcclusion(const Stage& stage, const Description& description,

@@ -24,7 +24,7 @@ struct Stage {
     Extent extent;
 };
 
-/// One frame of one output of a config.
+/// One output of a config, as drawSettled draws it.
 /// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
 Result<Image> drawOutput(const Stage& stage, Description description, const std::string& output);
 

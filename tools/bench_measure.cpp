@@ -200,9 +200,9 @@ Result<BenchPoint> BenchMeter::measure(const BenchTask& task)
 
     const auto renderer = setting_->makeRenderer(device_, task.description, {"ao"});
     if (!renderer) return renderer.diagnostics();
-    if (const Status timed = measureTimes(**renderer, point); !timed) return timed.diagnostics();
-    const Result<Image> ao = readOutput(device_, **renderer, "ao");
+    const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, "ao");
     if (!ao) return ao.diagnostics();
+    if (const Status timed = measureTimes(**renderer, point); !timed) return timed.diagnostics();
     if (const Status known = measureErrors(task, *ao, point); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, point); !kept) return kept.diagnostics();
 

@@ -15,4 +15,11 @@ namespace crevice {
 Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name,
                          int view = 0);
 
+/// Draws the frame and reads an output. A plan with histories draws it 32 times, by when a mean over frames
+/// has gathered what it can, so that the picture does not depend on what was drawn before.
+///
+/// Errors: those of Renderer::render and of readOutput.
+Result<Image> drawSettled(Device& device, Renderer& renderer, const Frame& frame,
+                          std::string_view name);
+
 }  // namespace crevice
