@@ -45,7 +45,8 @@ highp float blockedOn(March march, Slice slice, Side side, highp float sign)
     highp float blocked = 0.0;
     for (int i = 0; i < STEPS; ++i) {
         highp vec3 offset;
-        if (!offsetAt(march, tapAt(march, slice, sign, i), offset)) continue;
+        highp vec2 at = tapAt(march, slice, sign, i);
+        if (!offsetAt(march, at, offset)) continue;
         highp float weight = weightOf(march, offset);
         highp float rise = cosineOf(march, side, outwards, offset);
         if (weight <= 0.0 || rise <= horizon) continue;

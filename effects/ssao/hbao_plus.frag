@@ -31,6 +31,7 @@ bool pointAt(vec2 at, out vec3 point)
     return stored < 1.0 && at == clamp(at, 0.0, 1.0);
 }
 
+#define SEEN_IN_TILES
 #include "ssao/hbao.glsl"
 #include "ssao/occlusion_curve.glsl"
 

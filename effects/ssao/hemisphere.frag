@@ -23,6 +23,7 @@ precision highp float;  // positions and depths; mediump bands
 #include <surface>
 #include "ssao/occlusion_curve.glsl"
 #include "ssao/range_check.glsl"
+#include "ssao/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
 uniform mediump sampler2D rotation_noise;
@@ -89,7 +90,7 @@ void main()
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!pointAt(at, seen)) continue;
+        if (!seenAt(uv, at, seen)) continue;
         // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
         // shades itself, since a texel's one depth stands for all of its slope.
         bool above = dot(seen - origin, normal_here) > bias;

@@ -3,6 +3,7 @@
 
 #include "common/pixel_noise.glsl"
 #include "ssao/reach.glsl"
+#include "ssao/seen.glsl"
 #include "ssao/slice.glsl"
 
 uniform highp float bias;
@@ -99,11 +100,12 @@ highp float shareShown(March march)
     return shareShown(march.shown, march.pixel);
 }
 
-// Whether the surface at the uv of a tap is known, and its offset from the point.
-bool offsetAt(March march, highp vec2 at, out highp vec3 offset)
+// Whether the surface at the uv of a tap is known, and its offset from the point. `at` becomes the uv of what
+// the tap sees.
+bool offsetAt(March march, inout highp vec2 at, out highp vec3 offset)
 {
     highp vec3 seen;
-    bool known = isCaptured(at) && pointAt(at, seen);
+    bool known = isCaptured(at) && seenAt(march.uv, at, seen);
     offset = seen - march.point;
     return known;
 }

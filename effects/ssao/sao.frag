@@ -15,6 +15,7 @@ precision highp float;  // positions and depths; mediump bands
 #include "common/pixel_noise.glsl"
 #include "ssao/occlusion_curve.glsl"
 #include "ssao/reach.glsl"
+#include "ssao/seen.glsl"
 
 uniform float bias;
 uniform float turns;
@@ -68,7 +69,7 @@ void main()
         if (!isCaptured(at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!pointAt(at, seen)) continue;
+        if (!seenAt(uv, at, seen)) continue;
         vec3 offset = (seen - point) * per_radius;
         occlusion += weightOf(dot(offset, up), dot(offset, offset));
     }

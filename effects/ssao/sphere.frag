@@ -16,6 +16,7 @@ precision highp float;  // positions and depths; mediump bands
 #include <surface>
 #include "ssao/occlusion_curve.glsl"
 #include "ssao/range_check.glsl"
+#include "ssao/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
 uniform float radius;
@@ -46,8 +47,9 @@ void main()
         vec2 at;
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
-        float seen_z = viewZAt(at);
-        if (seen_z >= probe.z) occlusion += rangeWeight(origin.z, probe.z, seen_z, radius);
+        vec3 seen;
+        if (!seenAt(uv, at, seen) || seen.z < probe.z) continue;
+        occlusion += rangeWeight(origin.z, probe.z, seen.z, radius);
     }
     ao = visibilityOf(occlusion / max(known, 1.0));
 }

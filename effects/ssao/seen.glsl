@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What a tap sees: the surface at its uv, or with DEPTH_LEVELS, far from the pixel, a texel nearby that stands
+// for it. Needs the interface `surface` before it.
+
+#ifndef DEPTH_LEVELS
+#define DEPTH_LEVELS 0
+#endif
+
+#if DEPTH_LEVELS && !defined SEEN_IN_TILES
+#include "common/depth_levels.glsl"
+#include "common/texel.glsl"
+#include "common/view_space.glsl"
+
+uniform highp sampler2D depth_levels;
+uniform highp float near_taps;
+
+// The point that the tap at `at` of the pixel at `from` sees, false in the background; `at` becomes the uv of that
+// point.
+bool seenAt(highp vec2 from, inout highp vec2 at, out highp vec3 point)
+{
+    highp ivec2 size = textureSize(depth_levels, 0);
+    highp vec2 pixels = (at - from) * vec2(size) / GUARD;
+    highp float doublings = 0.5 * log2(max(dot(pixels, pixels), 1e-6) / (near_taps * near_taps));
+    highp int level = min(int(doublings + 1.0), kDepthLevels);
+    if (doublings < 0.0 || min(size.x, size.y) >> level == 0) return pointAt(at, point);
+    highp ivec2 texel = min(texelAt(uvInGuard(at), vec2(size)) >> level, (size >> level) - 1);
+    highp float stored = texelFetch(depth_levels, levelCorner(level, size) + texel, 0).r;
+    at = uvFromGuard((vec2(levelSource(level, texel)) + 0.5) / vec2(size));
+    point = viewFromWindow(at, stored);
+    return stored < 1.0;
+}
+#else
+bool seenAt(highp vec2 from, highp vec2 at, out highp vec3 point)
+{
+    return pointAt(at, point);
+}
+#endif
