@@ -40,6 +40,7 @@ enum class Code : int {
     feature_missing = 2105,     ///< A condition names neither a feature nor a trait.
     feature_value = 2106,       ///< A condition names a value that the feature does not have.
     name_collision = 2107,      ///< One name for two things that GLSL would see under one name.
+    unused_name = 2108,         ///< Something declared that nothing uses.
     two_writers = 2201,         ///< Two active passes write one target.
     never_written = 2202,       ///< Something reads a target that no active pass writes.
     reads_own_output = 2203,    ///< A pass reads what it writes.
@@ -50,6 +51,8 @@ enum class Code : int {
     bypass_class = 2208,        ///< A bypass or identity stands in for a target of another class.
     output_missing = 2209,      ///< An output that the config does not export was asked for.
     attachment_samples = 2210,  ///< Attachments of one pass differ in samples.
+    cannot_filter = 2211,       ///< A linear read of a format that no device filters.
+    pass_unread = 2212,         ///< A pass that no output needs, whichever is asked for (a warning).
 
     // keys and types
     unknown_key = 3001,    ///< A key that the format does not have.

@@ -153,6 +153,7 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     chooseExtents(state);
     chooseFormats(state);
     chooseSamples(state);
+    lint(state);
     dropRepeats(state);
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     Plan plan = buildPlan(state);

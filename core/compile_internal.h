@@ -7,6 +7,7 @@
 //   compile_graph       writers and order
 //   compile_live        what is needed, and what stands in for what is not
 //   compile_textures    sizes, formats, shared slots; with compile_samples for multisampling
+//   compile_lint        what would draw nothing good
 //   compile_passes      the plan itself; with compile_costs for the bytes and what is left out
 //
 // Indices are into the description's lists unless they say otherwise. Every step works on what the
@@ -146,6 +147,10 @@ void shareTextures(const State& state, Plan& plan);
 
 // compile_samples.cpp
 void chooseSamples(State& state);
+
+// compile_lint.cpp
+/// CV2211 and the warning CV2212.
+void lint(State& state);
 
 // compile_costs.cpp
 /// Of all mip levels and copies.

@@ -27,6 +27,7 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     table::checkNames(document, description, report);
     table::checkReferences(document, description, report);
     table::readShaderFiles(document, sources, description, report);
+    table::checkUnused(document, description, report);
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
     return {std::move(description), std::move(diagnostics)};

@@ -21,6 +21,11 @@ void checkReferences(const Node& document, const Description& description, Repor
 void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
                      Report& report);
 
+/// Reports params, targets and the like that the config's own file declares and nothing uses:
+/// CV2108, a warning where a variant or a pointer's override was laid over the file. Requires the
+/// GLSL files; does nothing after an error.
+void checkUnused(const Node& document, const Description& description, Report& report);
+
 /// Names declared in what looks like a misspelt section ("targts"). They count as known.
 std::vector<std::string> strayNames(const Node& document, const Report& report);
 

@@ -326,6 +326,10 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     Diagnostics errors;
     for (const Node& body : files.bodies) mergePatch(document, body, errors);
     document.place = files.bodies.back().place;
+    const auto changes_structure = [](const std::string& text) { return startsWith(text, "/"); };
+    if (!request.variant.empty() ||
+        std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
+        document.origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
         append(errors, applyOverride(document, text).diagnostics());

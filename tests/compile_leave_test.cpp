@@ -53,6 +53,22 @@ TEST_CASE("A pass whose condition fails is left out, and its bypass stands in fo
     CHECK(left->bytes > 0);
 }
 
+TEST_CASE("A pass that no output needs is left out with a warning, unless that was asked for")
+{
+    const Description description = describe(Sketch{{"a: -> x", "b: -> y"}, {{"out", "x"}}});
+    const Result<Plan> plan = tryCompile(description);
+    REQUIRE(plan.ok());
+    CHECK(passNames(*plan) == "a");
+    REQUIRE(plan.diagnostics().size() == 1);
+    CHECK(plan.diagnostics()[0].code == Code::pass_unread);
+    CHECK(plan.diagnostics()[0].severity == Severity::warning);
+    CHECK(plan.diagnostics()[0].pointer == "/passes/b");
+
+    CompileOptions one = sized();
+    one.outputs = {"out"};
+    CHECK(compile(description, {}, ampleCaps(), one).diagnostics().empty());
+}
+
 TEST_CASE("A condition is meaning: no option switches it off")
 {
     const Description description =

@@ -46,6 +46,22 @@ TEST_CASE("A size may follow another target's")
     CHECK(plan.passes[1].extent == Extent{3, 2});
 }
 
+TEST_CASE("A linear read of what no device filters is refused, with formats that are")
+{
+    const auto reading = [](const char* format, const char* filter) {
+        return describe(Sketch{{"a: -> x", std::string("b: x -> y | \"inputs\": {\"x\": {\"filter\": \"") +
+                                               filter + "\"}}"},
+                               {{"out", "y"}},
+                               {{"x", std::string("{\"format\": [\"") + format + "\"]}"}}});
+    };
+    const Diagnostic error = onlyError(reading("r32f", "linear"));
+    CHECK(error.code == Code::cannot_filter);
+    CHECK(error.pointer == "/passes/b/inputs/x");
+    CHECK(error.help.find("nearest") != std::string::npos);
+    CHECK(planOf(reading("r32f", "nearest")).passes.size() == 2);
+    CHECK(planOf(reading("r16f", "linear")).passes.size() == 2);
+}
+
 TEST_CASE("A size that is not positive is refused")
 {
     const auto [width, height] = GENERATE(table<int, int>({{0, 32}, {64, 0}, {-5, 32}}));

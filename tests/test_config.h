@@ -15,6 +15,13 @@ struct TestFile {
     std::string text;
 };
 
+/// Lets a document declare more than it uses, as the modules behind a config may.
+inline Node asModule(Node document)
+{
+    document.place.source = std::make_shared<const SourceText>(*document.place.source);
+    return document;
+}
+
 /// Reads `json` as the file "test.json" and decodes it with `files` as its GLSL. The test fails
 /// here when there is an error in it.
 inline Description describe(const std::string& json, const std::vector<TestFile>& files)
@@ -24,7 +31,7 @@ inline Description describe(const std::string& json, const std::vector<TestFile>
     const Result<Node> document =
         parseDocument(std::make_shared<const SourceText>(SourceText{"test.json", json}));
     if (!document) FAIL(toText(document.diagnostics()));
-    Result<Description> description = decode(*document, sources);
+    Result<Description> description = decode(asModule(*document), sources);
     if (!description) FAIL(toText(description.diagnostics()));
     return std::move(*description);
 }

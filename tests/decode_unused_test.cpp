@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Decoding, the names that nothing uses: a typo makes one, and it must not pass in silence.
+#include "core/load.h"
+#include "tests/decode_fixture.h"
+
+using namespace crevice;
+
+namespace {
+
+// The fixture's sources, and a config that uses all it declares.
+MemorySources sources()
+{
+    MemorySources all = glslSources();
+    all.add("configs/base.json", configText({{"name", "\"base\""}}));
+    return all;
+}
+
+Result<Description> decodeOver(const std::string& members, const LoadRequest& extra = {})
+{
+    MemorySources all = sources();
+    all.add("configs/mine.json",
+            R"({"format": 1, "name": "mine", "extends": ["base"], )" + members + "}");
+    LoadRequest request = extra;
+    request.config = "mine";
+    const Result<Node> document = loadConfig(all, request);
+    INFO(toText(document.diagnostics()));
+    REQUIRE(document.ok());
+    return decode(*document, all);
+}
+
+}  // namespace
+
+TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
+{
+    const auto [members, message, help] = GENERATE(table<const char*, const char*, const char*>({
+        {R"("params": {"raduis": {"default": 1}})", "param 'raduis'", "did you mean 'radius'?"},
+        {R"("features": {"fats": {"default": true}})", "feature 'fats'", "did you mean 'fast'?"},
+        {R"("imports": {"foto": {"type": "texture"}})", "import 'foto'", "imports: camera, photo"},
+        {R"("generated": {"kernal": {"generator": "sphere_kernel", "count": 8}})",
+         "generated 'kernal'", "did you mean 'kernel'?"},
+        {R"("targets": {"ao_filterd": {"format": "r16f"}})", "target 'ao_filterd'",
+         "did you mean 'ao_filtered'?"},
+        {R"("shaders": {"aoo": {"vertex": "common/fullscreen.vert", "fragment": "ssao/ao.frag"}})",
+         "shader 'aoo'", "did you mean 'ao'?"},
+        {R"("interfaces": {"surfaec": "geometry/a.surface.glsl"})", "interface 'surfaec'",
+         "did you mean 'surface'?"},
+    }));
+    const Result<Description> result = decodeOver(members);
+    INFO(toText(result.diagnostics()));
+    REQUIRE(result.diagnostics().size() == 1);
+    const Diagnostic& error = result.diagnostics()[0];
+    CHECK_FALSE(result.ok());
+    CHECK(error.code == Code::unused_name);
+    CHECK(error.message.find(message) == 0);
+    CHECK(error.help.find(help) == 0);
+    CHECK(error.place.source->name.find("mine.json") != std::string::npos);
+}
+
+TEST_CASE("A name that only a comment in GLSL mentions is unused")
+{
+    CHECK_FALSE(decodeOver(R"("params": {"normals": {"default": 1}})").ok());
+}
+
+TEST_CASE("What a deleted pass of another file leaves behind is no mistake")
+{
+    const Result<Description> result = decodeOver(
+        R"("passes": {"blur": null}, "outputs": {"ao": "ao"}, "params": {"radius": {"default": 1}})");
+    INFO(toText(result.diagnostics()));
+    CHECK(result.ok());
+    CHECK(result.diagnostics().empty());
+}
+
+TEST_CASE("Under a variant an unused name is a warning")
+{
+    LoadRequest request;
+    request.variant = "plain";
+    const Result<Description> result = decodeOver(
+        R"("targets": {"more": {"format": "r8"}},
+           "passes": {"more": {"shader": "ao", "color": "more"}},
+           "variants": {"plain": {"passes": {"more": null}}})", request);
+    INFO(toText(result.diagnostics()));
+    CHECK(result.ok());
+    REQUIRE(result.diagnostics().size() == 1);
+    CHECK(result.diagnostics()[0].severity == Severity::warning);
+    CHECK(result.diagnostics()[0].message.find("target 'more'") == 0);
+}
