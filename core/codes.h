@@ -5,6 +5,7 @@
 //   CV2xxx  references between the parts of a config     CV6xxx  devices and contexts
 //   CV3xxx  keys and types                               CV7xxx  scenes, images, files
 //   CV4xxx  values and ranges                            CV8xxx  the command line
+//                                                        CV9xxx  what a frame's targets hold
 #pragma once
 
 namespace crevice {
@@ -106,6 +107,11 @@ enum class Code : int {
     cannot_write = 7007,    ///< A file or folder that cannot be written.
     nothing_seen = 7008,    ///< A camera that sees no surface.
     results_broken = 7009,  ///< Bench results that cannot be read.
+
+    // what a frame's targets hold (crevice doctor)
+    target_not_finite = 9001,  ///< A pass writes what is not a number or is infinite.
+    target_undefined = 9002,   ///< A pass leaves pixels that depend on what memory held before.
+    output_constant = 9003,    ///< An output is the same everywhere.
 
     // command line
     usage = 8001,  ///< Arguments that cannot be understood.

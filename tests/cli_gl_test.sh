@@ -44,6 +44,18 @@ expect 0 'wrote' render mine.json "${small[@]}"
 expect 0 'wrote' render cross.json "${small[@]}" --out ao=cross.pfm
 expect 5 'over' compare cross.pfm ao.pfm --max-rmse 0.0001
 
+# The doctor: a healthy frame, a pass that writes what is no number, and why a picture is plain.
+expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}"
+expect 0 '"state": "varies"' doctor learnopengl "${small[@]}" --json
+expect_json
+sed -i 's|ao_filtered = sum / 5.0;|ao_filtered = sqrt(sum / 5.0 - 0.9);|' cross.frag
+sed 's|"r8"|"r16f"|' cross.json >broken.json
+expect 5 "broken.json:.*CV9001: pass 'cross' writes [0-9]+ of 6144 pixels" doctor broken.json "${small[@]}"
+expect 0 "CV9003: output 'ao' is 1 everywhere" doctor learnopengl "${small[@]}" --set intensity=0
+expect 0 'intensity is 0, so ao is 1' doctor learnopengl "${small[@]}" --set intensity=0
+expect 0 'pixels at the middle distance' doctor gtao "${small[@]}" --set radius=1e-6
+expect 0 'no triangle was drawn' doctor gtao "${small[@]}" --camera 'eye=0,1,100;at=0,1,200'
+
 printf 'void main() { nonsense; }\n' >>cross.frag
 expect 1 'cross.frag:[0-9]+.*error CV50' render cross.json "${small[@]}" --out ao=never.png
 expect 1 'CV4005|CV6007' render learnopengl --scene corner --backend "$backend" --size 99999x99999 \

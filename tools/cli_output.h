@@ -15,7 +15,7 @@ enum ExitCode {
     kExitUsage = 2,     ///< The arguments cannot be understood.
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
-    kExitDiffers = 5,   ///< `compare`, `compare-bench`: over a limit.
+    kExitDiffers = 5,   ///< `compare`, `compare-bench`: over a limit; `doctor`: a pass is wrong.
     kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
 };
 

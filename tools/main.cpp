@@ -26,11 +26,12 @@ int run(int argc, char** argv)
     app.set_version_flag("--version", "crevice " CREVICE_VERSION);
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 bad input, 2 bad usage, 3 the machine lacks something,\n"
-               "4 a result cannot be written, 5 images differ by more than a limit, 130 interrupted.\n"
+               "4 a result cannot be written, 5 over a limit, or a pass is wrong, 130 interrupted.\n"
                "Each command has its own --help with examples.");
     crevice::addRenderCommand(app, exit_code);
     crevice::addValidateCommand(app, exit_code);
     crevice::addExplainCommand(app, exit_code);
+    crevice::addDoctorCommand(app, exit_code);
     crevice::addCompareCommand(app, exit_code);
     crevice::addReferenceCommand(app, exit_code);
     crevice::addBenchCommand(app, exit_code);
