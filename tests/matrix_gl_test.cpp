@@ -44,6 +44,8 @@ void addOptions(Cell& cell, std::size_t index)
     const bool drawn = !cell.input->host_textures;
     if (drawn && has(*cell.estimator, "second_layer") && index % 3 > 0)
         cell.add_ons.push_back(layers[index % 3]);
+    if (index % 5 == 2)
+        cell.add_ons.push_back(drawn ? "geometry/depth_levels" : "geometry/host_depth_levels");
     const char* const rotations[] = {"rotation=tile", "rotation=gradient", "rotation=none"};
     if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
     if (has(*cell.input, "guard") && index % 4 == 0) cell.overrides.push_back("guard=1.2");
