@@ -136,6 +136,7 @@ void FileLoader::load(const SourceRef& source, const Place& asked_at)
     append(errors, document.diagnostics());
     if (document) {
         checkFormat(*document);
+        takeMember(*document, "$schema");  // by which editors find what checks the file
         open_.push_back(file);
         if (const auto list = takeMember(*document, "extends")) loadExtended(source, *list);
         open_.pop_back();

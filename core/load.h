@@ -21,12 +21,13 @@ struct LoadRequest {
 
 /// Finds the config and everything that it extends, and merges them: modules from left to right,
 /// then the file, then the variant, then the overrides. The result has neither `extends` nor
-/// `variants`; its top keeps the file's place, as an origin too where a variant or a pointer's
-/// override was laid over it. A name is looked up as "configs/NAME.json" in `sources`; what ends in ".json" is a
-/// file on disk first. `extends` entries are module names ("ssao/hemisphere", found as
-/// "ssao/hemisphere.json" in `sources`), config names, or paths relative to the file ("./mine.json").
-/// Two files, neither of which extends the other, may not make one shader or interface: that is two
-/// filters or two estimators, of which a merge would keep halves.
+/// `variants`, nor the `$schema` by which editors find what checks a file; its top keeps the file's
+/// place, as an origin too where a variant or a pointer's override was laid over it. A name is looked up
+/// as "configs/NAME.json" in `sources`; what ends in ".json" is a file on disk first. `extends` entries
+/// are module names ("ssao/hemisphere", found as "ssao/hemisphere.json" in `sources`), config names,
+/// or paths relative to the file ("./mine.json"). Two files, neither of which extends the other, may
+/// not make one shader or interface: that is two filters or two estimators, of which a merge would
+/// keep halves.
 ///
 /// Errors: CV1xxx of any file, CV1201 to CV1208, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
