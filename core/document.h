@@ -50,6 +50,9 @@ struct Member {
 /// The value as a user would write it on one line, cut to about 40 characters.
 std::string brief(const Node& node);
 
+/// The value as JSON on one line.
+std::string toJson(const Node& node);
+
 /// "null", "boolean", "number", "string", "array" or "object".
 const char* kindName(Node::Kind kind);
 

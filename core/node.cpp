@@ -10,19 +10,20 @@ namespace {
 
 constexpr std::size_t kBriefBytes = 40;
 
-void appendBrief(std::string& out, const Node& node)
+// As JSON, until there are more than that many bytes.
+void append(std::string& out, const Node& node, std::size_t bytes)
 {
-    const auto full = [&] { return out.size() > kBriefBytes; };
+    const auto full = [&] { return out.size() > bytes; };
     switch (node.kind) {
     case Node::Kind::null: out += "null"; return;
     case Node::Kind::boolean: out += node.boolean ? "true" : "false"; return;
     case Node::Kind::number: out += node.text; return;
-    case Node::Kind::string: out += jsonString(utf8Prefix(node.text, 2 * kBriefBytes)); return;
+    case Node::Kind::string: out += jsonString(utf8Prefix(node.text, 2 * bytes)); return;
     case Node::Kind::array:
         out += '[';
         for (std::size_t i = 0; i < node.items.size() && !full(); ++i) {
             if (i > 0) out += ", ";
-            appendBrief(out, node.items[i]);
+            append(out, node.items[i], bytes);
         }
         out += ']';
         return;
@@ -30,7 +31,7 @@ void appendBrief(std::string& out, const Node& node)
         out += '{';
         for (std::size_t i = 0; i < node.members.size() && !full(); ++i) {
             out += (i > 0 ? ", " : "") + jsonString(node.members[i].key) + ": ";
-            appendBrief(out, node.members[i].value);
+            append(out, node.members[i].value, bytes);
         }
         out += '}';
         return;
@@ -54,9 +55,16 @@ Node* Node::find(std::string_view key)
 std::string brief(const Node& node)
 {
     std::string out;
-    appendBrief(out, node);
+    append(out, node, kBriefBytes);
     if (out.size() <= kBriefBytes) return out;
     return std::string(utf8Prefix(out, kBriefBytes)) + "...";
+}
+
+std::string toJson(const Node& node)
+{
+    std::string out;
+    append(out, node, std::string::npos / 2);  // no limit, even where it is doubled
+    return out;
 }
 
 const char* kindName(Node::Kind kind)

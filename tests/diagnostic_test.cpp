@@ -136,7 +136,7 @@ TEST_CASE("diagnostics as JSON have every key and can be read back")
     CHECK(first.find("notes")->items.at(0).find("text")->text == "note");
     CHECK(first.find("notes")->items.at(0).find("file")->kind == Node::Kind::null);
     CHECK(first.find("help")->text.empty());
-    CHECK(toJson({}) == "[]\n");
+    CHECK(toJson(Diagnostics{}) == "[]\n");
 }
 
 TEST_CASE("only an error counts as one")
