@@ -23,8 +23,9 @@ std::string upper(std::string_view name)
 // A number as GLSL reads it; vectors are never defines.
 std::string literal(const ParamDesc& param)
 {
+    if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
     std::string text = shortest(param.value[0]);
-    if (param.type != ParamType::int_ && text.find_first_of(".e") == text.npos) text += ".0";
+    if (text.find_first_of(".e") == text.npos) text += ".0";
     return text;
 }
 

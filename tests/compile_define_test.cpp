@@ -38,6 +38,7 @@ TEST_CASE("A param bound as a define reaches GLSL as a literal of its type")
     };
     CHECK(value(R"({"type": "int", "default": 64, "bind": "define"})") == "64");
     CHECK(value(R"({"type": "int", "default": -3, "bind": "define"})") == "-3");
+    CHECK(value(R"({"type": "int", "default": 1000000, "bind": "define"})") == "1000000");
     CHECK(value(R"({"default": 0.5, "bind": "define"})") == "0.5");
     CHECK(value(R"({"default": 2, "bind": "define"})") == "2.0");
     CHECK(value(R"({"default": 1e-9, "bind": "define"})") == "1e-09");
