@@ -80,6 +80,7 @@ enum class Code : int {
     input_unused = 5007,     ///< A pass renames an input that its shader does not declare.
     output_mismatch = 5008,  ///< A fragment shader's outputs are not the pass's colour targets.
     preprocessor = 5009,     ///< A directive that cannot be read.
+    recompiled = 5010,       ///< A value set at run time made shaders compile.
 
     // devices and contexts
     no_egl = 6001,             ///< No EGL library, display or configuration.

@@ -15,10 +15,15 @@
 
 namespace crevice {
 
+/// Programs that are kept though the plan does not need them, so that a pass or feature that was
+/// switched off comes back at once; beyond, the oldest go.
+constexpr std::size_t kMaxIdlePrograms = 32;
+
 class Execution {
 public:
     /// Makes the plan's textures, programs and framebuffers. Programs that `previous` has under the
-    /// same key are shared with it, not compiled again; it may be null and may die at any time.
+    /// same key are shared with it, not compiled again, and so are the last kMaxIdlePrograms that no
+    /// plan needs now; it may be null and may die at any time.
     ///
     /// Errors: the device's; CV5003 and CV5004 where a linked program has a uniform that the plan
     /// knows nothing of. Then nothing is left behind.
@@ -41,7 +46,12 @@ public:
     TextureId output(std::string_view name, int view) const;
     const Plan& plan() const { return plan_; }
 
+    /// The labels of the programs that had to be compiled for this plan.
+    const std::vector<std::string>& compiled() const { return compiled_; }
+
 private:
+    using SharedProgram = std::shared_ptr<Owned<ProgramId>>;
+
     struct UniformBinding {
         int location;
         GlslType type;
@@ -91,7 +101,8 @@ private:
     Status createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared);
     Status createFramebuffer(const PlanPass& pass, int view, bool swapped,
                              Owned<FramebufferId>& framebuffer);
-    std::shared_ptr<Owned<ProgramId>> programOf(const std::string& key) const;
+    void keepIdlePrograms(const Execution& previous);
+    SharedProgram programOf(const std::string& key) const;
     void bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
                      PreparedPass& prepared, Diagnostics& errors);
     void bindTexture(const PlanPass& pass, const PlanInput& input, const UniformInfo& uniform,
@@ -125,6 +136,7 @@ private:
     ValueTable values_;
     bool swapped_ = false;    // whether histories and their targets have changed places
     bool remembers_ = false;  // whether histories hold anything
+    std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.
     std::vector<std::vector<Owned<TextureId>>> textures_;  // the plan's, with their copies
@@ -132,7 +144,8 @@ private:
     std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
     Owned<TextureId> white_;  // for materials without a map
     Owned<TextureId> black_;  // for optional imports that are absent
-    std::vector<std::shared_ptr<Owned<ProgramId>>> programs_;
+    std::vector<SharedProgram> programs_;
+    std::vector<std::pair<std::string, SharedProgram>> idle_programs_;  // by key, the latest first
     std::vector<PreparedView> views_;
 };
 

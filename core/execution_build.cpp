@@ -153,14 +153,32 @@ Status Execution::createPrograms(const Execution* previous)
             return errors;
         }
         programs_.back() = std::make_shared<Owned<ProgramId>>(device_, *id);
+        compiled_.push_back(program.label);
     }
+    if (previous) keepIdlePrograms(*previous);
     return {};
 }
 
-std::shared_ptr<Owned<ProgramId>> Execution::programOf(const std::string& key) const
+void Execution::keepIdlePrograms(const Execution& previous)
+{
+    for (std::size_t i = 0; i < previous.plan_.programs.size(); ++i)
+        idle_programs_.emplace_back(previous.plan_.programs[i].key, previous.programs_[i]);
+    idle_programs_.insert(idle_programs_.end(), previous.idle_programs_.begin(),
+                          previous.idle_programs_.end());
+    const auto needed = [this](const auto& idle) {
+        return std::find(programs_.begin(), programs_.end(), idle.second) != programs_.end();
+    };
+    idle_programs_.erase(std::remove_if(idle_programs_.begin(), idle_programs_.end(), needed),
+                         idle_programs_.end());
+    if (idle_programs_.size() > kMaxIdlePrograms) idle_programs_.resize(kMaxIdlePrograms);
+}
+
+Execution::SharedProgram Execution::programOf(const std::string& key) const
 {
     for (std::size_t i = 0; i < plan_.programs.size(); ++i)
         if (plan_.programs[i].key == key) return programs_[i];
+    for (const auto& [idle, program] : idle_programs_)
+        if (idle == key) return program;
     return nullptr;
 }
 

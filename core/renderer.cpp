@@ -99,6 +99,24 @@ Diagnostic unknown(Code code, const char* what, std::string_view name,
     return error;
 }
 
+/// The status of a new plan, with a warning where shaders had to compile for it.
+Status withCompiled(const Status& status, const Execution& execution, const std::string& cause,
+                    const Reference& at)
+{
+    if (!status || execution.compiled().empty()) return status;
+    std::string shaders;
+    for (const std::string& label : execution.compiled())
+        shaders += (shaders.empty() ? "'" : ", '") + label + "'";
+    Diagnostic warning{Code::recompiled, cause + ", so setting it compiled " + shaders, at.place,
+                       at.pointer};
+    warning.severity = Severity::warning;
+    warning.help = "set each value once while loading, since what was compiled is kept, or bind a "
+                   "param that changes often as a uniform";
+    Diagnostics all = status.diagnostics();
+    all.push_back(std::move(warning));
+    return all;
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -155,7 +173,11 @@ Status Renderer::State::replan(std::unique_ptr<State>& state, Description descri
     return next.diagnostics();
 }
 
-Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Renderer::Renderer(std::unique_ptr<State> state)
+    : state_(std::move(state)), loaded_(valuesOf(state_->description))
+{
+}
+
 Renderer::~Renderer() = default;
 
 Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description description,
@@ -199,7 +221,12 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     }
     Description description = state_->description;
     description.params[param - params.begin()].value = next;
-    return State::replan(state_, std::move(description), state_->options);
+    const std::string cause = param->bind == Bind::define
+                                  ? "param '" + param->name + "' is bound as a define"
+                                  : "param '" + param->name + "' brought passes back";
+    const Reference at{param->name, param->place, param->pointer};
+    const Status status = State::replan(state_, std::move(description), state_->options);
+    return withCompiled(status, *state_->execution, cause, at);
 }
 
 Status Renderer::setFeature(std::string_view name, std::string_view value)
@@ -216,7 +243,9 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
     if (index == feature->value) return {};
     Description description = state_->description;
     description.features[feature - features.data()].value = index;
-    return State::replan(state_, std::move(description), state_->options);
+    const Reference at{feature->name, feature->place, feature->pointer};
+    const Status status = State::replan(state_, std::move(description), state_->options);
+    return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
 }
 
 Status Renderer::resize(Extent extent)
@@ -231,6 +260,8 @@ TextureId Renderer::output(std::string_view name, int view) const
 {
     return state_->execution->output(name, view);
 }
+
+std::string Renderer::changes() const { return valuesPatch(loaded_, state_->description); }
 
 const Plan& Renderer::plan() const { return state_->execution->plan(); }
 const Description& Renderer::description() const { return state_->description; }

@@ -14,6 +14,7 @@
 #include "core/frame.h"
 #include "core/frame_times.h"
 #include "core/plan.h"
+#include "core/values.h"
 
 #include <memory>
 #include <string>
@@ -46,13 +47,16 @@ public:
     Result<FrameTimes> renderTimed(const Frame& frame);
 
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
-    /// bound as defines and values at which a pass is or was an identity: those plan anew.
+    /// bound as defines, those that a count or size is taken from and values at which a pass is or was
+    /// an identity: those plan anew. Only a define, or a pass that never ran, compiles a shader, which
+    /// a warning CV5010 names; what was compiled is kept for when the value comes back.
     ///
     /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.
     Status setParam(std::string_view name, const float* values, int count);
     Status setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
 
-    /// Sets a feature ("true", "false" or an enum's word); plans anew.
+    /// Sets a feature ("true", "false" or an enum's word); plans anew. Warns with CV5010 where that
+    /// compiled a shader.
     ///
     /// Errors: CV2105, CV2106; the old value stays.
     Status setFeature(std::string_view name, std::string_view value);
@@ -65,6 +69,11 @@ public:
     /// when there is none.
     TextureId output(std::string_view name, int view = 0) const;
 
+    /// What `setParam` and `setFeature` made different from the description given to `create`, as the
+    /// smallest merge patch over its config: {"params": {"radius": {"default": 0.8}}}; "{}" for
+    /// nothing. A value set back is no change.
+    std::string changes() const;
+
     const Plan& plan() const;
     const Description& description() const;
 
@@ -72,6 +81,7 @@ private:
     struct State;
     explicit Renderer(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
+    Values loaded_;
 };
 
 }  // namespace crevice

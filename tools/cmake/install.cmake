@@ -31,6 +31,7 @@ set(public_headers
   core/renderer.h
   core/result.h
   core/source.h
+  core/values.h
   effects/catalog.h
 )
 foreach(header IN LISTS public_headers)
