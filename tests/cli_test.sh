@@ -98,6 +98,13 @@ __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json \
     expect 3 'CV6001' render learnopengl --scene plane --backend egl --out color=a.png
 check "a render that failed leaves no file" test ! -e a.png -a ! -e color.png
 
+# --- schema ---
+expect 0 'draft-07' schema
+expect_json
+expect 0 '^\| .radius|^\| key' schema --format markdown
+expect 0 '"another"' schema --effects checkout
+expect 2 'CV8001' schema --format yaml
+
 # --- reference and compare ---
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 0.5 --rays 16 --out truth.pfm
 expect 1 'CV4001' reference --scene corner --rays 0 --out never.pfm

@@ -37,7 +37,12 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
         ->type_name("NAME=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--effects", options.checkout,
+    addCheckoutOption(app, options.checkout);
+}
+
+void addCheckoutOption(CLI::App& app, std::string& checkout)
+{
+    app.add_option("--effects", checkout,
                    "Read effects/ and configs/ below this folder before those embedded")
         ->type_name("FOLDER")
         ->check(isCheckout);

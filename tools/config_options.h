@@ -23,6 +23,9 @@ struct ConfigOptions {
 /// Adds --variant, --set and --effects; CONFIG is left to the command, since validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
 
+/// Adds --effects alone.
+void addCheckoutOption(CLI::App& app, std::string& checkout);
+
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
 class CheckoutSources : public SourceSet {
 public:

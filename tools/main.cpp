@@ -38,6 +38,7 @@ int run(int argc, char** argv)
     crevice::addReportCommand(app, exit_code);
     crevice::addChooseCommand(app, exit_code);
     crevice::addCompareBenchCommand(app, exit_code);
+    crevice::addSchemaCommand(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -7,7 +7,7 @@
 #   tools/test.sh          all of it
 #   tools/test.sh --quick  the tests alone
 #
-# With CI=true a missing GL context or browser is a failure, not a skip.
+# With CI=true a missing GL context, browser or schema validator is a failure, not a skip.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
@@ -19,7 +19,7 @@ for argument in "$@"; do
     esac
 done
 if [[ ${CI:-} == true ]]; then
-    export CREVICE_REQUIRE_GL=1 CREVICE_REQUIRE_BROWSER=1
+    export CREVICE_REQUIRE_GL=1 CREVICE_REQUIRE_BROWSER=1 CREVICE_REQUIRE_JSONSCHEMA=1
 fi
 
 failed=()

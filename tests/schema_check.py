@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+# Holds docs/config.schema.json against every shipped file, and against files with one mistake each.
+#   schema_check.py SOURCE
+import json
+import pathlib
+import sys
+
+import jsonschema
+
+source = pathlib.Path(sys.argv[1])
+schema = json.loads((source / "docs/config.schema.json").read_text())
+jsonschema.Draft7Validator.check_schema(schema)
+validator = jsonschema.Draft7Validator(schema)
+failures = 0
+
+
+def fail(text):
+    global failures
+    failures += 1
+    print("FAILED:", text)
+
+
+shipped = sorted(source.glob("configs/*.json")) + sorted(source.glob("effects/*/*.json"))
+for path in shipped:
+    for error in validator.iter_errors(json.loads(path.read_text())):
+        fail(f"{path}: {error.json_path}: {error.message}")
+if len(shipped) < 40:
+    fail(f"found only {len(shipped)} configs and modules")
+
+GOOD = [
+    {"$schema": "./config.schema.json"},
+    {"x-mine": [1, {"any": "thing"}], "params": {"x-note": 1, "radius": {"x-note": None}}},
+    {"extends": ["ssao/gtao", "./mine.json"], "passes": {"filter": None}},
+    {"params": {"radius": {"default": 2, "soft_max": None}, "tint": {"default": [1, 0, 0]}}},
+    {"params": {"tint": {"type": "vec3", "default": [1, 0, 0.5]}, "count": {"type": "int", "default": 3}}},
+    {"variants": {"cheap": {"params": {"radius": {"default": 1}}, "passes": {"filter": None}}}},
+    {"targets": {"ao": {"format": "r8", "size": {"scale": "half"}, "samples": "msaa"}}},
+    {"passes": {"ssao": {"inputs": {"depth": "depth_back", "normal": {"filter": "linear"}}}}},
+    {"passes": {"ssao": {"when": {"scene.lights": True}, "clear": {"ao": [1, 1, 1, 1]}, "color": []}}},
+    {"features": {"fade": {"type": "enum", "values": ["a", "b"], "default": "b"}}},
+    {"shaders": {"ssao": {"defines": {"TAPS": 4, "DEBUG": True}}}},
+]
+BAD = [
+    {"pases": {}},
+    {"extends": "ssao/gtao"},
+    {"extends": [1]},
+    {"format": 2},
+    {"format": None},
+    {"name": 1},
+    {"params": []},
+    {"params": {"radius": {"defalt": 1}}},
+    {"params": {"radius": {"default": "wide"}}},
+    {"params": {"radius": {"default": [1]}}},
+    {"params": {"radius": {"type": "double"}}},
+    {"params": {"radius": {"type": "float", "default": [1, 2]}}},
+    {"params": {"tint": {"type": "vec3", "default": [1, 2]}}},
+    {"params": {"count": {"type": "int", "default": 1.5}}},
+    {"features": {"fade": {"type": "bool", "default": "on"}}},
+    {"features": {"fade": {"type": "enum", "default": True}}},
+    {"params": {"radius": {"min": 1e31}}},
+    {"params": {"Radius": {"default": 1}}},
+    {"params": {"gl_radius": {"default": 1}}},
+    {"features": {"fade": {"values": ["a"]}}},
+    {"imports": {"camera": {"type": "camra"}}},
+    {"generated": {"kernel": {"count": 0}}},
+    {"generated": {"kernel": {"count": 1.5}}},
+    {"targets": {"ao": {"format": ["r9"]}}},
+    {"targets": {"ao": {"mips": 17}}},
+    {"targets": {"ao": {"size": {"scale": 100}}}},
+    {"targets": {"ao": {"size": 0.5}}},
+    {"shaders": {"ssao": {"defines": {"GL_x": 1}}}},
+    {"passes": {"ssao": {"state": {"cull": "both"}}}},
+    {"passes": {"ssao": {"clear": {"ao": [1, 1]}}}},
+    {"passes": {"ssao": {"inputs": {"depth": {"form": "ao"}}}}},
+    {"passes": {"ssao": {"when": {"fade": []}}}},
+    {"outputs": {"ao": ["ao"]}},
+    {"views": {"look": {"target": "ao", "scale": "2"}}},
+    {"variants": {"cheap": {"extends": []}}},
+    {"variants": {"cheap": {"params": {"radius": {"defalt": 1}}}}},
+]
+for case in GOOD:
+    for error in validator.iter_errors({"format": 1, **case}):
+        fail(f"{case} should be accepted: {error.json_path}: {error.message}")
+for case in BAD:
+    if validator.is_valid({"format": 1, **case}):
+        fail(f"{case} should be refused")
+if validator.is_valid({"name": "no format"}):
+    fail("a file without 'format' should be refused")
+
+offered = schema["properties"]["extends"]["items"]["anyOf"][0]["enum"]
+if "ssao/gtao" not in offered or "learnopengl" not in offered:
+    fail("'extends' offers no modules and configs")
+if "radius" not in schema["definitions"]["params"]["properties"]:
+    fail("'params' offers no names")
+
+print(f"{len(shipped)} files, {len(GOOD) + len(BAD)} cases, {failures} failures")
+sys.exit(failures > 0)

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The config format for editors and for readers, out of the table that decoding uses
+// (core/fields.h): what `crevice schema` prints.
+#pragma once
+
+#include "core/source.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// A JSON Schema, draft 7, of a config or module as it is written. A file may hold but a part of
+/// what it changes, so no key has to be there but `format`, and any value may be null, which
+/// deletes. What several values say together (a default in its range, a name that exists) is for
+/// `crevice validate`. Completion knows the modules, configs, params and features in `sources`.
+std::string schemaJson(const SourceSet& sources);
+
+/// Tables in Markdown: for each kind of object its keys, types, defaults, ranges and meaning.
+std::string schemaMarkdown();
+
+/// What the format says of a key.
+struct FormatKey {
+    std::string meaning;
+    std::string value;   ///< The default, as JSON; empty where there is none.
+    bool named = false;  ///< It stands for any name: "ao" in ("targets", "ao").
+};
+
+/// The key that the parts of a path ("targets", "ao", "mips") lead to, or nothing.
+std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts);
+
+}  // namespace crevice
