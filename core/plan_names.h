@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words in which plans are printed. Private to core/plan_*.cpp.
+// The words in which plans are printed. Private to core and the tools.
 #pragma once
 
 #include "core/plan.h"
@@ -15,6 +15,9 @@ std::string sourceName(const Plan& plan, const PlanInput& input);
 
 /// "256x144".
 std::string sizeText(const Extent& extent);
+
+/// "288.0 KiB".
+std::string bytesText(double bytes);
 
 /// ", 4 samples"; nothing for one.
 std::string samplesText(int samples);

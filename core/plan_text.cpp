@@ -61,14 +61,7 @@ std::string samplesText(int samples)
     return samples == 1 ? "" : ", " + std::to_string(samples) + " samples";
 }
 
-const PlanTexture& textureOf(const Plan& plan, int target)
-{
-    return plan.textures[plan.targets[target].texture];
-}
-
-namespace {
-
-// "288.0 KiB". By integers, since printf follows the locale.
+// By integers, since printf follows the locale.
 std::string bytesText(double bytes)
 {
     const char* const units[] = {" KiB", " MiB", " GiB", " TiB"};
@@ -78,6 +71,13 @@ std::string bytesText(double bytes)
     const long long tenths = std::llround(bytes * 10);
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + units[unit];
 }
+
+const PlanTexture& textureOf(const Plan& plan, int target)
+{
+    return plan.textures[plan.targets[target].texture];
+}
+
+namespace {
 
 std::string counted(std::size_t count, const std::string& what)
 {
