@@ -2,8 +2,11 @@
 // Finding a value by pointer, path or bare name, and telling who set it.
 #include "tests/catch.h"
 
+#include "core/load.h"
 #include "core/merge.h"
+#include "effects/catalog.h"
 #include "tools/explain_value.h"
+#include "tools/planning.h"
 
 using namespace crevice;
 
@@ -94,4 +97,64 @@ TEST_CASE("an unmatched key explains to the one place that set it")
     const auto value = findValue(document, "fade");
     REQUIRE(value);
     CHECK(explainText(*value).find("before that") == std::string::npos);
+}
+
+TEST_CASE("an object explains to every value in it, each with its places")
+{
+    const Node document = mergedDocument();
+    const auto value = findValue(document, "params");
+    REQUIRE(value);
+    CHECK(explainText(*value) == explainText(*findValue(document, "radius")));
+    CHECK(explainJson(*value).find("\"members\"") != std::string::npos);
+}
+
+TEST_CASE("a key that no file sets has the format's default, where there is something to have it")
+{
+    const Node document = parsed("base.json", R"({
+  "params": { "radius": { "default": 1.5 } },
+  "passes": { "ssao": { "shader": "ssao", "inputs": { "depth": "far" } } } })");
+    const auto cull = findUnset(document, "passes.ssao.state.cull", nullptr);
+    REQUIRE(cull);
+    CHECK(cull->pointer == "/passes/ssao/state/cull");
+    CHECK(cull->value == "\"none\"");
+    CHECK(explainText(*cull) ==
+          "/passes/ssao/state/cull is \"none\"\n"
+          "  by default, since no file sets it: Which side of a triangle is left out.\n");
+    CHECK(findUnset(document, "/passes/ssao/inputs/depth/filter", nullptr)->value == "\"nearest\"");
+    CHECK(findUnset(document, "params.radius.bind", nullptr)->value == "\"uniform\"");
+    const auto label = findUnset(document, "params.radius.label", nullptr);
+    REQUIRE(label);
+    CHECK(label->value.empty());
+    CHECK(explainText(*label).find("has no value") != std::string::npos);
+    for (const char* path : {"passes.blur.state.cull", "passes.ssao.state.cul", "params.bias",
+                             "passes.ssao.inputs.normal", "colour", "params.radius.default.x"}) {
+        INFO(path);
+        CHECK_FALSE(findUnset(document, path, nullptr));
+    }
+}
+
+TEST_CASE("a sampler or uniform that no file mentions binds by its name")
+{
+    const LoadRequest request = {"gtao"};
+    const Result<Node> document = loadConfig(shippedSources(), request);
+    REQUIRE(document);
+    ConfigOptions options;
+    options.config = request.config;
+    const Result<Plan> plan = planWithoutDevice(options, shippedSources());
+    REQUIRE(plan);
+    const auto depth = findUnset(*document, "passes.ssao.inputs.depth", &*plan);
+    REQUIRE(depth);
+    CHECK(depth->pointer == "/passes/ssao/inputs/depth");
+    CHECK(depth->value == "target depth");
+    CHECK(depth->reason.find("by name") == 0);
+    CHECK(depth->reason.find(".glsl:") != std::string::npos);
+    CHECK(findUnset(*document, "passes.ssao.inputs.depth.wrap", &*plan)->value == "clamp");
+    const auto radius = findUnset(*document, "passes.ssao.uniforms.radius", &*plan);
+    REQUIRE(radius);
+    CHECK(radius->value == "param radius");
+    CHECK(findUnset(*document, "passes.geometry.state.depth_test", &*plan)->value == "less");
+    CHECK(findUnset(*document, "passes.ssao.state.depth_test", &*plan)->value == "always");
+    CHECK_FALSE(findUnset(*document, "passes.ssao.state.depth", &*plan));
+    CHECK_FALSE(findUnset(*document, "passes.ssao.inputs.radius", &*plan));
+    CHECK_FALSE(findUnset(*document, "passes.ssao.inputs.nothing", &*plan));
 }

@@ -2,6 +2,11 @@
 // Finding a value in a merged document and telling which files set it.
 #include "tools/explain_value.h"
 
+#include "core/field_types.h"
+#include "core/plan_names.h"
+#include "core/text.h"
+#include "tools/schema.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -54,11 +59,11 @@ std::vector<std::string> childNames(const Node& node)
     return names;
 }
 
-std::string escaped(const std::string& part)
+std::string pointerOf(const std::vector<std::string>& parts)
 {
-    std::string text;
-    for (char c : part) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return text;
+    std::string pointer;
+    for (const std::string& part : parts) pointer = memberPointer(pointer, part);
+    return pointer;
 }
 
 /// The text at a place, or "" where the place is nowhere.
@@ -85,6 +90,94 @@ std::vector<Place> placesOf(const Node& node)
     return places;
 }
 
+nlohmann::json jsonOf(const FoundValue& value)
+{
+    nlohmann::json places = nlohmann::json::array(), members = nlohmann::json::array();
+    for (const Place& place : placesOf(*value.node))
+        places.push_back({{"file", place.source ? place.source->name : ""},
+                          {"line", place.line},
+                          {"column", place.column},
+                          {"text", textAt(place)}});
+    for (const Member& member : value.node->members)
+        members.push_back(jsonOf({memberPointer(value.pointer, member.key), &member.value}));
+    nlohmann::json json = {
+        {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
+    if (!members.empty()) json["members"] = members;
+    return json;
+}
+
+std::string dumped(const nlohmann::json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+/// The declaration of that name in either stage, or null.
+const GlslUniform* declarationOf(const PlanProgram& program, const std::string& name)
+{
+    for (const GlslStage* stage : {&program.vertex, &program.fragment})
+        for (const GlslUniform& uniform : stage->uniforms)
+            if (uniform.name == name) return &uniform;
+    return nullptr;
+}
+
+template <class T>
+std::string word(T value)
+{
+    return table::spellings(value)[static_cast<std::size_t>(value)];
+}
+
+/// The word for a key of a pass's `inputs.NAME`; empty where there is no such key.
+std::string samplingWord(const SamplerDesc& sampling, const std::string& key)
+{
+    return key == "filter" ? word(sampling.filter) : key == "wrap" ? word(sampling.wrap) : "";
+}
+
+/// The same for a pass's `state`.
+std::string stateWord(const StateDesc& state, const std::string& key)
+{
+    if (key == "depth_test") return word(state.depth_test);
+    if (key == "depth_write") return state.depth_write ? "true" : "false";
+    return key == "cull" ? word(state.cull) : key == "blend" ? word(state.blend) : "";
+}
+
+/// What feeds a uniform of that name.
+std::string feederOf(const Node& document, const std::string& name)
+{
+    for (const char* section : {"params", "generated"}) {
+        const Node* entries = document.find(section);
+        if (entries && entries->find(name)) return (section[0] == 'p' ? "param " : "generated ") + name;
+    }
+    return "frame value " + name;
+}
+
+/// What a sampler or uniform of a pass in the plan is bound to, and its fixed-function state.
+std::optional<UnsetValue> findBound(const Node& document, const Plan& plan,
+                                    const std::vector<std::string>& parts)
+{
+    const bool input = parts.size() > 3 && parts[0] == "passes" && parts[2] == "inputs";
+    const bool uniform = parts.size() == 4 && parts[0] == "passes" && parts[2] == "uniforms";
+    const bool state = parts.size() == 4 && parts[0] == "passes" && parts[2] == "state";
+    const PlanPass* pass = input || uniform || state ? findNamed(plan.passes, parts[1]) : nullptr;
+    if (!pass) return std::nullopt;
+    if (const std::string found = state ? stateWord(pass->state, parts[3]) : ""; !found.empty())
+        return UnsetValue{pointerOf(parts), found, "by default for such a pass, since no file sets it"};
+    const GlslUniform* declared = declarationOf(plan.programs[pass->program], parts[3]);
+    if (!declared || isSampler(declared->type) != input) return std::nullopt;
+    const std::string where = placeName(declared->place);
+    UnsetValue bound{pointerOf(parts), feederOf(document, parts[3]),
+                     "by name, since no file sets it: declared at " + where};
+    if (uniform) return bound;
+    for (const PlanInput& each : pass->inputs) {
+        if (each.sampler != parts[3]) continue;
+        bound.value = nameOf(each.kind) + (" " + sourceName(plan, each));
+        if (parts.size() == 4 || (parts.size() == 5 && parts[4] == "from")) return bound;
+        bound.value = samplingWord(each.sampling, parts[4]);
+        bound.reason = "by default, since no file sets it: the sampler is declared at " + where;
+        return parts.size() == 5 && !bound.value.empty() ? std::optional(bound) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Result<FoundValue> findValue(const Node& document, const std::string& path)
@@ -100,14 +193,36 @@ Result<FoundValue> findValue(const Node& document, const std::string& path)
             error.help = suggestName(part, childNames(*found.node), "keys");
             return error;
         }
-        found = {found.pointer + '/' + escaped(part), next};
+        found = {memberPointer(found.pointer, part), next};
     }
     return found;
 }
 
+std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan)
+{
+    const std::vector<std::string> parts = expandBareName(document, partsOf(path));
+    if (const auto bound = plan ? findBound(document, *plan, parts) : std::nullopt) return bound;
+    const Node* node = &document;
+    std::vector<std::string> reached;
+    for (const std::string& part : parts) {
+        reached.push_back(part);
+        node = node ? child(*node, part) : nullptr;
+        const auto key = findFormatKey(reached);
+        if (!key || (!node && key->named)) return std::nullopt;
+    }
+    const FormatKey key = *findFormatKey(parts);
+    return UnsetValue{pointerOf(parts), key.value,
+                      (key.value.empty() ? "no file sets it, and the format has no default: "
+                                         : "by default, since no file sets it: ") + key.meaning};
+}
+
 std::string explainText(const FoundValue& value)
 {
-    std::string text = value.pointer + " is " + brief(*value.node) + '\n';
+    std::string text;
+    for (const Member& member : value.node->members)
+        text += explainText(FoundValue{memberPointer(value.pointer, member.key), &member.value});
+    if (!text.empty()) return text;
+    text = value.pointer + " is " + brief(*value.node) + '\n';
     const char* verb = "set";
     for (const Place& place : placesOf(*value.node)) {
         const std::string where = placeName(place);
@@ -119,17 +234,23 @@ std::string explainText(const FoundValue& value)
     return text;
 }
 
+std::string explainText(const UnsetValue& value)
+{
+    return value.pointer + (value.value.empty() ? " has no value" : " is " + value.value) + "\n  " +
+           value.reason + '\n';
+}
+
 std::string explainJson(const FoundValue& value)
 {
-    nlohmann::json places = nlohmann::json::array();
-    for (const Place& place : placesOf(*value.node))
-        places.push_back({{"file", place.source ? place.source->name : ""},
-                          {"line", place.line},
-                          {"column", place.column},
-                          {"text", textAt(place)}});
-    const nlohmann::json json = {
-        {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    return dumped(jsonOf(value));
+}
+
+std::string explainJson(const UnsetValue& value)
+{
+    return dumped({{"pointer", value.pointer},
+                   {"value", value.value},
+                   {"places", nlohmann::json::array()},
+                   {"reason", value.reason}});
 }
 
 }  // namespace crevice

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/document.h"
+#include "core/plan.h"
 
+#include <optional>
 #include <string>
 
 namespace crevice {
@@ -19,10 +21,25 @@ struct FoundValue {
 /// Errors: CV2102 that names the last part found and what it holds.
 Result<FoundValue> findValue(const Node& document, const std::string& path);
 
-/// The value, and each place that set it, the newest first.
-std::string explainText(const FoundValue& value);
+/// What holds for a path that no file sets: a sampler or uniform that binds by its name, or the
+/// format's default.
+struct UnsetValue {
+    std::string pointer;
+    std::string value;   ///< "target depth"; empty where there is none.
+    std::string reason;  ///< One sentence.
+};
 
-/// The same as {"pointer", "value", "places": [{"file", "line", "column", "text"}]}.
+/// The value of a path that findValue does not find; nothing where the format has no such key, or
+/// what would have it does not exist. Without a plan only defaults are known.
+std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan);
+
+/// The value, and each place that set it, the newest first; of an object, those of all values in it.
+std::string explainText(const FoundValue& value);
+std::string explainText(const UnsetValue& value);
+
+/// The same as {"pointer", "value", "places": [{"file", "line", "column", "text"}]}, where an object
+/// has "members", a list of these, and what is not set has "reason".
 std::string explainJson(const FoundValue& value);
+std::string explainJson(const UnsetValue& value);
 
 }  // namespace crevice
