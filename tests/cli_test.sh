@@ -39,6 +39,11 @@ printf '{ "format": 1, "name": "broken", "extends": ["learnopengl"],\n  "pases":
 expect 1 'broken.json:2:3: error CV3001' validate broken.json
 expect 1 '"code": "CV3001"' validate broken.json --json
 expect 1 'broken: ok|learnopengl: ok' validate broken.json learnopengl
+expect 1 '"\$schema": .*sarif' validate broken.json learnopengl --format sarif
+expect_json
+expect 1 '"startLine": 2' validate broken.json --format sarif
+expect 0 '"results": \[\]' validate learnopengl --format sarif
+expect 2 'CV8001' validate learnopengl --json --format text
 printf '{ "format": 1,' >cut.json
 expect 1 'cut.json:1:[0-9]+: error CV1001' validate cut.json
 
