@@ -37,6 +37,19 @@ expect 1 'CV7006|CV7005' compare open.pfm "$readme"
 expect 0 'wrote' reference --scene corner --size 96x64 --radius 0 --rays 1 --out one.pfm
 expect 0 'rmse' compare open.pfm one.pfm --max-abs 0
 
+# What was set is saved as a config of its own, which draws the same picture.
+mkdir -p saved
+expect 0 'wrote' render thesis "${small[@]}" --variant lambert --set radius=0.8 --set power=1 \
+    --set /generated/kernel/seed=7 --set /views/view_ao=null --out color=set.png --save-patch saved/one.json
+expect 0 'wrote' render saved/one.json "${small[@]}" --out color=saved.png
+check "a saved patch draws the same picture" cmp set.png saved.png
+expect 0 'wrote' render saved/one.json "${small[@]}" --set radius=0.5 --out color=set.png --save-patch two.json
+expect 0 'wrote' render two.json "${small[@]}" --out color=saved.png
+check "so does one over a file in another folder" cmp set.png saved.png
+expect 0 'wrote' render thesis "${small[@]}" --set radius=0.5 --set bias=0.1 --save-patch three.json
+expect 0 'bias' explain three.json --why bias
+check "a value that is the default is not in the patch" bash -c '! grep -q radius three.json'
+
 from_readme mine.json
 from_readme cross.json
 from_readme cross.frag

@@ -110,6 +110,9 @@ expect 2 'CV8001.*orthographic' render learnopengl --scene plane --camera 'eye=0
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
 expect 4 'CV7007' render learnopengl --scene plane --out color=nowhere/a.png
+expect 2 'CV8001.*json' render learnopengl --save-patch patch.txt
+expect 2 'CV8001.*extend' render mine.json --save-patch ./mine.json
+expect 4 'CV7007' render learnopengl --save-patch nowhere/patch.json
 mkdir folder.png
 expect 4 'CV7007' render learnopengl --scene plane --out color=folder.png
 __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json \

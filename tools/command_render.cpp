@@ -7,6 +7,7 @@
 #include "tools/open_device.h"
 #include "tools/output_request.h"
 #include "tools/read_output.h"
+#include "tools/save_patch.h"
 #include "tools/scene_options.h"
 #include "tools/scene_upload.h"
 #include "tools/stereo.h"
@@ -27,6 +28,7 @@ struct RenderOptions {
     StereoOptions stereo;
     std::string backend;
     std::vector<std::string> out = {"color=color.png"};
+    std::string save_patch;
     int frames = 1;
     bool json = false;
 };
@@ -191,6 +193,10 @@ int render(const RenderOptions& options)
 {
     Result<std::vector<Picture>> pictures = readRequests(options.out);
     if (!pictures) return report(pictures.diagnostics(), options.json);
+    const bool saves = !options.save_patch.empty();
+    if (saves)
+        if (const Status patch = checkPatchFile(options.config, options.save_patch); !patch)
+            return report(patch.diagnostics(), options.json);
     const CheckoutSources sources(options.config.checkout);
     Result<Description> description = loadDescription(options.config, sources);
     if (!description) return report(description.diagnostics(), options.json);
@@ -207,6 +213,9 @@ int render(const RenderOptions& options)
 
     const Status written = writePictures(*pictures);
     if (!written) return report(written.diagnostics(), options.json);
+    if (saves)
+        if (const Status patch = savePatch(options.config, sources, options.save_patch); !patch)
+            return report(patch.diagnostics(), options.json);
     Diagnostics warnings = description.diagnostics();
     for (const Diagnostics* more :
          {&view.diagnostics(), &summary.diagnostics(), &written.diagnostics()})
@@ -244,6 +253,9 @@ void addRenderCommand(CLI::App& app, int& exit_code)
                         "frames need several")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command->add_option("--save-patch", options->save_patch,
+                        "Write a config that extends CONFIG and says what --variant and --set changed")
+        ->type_name("FILE.json");
     command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
     command->footer("Examples:\n"
                     "  crevice render learnopengl\n"
