@@ -119,15 +119,32 @@ std::size_t editDistance(std::string_view a, std::string_view b)
     return row[b.size()];
 }
 
-// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name
-// and the last part of a path ("hemisphere" for "ssao/hemisphere") count as just near enough.
+// The last part of a path; the whole of what is none.
+std::string_view lastPart(std::string_view path)
+{
+    return path.substr(path.rfind('/') + 1);  // npos + 1 is 0
+}
+
+// True when one of the two begins with the other.
+bool beginsAlike(std::string_view a, std::string_view b)
+{
+    const std::size_t shorter = std::min(a.size(), b.size());
+    return shorter > 1 && a.substr(0, shorter) == b.substr(0, shorter);
+}
+
+// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name,
+// a name with more behind it ("r8unorm" for "r8") or before it ("gl_r8"), and the last part of a
+// path ("hemisphere" or "filter/hemisphere" for "ssao/hemisphere") count as just near enough.
 std::size_t nameDistance(const std::string& written, const std::string& candidate,
                          std::size_t limit)
 {
-    const bool beginning = written.size() > 1 && candidate.compare(0, written.size(), written) == 0;
-    const std::size_t slash = candidate.rfind('/');
-    const bool last_part = slash != std::string::npos && candidate.substr(slash + 1) == written;
-    const std::size_t far = beginning || last_part ? limit : limit + 1;
+    const bool ending = candidate.size() > 1 && written.size() > candidate.size() &&
+                        written.compare(written.size() - candidate.size(), candidate.size(),
+                                        candidate) == 0;
+    const bool path = candidate.find('/') != std::string::npos;
+    const bool same_last = path && lastPart(candidate) == lastPart(written);
+    const bool just_near = beginsAlike(written, candidate) || ending || same_last;
+    const std::size_t far = just_near ? limit : limit + 1;
     const std::size_t longer = std::max(written.size(), candidate.size());
     const std::size_t shorter = std::min(written.size(), candidate.size());
     if (longer - shorter > limit || longer > 64) return far;
@@ -137,7 +154,7 @@ std::size_t nameDistance(const std::string& written, const std::string& candidat
 const std::string* nearestName(std::string_view name, const std::vector<std::string>& names)
 {
     const std::string written = lowered(name);
-    const std::size_t limit = std::max<std::size_t>(1, written.size() / 3);
+    const std::size_t limit = std::max<std::size_t>(written.size() > 1, written.size() / 3);
     const std::string* nearest = nullptr;
     std::size_t smallest = limit + 1;
     for (const std::string& candidate : names) {
@@ -236,7 +253,7 @@ std::string toJson(const Diagnostics& diagnostics)
 std::string suggestName(std::string_view name, std::vector<std::string> names,
                         std::string_view what)
 {
-    constexpr std::size_t kMaxListed = 12;  // about two lines of a terminal
+    constexpr std::size_t kMaxListed = 16;  // about three lines of a terminal
     if (names.empty()) return "there are no " + std::string(what);
     std::sort(names.begin(), names.end());
     const std::string* nearest = nearestName(name, names);
