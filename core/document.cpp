@@ -23,11 +23,36 @@ namespace {
 
 using Json = nlohmann::json;
 
+// How many entries each object and array has, in the order of their opening brackets; for a broken
+// text any numbers. With the room made beforehand no tree is moved while it grows, which would cost
+// more than all the rest of reading it.
+std::vector<std::uint32_t> countEntries(std::string_view text)
+{
+    std::vector<std::uint32_t> counts;
+    std::vector<std::size_t> open;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '"') {
+            for (++at; at < text.size() && text[at] != '"'; ++at)
+                if (text[at] == '\\') ++at;
+        } else if (c == '[' || c == '{') {
+            open.push_back(counts.size());
+            counts.push_back(1);
+        } else if (!open.empty() && (c == ']' || c == '}')) {
+            open.pop_back();
+        } else if (!open.empty() && c == ',') {
+            ++counts[open.back()];
+        }
+    }
+    return counts;
+}
+
 // Receives the events of nlohmann-json's parser and builds the tree. The events carry no position,
 // but they come in the order of the text: a cursor follows them from token to token.
 class TreeBuilder {
 public:
-    explicit TreeBuilder(const SourceRef& source) : source_(source), text_(source->text) {}
+    explicit TreeBuilder(const SourceRef& source)
+        : source_(source), text_(source->text), counts_(countEntries(text_)) {}
 
     // The names of these thirteen are the parser's.
     bool null() { return addValue(Node::Kind::null, 4); }
@@ -57,11 +82,15 @@ private:
     bool addInteger(double value);
     bool addNumber(double value, bool integer);
     bool open(Node::Kind kind);
+    void reserve(Node& node);
     bool close();
-    void checkKeys(const Node& object);
+    std::string pointer() const;
+    void checkKeys();
 
     SourceRef source_;
     std::string_view text_;
+    std::vector<std::uint32_t> counts_;  // of the entries of what opens next, and then
+    std::size_t opened_ = 0;
     std::size_t at_ = 0;  // behind the last token
     std::size_t line_begin_ = 0;
     int line_ = 1;
@@ -166,13 +195,26 @@ bool TreeBuilder::open(Node::Kind kind)
     moveToToken();
     if (open_.size() == kMaxDocumentDepth) {
         errors_.push_back({Code::too_deep, "found more than " + std::to_string(kMaxDocumentDepth) +
-                           " levels of objects and arrays", take(1)});
+                           " levels of objects and arrays", take(1), {}, {},
+                           "is a closing bracket missing? no config is that deep"});
         stopped_ = true;
         return false;
     }
-    open_.push_back(&add(kind, 1));
+    Node& node = add(kind, 1);
+    reserve(node);
+    open_.push_back(&node);
     after_ = SyntaxStop::After::opening;
     return true;
+}
+
+// An item takes two bytes at least and a member five, whatever a broken text may count.
+void TreeBuilder::reserve(Node& node)
+{
+    const std::size_t count = counts_[opened_++];
+    const std::size_t next = at_ + spaceLength(text_, at_), left = text_.size() - at_;
+    if (next == text_.size() || text_[next] == ']' || text_[next] == '}') return;
+    if (node.kind == Node::Kind::array) node.items.reserve(std::min(count, left / 2 + 1));
+    else node.members.reserve(std::min(count, left / 5 + 1));
 }
 
 bool TreeBuilder::close()
@@ -186,13 +228,26 @@ bool TreeBuilder::close()
 
 bool TreeBuilder::end_object()
 {
-    checkKeys(*open_.back());
+    checkKeys();
     return close();
 }
 
-// Sorted, because comparing each key with each takes minutes for a file made of nothing but keys.
-void TreeBuilder::checkKeys(const Node& object)
+// Of the innermost object or array.
+std::string TreeBuilder::pointer() const
 {
+    std::string path;
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+        const Node& node = *open_[i];
+        path = node.kind == Node::Kind::object ? memberPointer(path, node.members.back().key)
+                                               : path + '/' + std::to_string(node.items.size() - 1);
+    }
+    return path;
+}
+
+// Sorted, because comparing each key with each takes minutes for a file made of nothing but keys.
+void TreeBuilder::checkKeys()
+{
+    const Node& object = *open_.back();
     if (object.members.size() < 2) return;
     std::vector<const Member*> sorted;
     for (const Member& member : object.members) sorted.push_back(&member);
@@ -207,16 +262,26 @@ void TreeBuilder::checkKeys(const Node& object)
             continue;
         }
         errors_.push_back({Code::duplicate_key, "found the key '" + first->key + "' a second time",
-                           (*at)->key_place, {}, {{first->key_place, "the first one is here"}},
+                           (*at)->key_place, memberPointer(pointer(), first->key), {{first->key_place, "the first one is here"}},
                            "keep one of them"});
     }
 }
 
 bool TreeBuilder::parse_error(std::size_t, const std::string&, const Json::exception&)
 {
-    for (const Node* object : open_) checkKeys(*object);
     const Node* container = open_.empty() ? nullptr : open_.back();
-    errors_.push_back(explainSyntax(source_, {at_, after_, container}));
+    Diagnostic error = explainSyntax(source_, {at_, after_, container});
+    const auto isAt = [&error](const Place& place) {
+        return error.place.line == place.line && error.place.column == place.column;
+    };
+    error.pointer = pointer();
+    if (container && !container->members.empty()) {
+        const Member& last = container->members.back();
+        const bool value = after_ == SyntaxStop::After::key && !isAt(last.key_place);
+        if (value || isAt(last.value.place)) error.pointer = memberPointer(error.pointer, last.key);
+    }
+    errors_.push_back(std::move(error));
+    for (; !open_.empty(); open_.pop_back()) checkKeys();
     stopped_ = true;
     return false;
 }
@@ -239,14 +304,19 @@ Status checkText(const SourceRef& source)
     const std::string_view text = source->text;
     if (text.size() > kMaxDocumentBytes)
         return Diagnostic{Code::too_large, "found " + std::to_string(text.size()) +
-                          " bytes where at most 1048576 (1 MiB) are read", {source}};
+                          " bytes where at most 1048576 (1 MiB) are read", {source, 1, 1}, {}, {},
+                          "is this a config? the largest of them has a few thousand bytes"};
     if (text.substr(0, 3) == "\xEF\xBB\xBF")
         return Diagnostic{Code::bad_utf8, "found a byte order mark", placeAt(source, 0, 3), {}, {},
                           "save the file as UTF-8 without a byte order mark"};
     if (spaceLength(text, 0) == text.size())
-        return Diagnostic{Code::empty_text, "found nothing but white space", {source}, {}, {},
-                          "the smallest document is {}"};
+        return Diagnostic{Code::empty_text, "found nothing but white space", {source, 1, 1}, {}, {},
+                          "begin with { \"format\": 1 }"};
     for (std::size_t at = 0; at < text.size();) {
+        if (static_cast<unsigned char>(text[at]) < 0x80) {
+            ++at;
+            continue;
+        }
         const std::size_t length = utf8Length(text, at);
         if (length == 0)
             return Diagnostic{Code::bad_utf8, "found a byte that is not UTF-8", placeAt(source, at),

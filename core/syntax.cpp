@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 namespace crevice {
 
@@ -57,6 +58,8 @@ struct Fault {
     Code code = Code::syntax;
 };
 
+constexpr const char* kPairs = "an object holds pairs: \"key\": value";
+
 // What the grammar allows behind the stop, and where that would begin.
 struct Wanted {
     std::size_t offset = 0;
@@ -72,15 +75,16 @@ Wanted wantedAfter(std::string_view text, const SyntaxStop& stop)
     const bool in_object = stop.container && stop.container->kind == Node::Kind::object;
     const auto skip = [&](std::size_t offset) { return offset + spaceLength(text, offset); };
     const std::size_t at = skip(stop.offset);
-    if (stop.after == After::nothing) return {at, "a value", "", true};
-    if (stop.after == After::opening && in_object) return {at, "a key or '}'"};
+    if (stop.after == After::nothing) return {at, "a value", "a document begins with '{'", true};
+    if (stop.after == After::opening && in_object) return {at, "a key or '}'", kPairs};
     if (stop.after == After::opening) return {at, "a value or ']'", "", true};
     if (stop.after == After::key && charAt(text, at) == ':')
         return {skip(at + 1), "a value", "", true};
     if (stop.after == After::key) return {at, "':'", "write ':' between a key and its value"};
     if (!stop.container) return {at, "the end of the text", "a text holds one value"};
     if (charAt(text, at) == ',')
-        return {skip(at + 1), in_object ? "a key" : "a value", "", !in_object, true};
+        return {skip(at + 1), in_object ? "a key" : "a value", in_object ? kPairs : "", !in_object,
+                true};
     return {at, in_object ? "',' or '}'" : "',' or ']'", "is a comma missing before it?"};
 }
 
@@ -171,9 +175,23 @@ std::string wordHelp(std::string_view word, const Wanted& wanted)
     if (lower != word && (lower == "true" || lower == "false" || lower == "null"))
         return "write it in lower case: " + lower;
     if (lower == "none" || lower == "nil" || lower == "undefined") return "write null";
-    if (wanted.help[0] != '\0') return wanted.help;
+    for (const char* flag : {"yes", "no", "on", "off"})
+        if (wanted.value && lower == flag) return "write true or false";
+    if (wanted.help[0] != '\0' && wanted.help != kPairs) return wanted.help;
     return "put keys and text in double quotes: \"" + std::string(utf8Prefix(word, kMaxShown)) +
            "\"";
+}
+
+// "0.5f" and "1_000" without what spoils them; empty when no number is left.
+std::string bareNumber(std::string_view token)
+{
+    std::string digits;
+    std::copy_if(token.begin(), token.end(), std::back_inserter(digits),
+                 [](char c) { return c != '_'; });
+    const std::size_t length = numberLength(digits, 0);
+    const auto letter = [](char c) { return isWordCharacter(c) && !isDigit(c); };
+    return std::all_of(digits.begin() + static_cast<std::ptrdiff_t>(length), digits.end(), letter)
+               ? digits.substr(0, length) : "";
 }
 
 std::string numberHelp(std::string_view token)
@@ -186,7 +204,17 @@ std::string numberHelp(std::string_view token)
     if (charAt(digits, 0) == '0' && isDigit(charAt(digits, 1)))
         return "write it without leading zeros";
     if (!digits.empty() && digits.back() == '.') return "write a digit after the point";
+    if (const std::string bare = bareNumber(token); !bare.empty())
+        return "write the number alone: " + bare;
     return "a number looks like 12, -0.5 or 1e-3";
+}
+
+// True where a comma or bracket is wanted behind a number and blanks.
+bool afterNumber(std::string_view text, std::size_t begin, const Wanted& wanted)
+{
+    if (wanted.what[0] != '\'' || wanted.what[1] != ',') return false;
+    while (begin > 0 && text[begin - 1] == ' ') --begin;
+    return begin > 0 && isDigit(text[begin - 1]);
 }
 
 Fault wordFault(std::string_view text, const Wanted& wanted)
@@ -200,30 +228,59 @@ Fault wordFault(std::string_view text, const Wanted& wanted)
     const std::string_view token = text.substr(begin, end - begin);
     const std::size_t sign = isOneOf(token[0], "+-") ? 1 : 0;
     const char first = charAt(token, sign);
+    if (token.find_first_not_of('.') == token.npos && token.size() > 1)
+        return unexpected(begin, token.size(), quoted(token), wanted,
+                          "write out what belongs there, or take it away");
     if (!isDigit(first) && first != '.' && token.size() > sign)
         return unexpected(begin, token.size(), quoted(token), wanted,
-                          wordHelp(token, wanted));
+                          afterNumber(text, begin, wanted)
+                              ? "write the number alone, without a unit; or is a comma missing?"
+                              : wordHelp(token, wanted));
     if (numberLength(token, 0) != token.size())
         return {begin, token.size(), "found " + quoted(token) + ", which is not a number",
                 numberHelp(token)};
     if (wanted.value)
         return {begin, token.size(), "the number " + quoted(token) + " is too large",
                 "the largest number is about 1.8e308", Code::number_range};
-    return unexpected(begin, token.size(), quoted(token), wanted, wanted.help);
+    // 0,5 in an object ends the value at the comma.
+    const bool decimal_comma = wanted.after_comma && begin > 1 && text[begin - 1] == ',' &&
+                               isDigit(text[begin - 2]);
+    return unexpected(begin, token.size(), quoted(token), wanted,
+                      decimal_comma ? "a decimal number is written with a point: 0.5" : wanted.help);
 }
 
-Fault symbolFault(std::string_view text, const Wanted& wanted)
+// What to do about a sign that JSON does not have there.
+std::string symbolHelp(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
+{
+    const char c = text[wanted.offset];
+    const bool after_value = stop.after == SyntaxStop::After::value;
+    if (c == ',')
+        return wanted.after_comma ? "take one of the two commas away" : "take the comma away";
+    if (isOneOf(c, "]}")) {
+        if (!stop.container) return "take it away; or is an opening one missing above?";
+        if (stop.after == SyntaxStop::After::key) return wanted.help;
+        return stop.container->kind == Node::Kind::array ? "close the array with ']' first"
+                                                         : "close the object with '}' first";
+    }
+    if (c == ';' && after_value) return "write ',' between entries";
+    if (c == '%') return "write a share, such as 0.5";
+    if (isOneOf(c, "/*") && after_value) return "JSON does not calculate: write the result";
+    if (isOneOf(c, "()")) return "take the parentheses away";
+    return wanted.help;
+}
+
+Fault symbolFault(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
 {
     const std::size_t length = std::max<std::size_t>(utf8Length(text, wanted.offset), 1);
     const std::string_view symbol = text.substr(wanted.offset, length);
     const char c = symbol[0];
     std::string found = quoted(symbol);
-    std::string help = isOneOf(c, "]},") ? "" : wanted.help;
+    std::string help = symbolHelp(text, stop, wanted);
     if (c == '#' || (c == '/' && isOneOf(charAt(text, wanted.offset + 1), "/*"))) {
         found = "a comment";
         help = "JSON has no comments; a key of your own that begins with 'x-' may hold a note";
-    } else if (c == '\'' || symbol == "\u2018" || symbol == "\u201C" || symbol == "\u201D") {
-        found = c == '\'' ? "a single quote" : "a curly quote";
+    } else if (isOneOf(c, "'`") || symbol == "\u2018" || symbol == "\u201C" || symbol == "\u201D") {
+        found = c == '\'' ? "a single quote" : c == '`' ? "a backtick" : "a curly quote";
         help = "put keys and text in double quotes: \"";
     } else if (static_cast<unsigned char>(c) < 0x20) {
         found = "a control character";
@@ -232,15 +289,33 @@ Fault symbolFault(std::string_view text, const Wanted& wanted)
     return unexpected(wanted.offset, length, found, wanted, help);
 }
 
+// A string that lacks its closing quote ends at the next one's opening quote, and what follows makes
+// no sense: "radius: { "default". True when the last string ends in what stands between entries.
+bool lacksQuote(std::string_view text, const SyntaxStop& stop, std::size_t offset)
+{
+    if (stop.offset == 0 || text[stop.offset - 1] != '"' || !isWordCharacter(charAt(text, offset)))
+        return false;
+    std::size_t end = stop.offset - 1;
+    while (end > 0 && text[end - 1] == ' ') --end;
+    return end > 0 && isOneOf(text[end - 1], ",:[{");
+}
+
 Fault faultAt(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
 {
     const char c = text[wanted.offset];
+    if (lacksQuote(text, stop, wanted.offset)) {
+        const std::size_t begin = text.rfind('"', stop.offset - 2);
+        return {begin, stop.offset - begin,
+                "found " + quoted(text.substr(begin, stop.offset - begin)) +
+                    ", which looks like a string without its closing quote",
+                "close it with '\"' where it should end"};
+    }
     if (wanted.after_comma && (c == '}' || c == ']'))
         return {stop.offset + spaceLength(text, stop.offset), 1,
                 "found a comma with nothing between it and " + quoted({&c, 1}),
                 "take the comma away"};
     if (isWordCharacter(c) || isOneOf(c, "+-.")) return wordFault(text, wanted);
-    if (c != '"') return symbolFault(text, wanted);
+    if (c != '"') return symbolFault(text, stop, wanted);
     Fault fault;
     const std::size_t length = readString(text, wanted.offset, fault);
     if (length == 0) return fault;

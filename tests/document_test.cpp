@@ -4,9 +4,18 @@
 
 #include "tests/catch.h"
 
+#include <algorithm>
+#include <ctime>
+
 using namespace crevice;
 
 namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double kSanitizerFactor = 20;
+#else
+constexpr double kSanitizerFactor = 1;
+#endif
 
 SourceRef textOf(const std::string& text)
 {
@@ -143,6 +152,21 @@ TEST_CASE("the size ends at one mebibyte")
     text += std::string(kMaxDocumentBytes - text.size() - 2, 'x') + "\"}";
     CHECK(parseDocument(textOf(text)));
     CHECK(failureOf(text + " ").code == Code::too_large);
+}
+
+TEST_CASE("a mebibyte of the smallest values is read in a moment")
+{
+    std::string text = "{\"a\":[0";
+    while (text.size() < kMaxDocumentBytes - 4) text += ",0";
+    const SourceRef source = textOf(text + "]}");
+    constexpr double kMost = 0.25;  // seconds of this process: five times what it is to take
+    double least = 1e30;
+    for (int i = 0; i < 5 && least > kMost; ++i) {
+        const std::clock_t begin = std::clock();
+        CHECK(parseDocument(source).ok());
+        least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    CHECK(least <= kMost * kSanitizerFactor);
 }
 
 TEST_CASE("a mebibyte of small values is read whole")
