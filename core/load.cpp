@@ -44,6 +44,19 @@ std::vector<std::string> extendsNames(const SourceSet& sources)
     return names;
 }
 
+// A help line for a name that is none of them: the nearest one, or else those of its folder.
+std::string suggestModule(const SourceSet& sources, const std::string& name)
+{
+    const std::vector<std::string> names = extendsNames(sources);
+    std::string help = suggestName(name, names, "modules and configs");
+    const std::string folder = name.substr(0, name.find('/') + 1);
+    if (folder.empty() || startsWith(help, "did you mean")) return help;
+    std::vector<std::string> beside;
+    for (const std::string& each : names)
+        if (startsWith(each, folder)) beside.push_back(each);
+    return beside.empty() ? help : suggestName(name, std::move(beside), "modules of '" + folder + "'");
+}
+
 std::string absenceOf(const std::string& path)
 {
     std::error_code error;
@@ -75,18 +88,24 @@ std::optional<Node> takeMember(Node& object, std::string_view key)
     return value;
 }
 
-Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer)
+Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
 {
     return {Code::wrong_type, "found " + brief(found) + " where " + wanted + " was wanted",
-            found.place, std::move(pointer)};
+            found.place, std::move(pointer), {}, std::move(help)};
 }
+
+// Where a file was asked for: nowhere for the config itself.
+struct Asked {
+    Place place = {};
+    std::string pointer = {};
+};
 
 // Reads a config's files, each once and each after all that it extends.
 class FileLoader {
 public:
     explicit FileLoader(const SourceSet& sources) : sources_(sources) {}
 
-    void load(const SourceRef& source, const Place& asked_at);
+    void load(const SourceRef& source, const Asked& asked);
     void checkClashes();
 
     std::vector<Node> bodies;      // without `extends` and `variants`
@@ -102,13 +121,15 @@ private:
     struct Read {
         std::string identity;
         std::string name;
-        Place asked_at;
+        Asked asked;
     };
 
-    bool mayOpen(const Opened& file, const Place& asked_at);
-    Result<SourceRef> findExtended(const SourceText& from, const Node& entry) const;
+    bool mayOpen(const Opened& file, const Asked& asked);
+    Result<SourceRef> findExtended(const SourceText& from, const Node& entry,
+                                   const std::string& pointer) const;
     void loadExtended(const SourceRef& source, const Node& list);
     void checkFormat(const Node& document);
+    void checkKeys(const Node& document);
     void takeVariants(Node& document);
 
     const SourceSet& sources_;
@@ -128,21 +149,22 @@ std::string identityOf(const SourceText& source)
     return error ? source.name : canonical.string();
 }
 
-void FileLoader::load(const SourceRef& source, const Place& asked_at)
+void FileLoader::load(const SourceRef& source, const Asked& asked)
 {
     const Opened file{identityOf(*source), source->name};
-    if (done_.count(file.identity) > 0 || !mayOpen(file, asked_at)) return;
+    if (done_.count(file.identity) > 0 || !mayOpen(file, asked)) return;
     Result<Node> document = parseDocument(source);
     append(errors, document.diagnostics());
     if (document) {
         checkFormat(*document);
+        checkKeys(*document);
         takeMember(*document, "$schema");  // by which editors find what checks the file
         open_.push_back(file);
         if (const auto list = takeMember(*document, "extends")) loadExtended(source, *list);
         open_.pop_back();
         takeVariants(*document);
         bodies.push_back(std::move(*document));
-        read_.push_back({file.identity, file.name, asked_at});
+        read_.push_back({file.identity, file.name, asked});
     }
     done_.insert(file.identity);
 }
@@ -184,15 +206,16 @@ void FileLoader::checkClashes()
             if (!made) continue;
             Diagnostic error{Code::module_clash, "'" + read_[later].name + "' and '" +
                              read_[first].name + "' both make " + *made +
-                             ", and neither extends the other", read_[later].asked_at, "/extends"};
-            error.notes.push_back({read_[first].asked_at, "the other one was asked for here"});
+                             ", and neither extends the other", read_[later].asked.place,
+                             read_[later].asked.pointer};
+            error.notes.push_back({read_[first].asked.place, "the other one was asked for here"});
             error.help = "keep one of the two in 'extends'";
             errors.push_back(std::move(error));
             return;
         }
 }
 
-bool FileLoader::mayOpen(const Opened& file, const Place& asked_at)
+bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
 {
     std::string chain;
     bool cycle = false;
@@ -202,27 +225,30 @@ bool FileLoader::mayOpen(const Opened& file, const Place& asked_at)
     }
     if (cycle)
         errors.push_back({Code::module_cycle,
-                          "'extends' leads back to itself: " + chain + file.name, asked_at, {}, {},
+                          "'extends' leads back to itself: " + chain + file.name, asked.place,
+                          asked.pointer, {},
                           "take this entry out of 'extends'"});
     else if (open_.size() > kMaxExtendsDepth)
         errors.push_back({Code::module_depth, "found 'extends' more than " +
-                          std::to_string(kMaxExtendsDepth) + " deep", asked_at, {}, {},
+                          std::to_string(kMaxExtendsDepth) + " deep", asked.place,
+                          asked.pointer, {},
                           "let the config name what it needs in one list"});
     else
         return true;
     return false;
 }
 
-Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& entry) const
+Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& entry,
+                                           const std::string& pointer) const
 {
     const std::string& name = entry.text;
     Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
-                       entry.place};
+                       entry.place, pointer};
     if (!isRelative(name)) {
         const std::string path = name + std::string(kSuffix);
         if (SourceRef source = sources_.find(path)) return source;
         if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;
-        missing.help = suggestName(name, extendsNames(sources_), "modules and configs");
+        missing.help = suggestModule(sources_, name);
         if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
         return missing;
     }
@@ -232,31 +258,37 @@ Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& e
         resolvePath(shipped ? from.path : rooted ? from.name : "./" + from.name, name);
     if (path.empty())
         return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
-                          entry.place, {}, {}, "name a module, such as 'ssao/hemisphere'"};
+                          entry.place, pointer, {}, "name a module, such as 'ssao/hemisphere'"};
     if (SourceRef source = shipped ? sources_.find(path) : readFile(path)) return source;
     missing.message = shipped ? "there is no module '" + path + "'" : absenceOf(path);
     missing.help = "the path is seen from the folder of '" + from.name + "'";
+    if (!endsWith(name, kSuffix)) missing.help = "did you mean '" + name + std::string(kSuffix) +
+                                                 "'? " + missing.help;
     return missing;
 }
 
 void FileLoader::loadExtended(const SourceRef& source, const Node& list)
 {
     if (list.kind != Node::Kind::array) {
-        errors.push_back(wrongType(list, "a list of names", "/extends"));
+        errors.push_back(wrongType(list, "a list of names", "/extends",
+                                   list.kind == Node::Kind::string
+                                       ? "put it in brackets: [" + jsonString(list.text) + "]"
+                                       : "write [\"folder/module\", ...]"));
         return;
     }
     for (const Node& entry : list.items) {
         const std::string pointer = "/extends/" + std::to_string(&entry - list.items.data());
         if (entry.kind != Node::Kind::string) {
-            errors.push_back(wrongType(entry, "a name", pointer));
+            errors.push_back(wrongType(entry, "a name", pointer,
+                                       "write the name of a module or config in double quotes"));
             continue;
         }
-        const Result<SourceRef> found = findExtended(*source, entry);
+        const Result<SourceRef> found = findExtended(*source, entry, pointer);
         if (!found) {
             append(errors, found.diagnostics());
             continue;
         }
-        load(*found, entry.place);
+        load(*found, {entry.place, pointer});
         std::set<std::string>& mine = extended_[open_.back().identity];
         const std::string theirs = identityOf(**found);
         mine.insert(theirs);
@@ -275,8 +307,24 @@ void FileLoader::checkFormat(const Node& document)
         error.place = format->place;
         error.help = "this library reads format 1";
         if (format->number > 1) error.help += "; update crevice";
+        if (format->number == 1 || format->text == "1") error.help = "write \"format\": 1";
     }
     errors.push_back(std::move(error));
+}
+
+// A key that was meant as `extends` is told before all that is not there without it.
+void FileLoader::checkKeys(const Node& document)
+{
+    static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit", "inherits"};
+    for (const Member& member : document.members) {
+        std::string help = suggestName(member.key, {"extends"}, "keys");
+        const bool near = startsWith(help, "did you mean") && member.key != "extends";
+        if (!near && kMeant.count(member.key) == 0) continue;
+        if (!near) help = "did you mean 'extends'?";
+        errors.push_back({Code::unknown_key, "found the key '" + member.key +
+                          "', which the format does not have here", member.key_place,
+                          memberPointer("", member.key), {}, std::move(help)});
+    }
 }
 
 void FileLoader::takeVariants(Node& document)
@@ -284,13 +332,16 @@ void FileLoader::takeVariants(Node& document)
     std::optional<Node> taken = takeMember(document, "variants");
     if (!taken) return;
     if (taken->kind != Node::Kind::object)
-        errors.push_back(wrongType(*taken, "an object of variants", "/variants"));
+        errors.push_back(wrongType(*taken, "an object of variants", "/variants",
+                                   "write {\"name\": {what to change}, ...}"));
     for (Member& variant : taken->members) {
         if (variant.value.kind == Node::Kind::object)
             variants.push_back(std::move(variant));
         else
             errors.push_back(wrongType(variant.value, "an object",
-                                       memberPointer("/variants", variant.key)));
+                                       memberPointer("/variants", variant.key),
+                                       "write what to change, as in the config itself: "
+                                       "{\"params\": ...}"));
     }
 }
 
@@ -306,7 +357,7 @@ void applyVariant(Node& document, const FileLoader& files, const LoadRequest& re
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     Diagnostic missing{Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
-                       request.config + "'"};
+                       request.config + "'", document.place, "/variants"};
     missing.help = suggestName(request.variant, std::move(names), "variants");
     errors.push_back(std::move(missing));
 }
