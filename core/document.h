@@ -33,6 +33,7 @@ struct Node {
     std::string text;             ///< The string, or the number as it was written.
     std::vector<Node> items;      ///< Of an array.
     std::vector<Member> members;  ///< Of an object, in the order of the text.
+    std::vector<Member> deleted;  ///< Of an object: the nulls of patches that took members away.
     Place place;
     std::vector<Place> origins;
 

@@ -37,13 +37,40 @@ Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer
     return diagnostic;
 }
 
+// The key that somebody means who writes a bare value for the object at `pointer`; empty when there
+// is none such.
+std::string mainKey(std::string_view pointer)
+{
+    static constexpr struct {
+        const char* section;
+        const char* list;  // below an entry of the section; empty for the entry itself
+        const char* key;
+    } kKeys[] = {{"/params/", "", "default"}, {"/features/", "", "default"},
+                 {"/targets/", "size", "scale"}, {"/passes/", "inputs/", "from"}};
+    for (const auto& each : kKeys) {
+        const std::string_view section = each.section, list = each.list;
+        if (!startsWith(pointer, section)) continue;
+        std::string_view below = pointer.substr(section.size());
+        below.remove_prefix(std::min(below.find('/'), below.size()));
+        if (below.empty() && list.empty()) return each.key;
+        if (below.empty() || list.empty() || !startsWith(below.substr(1), list)) continue;
+        if (below.find('/', list.size() + 1) == below.npos) return each.key;
+    }
+    return {};
+}
+
 Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& pointer)
 {
     Diagnostic diagnostic{Code::merge_kind, "found " + oneOf(patch) + " where " + oneOf(base) +
                           " is to be changed", patch.place, pointer};
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
-    diagnostic.help = isObject(base) ? "write an object with the keys to change, or null to delete"
-                                     : "write the whole value: only objects change key by key";
+    const std::string key = isObject(base) ? mainKey(pointer) : "";
+    if (!key.empty() && (patch.kind != Node::Kind::array || key == "default"))
+        diagnostic.help = "write {" + jsonString(key) + ": " + brief(patch) + "}";
+    else if (isObject(base))
+        diagnostic.help = "write an object with the keys to change, or null to delete";
+    else
+        diagnostic.help = "write the whole value: only objects change key by key";
     return diagnostic;
 }
 
@@ -76,12 +103,30 @@ private:
         const bool there = found != base.members.end();
         if (patch.value.kind != Node::Kind::null) {
             if (there) merge(found->value, patch.value, pointer);
-            else base.members.push_back({patch.key, patch.key_place, fresh(patch.value, pointer)});
+            else addMember(base, patch, pointer);
         } else if (there) {
             base.members.erase(found);
+            base.deleted.push_back(patch);
         } else {
             diagnostics_.push_back(missingKey(base, patch, pointer));
         }
+    }
+
+    // Deleting below a key that is not there is a mistake in that key where a similar one is.
+    void addMember(Node& base, const Member& patch, const std::string& pointer)
+    {
+        const std::size_t before = diagnostics_.size();
+        Node value = fresh(patch.value, pointer);
+        if (diagnostics_.size() > before) {
+            Diagnostic missing = missingKey(base, patch, pointer);
+            if (startsWith(missing.help, "did you mean")) {
+                missing.message = "found the key '" + patch.key + "' with a null in it, and there is "
+                                  "nothing to be deleted";
+                diagnostics_.resize(before);
+                diagnostics_.push_back(std::move(missing));
+            }
+        }
+        base.members.push_back({patch.key, patch.key_place, std::move(value)});
     }
 
     // A copy for a place where nothing was, so that nothing can be deleted either. No member
