@@ -25,9 +25,10 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     table::Report report;
     table::read(report, table::Cursor{document, "", document.place}, description, {});
     table::checkNames(document, description, report);
-    table::checkReferences(document, description, report);
+    table::checkReferences(document, sources, description, report);
     table::readShaderFiles(document, sources, description, report);
     table::checkUnused(document, description, report);
+    description.deleted = table::deletedNames(document);
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
     return {std::move(description), std::move(diagnostics)};

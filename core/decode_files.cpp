@@ -47,11 +47,13 @@ std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::stri
     return paths;
 }
 
-// Nobody means a fragment shader by a module's JSON.
-std::string suggestFile(const SourceSet& sources, const std::string& name)
+// `ending` says what the file is for: ".frag", ".vert", ".glsl".
+std::string suggestFile(const SourceSet& sources, const std::string& name,
+                        const std::string& ending)
 {
-    const std::string ending = name.substr(std::min(name.rfind('.'), name.size()));
-    return suggestName(name, filesEndingIn(sources, ending), "files");
+    const std::string help = suggestName(name, filesEndingIn(sources, ending), "files");
+    const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
+    return relative ? "the path is seen from the folder of the file that has it; " + help : help;
 }
 
 // ": geometry/depth_normal, ..." for "surface": a module's files have its name in front.
@@ -72,14 +74,14 @@ public:
           stray_(strayNames(document, report)) {}
 
     // Reads the file behind `reference` and all that it includes.
-    void readFrom(Reference& reference, const std::string& who)
+    void readFrom(Reference& reference, const std::string& who, const std::string& ending)
     {
         if (reference.pointer.empty()) return;  // it was not written, or not a name
         const Found file = findFile(sources_, pathOf(reference.place.source), reference.name);
         if (!file.source) {
             report_.at(reference, Code::file_missing,
                        who + " names file '" + reference.name + "', which does not exist")
-                .help = suggestFile(sources_, reference.name);
+                .help = suggestFile(sources_, reference.name, ending);
             report_.sameMistake("file " + file.key);
             return;
         }
@@ -106,7 +108,7 @@ private:
             if (found.source) waiting.push_back(found);
             else
                 missing(include, pointer, "file '" + include.name + "'").help =
-                    suggestFile(sources_, include.name);
+                    suggestFile(sources_, include.name, ".glsl");
         }
     }
 
@@ -143,11 +145,11 @@ void readShaderFiles(const Node& document, const SourceSet& sources, Description
 {
     FileReader reader(document, sources, description, report);
     for (ShaderDesc& each : description.shaders) {
-        reader.readFrom(each.vertex, "shader '" + each.name + "'");
-        reader.readFrom(each.fragment, "shader '" + each.name + "'");
+        reader.readFrom(each.vertex, "shader '" + each.name + "'", ".vert");
+        reader.readFrom(each.fragment, "shader '" + each.name + "'", ".frag");
     }
     for (InterfaceDesc& each : description.interfaces)
-        reader.readFrom(each.file, "interface '" + each.name + "'");
+        reader.readFrom(each.file, "interface '" + each.name + "'", ".glsl");
 }
 
 }  // namespace crevice::table

@@ -175,10 +175,31 @@ void checkSizeCycle(const Description& description, const TargetDesc& target, Re
     error.help = "let one of them follow the output: leave out its 'of'";
 }
 
+// A default that was fine until a later file moved a bound over it: the bound is the mistake.
+void blameBound(const Node& document, const ParamDesc& param, Report& report)
+{
+    Diagnostic* error = report.firstWithin(param.pointer + "/default");
+    if (!error || error->code != Code::out_of_range) return;
+    const Node& value = *locate(document, error->pointer).node;
+    const Node& whole = *locate(document, param.pointer + "/default").node;
+    const std::string key = value.number < param.min ? "min" : "max";
+    const Node* bound = locate(document, param.pointer + "/" + key).node;
+    if (!bound || bound->origins.size() <= whole.origins.size()) return;
+    const char* side = key == "min" ? "above" : "below";
+    error->code = Code::bad_range;
+    error->message = param.name + ": '" + key + "' " + bound->text + " is " + side +
+                     " the default " + value.text;
+    error->place = bound->place;
+    error->pointer = param.pointer + "/" + key;
+    error->notes = {{value.place, "the default is here"}};
+    error->help = "change the default as well, or write " + value.text;
+}
+
 }  // namespace
 
 void checkNames(const Node& document, const Description& description, Report& report)
 {
+    for (const ParamDesc& each : description.params) blameBound(document, each, report);
     for (const GeneratedDesc& each : description.generated)
         checkCount(document, description, each, report);
     for (const TargetDesc& each : description.targets) {

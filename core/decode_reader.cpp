@@ -2,6 +2,8 @@
 // What the decoding visitor does with keys: missing, unknown, refused, badly named.
 #include "core/decode_reader.h"
 
+#include "core/text.h"
+
 #include <algorithm>
 
 namespace crevice::table {
@@ -43,6 +45,57 @@ std::string spellName(std::string_view name)
     return out.substr(0, kMaxNameBytes);
 }
 
+// What people write who know other systems, and what this format calls it.
+constexpr struct {
+    const char* written;
+    const char* meant;
+} kOtherWords[] = {
+    {"value", "default"},    {"val", "default"},         {"description", "tooltip"},
+    {"name", "label"},       {"options", "values"},      {"fmt", "format"},
+    {"width", "size"},       {"height", "size"},         {"resolution", "size"},
+    {"factor", "scale"},     {"relative", "of"},         {"msaa", "samples"},
+    {"mipmaps", "mips"},     {"levels", "mips"},         {"vs", "vertex"},
+    {"fs", "fragment"},      {"pixel", "fragment"},      {"macros", "defines"},
+    {"program", "shader"},   {"enabled", "when"},        {"enable", "when"},
+    {"disabled", "when"},    {"condition", "when"},      {"if", "when"},
+    {"targets", "color"},    {"render_targets", "color"}, {"textures", "inputs"},
+    {"samplers", "inputs"},  {"reads", "inputs"},        {"source", "from"},
+    {"src", "from"},         {"texture", "from"},        {"sampling", "filter"},
+    {"address", "wrap"},     {"blending", "blend"},      {"culling", "cull"},
+    {"import", "imports"},   {"parameters", "params"},   {"uniforms", "params"},
+    {"textures", "targets"}, {"presets", "variants"},    {"profiles", "variants"},
+};
+
+// The help for a key that is none of `keys`.
+std::string suggestKey(std::string_view written, const std::vector<std::string>& keys)
+{
+    const auto there = [&](std::string_view key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    std::string help = suggestName(written, keys, "keys");
+    const char first = written.empty() ? ' ' : written[0];
+    if (!isLower(first) || startsWith(written, "x_") || startsWith(written, "comment"))
+        help += "; a key of your own begins with 'x-'";
+    if (startsWith(help, "did you mean")) return help;
+    for (const auto& word : kOtherWords)
+        if (word.written == written && there(word.meant))
+            return "did you mean '" + std::string(word.meant) + "'? " + help;
+    return help;
+}
+
+// "radius": 0.8 at the top of a config is meant for its section.
+std::string suggestPlace(const Node& document, const Member& member)
+{
+    for (const char* section : {"params", "features"}) {
+        const Node* entries = document.find(section);
+        if (!entries || !entries->find(member.key)) continue;
+        const bool whole = member.value.kind == Node::Kind::object;
+        return std::string("write \"") + section + "\": {" + jsonString(member.key) + ": " +
+               (whole ? brief(member.value) : "{\"default\": " + brief(member.value) + "}") + "}; ";
+    }
+    return {};
+}
+
 }  // namespace
 
 bool isName(std::string_view name)
@@ -51,6 +104,14 @@ bool isName(std::string_view name)
     return !name.empty() && isLower(name.front()) && name.size() <= kMaxNameBytes &&
            std::all_of(name.begin(), name.end(), allowed) &&
            name.find("__") == std::string_view::npos && name.substr(0, 3) != "gl_";
+}
+
+Place lastPlace(const Node& object)
+{
+    Place place = object.place;
+    for (const Member& member : object.members)
+        if (member.value.place.source != object.place.source) place = member.value.place;
+    return place;
 }
 
 void checkName(Report& report, const Cursor& cursor)
@@ -85,15 +146,45 @@ void Reader::ordered(const char* min_key, double& min, const char* max_key, doub
 bool Reader::finish()
 {
     if (!has_keys_) return true;
-    if (!expectObject(report_, cursor_)) return false;
+    if (!expectObject(report_, cursor_, keys_)) return false;
+    reportUnknown();
+    for (const Missing& missing : missing_) reportMissing(missing);
+    return missing_.empty();
+}
+
+// A key that must be there and that an unknown one was meant to be is no mistake of its own.
+void Reader::reportUnknown()
+{
+    if (cursor_.pointer.empty()) keys_.insert(keys_.end(), {"extends", "variants"});
     for (const Member& member : cursor_.node.members) {
         const bool known = std::find(keys_.begin(), keys_.end(), member.key) != keys_.end();
         if (known || isExtension(member.key)) continue;
+        std::string help = suggestKey(member.key, keys_);
+        if (cursor_.pointer.empty()) help = suggestPlace(cursor_.node, member) + help;
+        const auto meant = [&](const Missing& each) {
+            return startsWith(help, "did you mean '" + std::string(each.key) + "'");
+        };
+        missing_.erase(std::remove_if(missing_.begin(), missing_.end(), meant), missing_.end());
         report_.atKey(cursor_.child(member), Code::unknown_key,
                       "found the key '" + member.key + "', which the format does not have here")
-            .help = suggestName(member.key, keys_, "keys");
+            .help = std::move(help);
     }
-    return true;
+}
+
+// At the null of the patch that took it away, where there is one.
+void Reader::reportMissing(const Missing& missing)
+{
+    const std::string where = cursor_.key.empty() ? "the config" : "'" + cursor_.key + "'";
+    const std::string message =
+        where + " has no '" + missing.key + "', which must be there";
+    const std::string help = std::string("add \"") + missing.key + "\": " + missing.doc;
+    for (const Member& deleted : cursor_.node.deleted) {
+        if (deleted.key != missing.key) continue;
+        report_.atKey(cursor_.child(deleted), Code::missing_key, message).help =
+            "give it a value instead of null, or leave it as it was";
+        return;
+    }
+    report_.atKey(cursor_, Code::missing_key, message).help = help;
 }
 
 const Member* Reader::find(std::string_view key) const
@@ -108,15 +199,6 @@ Cursor Reader::child(const Member& member, const char* doc) const
     Cursor cursor = cursor_.child(member);
     cursor.doc = doc;
     return cursor;
-}
-
-bool Reader::missing(const char* key, const char* doc)
-{
-    if (cursor_.node.kind != Node::Kind::object) return false;  // `finish` says so
-    const std::string where = cursor_.key.empty() ? "the config" : "'" + cursor_.key + "'";
-    report_.atKey(cursor_, Code::missing_key, where + " has no '" + key + "', which must be there")
-        .help = std::string("add \"") + key + "\": " + doc;
-    return false;
 }
 
 }  // namespace crevice::table

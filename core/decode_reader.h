@@ -32,11 +32,14 @@ bool read(Report& report, const Cursor& cursor, Scalars out, const Rule& rule);
 bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
               std::size_t& index);
 
-/// CV3002 unless the value is an object.
-bool expectObject(Report& report, const Cursor& cursor);
+/// CV3002 unless the value is an object. The help lists `keys`, where there are some.
+bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys = {});
 
 /// Lower-case letters, digits and single underscores, a letter first, at most 64 bytes, no "gl_".
 bool isName(std::string_view name);
+
+/// Where an object was changed: its place, or that of a member that another file set.
+Place lastPlace(const Node& object);
 
 /// CV3004 unless the cursor's key is a name that JSON, GLSL and C++ can share.
 void checkName(Report& report, const Cursor& cursor);
@@ -58,7 +61,8 @@ public:
         keys_.push_back(key);
         const Member* member = find(key);
         if (member) return read(report_, child(*member, doc), out, rule);
-        return !rule.required || missing(key, doc);
+        if (rule.required) missing_.push_back({key, doc});
+        return !rule.required;
     }
 
     template <class T>
@@ -84,13 +88,20 @@ public:
     bool finish();
 
 private:
+    struct Missing {
+        const char* key;
+        const char* doc;
+    };
+
     const Member* find(std::string_view key) const;
     Cursor child(const Member& member, const char* doc) const;
-    bool missing(const char* key, const char* doc);
+    void reportUnknown();
+    void reportMissing(const Missing& missing);
 
     Report& report_;
     Cursor cursor_;
     std::vector<std::string> keys_ = {};
+    std::vector<Missing> missing_ = {};  // required keys that are not there
     bool has_keys_ = true;  // false when the value is not written as an object with keys
 };
 
@@ -141,6 +152,7 @@ bool read(Report& report, const Cursor& cursor, T& out, const Rule&)
     } else {
         Reader reader(report, cursor);
         fields(reader, out);
+        if constexpr (std::is_same_v<T, SizeDesc>) out.place = lastPlace(cursor.node);
         return reader.finish();
     }
 }

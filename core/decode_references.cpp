@@ -27,9 +27,28 @@ bool isCount(std::string_view text)
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// "filter/box, filter/none" for the target "ao_filtered"; empty when no module makes it.
+std::string listMakers(const SourceSet& sources, const std::string& target)
+{
+    constexpr std::string_view kSuffix = ".json";
+    std::string makers;
+    for (const std::string& path : sources.list()) {
+        if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
+        const SourceRef source = sources.find(path);
+        if (!source || source->text.find('"' + target + '"') == std::string::npos) continue;
+        const Result<Node> document = parseDocument(source);
+        const Node* targets = document ? document->find("targets") : nullptr;
+        const Node* made = targets ? targets->find(target) : nullptr;
+        if (made && made->find("format"))
+            makers += (makers.empty() ? "" : ", ") + path.substr(0, path.size() - kSuffix.size());
+    }
+    return makers;
+}
+
 class Checker {
 public:
-    Checker(const Node& document, const Description& description, Report& report);
+    Checker(const Node& document, const SourceSet& sources, const Description& description,
+            Report& report);
     void run();
 
 private:
@@ -45,6 +64,7 @@ private:
     void checkInput(const PassDesc& pass, const InputDesc& input);
 
     const Node& document_;
+    const SourceSet& sources_;
     const Description& description_;
     Report& report_;
     std::vector<std::string> stray_;
@@ -57,8 +77,9 @@ private:
     Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
 };
 
-Checker::Checker(const Node& document, const Description& description, Report& report)
-    : document_(document), description_(description), report_(report),
+Checker::Checker(const Node& document, const SourceSet& sources, const Description& description,
+                 Report& report)
+    : document_(document), sources_(sources), description_(description), report_(report),
       stray_(strayNames(document, report))
 {
     targets_.all = inputs_.all = namesOf(description.targets);
@@ -100,9 +121,21 @@ bool Checker::known(const Reference& reference, const Names& names) const
 void Checker::expect(const Reference& reference, const std::string& who, const Names& names)
 {
     if (known(reference, names)) return;
-    report_.at(reference, names.code,
-               who + " " + names.what + " '" + reference.name + "', which does not exist")
-        .help = suggestName(reference.name, names.all, names.listed);
+    Diagnostic& error =
+        report_.at(reference, names.code,
+                   who + " " + names.what + " '" + reference.name + "', which does not exist");
+    error.help = suggestName(reference.name, names.all, names.listed);
+    const bool target = names.code == Code::target_missing;
+    if (const std::string makers = target ? listMakers(sources_, reference.name) : "";
+        !makers.empty())
+        error.help = "add a module that makes it to 'extends': " + makers;
+    for (const Named& each : deletedNames(document_)) {
+        for (const std::string& section : names.sections) {
+            const std::string pointer = memberPointer("", section);
+            if (each.pointer == pointer || each.pointer == memberPointer(pointer, reference.name))
+                error.notes.push_back({each.place, "it was deleted here"});
+        }
+    }
     report_.sameMistake(names.what + " " + reference.name);
 }
 
@@ -210,15 +243,37 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
     const Reference& source = renamed ? input.from : input.sampler;
     const bool broken = report_.errorAt(input.sampler.pointer) ||
                         report_.errorAt(input.sampler.pointer + "/from");
-    if (broken || (pass.type == PassType::draw && findMaterialMap(source.name) >= 0)) return;
+    if (broken) return;
+    if (findMaterialMap(source.name) >= 0 && !contains(inputs_.all, source.name)) {
+        if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
+        report_.at(source, Code::target_missing,
+                   "pass '" + pass.name + "' reads the material's '" + source.name +
+                       "', which a draw pass alone has")
+            .help = "let the pass be of type \"draw\", or take this input away";
+        return report_.sameMistake("material maps of " + pass.pointer);
+    }
     expect(source, "pass '" + pass.name + "' reads", inputs_);
 }
 
 }  // namespace
 
-void checkReferences(const Node& document, const Description& description, Report& report)
+void checkReferences(const Node& document, const SourceSet& sources,
+                     const Description& description, Report& report)
 {
-    Checker(document, description, report).run();
+    Checker(document, sources, description, report).run();
+}
+
+std::vector<Named> deletedNames(const Node& document)
+{
+    std::vector<Named> names;
+    for (const Member& section : document.deleted)
+        names.push_back({section.key, section.key_place, memberPointer("", section.key)});
+    for (const Member& section : document.members) {
+        const std::string pointer = memberPointer("", section.key);
+        for (const Member& each : section.value.deleted)
+            names.push_back({each.key, each.key_place, memberPointer(pointer, each.key)});
+    }
+    return names;
 }
 
 bool contains(const std::vector<std::string>& names, std::string_view name)

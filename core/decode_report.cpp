@@ -29,6 +29,12 @@ const Node* childAt(const Node& parent, std::string_view token, std::size_t& ind
     return nullptr;
 }
 
+bool isWithin(std::string_view pointer, std::string_view outer)
+{
+    return startsWith(pointer, outer) &&
+           (pointer.size() == outer.size() || pointer[outer.size()] == '/');
+}
+
 }  // namespace
 
 Cursor Cursor::child(const Member& member) const
@@ -92,11 +98,16 @@ bool Report::errorAt(std::string_view pointer) const
 
 bool Report::errorWithin(std::string_view pointer) const
 {
-    const std::string below = std::string(pointer) + "/";
-    return errorAt(pointer) ||
-           std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-               return entry.diagnostic.pointer.compare(0, below.size(), below) == 0;
-           });
+    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+        return isWithin(entry.diagnostic.pointer, pointer);
+    });
+}
+
+Diagnostic* Report::firstWithin(std::string_view pointer)
+{
+    for (Entry& entry : entries_)
+        if (isWithin(entry.diagnostic.pointer, pointer)) return &entry.diagnostic;
+    return nullptr;
 }
 
 Diagnostics Report::take(const Node& document)

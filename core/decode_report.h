@@ -37,6 +37,9 @@ public:
     /// first one in the document is told, and the others become its notes.
     void sameMistake(std::string mistake);
 
+    /// The first error at the pointer or below, or null; valid until the next one is added.
+    Diagnostic* firstWithin(std::string_view pointer);
+
     /// Whether an error was reported at the pointer, or at it or below.
     bool errorAt(std::string_view pointer) const;
     bool errorWithin(std::string_view pointer) const;

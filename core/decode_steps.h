@@ -13,8 +13,9 @@ namespace crevice::table {
 void checkNames(const Node& document, const Description& description, Report& report);
 
 /// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV3006 and
-/// CV4001.
-void checkReferences(const Node& document, const Description& description, Report& report);
+/// CV4001. `sources` are looked through for modules that would make what is missing.
+void checkReferences(const Node& document, const SourceSet& sources,
+                     const Description& description, Report& report);
 
 /// Reads each GLSL file that a shader or interface names, and what it includes, into
 /// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
@@ -25,6 +26,9 @@ void readShaderFiles(const Node& document, const SourceSet& sources, Description
 /// CV2108, a warning where a variant or a pointer's override was laid over the file. Requires the
 /// GLSL files; does nothing after an error.
 void checkUnused(const Node& document, const Description& description, Report& report);
+
+/// What patches deleted: whole sections, and the entries of those that are there.
+std::vector<Named> deletedNames(const Node& document);
 
 /// Names declared in what looks like a misspelt section ("targts"). They count as known.
 std::vector<std::string> strayNames(const Node& document, const Report& report);

@@ -2,9 +2,13 @@
 // How each JSON form becomes a C++ value, and what is said when it does not.
 #include "core/decode_reader.h"
 
+#include "core/syntax.h"
+#include "core/text.h"
+
 #include <algorithm>
 #include <cfloat>
 #include <climits>
+#include <cmath>
 
 namespace crevice::table {
 
@@ -12,6 +16,12 @@ namespace {
 
 // The largest whole number up to which a float holds every one: what an int param can be.
 constexpr double kMaxWholeParam = 16777216.0;
+
+bool isScalar(const Node& node)
+{
+    return node.kind == Node::Kind::boolean || node.kind == Node::Kind::number ||
+           node.kind == Node::Kind::string;
+}
 
 std::string found(const Node& node)
 {
@@ -23,11 +33,79 @@ std::string found(const Node& node)
     }
 }
 
-bool wrongType(Report& report, const Cursor& cursor, const std::string& wanted)
+// `way_out` is the help where what was meant can be told; else the table's sentence is.
+bool wrongType(Report& report, const Cursor& cursor, const std::string& wanted,
+               std::string way_out = {})
 {
-    report.atValue(cursor, Code::wrong_type,
-                   cursor.label + ": found " + found(cursor.node) + ", wanted " + wanted);
+    Diagnostic& error =
+        report.atValue(cursor, Code::wrong_type,
+                       cursor.label + ": found " + found(cursor.node) + ", wanted " + wanted);
+    if (!way_out.empty()) error.help = std::move(way_out);
     return false;
+}
+
+bool isNumber(std::string_view text)
+{
+    return !text.empty() && numberLength(text, 0) == text.size();
+}
+
+// What to write for a value where a number is wanted.
+std::string asNumber(const Node& node, bool whole)
+{
+    if (node.kind == Node::Kind::string && isNumber(node.text))
+        return "write it without quotes: " + node.text;
+    if (node.kind == Node::Kind::array && node.items.size() == 1)
+        return "write it without brackets: " + brief(node.items[0]);
+    if (node.kind == Node::Kind::number && whole) return "write " + numberText(std::round(node.number));
+    return {};
+}
+
+// What to write for a value where true or false is wanted.
+std::string asFlag(const Node& node)
+{
+    if (node.text == "true" || node.text == "false") return "write it without quotes: " + node.text;
+    if (node.kind == Node::Kind::number && (node.number == 0 || node.number == 1))
+        return node.number == 0 ? "write false" : "write true";
+    return "write true or false";
+}
+
+// What to write for a value where a name or text is wanted.
+std::string asText(const Node& node)
+{
+    if (node.kind == Node::Kind::number || node.kind == Node::Kind::boolean)
+        return "put it in double quotes: \"" + brief(node) + "\"";
+    const Node* inner = nullptr;
+    if (node.items.size() == 1) inner = &node.items[0];
+    if (node.members.size() == 1) inner = &node.members[0].value;
+    return inner && inner->kind == Node::Kind::string ? "write " + brief(*inner) + " alone" : "";
+}
+
+// What to write for a value where `count` numbers are wanted.
+std::string asNumbers(const Node& node, int count)
+{
+    const bool number = node.kind == Node::Kind::number;
+    std::string list;
+    for (int i = 0; i < count; ++i) list += (i > 0 ? ", " : "") + (number ? node.text : "0.5");
+    return "write a list such as [" + list + "]";
+}
+
+// What to write for a value where an object with these keys is wanted: one that has the value under
+// the key that it was surely meant for.
+std::string asObject(const Node& node, const std::vector<std::string>& keys)
+{
+    if (keys.empty())
+        return node.kind == Node::Kind::array ? "entries have names here: {\"name\": ..., ...}"
+                                              : "write {\"name\": ..., ...}";
+    const bool string = node.kind == Node::Kind::string;
+    static const std::vector<std::string> kOfStrings = {"target", "shader", "generator", "format",
+                                                        "type", "fragment"};
+    static const std::vector<std::string> kOfNumbers = {"default", "scale", "at", "count"};
+    for (const std::string& key : string ? kOfStrings : kOfNumbers)
+        if (isScalar(node) && std::find(keys.begin(), keys.end(), key) != keys.end())
+            return "write {\"" + key + "\": " + brief(node) + "}";
+    std::string all;
+    for (const std::string& key : keys) all += (all.empty() ? "" : ", ") + key;
+    return "write an object with some of the keys " + all;
 }
 
 bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted)
@@ -45,7 +123,9 @@ bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
     report.atValue(cursor, Code::out_of_range,
                    cursor.label + " " + cursor.node.text + " is outside [" + numberText(rule.min) +
                        ", " + numberText(rule.max) + "]" +
-                       (plain ? "" : " " + std::string(rule.unit)));
+                       (plain ? "" : " " + std::string(rule.unit)))
+        .help = "the nearest that is allowed is " +
+                numberText(std::min(std::max(cursor.node.number, rule.min), rule.max));
     return false;
 }
 
@@ -56,7 +136,8 @@ bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, dou
     const Node& node = cursor.node;
     const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
     if (node.kind != Node::Kind::number || fraction)
-        return wrongType(report, cursor, whole ? "a whole number" : "a number");
+        return wrongType(report, cursor, whole ? "a whole number" : "a number",
+                         asNumber(node, whole));
     rule.min = std::max(rule.min, least);
     rule.max = std::min(rule.max, most);
     return checkRange(report, cursor, rule);
@@ -69,12 +150,6 @@ bool readWhole(Report& report, const Cursor& cursor, T& out, const Rule& rule, d
     if (!readNumber(report, cursor, true, rule, least, most)) return false;
     out = static_cast<T>(cursor.node.number);
     return true;
-}
-
-bool isScalar(const Node& node)
-{
-    return node.kind == Node::Kind::boolean || node.kind == Node::Kind::number ||
-           node.kind == Node::Kind::string;
 }
 
 // Calls `each` with the value, or with each item when it is a list.
@@ -101,15 +176,17 @@ bool isMacroName(std::string_view name)
 
 }  // namespace
 
-bool expectObject(Report& report, const Cursor& cursor)
+bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys)
 {
-    return cursor.node.kind == Node::Kind::object || wrongType(report, cursor, "an object");
+    return cursor.node.kind == Node::Kind::object ||
+           wrongType(report, cursor, "an object", asObject(cursor.node, keys));
 }
 
 bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
               std::size_t& index)
 {
-    if (cursor.node.kind != Node::Kind::string) return wrongType(report, cursor, "a string");
+    if (cursor.node.kind != Node::Kind::string)
+        return wrongType(report, cursor, "a string", suggestName(cursor.node.text, words, "allowed"));
     const auto word = std::find(words.begin(), words.end(), cursor.node.text);
     index = static_cast<std::size_t>(word - words.begin());
     if (word != words.end()) return true;
@@ -123,7 +200,7 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
 bool read(Report& report, const Cursor& cursor, bool& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::boolean)
-        return wrongType(report, cursor, "true or false");
+        return wrongType(report, cursor, "true or false", asFlag(cursor.node));
     out = cursor.node.boolean;
     return true;
 }
@@ -154,14 +231,16 @@ bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
 
 bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
 {
-    if (cursor.node.kind != Node::Kind::string) return wrongType(report, cursor, "a string");
+    if (cursor.node.kind != Node::Kind::string)
+        return wrongType(report, cursor, "a string", asText(cursor.node));
     out = cursor.node.text;
     return true;
 }
 
 bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
 {
-    if (cursor.node.kind != Node::Kind::string) return wrongType(report, cursor, "a name");
+    if (cursor.node.kind != Node::Kind::string)
+        return wrongType(report, cursor, "a name", asText(cursor.node));
     out = cursor.reference(cursor.node.text);
     return true;
 }
@@ -212,15 +291,20 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
         value = static_cast<float>(item.node.number);
         return true;
     };
+    if (out.count == 0) return true;  // its type is broken, which has been said
     if (out.count == 1) return one(cursor, out.values[0]);
     const std::string wanted = std::to_string(out.count) + " numbers";
     if (cursor.node.kind != Node::Kind::array)
-        return wrongType(report, cursor, "a list of " + wanted);
+        return wrongType(report, cursor, "a list of " + wanted,
+                         asNumbers(cursor.node, out.count));
     if (cursor.node.items.size() != static_cast<std::size_t>(out.count))
         return wrongLength(report, cursor, wanted);
     bool good = true;
-    for (std::size_t i = 0; i < cursor.node.items.size(); ++i)
-        good &= one(cursor.item(i), out.values[i]);
+    for (std::size_t i = 0; i < cursor.node.items.size(); ++i) {
+        if (one(cursor.item(i), out.values[i])) continue;
+        report.sameMistake("numbers of " + cursor.pointer);
+        good = false;
+    }
     return good;
 }
 
@@ -236,7 +320,8 @@ bool read(Report& report, const Cursor& cursor, ClearColor out, const Rule& rule
 
 bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
 {
-    if (cursor.node.kind != Node::Kind::array) return wrongType(report, cursor, "a list");
+    if (cursor.node.kind != Node::Kind::array)
+        return wrongType(report, cursor, "a list", "write a list such as [\"off\", \"on\"]");
     if (cursor.node.items.size() < 2) return wrongLength(report, cursor, "at least two words");
     const auto one = [&](const Cursor& item) {
         const std::string& word = out.words.emplace_back(item.node.text);

@@ -95,6 +95,7 @@ struct SizeDesc {
     Reference of = {};           ///< Another target; empty follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
     float scale = 1.0f;          ///< [kSmallestScale, kLargestScale].
+    Place place = {};            ///< Of the value that was set last.
 };
 
 struct TargetDesc : Named {
@@ -217,6 +218,7 @@ struct Description : Named {
     std::vector<PassDesc> passes;
     std::vector<OutputDesc> outputs;
     std::vector<ViewDesc> views;
+    std::vector<Named> deleted;  ///< Entries that patches deleted, for notes.
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
 };
 

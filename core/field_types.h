@@ -50,7 +50,7 @@ inline Spellings spellings(Compare)
     return {"always", "less", "less_equal", "greater", "greater_equal", "equal"};
 }
 
-/// A number when `count` is 1, else a list of `count` numbers.
+/// A number when `count` is 1, else a list of `count` numbers; anything when it is 0.
 struct Numbers {
     std::array<float, 4>& values;
     int count;

@@ -25,12 +25,13 @@ template <class V>
 void fields(V& v, ParamDesc& p)
 {
     const Rule bounds = range(-kMaxParam, kMaxParam);
-    v.field("type", p.type, "What GLSL declares.");
+    const bool known = v.field("type", p.type, "What GLSL declares.");
     v.field("unit", p.unit, "\"scene units\", \"pixels\", ...; \"1\" for a plain number.");
     v.field("min", p.min, "The least that each component may be.", bounds);
     v.field("max", p.max, "The most that each component may be.", bounds);
     v.ordered("min", p.min, "max", p.max);
-    v.field("default", Numbers{p.value, componentCount(p.type), p.type == ParamType::int_},
+    v.field("default",
+            Numbers{p.value, known ? componentCount(p.type) : 0, p.type == ParamType::int_},
             "The value unless overridden: a number, or a list for a vector.",
             required(range(p.min, p.max, p.unit)));
     v.field("soft_max", p.soft_max, "Where a slider ends; 0 means at max.",
@@ -50,13 +51,15 @@ void fields(V& v, FeatureDesc& f)
     FeatureType type = FeatureType::bool_;
     const bool known = v.field("type", type, "A switch, or one of several words.");
     f.boolean = known && type == FeatureType::bool_;
+    const bool torn = f.boolean && v.has("values");  // its default then goes with one of the two
     v.field("values", Words{f.values}, "Of an enum: its words, at least two.",
             known && !f.boolean ? required() : Rule{});
     if (f.boolean) {
         v.refuse("values", Code::unknown_key, "a bool feature has no list of values");
         f.values = {"false", "true"};
     }
-    v.field("default", Choice{f.value, f.values, f.boolean},
+    const std::vector<std::string> anything;
+    v.field("default", Choice{f.value, torn ? anything : f.values, f.boolean && !torn},
             "The value unless overridden; false, or the first word, when absent.");
 }
 

@@ -220,7 +220,7 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
 })";
     const auto result = decode(parsed(text), MemorySources());
     CHECK(errorsOf(result) ==
-          "CV2103 /views/v/target; CV3002 /views/v/scale; CV3003 /targets/ao; "
+          "CV2103 /views/v/target; CV3002 /views/v/scale; "
           "CV3001 /targets/ao/formats; CV4001 /targets/ao/mips; CV3001 /colour; "
           "CV3004 /params/Radius; CV3002 /params/Radius/default");
     int line = 0;
