@@ -70,17 +70,24 @@ void chooseOutputs(State& state)
 // A mistake in GLSL that several passes or shaders share is one mistake.
 void dropRepeats(State& state)
 {
-    const auto in_glsl = [&](const Diagnostic& each) {
+    const auto in_glsl = [&](const Place& place) {
         const auto& files = state.description.files;
-        return each.place.source && files.count(each.place.source->name) > 0;
+        return std::any_of(files.begin(), files.end(),
+                           [&](const auto& file) { return file.second == place.source; });
+    };
+    const auto glslPlace = [&](const Diagnostic& each) {
+        const bool noted = !each.notes.empty() && in_glsl(each.notes.front().place);
+        return noted ? each.notes.front().place : each.place;
     };
     Diagnostics kept;
     for (Diagnostic& each : state.diagnostics) {
-        const auto repeats = [&each](const Diagnostic& other) {
-            return each.code == other.code && each.place.source == other.place.source &&
-                   each.place.line == other.place.line && each.place.column == other.place.column;
+        const Place place = glslPlace(each);
+        const auto repeats = [&](const Diagnostic& other) {
+            const Place there = glslPlace(other);
+            return each.code == other.code && place.source == there.source &&
+                   place.line == there.line && place.column == there.column;
         };
-        if (in_glsl(each) && std::any_of(kept.begin(), kept.end(), repeats)) continue;
+        if (in_glsl(place) && std::any_of(kept.begin(), kept.end(), repeats)) continue;
         kept.push_back(std::move(each));
     }
     state.diagnostics = std::move(kept);
@@ -115,12 +122,27 @@ Diagnostic& report(State& state, Code code, std::string message, const Place& at
     return state.diagnostics.back();
 }
 
+Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
+                       const Place& declared)
+{
+    Diagnostic& error = report(state, code, std::move(message), pass.desc->shader);
+    error.notes.insert(error.notes.begin(), {declared, "the GLSL declares it here"});
+    return error;
+}
+
 std::vector<int> writtenBy(const Pass& pass)
 {
     std::vector<int> targets = pass.color;
     targets.push_back(pass.depth);
     targets.erase(std::remove(targets.begin(), targets.end(), -1), targets.end());
     return targets;
+}
+
+const Reference& referenceTo(const Pass& pass, const std::string& target)
+{
+    for (const Reference& color : pass.desc->color)
+        if (color.name == target) return color;
+    return pass.desc->depth;
 }
 
 Extent extentOf(const State& state, const Pass& pass)

@@ -14,13 +14,6 @@ struct Edge {
 };
 using Edges = std::vector<std::vector<Edge>>;  // into each pass
 
-const Reference& referenceTo(const Pass& pass, const std::string& target)
-{
-    for (const Reference& color : pass.desc->color)
-        if (color.name == target) return color;
-    return pass.desc->depth;
-}
-
 // ---- messages
 
 // "pass 'lighting' reads target 'ao', which ..."; with the passes that would have written it.
@@ -42,17 +35,23 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
                "', or the reader the same `when`";
     }
     Diagnostic& error = report(state, Code::never_written, message, at);
-    for (const Pass* pass : writers)
+    for (const Pass* pass : writers) {
         error.notes.push_back(
             {pass->desc->place, "pass '" + pass->desc->name + "' would write it"});
+        for (const Condition::Term& term : pass->desc->when.terms)
+            error.notes.push_back({term.subject.place, "its condition is here"});
+    }
+    for (const Named& each : state.description.deleted)
+        if (writers.empty() && each.pointer.compare(0, 7, "/passes") == 0)
+            error.notes.push_back({each.place, "'" + each.name + "' was deleted here"});
     error.help = help;
 }
 
 // Where the config makes the pass read through this sampler.
 Reference placeOf(const Pass& pass, const Read& read)
 {
-    if (read.input && !read.input->from.empty()) return read.input->from;
-    return {read.sampler, pass.desc->place, pass.desc->pointer};
+    if (!read.input) return {read.sampler, pass.desc->place, pass.desc->pointer};
+    return read.input->from.empty() ? read.input->sampler : read.input->from;
 }
 
 void reportOwnOutput(State& state, const Pass& pass, int target, const Reference& at)
@@ -85,8 +84,13 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
         way += " -> " + state.passes[next].desc->name + " (" +
                state.description.targets[edge.target].name + ")";
     }
-    report(state, Code::cycle, "passes wait for each other: " + way,
-           *state.passes[path[0]].desc).help = "let one of them read another target";
+    Diagnostic& error = report(state, Code::cycle, "passes wait for each other: " + way,
+                               *state.passes[path[0]].desc);
+    error.help = "let one of them read another target";
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const PassDesc& pass = *state.passes[path[i]].desc;
+        error.notes.push_back({pass.place, "pass '" + pass.name + "' is here"});
+    }
     return path;
 }
 
@@ -103,7 +107,8 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
     const Pass& pass = state.passes[index];
     const std::optional<Source> behind = resolve(state, source);
     if (!behind) {
-        if (!waiting.told[source.index])
+        const std::string& name = state.description.targets[source.index].name;
+        if (!waiting.told[source.index] && state.unplaced.count(name) == 0)
             reportNeverWritten(state, "pass '" + pass.desc->name + "'", source.index, at);
         waiting.told[source.index] = true;
         return;

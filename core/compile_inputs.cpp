@@ -96,14 +96,15 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
     const std::string who = "pass '" + pass.desc->name + "': sampler '" + uniform.name + "' ";
     const bool imported = source.kind == InputKind::imported;
     if (state.caps.version < 310) {
-        report(state, Code::sampler_version,
-               who + "reads samples one by one, which needs OpenGL ES 3.1, and the device has 3.0",
-               uniform.place).help =
+        reportGlsl(state, Code::sampler_version,
+                   who + "reads samples one by one, which needs OpenGL ES 3.1, and the device has 3.0",
+                   pass, uniform.place).help =
             "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and take "
             "a module for one sample a pixel: geometry/host_depth";
     } else if (!imported) {
-        report(state, Code::uniform_type,
-               who + "is a sampler2DMS, and what it reads has one sample a pixel", uniform.place)
+        reportGlsl(state, Code::uniform_type,
+                   who + "is a sampler2DMS, and what it reads has one sample a pixel", pass,
+                   uniform.place)
             .help = "declare it as sampler2D: what has several is resolved before it is read";
     } else if (const ImportDesc& import = state.description.imports[source.index]; import.optional) {
         report(state, Code::uniform_type,
@@ -131,9 +132,9 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
         if (read.sampler == uniform.name) return;  // declared in both stages
     const std::string who = "pass '" + pass.desc->name + "': ";
     if (uniform.array) {
-        report(state, Code::uniform_type,
-               who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
-               uniform.place).help = "declare one sampler2D for each texture";
+        reportGlsl(state, Code::uniform_type,
+                   who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
+                   pass, uniform.place).help = "declare one sampler2D for each texture";
         return;
     }
     const InputDesc* input = inputFor(*pass.desc, uniform.name);
@@ -145,11 +146,12 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
         return;
     }
     Diagnostic& error =
-        report(state, Code::uniform_unbound,
-               who + "sampler '" + uniform.name + "' reads '" + name +
-                   "', which is no target, generated texture or import",
-               uniform.place);
-    error.pointer = pass.desc->pointer;
+        reportGlsl(state, Code::uniform_unbound,
+                   who + "sampler '" + uniform.name + "' reads '" + name +
+                       "', which is no target, generated texture or import",
+                   pass, uniform.place);
+    for (const Named& each : state.description.deleted)
+        if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
     error.help = suggestName(name, texturesOf(state), "textures");
 }
 

@@ -17,6 +17,7 @@
 #include "core/plan.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,7 @@ struct State {
     std::vector<Target> targets = {};
     std::vector<int> order = {};    ///< Active passes by data flow.
     std::vector<int> outputs = {};  ///< Those asked for.
+    std::set<std::string> unplaced = {};  ///< Shader outputs that no target of their pass takes.
     Diagnostics diagnostics = {};
 
     bool applies(std::string_view rule) const;  ///< False when the options switch the rule off.
@@ -87,6 +89,11 @@ struct State {
 Diagnostic& report(State& state, Code code, std::string message, const Named& at);
 Diagnostic& report(State& state, Code code, std::string message, const Reference& at);
 Diagnostic& report(State& state, Code code, std::string message, const Place& at);
+
+/// Adds an error that GLSL and the config share, and returns it: at the shader that the pass names,
+/// with a note at `declared` in the GLSL.
+Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
+                       const Place& declared);
 
 /// The index of that name in a list of the description, or -1.
 template <class T>
@@ -98,6 +105,9 @@ int indexOf(const std::vector<T>& list, std::string_view name)
 
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);
+
+/// Where the pass names a target that it writes.
+const Reference& referenceTo(const Pass& pass, const std::string& target);
 
 /// The size of what the pass writes, and the samples of a pixel of it.
 Extent extentOf(const State& state, const Pass& pass);

@@ -24,11 +24,15 @@ bool agree(State& state, const Pass& pass, const std::vector<int>& written)
     for (const int index : written) {
         if (askedOf(state, index) == asked) continue;
         const auto& targets = state.description.targets;
-        report(state, Code::attachment_samples,
-               "pass '" + pass.desc->name + "' writes targets of different samples: '" +
-                   targets[written.front()].name + "' has " + text(asked) + " a pixel, '" +
-                   targets[index].name + "' has " + text(askedOf(state, index)),
-               *pass.desc).help = "give them the same `samples`";
+        Diagnostic& error =
+            report(state, Code::attachment_samples,
+                   "pass '" + pass.desc->name + "' writes targets of different samples: '" +
+                       targets[written.front()].name + "' has " + text(asked) + " a pixel, '" +
+                       targets[index].name + "' has " + text(askedOf(state, index)),
+                   referenceTo(pass, targets[index].name));
+        for (const int each : {written.front(), index})
+            error.notes.push_back({targets[each].place, "'" + targets[each].name + "' is here"});
+        error.help = "give them the same `samples`";
         return false;
     }
     return true;

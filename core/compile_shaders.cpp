@@ -65,7 +65,11 @@ const Shader& assembled(State& state, int index)
         Result<GlslStage> result =
             assembleStage(state.description.files, interfaces, path.name, defines);
         if (result) into = std::move(*result);
-        for (const Diagnostic& each : result.diagnostics()) state.diagnostics.push_back(each);
+        for (Diagnostic each : result.diagnostics()) {
+            each.pointer = path.pointer;
+            each.notes.push_back({path.place, "shader '" + desc.name + "' names the file here"});
+            state.diagnostics.push_back(std::move(each));
+        }
         return result.ok();
     };
     const bool vertex_ok = stage(desc.vertex, shader.vertex);
@@ -88,17 +92,25 @@ bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Referenc
     return !in_order && written == wanted;
 }
 
-void checkOutputs(State& state, const PassDesc& pass, const GlslStage& fragment)
+void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
 {
+    const PassDesc& pass = *reader.desc;
     const int count = static_cast<int>(pass.color.size());
     const std::string who = "pass '" + pass.name + "': ";
     for (const GlslOutput& output : fragment.outputs) {
         if (output.location >= 0 && output.location < count) continue;
-        report(state, Code::output_mismatch,
-               who + "the shader writes '" + output.name + "' at location " +
-                   std::to_string(output.location) + ", and the pass has " +
-                   std::to_string(count) + " colour targets",
-               output.place).pointer = pass.pointer;
+        state.unplaced.insert(output.name);
+        Diagnostic& error =
+            reportGlsl(state, Code::output_mismatch,
+                       who + "the shader writes '" + output.name + "' at location " +
+                           std::to_string(output.location) + ", and the pass has " +
+                           std::to_string(count) + " colour target" + (count == 1 ? "" : "s"),
+                       reader, output.place);
+        if (count > 0) {
+            error.place = pass.color.back().place;
+            error.pointer = pass.color.back().pointer;
+        }
+        error.help = "add a target to `color`, or take the output out of the shader";
     }
     for (int i = 0; i < count; ++i) {
         const auto writes = [i](const GlslOutput& output) { return output.location == i; };
@@ -109,9 +121,9 @@ void checkOutputs(State& state, const PassDesc& pass, const GlslStage& fragment)
                pass.color[i]).help = "add: layout(location = " + std::to_string(i) + ") out ...";
     }
     if (shuffled(fragment.outputs, pass.color))
-        report(state, Code::output_mismatch,
-               who + "the shader's outputs have the targets' names in another order",
-               fragment.outputs.front().place).help =
+        reportGlsl(state, Code::output_mismatch,
+                   who + "the shader's outputs have the targets' names in another order", reader,
+                   fragment.outputs.front().place).help =
             "give `color` and the output locations one order";
 }
 
@@ -126,7 +138,7 @@ void readPass(State& state, Pass& pass)
         }
     }
     checkRenames(state, pass);
-    checkOutputs(state, *pass.desc, shader.fragment);
+    checkOutputs(state, pass, shader.fragment);
     checkLimits(state, pass, shader);
 }
 

@@ -72,11 +72,17 @@ void checkAttachmentSizes(State& state, const Pass& pass)
         const Extent& other = state.targets[index].extent;
         if (first == other) continue;
         const auto& targets = state.description.targets;
-        report(state, Code::attachment_size,
-               "pass '" + pass.desc->name + "' writes targets of different sizes: '" +
-                   targets[written.front()].name + "' is " + text(first) + ", '" +
-                   targets[index].name + "' is " + text(other),
-               *pass.desc).help = "give them the same `size`";
+        Diagnostic& error =
+            report(state, Code::attachment_size,
+                   "pass '" + pass.desc->name + "' writes targets of different sizes: '" +
+                       targets[written.front()].name + "' is " + text(first) + ", '" +
+                       targets[index].name + "' is " + text(other),
+                   referenceTo(pass, targets[index].name));
+        for (const int each : {written.front(), index})
+            error.notes.push_back({targets[each].size.place.source ? targets[each].size.place
+                                                                   : targets[each].place,
+                                   "'" + targets[each].name + "' has its size here"});
+        error.help = "give them the same `size`";
         return;
     }
 }

@@ -17,18 +17,25 @@ struct Shape {
     GlslType type;
     int count;  // 0: no array
     std::string what;
+    Place place = {};  // in the config
 };
 
 std::optional<Shape> shapeOf(const Description& description, const PassDesc& pass,
                              std::string_view name)
 {
     if (const ParamDesc* param = findNamed(description.params, name))
-        return Shape{glslTypeOf(param->type), 0, "param"};
+        return Shape{glslTypeOf(param->type), 0, "param", param->place};
     const GeneratedDesc* generated = findNamed(description.generated, name);
     if (generated && generatesTexture(generated->generator))
-        return Shape{GlslType::sampler2d, 0, "generated texture"};
-    if (generated) return Shape{GlslType::vec3, generatedCount(description, *generated), "kernel"};
-    if (findNamed(description.targets, name)) return Shape{GlslType::sampler2d, 0, "target"};
+        return Shape{GlslType::sampler2d, 0, "generated texture", generated->place};
+    if (generated)
+        return Shape{GlslType::vec3, generatedCount(description, *generated), "kernel",
+                     generated->place};
+    if (const TargetDesc* target = findNamed(description.targets, name))
+        return Shape{GlslType::sampler2d, 0, "target", target->place};
+    const ImportDesc* import = findNamed(description.imports, name);
+    if (import && import->type == ImportType::texture)
+        return Shape{GlslType::sampler2d, 0, "texture import", import->place};
     const FrameValueInfo* value = findFrameValue(name);
     if (!value || (value->import == ImportType::draw_list && pass.type != PassType::draw)) return std::nullopt;
     return Shape{value->type, value->count > 1 ? value->count : 0, "value of the frame"};
@@ -134,23 +141,25 @@ void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform)
     const std::optional<Shape> shape = shapeOf(state.description, desc, name);
     if (!shape) {
         const bool draws_only = findFrameValue(name) != nullptr;
-        Diagnostic& error = report(
+        Diagnostic& error = reportGlsl(
             state, Code::uniform_unbound,
-            who + (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
+            who + (draws_only ? "has a value in draw passes only" : "is supplied by nothing"), pass,
             uniform.place);
-        error.pointer = desc.pointer;
+        for (const Named& each : state.description.deleted)
+            if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
         error.help = draws_only ? "make the pass a draw, or drop the uniform"
                                 : suggestName(name, valueNames(state.description, desc), "values");
         return;
     }
     const int count = uniform.array ? uniform.count : 0;
     if (shape->type == uniform.type && shape->count == count) return;
-    Diagnostic& error = report(state, Code::uniform_type,
-                               who + "is declared as " + spell(uniform.type, uniform.name, count) +
-                                   ", and the " + shape->what + " '" + std::string(name) + "' is " +
-                                   spell(shape->type, name, shape->count),
-                               uniform.place);
-    error.pointer = desc.pointer;
+    Diagnostic& error =
+        reportGlsl(state, Code::uniform_type,
+                   who + "is declared as " + spell(uniform.type, uniform.name, count) + ", and the " +
+                       shape->what + " '" + std::string(name) + "' is " +
+                       spell(shape->type, name, shape->count),
+                   pass, uniform.place);
+    if (shape->place.source) error.notes.push_back({shape->place, "the config declares it here"});
     error.help = "declare: uniform " + spell(shape->type, uniform.name, shape->count) + ";";
 }
 

@@ -93,8 +93,9 @@ TEST_CASE("Reading what an inactive pass would have written is an error that nam
     CHECK(error.pointer == "/passes/light");
     CHECK(error.message.find("'filter'") != error.message.npos);
     CHECK(error.message.find("soft is false") != error.message.npos);
-    REQUIRE(error.notes.size() == 1);
+    REQUIRE(error.notes.size() == 2);
     CHECK(textAt(error.notes[0].place) == "\"filter\"");
+    CHECK(textAt(error.notes[1].place) == "\"soft\"");
 }
 
 TEST_CASE("Bypasses that lead round in a circle stand in for nothing")

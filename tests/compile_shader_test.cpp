@@ -71,17 +71,18 @@ TEST_CASE("A material's texture is for draw passes")
     CHECK(plan.passes[0].inputs.at(0).sampling.wrap == Wrap::repeat);
     const Diagnostic error = onlyError(body(sampler));
     CHECK(error.code == Code::uniform_unbound);
-    CHECK(textAt(error.place) == "base_color_map");
+    CHECK(textAt(error.notes.at(0).place) == "base_color_map");
 }
 
-TEST_CASE("A sampler of nothing is refused in the GLSL, with the nearest texture")
+TEST_CASE("A sampler of nothing is refused where the pass names its shader, with the nearest texture")
 {
     const Diagnostic error = onlyError(body("uniform sampler2D noize;\n"));
     CHECK(error.code == Code::uniform_unbound);
-    CHECK(error.place.source->name == "p.frag");
-    CHECK(error.place.line == 3);
-    CHECK(textAt(error.place) == "noize");
-    CHECK(error.pointer == "/passes/p");
+    CHECK(error.place.source->name == "test.json");
+    CHECK(error.notes.at(0).place.source->name == "p.frag");
+    CHECK(error.notes.at(0).place.line == 3);
+    CHECK(textAt(error.notes.at(0).place) == "noize");
+    CHECK(error.pointer == "/passes/p/shader");
     CHECK(error.help.find("'noise'") != error.help.npos);
 }
 
@@ -96,7 +97,7 @@ TEST_CASE("An array of samplers is refused")
 {
     const Diagnostic error = onlyError(body("uniform sampler2D noise[2];\n"));
     CHECK(error.code == Code::uniform_type);
-    CHECK(textAt(error.place) == "noise");
+    CHECK(textAt(error.notes.at(0).place) == "noise");
 }
 
 TEST_CASE("A mistake in GLSL that two passes share is one error")
@@ -109,7 +110,7 @@ TEST_CASE("A mistake in GLSL that two passes share is one error")
         {{"v", kFullVertex},
          {"f", kHead + "uniform float raduis;\n" + kOut + "void main() {}\n"}}));
     CHECK(error.code == Code::uniform_unbound);
-    CHECK(textAt(error.place) == "raduis");
+    CHECK(textAt(error.notes.at(0).place) == "raduis");
 }
 
 TEST_CASE("Uniforms of every source bind by name, and what they need is collected")
@@ -139,11 +140,11 @@ TEST_CASE("Values of a draw exist in draw passes alone")
     CHECK(error.message.find("draw") != error.message.npos);
 }
 
-TEST_CASE("A uniform that nothing supplies is refused in the GLSL, with the nearest value")
+TEST_CASE("A uniform that nothing supplies is refused, with the GLSL and the nearest value")
 {
     const Diagnostic error = onlyError(body("uniform float raduis;\n"));
     CHECK(error.code == Code::uniform_unbound);
-    CHECK(textAt(error.place) == "raduis");
+    CHECK(textAt(error.notes.at(0).place) == "raduis");
     CHECK(error.help.find("'radius'") != error.help.npos);
 }
 
@@ -158,8 +159,8 @@ TEST_CASE("A uniform of another type or length than its value is refused")
     const Diagnostic error = onlyError(body("uniform " + declared + ";\n"));
     CAPTURE(declared);
     CHECK(error.code == Code::uniform_type);
-    CHECK(textAt(error.place) == name);
-    CHECK(error.pointer == "/passes/p");
+    CHECK(textAt(error.notes.at(0).place) == name);
+    CHECK(error.pointer == "/passes/p/shader");
     CHECK(error.help.find("uniform ") != error.help.npos);
 }
 
@@ -225,7 +226,7 @@ TEST_CASE("Outputs of the shader are the pass's colour targets")
     {
         const Diagnostic error = onlyError(compiled(both, R"("a")"));
         CHECK(error.code == Code::output_mismatch);
-        CHECK(textAt(error.place) == "b");
+        CHECK(textAt(error.notes.at(0).place) == "b");
     }
     SECTION("a target without an output")
     {
@@ -238,7 +239,7 @@ TEST_CASE("Outputs of the shader are the pass's colour targets")
     {
         const Diagnostic error = onlyError(compiled(both, R"(["b", "a"])"));
         CHECK(error.code == Code::output_mismatch);
-        CHECK(error.place.source->name == "f");
+        CHECK(error.notes.at(0).place.source->name == "f");
     }
     SECTION("other names")
     {

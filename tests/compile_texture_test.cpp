@@ -145,7 +145,7 @@ TEST_CASE("Attachments of one pass have one size")
     const Diagnostic error = onlyError(describe(Sketch{
         {"a: -> x y"}, {{"out", "x"}}, {{"y", R"({"format": ["r8"], "size": {"scale": 0.5}})"}}}));
     CHECK(error.code == Code::attachment_size);
-    CHECK(error.pointer == "/passes/a");
+    CHECK(error.pointer == "/passes/a/color/1");
 }
 
 TEST_CASE("More colour targets or samplers than the device has are refused")

@@ -152,7 +152,7 @@ TEST_CASE("Attachments of one pass have as many samples")
     sketch.targets["d"] = R"({"format": ["depth24"]})";
     const Diagnostic error = onlyError(describe(sketch));
     CHECK(error.code == Code::attachment_samples);
-    CHECK(error.pointer == "/passes/paint");
+    CHECK(error.pointer == "/passes/paint/depth");
     CHECK(error.message.find("'color' has 4 samples a pixel, 'd' has 1") != std::string::npos);
     CHECK_FALSE(error.help.empty());
 }
@@ -230,7 +230,7 @@ TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names
     CHECK(compile(reading(kHostTexture), {}, newerCaps(), sized()).ok());
     const Diagnostic error = onlyError(reading(kHostTexture), {}, ampleCaps());
     CHECK(error.code == Code::sampler_version);
-    CHECK(textAt(error.place) == "host");
+    CHECK(textAt(error.notes.at(0).place) == "host");
     CHECK(error.help.find("geometry/host_depth") != std::string::npos);
 }
 
@@ -252,7 +252,7 @@ TEST_CASE("Samples are read of the host's textures alone, and of such as are the
                   {"g", "#version 310 es\nuniform highp sampler2DMS x;\nout highp vec4 c;\n"}}),
         {}, newerCaps());
     CHECK(resolved.code == Code::uniform_type);
-    CHECK(textAt(resolved.place) == "x");
+    CHECK(textAt(resolved.notes.at(0).place) == "x");
 }
 
 TEST_CASE("A host's texture with other samples than its sampler reads is refused")
