@@ -44,6 +44,7 @@ std::size_t lineEnd(std::string_view text, std::size_t begin, bool continued)
 /// The offset behind the comment or quoted text that begins at `begin`; `begin` when none does.
 std::size_t commentEnd(std::string_view text, std::size_t begin, bool& open)
 {
+    if (text[begin] != '/') return begin;  // as nearly always
     if (text.compare(begin, 2, "//") == 0) return lineEnd(text, begin, true);
     if (text.compare(begin, 2, "/*") != 0) return begin;
     const std::size_t end = text.find("*/", begin + 2);
@@ -68,6 +69,8 @@ std::size_t numberEnd(std::string_view text, std::size_t begin)
 std::size_t symbolEnd(std::string_view text, std::size_t begin)
 {
     static constexpr std::string_view kPairs[] = {"||", "&&", "==", "!=", "<=", ">=", "<<", ">>"};
+    static constexpr std::string_view kFirst = "|&=!<>";
+    if (kFirst.find(text[begin]) == kFirst.npos) return begin + 1;
     const auto pair = std::find(std::begin(kPairs), std::end(kPairs), text.substr(begin, 2));
     return begin + (pair != std::end(kPairs) ? 2 : 1);
 }

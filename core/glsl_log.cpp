@@ -225,6 +225,25 @@ void join(std::string& message, std::string_view more)
     message += more;
 }
 
+/// The way out where the driver does not know a name: the nearest uniform, if any is near.
+std::string helpFor(const GlslStage& stage, std::string_view message)
+{
+    if (message.find("undeclared") == std::string_view::npos &&
+        message.find("undefined") == std::string_view::npos) return {};
+    std::vector<std::string> names;
+    for (const GlslUniform& uniform : stage.uniforms) names.push_back(uniform.name);
+    return suggestName(quotedName(message), std::move(names), "uniforms of this stage");
+}
+
+/// What a mistake makes of the rest of its line is no mistake of its own.
+bool follows(const Diagnostics& diagnostics, const Diagnostic& next)
+{
+    if (diagnostics.empty() || next.place.line == 0) return false;
+    const Diagnostic& last = diagnostics.back();
+    return last.severity == Severity::error && last.place.source == next.place.source &&
+           last.place.line == next.place.line;
+}
+
 }  // namespace
 
 Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log)
@@ -242,8 +261,10 @@ Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log
         } else if (line.continues && !diagnostics.empty()) {
             join(diagnostics.back().message, line.message);
         } else {
-            diagnostics.push_back({code, std::string(line.message), placeIn(stage, line)});
-            diagnostics.back().severity = line.severity;
+            Diagnostic next{code, std::string(line.message), placeIn(stage, line)};
+            next.help = helpFor(stage, line.message);
+            next.severity = line.severity;
+            if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
         }
     }
     if (unknown.empty() && diagnostics.empty()) unknown = "the driver gave no message";

@@ -22,6 +22,13 @@ bool GlslMacros::defined(std::string_view name) const
     return macros_.find(name) != macros_.end();
 }
 
+std::vector<std::string> GlslMacros::names() const
+{
+    std::vector<std::string> names;
+    for (const auto& macro : macros_) names.push_back(macro.first);
+    return names;
+}
+
 bool GlslMacros::expand(const GlslToken& token, GlslTokens& out)
 {
     const auto found = macros_.find(token.text);

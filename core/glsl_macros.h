@@ -26,6 +26,9 @@ public:
     void undefine(std::string_view name);
     bool defined(std::string_view name) const;
 
+    /// All names that are defined, sorted.
+    std::vector<std::string> names() const;
+
     /// Appends `token`, or what it stands for, at the place of `token`. False when a limit is
     /// reached.
     bool expand(const GlslToken& token, GlslTokens& out);

@@ -53,8 +53,17 @@ private:
     bool resolve(const GlslInclude& include, std::string& path);
     bool inRing(const GlslInclude& include, const std::string& path);
     bool condition(const GlslLine& line);
+    bool undefinedName(const GlslTokens& condition);
     bool isDefined(const GlslLine& line);
     void spentSteps(const GlslToken& token);
+
+    // Most names come many times: finding one costs no allocation.
+    void mention(const GlslToken& token)
+    {
+        if (token.kind != GlslToken::Kind::identifier) return;
+        if (unit_.mentioned.find(token.text) == unit_.mentioned.end())
+            unit_.mentioned.emplace(token.text);
+    }
 
     bool active() const { return branches_.empty() || branches_.back().active; }
     int file() const { return open_numbers_.back(); }
@@ -76,6 +85,7 @@ private:
     std::vector<std::string> open_paths_;  ///< The files being read, from the root on.
     std::vector<int> open_numbers_;        ///< Their source-string numbers.
     std::set<std::string> seen_;
+    std::set<std::string, std::less<>> undefined_;
     bool stopped_ = false;  ///< Nothing more can be said about this text.
 };
 
@@ -101,7 +111,7 @@ void Preprocessor::readFile(const std::string& path)
     for (; branches_.size() > outer_branches; branches_.pop_back())
         if (!stopped_)
             fail("this #" + std::string(branches_.back().opened.text) + " has no #endif",
-                 branches_.back().opened);
+                 branches_.back().opened, "add '#endif' where what depends on it ends");
     open_paths_.pop_back();
     open_numbers_.pop_back();
 }
@@ -112,7 +122,7 @@ void Preprocessor::readLine(const GlslLine& line)
     if (line.isDirective()) return readDirective(line);
     unit_.text += line.text;
     for (const GlslToken& token : line.tokens) {
-        if (token.kind == GlslToken::Kind::identifier) unit_.mentioned.emplace(token.text);
+        mention(token);
         if (active() && !stopped_ && !unit_.macros.expand(token, unit_.tokens)) spentSteps(token);
     }
 }
@@ -143,7 +153,7 @@ void Preprocessor::readDirective(const GlslLine& line)
     if (line.directive() == "include") return readIncludeLine(line);
     unit_.text += line.text;
     for (const GlslToken& token : line.tokens)
-        if (token.kind == GlslToken::Kind::identifier) unit_.mentioned.emplace(token.text);
+        mention(token);
     if (!readBranch(line) && active()) readActiveDirective(line);
 }
 
@@ -217,11 +227,27 @@ bool Preprocessor::condition(const GlslLine& line)
         spentSteps(line.tokens[1]);
         return false;
     }
-    const auto value = evaluate(expanded.data(), expanded.data() + expanded.size(), true);
-    if (!value)
+    const auto value = evaluate(expanded.data(), expanded.data() + expanded.size(), false);
+    if (!value && !undefinedName(expanded))
         fail("the condition of #" + std::string(line.directive()) + " cannot be read",
              line.tokens[line.tokens.size() > 2 ? 2 : 1], kConditionHelp);
     return value.value_or(0) != 0;
+}
+
+/// Says so when all that is wrong with a condition is a name without a #define, which C takes for 0 and
+/// GLSL ES refuses.
+bool Preprocessor::undefinedName(const GlslTokens& condition)
+{
+    if (!evaluate(condition.data(), condition.data() + condition.size(), true)) return false;
+    for (const GlslToken& token : condition) {
+        if (token.kind != GlslToken::Kind::identifier) continue;
+        if (!undefined_.emplace(token.text).second) return true;  // told once for the whole stage
+        fail("a condition has '" + std::string(token.text) + "', which is not defined", token,
+             suggestName(token.text, unit_.macros.names(), "defined") +
+                 "; features, traits and params with bind 'define' are, in upper case");
+        return true;
+    }
+    return false;
 }
 
 bool Preprocessor::isDefined(const GlslLine& line)

@@ -137,7 +137,9 @@ void Scanner::readArray(GlslUniform& variable)
     const auto count = evaluate(at_ + 1, close, false);
     variable.array = true;
     if (count && *count > 0 && *count <= kMaxArray) variable.count = int(*count);
-    else fail("this array size cannot be read, wanted a whole number of at least 1", open,
+    else fail("the array size of '" + variable.name + "'" +
+                  (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
+                  " cannot be read, wanted a whole number of at least 1", open,
               "an array size has numbers and #defines only: a param with bind 'define' is one");
     at_ = close == end_ ? end_ : close + 1;
 }

@@ -30,6 +30,12 @@ TEST_CASE_METHOD(GlFixture, "a driver compiles an assembled stage, conditions an
     CHECK(device->createProgram({"fits", stage(kFullscreenVertex), fragment_stage}).ok());
 }
 
+TEST_CASE_METHOD(GlFixture, "a driver too refuses a condition over a name without a define")
+{
+    GlslStage broken = stage(fragment("#if UNKNOWN\n#endif\nout vec4 c;\nvoid main() { c = vec4(1); }"));
+    CHECK_FALSE(device->createProgram({"unknown", stage(kFullscreenVertex), broken}).ok());
+}
+
 TEST_CASE_METHOD(GlFixture, "a driver's error in an included file leads into that file")
 {
     const GlslStage broken =

@@ -208,14 +208,25 @@ TEST_CASE("conditions are evaluated as the driver evaluates them")
     CHECK(holds("(6 & 3) == 2 && (6 | 3) == 7 && (6 ^ 3) == 5 && ~0 == -1"));
     CHECK(holds("!0 && !(2 >= 3) && 3 > 2 && 2 <= 2 && 1 != 2"));
     CHECK(holds("0 || 1 && 1"));
-    CHECK_FALSE(holds("UNKNOWN"));
-    CHECK(holds("!UNKNOWN && UNKNOWN == 0"));
+    CHECK_FALSE(holds("0 && UNKNOWN"));
+    CHECK(holds("1 || UNKNOWN == 0"));
     CHECK(holds("defined(A) && defined B && !defined(C)", {{"A", "0"}, {"B", ""}}));
     CHECK(holds("A == 4", {{"A", "B + 1"}, {"B", "3"}}));
     CHECK(holds("MODE == MODE_SMOOTH", {{"MODE", "1"}, {"MODE_HARD", "0"}, {"MODE_SMOOTH", "1"}}));
     CHECK(holds("GL_ES && __VERSION__ == 300"));
     CHECK_FALSE(holds("defined(A) && 1 / A", {}));
     CHECK(holds("1 || 1 / 0"));
+}
+
+TEST_CASE("a name without a define is an error in a condition, told once")
+{
+    const Diagnostic error =
+        errorOf(Texts{{"a/main.frag", kVersion + "#if SAMPELS > 4\n#elif SAMPELS > 2\n#endif\n"}},
+                {{"SAMPLES", "3"}});
+    CHECK(error.code == Code::preprocessor);
+    CHECK(error.place.line == 2);
+    CHECK(error.place.column == 5);
+    CHECK(error.help.find("'SAMPLES'") != std::string::npos);
 }
 
 TEST_CASE("of a chain of conditions the first that holds counts")
