@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// How strong it is.
+float strength()
+{
+    return FACTOR * 2.0;
+}

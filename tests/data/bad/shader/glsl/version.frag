@@ -1,0 +1,11 @@
+#version 330 core
+// SPDX-License-Identifier: MIT
+uniform sampler2D depth;
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+void main()
+{
+    ao = texture(depth, uv).r * 1.0;
+}
