@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
-# docs/bench, the pictures of docs/methods, the tests without GL under sanitizers, and a build with clang.
+# docs/bench, the pictures of docs/methods, the tests without GL under sanitizers, a build with clang,
+# and a minute of fuzzing.
 # Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it
@@ -49,6 +50,10 @@ clang_build() {
         -DCREVICE_WERROR=ON -DCREVICE_TESTS=OFF && cmake --build build/clang
 }
 
+fuzzers() {
+    tests/fuzz/run.sh 30
+}
+
 printf '== Packages (tools/packages.txt)\n'
 if $quick; then
     tools/install_packages.sh chromium
@@ -60,6 +65,7 @@ else
     stage "Pictures in docs/methods" pictures
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Build with clang" clang_build
+    stage "Fuzzers, 30 seconds each" fuzzers
 fi
 
 if ((${#failed[@]})); then

@@ -11,6 +11,9 @@ if(CREVICE_SANITIZE)
     -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=${CREVICE_SANITIZE})
 endif()
+if(CREVICE_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 # crevice_library(NAME SOURCES... ) makes crevice_NAME, exported as crevice::NAME. Host applications
 # link it, so it neither throws nor uses run-time types. Headers are included as "NAME/file.h".

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds the fuzzers and runs each for so many seconds, 30 unless told; for hours by hand. What they
+# learn stays in build/fuzz/corpus, so that the next run goes on from there. A text that breaks
+# something is written to build/fuzz as crash-*, slow-* or timeout-*; pass it as an argument to the
+# fuzzer to see it again, and keep it in tests/fuzz/found once it is mended: every run begins with those.
+#
+#   tests/fuzz/run.sh 3600
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
+
+seconds=${1:-30}
+if ! [[ $seconds =~ ^[1-9][0-9]*$ ]]; then
+    echo "usage: tests/fuzz/run.sh [SECONDS]" >&2
+    exit 2
+fi
+
+cmake --preset fuzz && cmake --build --preset fuzz
+
+out=build/fuzz
+seeds=$out/seeds
+rm -rf -- "$seeds"
+mkdir -p "$seeds"
+for file in configs/*.json effects/*/*.json tests/data/bad/*/*.json tests/fuzz/found/*; do
+    if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
+done
+
+# Every word that the seeds have in quotes, for libFuzzer to put together anew.
+grep -ohE '"[a-z_.]+"' "$seeds"/*.json | sort -u | sed -E 's/"(.*)"/"\\"\1\\""/' > "$out/words.dict"
+
+for fuzzer in document config; do
+    printf '\n-- %s, %s s\n' "$fuzzer" "$seconds"
+    mkdir -p "$out/corpus/$fuzzer"
+    "$out/tests/fuzz/crevice_fuzz_$fuzzer" -max_total_time="$seconds" -timeout=10 -max_len=8192 \
+        -dict="$out/words.dict" -artifact_prefix="$out/" -print_final_stats=1 -verbosity=1 \
+        "$out/corpus/$fuzzer" "$seeds" 2>&1 | tail -n 40
+done
