@@ -69,6 +69,7 @@ enum class Code : int {
     not_finite = 4003,     ///< NaN or infinity.
     unknown_param = 4004,  ///< A parameter name that the config does not have.
     bad_size = 4005,       ///< A size that is not positive or that the device cannot hold.
+    value_dropped = 4006,  ///< A value set at run time that a reloaded config has no place for.
 
     // shaders
     shader_compile = 5001,   ///< GLSL does not compile.

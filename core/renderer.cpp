@@ -99,6 +99,49 @@ Diagnostic unknown(Code code, const char* what, std::string_view name,
     return error;
 }
 
+Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
+{
+    Diagnostic warning{Code::value_dropped, what + " '" + old.name +
+                                                "' is no longer what was set at run time: " + why};
+    warning.severity = Severity::warning;
+    warning.help = "set it again, to a value that the config has now";
+    return warning;
+}
+
+/// Sets in `next` what is different in `now` from `loaded`, and warns of what cannot be set.
+Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)
+{
+    Diagnostics warnings;
+    for (std::size_t i = 0; i < now.params.size(); ++i) {
+        const ParamDesc& old = now.params[i];
+        if (old.value == loaded.params[i]) continue;
+        const auto param = std::find_if(next.params.begin(), next.params.end(),
+                                        [&](const ParamDesc& each) { return each.name == old.name; });
+        const bool there = param != next.params.end() && param->type == old.type;
+        const Status fits =
+            there ? checkParam(*param, old.value.data(), componentCount(old.type)) : Status{};
+        if (there && fits) param->value = old.value;
+        else
+            warnings.push_back(dropped("param", old, there ? fits.diagnostics()[0].message
+                                                           : "the config has none like it"));
+    }
+    for (std::size_t i = 0; i < now.features.size(); ++i) {
+        const FeatureDesc& old = now.features[i];
+        if (old.value == loaded.features[i]) continue;
+        const std::string& word = old.values[old.value];
+        const auto feature =
+            std::find_if(next.features.begin(), next.features.end(),
+                         [&](const FeatureDesc& each) { return each.name == old.name; });
+        const std::vector<std::string> words =
+            feature == next.features.end() ? std::vector<std::string>{} : feature->values;
+        const auto at = std::find(words.begin(), words.end(), word);
+        if (at != words.end()) feature->value = static_cast<int>(at - words.begin());
+        else
+            warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
+    }
+    return warnings;
+}
+
 /// The status of a new plan, with a warning where shaders had to compile for it.
 Status withCompiled(const Status& status, const Execution& execution, const std::string& cause,
                     const Reference& at)
@@ -246,6 +289,19 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
     const Reference at{feature->name, feature->place, feature->pointer};
     const Status status = State::replan(state_, std::move(description), state_->options);
     return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
+}
+
+Status Renderer::reload(Description description, const CompileOptions& options)
+{
+    const Values loaded = valuesOf(description);
+    Diagnostics all = carryOver(loaded_, state_->description, description);
+    auto next = State::make(state_->device, std::move(description), options, state_->traits,
+                            state_.get());
+    if (!next) return next.diagnostics();
+    state_ = std::move(*next);
+    loaded_ = loaded;
+    all.insert(all.end(), next.diagnostics().begin(), next.diagnostics().end());
+    return all;
 }
 
 Status Renderer::resize(Extent extent)

@@ -61,6 +61,14 @@ public:
     /// Errors: CV2105, CV2106; the old value stays.
     Status setFeature(std::string_view name, std::string_view value);
 
+    /// Puts another description, such as an edited config, in the place of the present one. What
+    /// `setParam` and `setFeature` changed stays changed; a warning CV4006 names what the new description
+    /// has no place for. Programs of the same text are not compiled again, so a variant that ran before
+    /// is there within a frame. Histories start anew.
+    ///
+    /// Errors: those of `create`; the old description and its pictures stay.
+    Status reload(Description description, const CompileOptions& options);
+
     /// Plans anew for another size. Errors: those of `create`; the old size stays.
     Status resize(Extent extent);
 
