@@ -57,6 +57,41 @@ expect 0 'wrote' render mine.json "${small[@]}"
 expect 0 'wrote' render cross.json "${small[@]}" --out ao=cross.pfm
 expect 5 'over' compare cross.pfm ao.pfm --max-rmse 0.0001
 
+# The whole effect in one file is what the modules make.
+whole=$(dirname -- "$readme")/docs/written_out.json
+expect 0 'wrote' render "$whole" "${small[@]}" --out color=whole.png --out ao=whole.pfm
+expect 0 'wrote' render learnopengl "${small[@]}" --out color=modules.png --out ao=modules.pfm
+check "both have one picture" cmp -s whole.png modules.png
+check "and one occlusion" cmp -s whole.pfm modules.pfm
+check "written out it takes at most 110 lines" test "$(wc -l <"$whole")" -le 110
+
+# Live editing: a save draws again, a mistake leaves the picture, and its mending draws again.
+"$crevice" render mine.json "${small[@]}" --out ao=live.pfm --watch >watch.txt 2>&1 </dev/null &
+watcher=$!
+told() {
+    local count=$1 text=$2
+    for _ in {1..200}; do
+        (($(grep -c -- "$text" watch.txt) >= count)) && return 0
+        sleep 0.1
+    done
+    return 1
+}
+check "the watch begins" told 1 'watching'
+cp live.pfm before.pfm
+sed -i 's/0\.8/0.3/' mine.json
+check "a save draws again" told 1 'drawn again'
+check "with the new value" eval '! cmp -s live.pfm before.pfm'
+cp live.pfm before.pfm
+sed -i 's/"radius"/"raduis"/' mine.json
+check "a mistake is told" told 1 'CV2108'
+check "and leaves the picture" told 1 'the last pictures stay'
+check "as it was" cmp -s live.pfm before.pfm
+sed -i 's/"raduis"/"radius"/' mine.json
+check "its mending draws again" told 2 'drawn again'
+got=0
+kill -TERM "$watcher" && wait "$watcher" || got=$?
+check "an interrupt ends the watch in peace" test "$got" = 0
+
 # The doctor: a healthy frame, a pass that writes what is no number, and why a picture is plain.
 expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}"
 expect 0 '"state": "varies"' doctor learnopengl "${small[@]}" --json

@@ -2,42 +2,21 @@
 // crevice render: draws a scene through a config and writes what was asked for.
 #include "tools/cli_output.h"
 #include "tools/commands.h"
-#include "tools/config_options.h"
-#include "tools/image_file.h"
-#include "tools/open_device.h"
-#include "tools/output_request.h"
-#include "tools/read_output.h"
+#include "tools/render_session.h"
 #include "tools/save_patch.h"
-#include "tools/scene_options.h"
-#include "tools/scene_upload.h"
-#include "tools/stereo.h"
+#include "tools/watched_files.h"
+
+#include "core/load.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <memory>
+#include <csignal>
+#include <thread>
 
 namespace crevice {
 namespace {
-
-struct RenderOptions {
-    ConfigOptions config;
-    SceneOptions scene;
-    StereoOptions stereo;
-    std::string backend;
-    std::vector<std::string> out = {"color=color.png"};
-    std::string save_patch;
-    int frames = 1;
-    bool json = false;
-};
-
-struct Picture {
-    OutputRequest request;
-    OutputSource source;
-    Image image = {};
-};
 
 /// What the run tells when it is done.
 struct Summary {
@@ -48,111 +27,6 @@ struct Summary {
     std::size_t passes = 0;
     double ms = 0;  ///< Wall clock of the first frame, the wait for the GPU included.
 };
-
-using Clock = std::chrono::steady_clock;
-
-/// Everything about --out that can be wrong, found before anything slow begins.
-Result<std::vector<Picture>> readRequests(const std::vector<std::string>& texts)
-{
-    std::vector<Picture> pictures;
-    for (const std::string& text : texts) {
-        const Result<OutputRequest> request = parseOutputRequest(text);
-        if (!request) return request.diagnostics();
-        const Status writable = checkWritable(request->file);
-        if (!writable) return writable.diagnostics();
-        for (const Picture& other : pictures)
-            if (other.request.file == request->file)
-                return Diagnostic{Code::usage, "two --out write '" + request->file + "'"};
-        pictures.push_back({*request, {}});
-    }
-    return pictures;
-}
-
-/// Has the description export every picture, and lists those exports.
-Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures, Description& description)
-{
-    Diagnostics errors;
-    std::vector<std::string> names;
-    for (Picture& picture : pictures) {
-        const Result<OutputSource> source = exposeOutput(description, picture.request.name);
-        append(errors, source.diagnostics());
-        if (!source) continue;
-        picture.source = *source;
-        if (std::find(names.begin(), names.end(), source->output) == names.end())
-            names.push_back(source->output);
-    }
-    if (!errors.empty()) return errors;
-    return names;
-}
-
-Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
-{
-    Result<Image> image = readOutput(device, renderer, picture.source.output);
-    if (!image) return image.diagnostics();
-    picture.image = std::move(*image);
-    if (renderer.plan().views > 1) {
-        const Result<Image> right = readOutput(device, renderer, picture.source.output, 1);
-        if (!right) return right.diagnostics();
-        picture.image = sideBySide(picture.image, *right);
-    }
-    applyView(picture.image, picture.source);
-    return {};
-}
-
-/// Draws the frames and reads every picture of the last one back.
-Result<Summary> draw(const RenderOptions& options, const SceneView& view, Description description,
-                     const std::vector<std::string>& outputs, std::vector<Picture>& pictures,
-                     Progress& progress)
-{
-    CompileOptions compile_options;
-    compile_options.extent = view.extent;
-    compile_options.outputs = outputs;
-    const Result<std::vector<SceneCamera>> cameras =
-        eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
-    if (!cameras) return cameras.diagnostics();
-    const Result<OpenDevice> open = openDevice(options.backend);
-    if (!open) return open.diagnostics();
-    Device& device = *open->device;
-    progress.begin("uploading the scene");
-    const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
-    if (!scene) return scene.diagnostics();
-    const Frame frame = makeFrame(*scene, *cameras, view.extent);
-    progress.begin("compiling shaders");
-    const Result<std::unique_ptr<Renderer>> created =
-        Renderer::create(device, std::move(description), compile_options, traitsOf(frame));
-    if (!created) return created.diagnostics();
-    Renderer& renderer = **created;
-
-    progress.begin("drawing");
-    device.finish();
-    const Clock::time_point start = Clock::now();
-    const Status drawn = renderer.render(frame);
-    if (!drawn) return drawn.diagnostics();
-    device.finish();
-    const std::chrono::duration<double, std::milli> time = Clock::now() - start;
-    for (int drawn_before = 1; drawn_before < options.frames; ++drawn_before)
-        if (const Status again = renderer.render(frame); !again) return again.diagnostics();
-    for (Picture& picture : pictures) {
-        const Status read = readPicture(device, renderer, picture);
-        if (!read) return read.diagnostics();
-    }
-
-    Diagnostics warnings = open.diagnostics();
-    append(warnings, created.diagnostics());
-    append(warnings, drawn.diagnostics());
-    return {Summary{renderer.description().name, view.scene.name, open->context->description(),
-                    view.extent, renderer.plan().views, triangleCount(view.scene),
-                    renderer.plan().passes.size(), time.count()},
-            std::move(warnings)};
-}
-
-Status writePictures(const std::vector<Picture>& pictures)
-{
-    Diagnostics all;
-    for (const Picture& picture : pictures)
-        append(all, writeImage(picture.request.file, picture.image).diagnostics());
-    return all;
-}
 
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
 {
@@ -189,6 +63,78 @@ void printJson(const Summary& summary, const std::vector<Picture>& pictures,
     std::puts(json.dump(2).c_str());
 }
 
+/// Loads the config, and adds the files that it is made of to those watched, whole or broken.
+Result<Description> loadWatched(const RenderOptions& options, const SourceSet& sources,
+                                WatchedFiles& files)
+{
+    const ConfigOptions& config = options.config;
+    files.add(config.config);
+    const Result<Node> document =
+        loadConfig(sources, {config.config, config.variant, config.overrides});
+    files.add(document.diagnostics());
+    if (!document) return document.diagnostics();
+    files.add(*document);
+    Result<Description> description = decode(*document, sources);
+    files.add(description.diagnostics());
+    if (description) files.add(*description);
+    return description;
+}
+
+/// All or nothing: after an error the renderer, the pictures and their files are as they were.
+Result<double> redraw(const RenderOptions& options, Session& session, Description description,
+                      std::vector<Picture>& pictures)
+{
+    std::vector<Picture> next = pictures;
+    const Result<std::vector<std::string>> outputs = exposeAll(next, description);
+    if (!outputs) return outputs.diagnostics();
+    CompileOptions compile_options = session.options;
+    compile_options.outputs = *outputs;
+    const Status reloaded = session.renderer->reload(std::move(description), compile_options);
+    if (!reloaded) return reloaded.diagnostics();
+    const Result<double> ms = draw(options, session, next);
+    if (!ms) return ms;
+    const Status written = writePictures(next);
+    if (!written) return written.diagnostics();
+    session.options = compile_options;
+    pictures = std::move(next);
+    Diagnostics warnings = reloaded.diagnostics();
+    append(warnings, ms.diagnostics());
+    return {*ms, std::move(warnings)};
+}
+
+volatile std::sig_atomic_t stopped = 0;
+
+/// Draws again whenever a file of the config was saved, until it is interrupted.
+int watch(const RenderOptions& options, const SourceSet& sources, Session& session,
+          std::vector<Picture>& pictures)
+{
+    constexpr std::chrono::milliseconds kPause(100);  // below what a person notices after a save
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stopped = 1; });
+    WatchedFiles files;
+    (void)loadWatched(options, sources, files);
+    std::fprintf(stderr, "watching %d files; interrupt to end\n", static_cast<int>(files.size()));
+    for (; !stopped; std::this_thread::sleep_for(kPause)) {
+        if (!files.changed()) continue;
+        Result<Description> description = loadWatched(options, sources, files);
+        const Result<double> ms = description
+                                      ? redraw(options, session, std::move(*description), pictures)
+                                      : description.diagnostics();
+        report(description.diagnostics(), false);
+        if (description) report(ms.diagnostics(), false);
+        if (ms) std::fprintf(stderr, "drawn again in %.1f ms\n", *ms);
+        else std::fputs("the last pictures stay\n", stderr);
+    }
+    return kExitOk;
+}
+
+Summary summaryOf(const Session& session, const SceneView& view, double ms)
+{
+    const Renderer& renderer = *session.renderer;
+    return {renderer.description().name, view.scene.name, session.open.context->description(),
+            view.extent, renderer.plan().views, triangleCount(view.scene),
+            renderer.plan().passes.size(), ms};
+}
+
 int render(const RenderOptions& options)
 {
     Result<std::vector<Picture>> pictures = readRequests(options.out);
@@ -206,10 +152,13 @@ int render(const RenderOptions& options)
     Progress progress;
     progress.begin("loading " + options.scene.scene);
     const Result<SceneView> view = loadSceneView(options.scene);
-    const Result<Summary> summary =
-        view ? draw(options, *view, *description, *outputs, *pictures, progress) : view.diagnostics();
+    Result<Session> session =
+        view ? openSession(options, *view, *description, *outputs, progress) : view.diagnostics();
+    progress.begin("drawing");
+    const Result<double> ms =
+        session ? draw(options, *session, *pictures) : session.diagnostics();
     progress.wipe();
-    if (!summary) return report(summary.diagnostics(), options.json);
+    if (!ms) return report(ms.diagnostics(), options.json);
 
     const Status written = writePictures(*pictures);
     if (!written) return report(written.diagnostics(), options.json);
@@ -217,16 +166,17 @@ int render(const RenderOptions& options)
         if (const Status patch = savePatch(options.config, sources, options.save_patch); !patch)
             return report(patch.diagnostics(), options.json);
     Diagnostics warnings = description.diagnostics();
-    for (const Diagnostics* more :
-         {&view.diagnostics(), &summary.diagnostics(), &written.diagnostics()})
+    for (const Diagnostics* more : {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(),
+                                    &written.diagnostics()})
         append(warnings, *more);
+    const Summary summary = summaryOf(*session, *view, *ms);
     if (options.json) {
-        printJson(*summary, *pictures, warnings);
+        printJson(summary, *pictures, warnings);
     } else {
         report(warnings, false);
-        printSummary(*summary, *pictures);
+        printSummary(summary, *pictures);
     }
-    return kExitOk;
+    return options.watch ? watch(options, sources, *session, *pictures) : kExitOk;
 }
 
 }  // namespace
@@ -256,11 +206,17 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     command->add_option("--save-patch", options->save_patch,
                         "Write a config that extends CONFIG and says what --variant and --set changed")
         ->type_name("FILE.json");
-    command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
+    CLI::Option* json =
+        command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
+    command->add_flag("--watch", options->watch,
+                      "Draw again whenever a file of the config is saved, until interrupted; after a bad "
+                      "edit the last pictures stay")
+        ->excludes(json);
     command->footer("Examples:\n"
                     "  crevice render learnopengl\n"
                     "  crevice render learnopengl --scene model.glb --size 1920x1080 --set radius=0.8 \\\n"
                     "      --out color=lit.png --out ao=ao.pfm\n"
+                    "  crevice render my.json --watch\n"
                     "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
     command->callback([options, &exit_code] { exit_code = render(*options); });
 }
