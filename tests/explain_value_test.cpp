@@ -133,6 +133,23 @@ TEST_CASE("a key that no file sets has the format's default, where there is some
     }
 }
 
+TEST_CASE("what a patch deleted is told with the place that deleted it")
+{
+    Node document = parsed("base.json", R"({
+  "passes": { "ssao": { "state": { "cull": "back" } }, "blur": {} } })");
+    Diagnostics diagnostics;
+    mergePatch(document, parsed("patch.json", R"({
+  "passes": { "ssao": { "state": { "cull": null } }, "blur": null } })"), diagnostics);
+    REQUIRE(diagnostics.empty());
+    CHECK(findUnset(document, "passes.ssao.state.cull", nullptr)->reason ==
+          "by default, since patch.json:2:36 deletes it: Which side of a triangle is left out.");
+    const auto blur = findValue(document, "passes.blur");
+    REQUIRE_FALSE(blur);
+    REQUIRE(blur.diagnostics().front().notes.size() == 1);
+    CHECK(blur.diagnostics().front().notes.front().place.line == 2);
+    CHECK_FALSE(findUnset(document, "passes.blur", nullptr));
+}
+
 TEST_CASE("a sampler or uniform that no file mentions binds by its name")
 {
     const LoadRequest request = {"gtao"};

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace crevice {
 namespace {
@@ -49,6 +50,14 @@ const Node* child(const Node& node, const std::string& part)
                         std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
     const std::size_t index = number ? std::stoul(part) : node.items.size();
     return index < node.items.size() ? &node.items[index] : nullptr;
+}
+
+/// The null of a patch that took the member away, or null.
+const Member* deletedFrom(const Node& node, const std::string& part)
+{
+    for (auto gone = node.deleted.rbegin(); gone != node.deleted.rend(); ++gone)
+        if (gone->key == part) return &*gone;
+    return nullptr;
 }
 
 std::vector<std::string> childNames(const Node& node)
@@ -145,7 +154,8 @@ std::string feederOf(const Node& document, const std::string& name)
 {
     for (const char* section : {"params", "generated"}) {
         const Node* entries = document.find(section);
-        if (entries && entries->find(name)) return (section[0] == 'p' ? "param " : "generated ") + name;
+        if (entries && entries->find(name))
+            return (section[0] == 'p' ? "param " : "generated ") + name;
     }
     return "frame value " + name;
 }
@@ -160,7 +170,8 @@ std::optional<UnsetValue> findBound(const Node& document, const Plan& plan,
     const PlanPass* pass = input || uniform || state ? findNamed(plan.passes, parts[1]) : nullptr;
     if (!pass) return std::nullopt;
     if (const std::string found = state ? stateWord(pass->state, parts[3]) : ""; !found.empty())
-        return UnsetValue{pointerOf(parts), found, "by default for such a pass, since no file sets it"};
+        return UnsetValue{pointerOf(parts), found,
+                          "by default for such a pass, since no file sets it"};
     const GlslUniform* declared = declarationOf(plan.programs[pass->program], parts[3]);
     if (!declared || isSampler(declared->type) != input) return std::nullopt;
     const std::string where = placeName(declared->place);
@@ -190,6 +201,8 @@ Result<FoundValue> findValue(const Node& document, const std::string& path)
                              "there is no '" + part + "' in " +
                                  (found.pointer.empty() ? "the config" : found.pointer)};
             error.pointer = found.pointer;
+            if (const Member* gone = deletedFrom(*found.node, part))
+                error.notes.push_back({gone->key_place, "it was deleted here"});
             error.help = suggestName(part, childNames(*found.node), "keys");
             return error;
         }
@@ -204,16 +217,19 @@ std::optional<UnsetValue> findUnset(const Node& document, const std::string& pat
     if (const auto bound = plan ? findBound(document, *plan, parts) : std::nullopt) return bound;
     const Node* node = &document;
     std::vector<std::string> reached;
+    std::string since = "no file sets it";
     for (const std::string& part : parts) {
         reached.push_back(part);
-        node = node ? child(*node, part) : nullptr;
+        const Node* parent = std::exchange(node, node ? child(*node, part) : nullptr);
+        const Member* gone = parent && !node ? deletedFrom(*parent, part) : nullptr;
+        if (gone) since = placeName(gone->key_place) + " deletes it";
         const auto key = findFormatKey(reached);
         if (!key || (!node && key->named)) return std::nullopt;
     }
     const FormatKey key = *findFormatKey(parts);
     return UnsetValue{pointerOf(parts), key.value,
-                      (key.value.empty() ? "no file sets it, and the format has no default: "
-                                         : "by default, since no file sets it: ") + key.meaning};
+                      (key.value.empty() ? since + ", and the format has no default: "
+                                         : "by default, since " + since + ": ") + key.meaning};
 }
 
 std::string explainText(const FoundValue& value)
