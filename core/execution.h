@@ -22,8 +22,8 @@ constexpr std::size_t kMaxIdlePrograms = 32;
 class Execution {
 public:
     /// Makes the plan's textures, programs and framebuffers. Programs that `previous` has under the
-    /// same key are shared with it, not compiled again, and so are the last kMaxIdlePrograms that no
-    /// plan needs now; it may be null and may die at any time.
+    /// same key are shared with it, not compiled again, and so are the last kMaxIdlePrograms that
+    /// no plan needs now; it may be null and may die at any time.
     ///
     /// Errors: the device's; CV5003 and CV5004 where a linked program has a uniform that the plan
     /// knows nothing of. Then nothing is left behind.

@@ -52,7 +52,8 @@ void addDefines(Facts& facts, const PlanProgram& program)
 {
     std::map<std::string, std::string> defines;
     for (const GlslStage* stage : {&program.vertex, &program.fragment})
-        for (const std::string& name : stage->defines_used) defines[name] = defineValue(*stage, name);
+        for (const std::string& name : stage->defines_used)
+            defines[name] = defineValue(*stage, name);
     for (const auto& [name, value] : defines) facts.push_back({"define " + name, value});
 }
 
@@ -111,9 +112,10 @@ Part partOf(const Plan& plan, const PlanTarget& target)
 
 Part partOf(const Plan& plan, const PlanOutput& output)
 {
-    const std::string from = output.constant >= 0
-                                 ? "constant " + compiler::shortest(plan.constants[output.constant].value)
-                                 : "target " + plan.targets[output.target].name;
+    const std::string from =
+        output.constant >= 0
+            ? "constant " + compiler::shortest(plan.constants[output.constant].value)
+            : "target " + plan.targets[output.target].name;
     return {"outputs", output.name, {{"from", from}}};
 }
 
@@ -153,7 +155,8 @@ const Part* findPart(const std::vector<Part>& parts, const Part& like)
     return nullptr;
 }
 
-std::vector<PlanChange> changesBetween(const std::vector<Part>& before, const std::vector<Part>& after)
+std::vector<PlanChange> changesBetween(const std::vector<Part>& before,
+                                       const std::vector<Part>& after)
 {
     using Kind = PlanChange::Kind;
     std::vector<PlanChange> changes;
@@ -165,7 +168,8 @@ std::vector<PlanChange> changesBetween(const std::vector<Part>& before, const st
     }
     for (const Part& part : after)
         if (!findPart(before, part))
-            changes.push_back({part.section, part.name, Kind::only_after, differences({}, part.facts)});
+            changes.push_back(
+                {part.section, part.name, Kind::only_after, differences({}, part.facts)});
     const std::vector<std::string> sections = {"passes", "targets", "outputs", "left out"};
     const auto rank = [&](const PlanChange& change) {
         return std::find(sections.begin(), sections.end(), change.section);
@@ -219,7 +223,8 @@ std::string oneSidedText(const PlanChange& change, bool before)
     }
     std::string text;
     for (const auto& [kind, line] : lines)
-        text += std::string("      ") + (before ? "- " : "+ ") + (kind.empty() ? "" : kind + ": ") + line + "\n";
+        text += std::string("      ") + (before ? "- " : "+ ") + (kind.empty() ? "" : kind + ": ") +
+                line + "\n";
     return text;
 }
 
@@ -235,7 +240,9 @@ std::string changeText(const PlanChange& change)
 
 std::string propertyJson(const PlanChange::Property& each)
 {
-    const auto side = [](const std::string& text) { return text.empty() ? "null" : jsonString(text); };
+    const auto side = [](const std::string& text) {
+        return text.empty() ? "null" : jsonString(text);
+    };
     return "{\"name\": " + jsonString(each.name) + ", \"before\": " + side(each.before) +
            ", \"after\": " + side(each.after) + "}";
 }
@@ -244,16 +251,19 @@ std::string propertyJson(const PlanChange::Property& each)
 
 PlanDiff diffPlans(const Plan& before, const Plan& after)
 {
-    PlanDiff diff{before.config + " " + sizeText(before.extent), after.config + " " + sizeText(after.extent)};
+    PlanDiff diff{before.config + " " + sizeText(before.extent),
+                  after.config + " " + sizeText(after.extent)};
     diff.changes = changesBetween(partsOf(before), partsOf(after));
     const auto total = [&](const char* name, double from, double to) {
         diff.totals.push_back({name, from, to});
     };
-    total("passes", static_cast<double>(before.passes.size()), static_cast<double>(after.passes.size()));
+    total("passes", static_cast<double>(before.passes.size()),
+          static_cast<double>(after.passes.size()));
     total("textures", textureCount(before), textureCount(after));
     total("texture_bytes", before.texture_bytes, after.texture_bytes);
     total("bytes_read", sum(before, &PlanPass::bytes_read), sum(after, &PlanPass::bytes_read));
-    total("bytes_written", sum(before, &PlanPass::bytes_written), sum(after, &PlanPass::bytes_written));
+    total("bytes_written", sum(before, &PlanPass::bytes_written),
+          sum(after, &PlanPass::bytes_written));
     return diff;
 }
 
@@ -271,8 +281,10 @@ std::string toText(const PlanDiff& diff)
         const double more = total.after - total.before;
         std::string name = total.name;
         std::replace(name.begin(), name.end(), '_', ' ');
-        text += "  " + name + ": " + amount(total, total.before) + " -> " + amount(total, total.after);
-        text += more == 0 ? "\n" : (more > 0 ? " (+" : " (-") + amount(total, std::abs(more)) + ")\n";
+        text +=
+            "  " + name + ": " + amount(total, total.before) + " -> " + amount(total, total.after);
+        text +=
+            more == 0 ? "\n" : (more > 0 ? " (+" : " (-") + amount(total, std::abs(more)) + ")\n";
     }
     return text;
 }
@@ -285,17 +297,19 @@ std::string toJson(const PlanDiff& diff)
         std::string properties;
         for (const PlanChange::Property& each : change.properties)
             properties += (properties.empty() ? "\n      " : ",\n      ") + propertyJson(each);
-        changes += std::string(changes.empty() ? "" : ",") + "\n    {\"section\": " +
-                   jsonString(change.section) + ", \"name\": " + jsonString(change.name) +
-                   ", \"kind\": \"" + kinds[static_cast<int>(change.kind)] + "\", \"properties\": [" +
-                   properties + "]}";
+        changes += std::string(changes.empty() ? "" : ",") +
+                   "\n    {\"section\": " + jsonString(change.section) +
+                   ", \"name\": " + jsonString(change.name) + ", \"kind\": \"" +
+                   kinds[static_cast<int>(change.kind)] + "\", \"properties\": [" + properties +
+                   "]}";
     }
     for (const PlanTotal& total : diff.totals)
-        totals += std::string(totals.empty() ? "" : ",") + "\n    " + jsonString(total.name) + ": [" +
-                  std::to_string(std::llround(total.before)) + ", " +
+        totals += std::string(totals.empty() ? "" : ",") + "\n    " + jsonString(total.name) +
+                  ": [" + std::to_string(std::llround(total.before)) + ", " +
                   std::to_string(std::llround(total.after)) + "]";
-    return "{\n  \"before\": " + jsonString(diff.before) + ",\n  \"after\": " + jsonString(diff.after) +
-           ",\n  \"changes\": [" + changes + "],\n  \"totals\": {" + totals + "\n  }\n}\n";
+    return "{\n  \"before\": " + jsonString(diff.before) +
+           ",\n  \"after\": " + jsonString(diff.after) + ",\n  \"changes\": [" + changes +
+           "],\n  \"totals\": {" + totals + "\n  }\n}\n";
 }
 
 }  // namespace crevice

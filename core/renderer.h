@@ -47,9 +47,10 @@ public:
     Result<FrameTimes> renderTimed(const Frame& frame);
 
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
-    /// bound as defines, those that a count or size is taken from and values at which a pass is or was
-    /// an identity: those plan anew. Only a define, or a pass that never ran, compiles a shader, which
-    /// a warning CV5010 names; what was compiled is kept for when the value comes back.
+    /// bound as defines, those that a count or size is taken from and values at which a pass is or
+    /// was an identity: those plan anew. Only a define, or a pass that never ran, compiles a
+    /// shader, which a warning CV5010 names; what was compiled is kept for when the value comes
+    /// back.
     ///
     /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.
     Status setParam(std::string_view name, const float* values, int count);
@@ -77,8 +78,8 @@ public:
     /// when there is none.
     TextureId output(std::string_view name, int view = 0) const;
 
-    /// What `setParam` and `setFeature` made different from the description given to `create`, as the
-    /// smallest merge patch over its config: {"params": {"radius": {"default": 0.8}}}; "{}" for
+    /// What `setParam` and `setFeature` made different from the description given to `create`, as
+    /// the smallest merge patch over its config: {"params": {"radius": {"default": 0.8}}}; "{}" for
     /// nothing. A value set back is no change.
     std::string changes() const;
 

@@ -16,7 +16,8 @@ std::string valueJson(const ParamDesc& param)
     if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
     const int count = componentCount(param.type);
     std::string text;
-    for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + compiler::shortest(param.value[i]);
+    for (int i = 0; i < count; ++i)
+        text += (i > 0 ? ", " : "") + compiler::shortest(param.value[i]);
     return count > 1 ? "[" + text + "]" : text;
 }
 
@@ -43,7 +44,8 @@ Values valuesOf(const Description& description)
 {
     Values values;
     for (const ParamDesc& param : description.params) values.params.push_back(param.value);
-    for (const FeatureDesc& feature : description.features) values.features.push_back(feature.value);
+    for (const FeatureDesc& feature : description.features)
+        values.features.push_back(feature.value);
     return values;
 }
 

@@ -18,9 +18,9 @@ struct Values {
 
 Values valuesOf(const Description& description);
 
-/// The smallest merge patch, as JSON on one line, that gives a config whose values are `loaded` those
-/// of `now`; "{}" where they are the same. Requires values of the same config. Floats read back as
-/// they were.
+/// The smallest merge patch, as JSON on one line, that gives a config whose values are `loaded`
+/// those of `now`; "{}" where they are the same. Requires values of the same config. Floats read
+/// back as they were.
 std::string valuesPatch(const Values& loaded, const Description& now);
 
 }  // namespace crevice

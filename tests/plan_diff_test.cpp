@@ -11,7 +11,8 @@ namespace {
 
 using Kind = PlanChange::Kind;
 
-const PlanChange* changeOf(const PlanDiff& diff, const std::string& section, const std::string& name)
+const PlanChange* changeOf(const PlanDiff& diff, const std::string& section,
+                           const std::string& name)
 {
     for (const PlanChange& change : diff.changes)
         if (change.section == section && change.name == name) return &change;
@@ -29,9 +30,10 @@ std::string property(const PlanChange* change, const std::string& name)
 
 Plan plan(const std::string& half_size = "", const char* format = "r8")
 {
-    return planOf(describe({{"ssao: -> ao", "blur: ao -> smooth"},
-                            {{"ao", "smooth"}},
-                            {{"ao", std::string(R"({"format": [")") + format + "\"]" + half_size + "}"}}}));
+    return planOf(
+        describe({{"ssao: -> ao", "blur: ao -> smooth"},
+                  {{"ao", "smooth"}},
+                  {{"ao", std::string(R"({"format": [")") + format + "\"]" + half_size + "}"}}}));
 }
 
 }  // namespace
@@ -77,27 +79,33 @@ TEST_CASE("A size and a format that changed are told with the bytes that they co
 TEST_CASE("Defines, inputs and what a sampler reads are told by their names")
 {
     const auto with = [](const char* count, const char* input) {
-        Description description = describe(
-            std::string(R"({"format": 1, "name": "two",
-                "params": {"taps": {"type": "int", "default": )") + count + R"(, "bind": "define"}},
+        Description description =
+            describe(std::string(R"({"format": 1, "name": "two",
+                "params": {"taps": {"type": "int", "default": )") +
+                         count + R"(, "bind": "define"}},
                 "targets": {"a": {"format": ["r8"]}, "b": {"format": ["r8"]}, "c": {"format": ["r8"]}},
                 "shaders": {"one": {"vertex": "full.vert", "fragment": "one.frag"},
                             "mix": {"vertex": "full.vert", "fragment": "mix.frag"}},
                 "passes": {"one": {"shader": "one", "color": ["a", "b"]},
-                           "mix": {"shader": "mix", "color": "c", "inputs": {"source": )" + input + R"(}}},
+                           "mix": {"shader": "mix", "color": "c", "inputs": {"source": )" +
+                         input + R"(}}},
                 "outputs": {"a": "a", "b": "b", "c": "c"}})",
-            {{"full.vert", kFullVertex},
-             {"one.frag", "#version 300 es\nprecision highp float;\n"
-                          "layout(location = 0) out vec4 x;\nlayout(location = 1) out vec4 y;\n"},
-             {"mix.frag", "#version 300 es\nprecision highp float;\nconst int n = TAPS;\n"
-                          "uniform sampler2D source;\nlayout(location = 0) out vec4 z;\n"}});
+                     {{"full.vert", kFullVertex},
+                      {"one.frag",
+                       "#version 300 es\nprecision highp float;\n"
+                       "layout(location = 0) out vec4 x;\nlayout(location = 1) out vec4 y;\n"},
+                      {"mix.frag",
+                       "#version 300 es\nprecision highp float;\nconst int n = TAPS;\n"
+                       "uniform sampler2D source;\nlayout(location = 0) out vec4 z;\n"}});
         return planOf(description);
     };
-    const PlanDiff diff = diffPlans(with("4", "\"a\""), with("8", R"({"from": "b", "filter": "linear"})"));
+    const PlanDiff diff =
+        diffPlans(with("4", "\"a\""), with("8", R"({"from": "b", "filter": "linear"})"));
     const PlanChange* mix = changeOf(diff, "passes", "mix");
     CHECK(property(mix, "define TAPS") == "4 -> 8");
     CHECK(property(mix, "input source") == "target a (nearest, clamp) -> target b (linear, clamp)");
     CHECK(changeOf(diff, "passes", "one") == nullptr);
     const std::string json = toJson(diff);
-    CHECK(json.find(R"({"name": "define TAPS", "before": "4", "after": "8"})") != std::string::npos);
+    CHECK(json.find(R"({"name": "define TAPS", "before": "4", "after": "8"})") !=
+          std::string::npos);
 }

@@ -80,8 +80,8 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
 int explainValue(const ExplainOptions& options, const SourceSet& sources)
 {
     const bool json = options.format == "json";
-    const Result<Node> document =
-        loadConfig(sources, {options.config.config, options.config.variant, options.config.overrides});
+    const Result<Node> document = loadConfig(
+        sources, {options.config.config, options.config.variant, options.config.overrides});
     if (!document) return report(document.diagnostics(), json);
     const Result<FoundValue> value = findValue(*document, options.why);
     if (value) {
@@ -95,7 +95,8 @@ int explainValue(const ExplainOptions& options, const SourceSet& sources)
     return kExitOk;
 }
 
-/// The plan of the first config as it is, and of the second, or the same again, with --variant and --set.
+/// The plan of the first config as it is, and of the second, or the same again, with --variant and
+/// --set.
 int explainDiff(const ExplainOptions& options, const SourceSet& sources)
 {
     const bool json = options.format == "json";
@@ -150,12 +151,15 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     CLI::App* command = app.add_subcommand("explain", "Show what a config does, and why");
     auto options = std::make_shared<ExplainOptions>();
     options->scene.scene.clear();
-    command->add_option("CONFIG", options->configs, "A shipped config's name, or a file; two with --diff")
+    command
+        ->add_option("CONFIG", options->configs,
+                     "A shipped config's name, or a file; two with --diff")
         ->required()
         ->expected(1, 2);
-    command->add_flag("--diff", options->diff,
-                      "Compare two plans: that of the first CONFIG, and that of the second, or of the "
-                      "same, with --variant and --set");
+    command->add_flag(
+        "--diff", options->diff,
+        "Compare two plans: that of the first CONFIG, and that of the second, or of the "
+        "same, with --variant and --set");
     addConfigOptions(*command, options->config);
     addSceneOptions(*command, options->scene);
     addBackendOption(*command, options->backend);

@@ -17,8 +17,9 @@ void addSchemaCommand(CLI::App& app, int& exit_code)
         std::string format = "json";
         std::string checkout;
     };
-    CLI::App* command = app.add_subcommand("schema", "Print the config format: every key with its type, "
-                                                     "default and range");
+    CLI::App* command = app.add_subcommand("schema",
+                                           "Print the config format: every key with its type, "
+                                           "default and range");
     auto options = std::make_shared<Options>();
     command->add_option("--format", options->format,
                         "json: a JSON Schema (draft 7) for editors; markdown: tables for readers")

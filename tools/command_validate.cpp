@@ -65,7 +65,9 @@ void addValidateCommand(CLI::App& app, int& exit_code)
                                        "text, json, or sarif (SARIF 2.1.0, for editors and CI)")
                        ->check(CLI::IsMember({"text", "json", "sarif"}))
                        ->capture_default_str();
-    command->add_flag_callback("--json", [options] { options->format = "json"; }, "The same as --format json")
+    command
+        ->add_flag_callback(
+            "--json", [options] { options->format = "json"; }, "The same as --format json")
         ->excludes(format);
     command->footer("Examples:\n"
                     "  crevice validate my.json\n"

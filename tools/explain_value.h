@@ -31,14 +31,16 @@ struct UnsetValue {
 
 /// The value of a path that findValue does not find; nothing where the format has no such key, or
 /// what would have it does not exist. Without a plan only defaults are known.
-std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan);
+std::optional<UnsetValue> findUnset(const Node& document, const std::string& path,
+                                    const Plan* plan);
 
-/// The value, and each place that set it, the newest first; of an object, those of all values in it.
+/// The value, and each place that set it, the newest first; of an object, those of all values in
+/// it.
 std::string explainText(const FoundValue& value);
 std::string explainText(const UnsetValue& value);
 
-/// The same as {"pointer", "value", "places": [{"file", "line", "column", "text"}]}, where an object
-/// has "members", a list of these, and what is not set has "reason".
+/// The same as {"pointer", "value", "places": [{"file", "line", "column", "text"}]}, where an
+/// object has "members", a list of these, and what is not set has "reason".
 std::string explainJson(const FoundValue& value);
 std::string explainJson(const UnsetValue& value);
 

@@ -14,7 +14,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The place as a file that a reader can open; what --set gave is in none.
-bool isFile(const Place& place) { return place.source && !startsWith(place.source->name, "--set "); }
+bool isFile(const Place& place)
+{
+    return place.source && !startsWith(place.source->name, "--set ");
+}
 
 /// A path as a URI reference [3.10.1].
 std::string uriOf(const std::string& path)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics as SARIF 2.1.0 (OASIS, "Static Analysis Results Interchange Format"), which editors and
-// code hosts show at the line that they are about.
+// Diagnostics as SARIF 2.1.0 (OASIS, "Static Analysis Results Interchange Format"), which editors
+// and code hosts show at the line that they are about.
 #pragma once
 
 #include "core/diagnostic.h"
@@ -20,8 +20,9 @@ struct CodeRule {
 /// All codes in the order of core/codes.h.
 const std::vector<CodeRule>& codeRules();
 
-/// A log of one run: a rule for each code that occurs, a result for each diagnostic, with its place,
-/// its pointer, its notes as related places and its help in the message. Columns count characters.
+/// A log of one run: a rule for each code that occurs, a result for each diagnostic, with its
+/// place, its pointer, its notes as related places and its help in the message. Columns count
+/// characters.
 std::string toSarif(const Diagnostics& diagnostics, const std::string& version);
 
 }  // namespace crevice

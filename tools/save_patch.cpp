@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view kSuffix = ".json";
 
-/// The config as `file` names it in `extends`: a shipped one by name, one on disk by a relative path.
+/// The config as `file` names it in `extends`: a shipped one by name, one on disk by a relative
+/// path.
 std::string extendsEntry(const std::string& config, const std::string& file)
 {
     std::error_code error;
@@ -40,8 +41,8 @@ Status checkPatchFile(const ConfigOptions& options, const std::string& file)
     if (!endsWith(file, kSuffix))
         return Diagnostic{Code::usage, "--save-patch '" + file + "' does not end in .json"};
     if (fs::equivalent(options.config, file, error))
-        return Diagnostic{Code::usage, "--save-patch '" + file + "' is the config that it would extend",
-                          {}, {}, {}, "name another file"};
+        return Diagnostic{Code::usage,
+                          "--save-patch '" + file + "' is the config that it would extend"};
     return checkWritable(file);
 }
 
@@ -49,7 +50,8 @@ Status savePatch(const ConfigOptions& options, const SourceSet& sources, const s
 {
     const Result<Node> base = loadConfig(sources, {options.config});
     if (!base) return base.diagnostics();
-    const Result<Node> now = loadConfig(sources, {options.config, options.variant, options.overrides});
+    const Result<Node> now =
+        loadConfig(sources, {options.config, options.variant, options.overrides});
     if (!now) return now.diagnostics();
     nlohmann::ordered_json json = {
         {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A whole JSON Schema from the forms of the table, with what only a file has: `extends`, `variants`,
-// nulls that delete, and names that an editor may offer.
+// A whole JSON Schema from the forms of the table, with what only a file has: `extends`,
+// `variants`, nulls that delete, and names that an editor may offer.
 #include "tools/schema.h"
 
 #include "tools/schema_form.h"
@@ -31,7 +31,8 @@ void allowNulls(Json& form)
             allowNulls(value);
             if (value.contains("anyOf")) value["anyOf"].push_back({{"type", "null"}});
             else if (value.contains("enum")) value["enum"].push_back(nullptr);
-            else if (value.contains("type") && value["type"].is_array()) value["type"].push_back("null");
+            else if (value.contains("type") && value["type"].is_array())
+                value["type"].push_back("null");
             else if (value.contains("type")) value["type"] = {value["type"], "null"};
         }
     }
@@ -59,10 +60,12 @@ Json extendsForm(const SourceSet& sources)
         texts.push_back(textOf(*document, "description"));
     }
     return {{"title", "extends"},
-            {"description", "Modules and configs that this file is laid over, from left to right: names, "
-                            "or paths that begin with './' or '../' and end in '.json'."},
+            {"description",
+             "Modules and configs that this file is laid over, from left to right: names, "
+             "or paths that begin with './' or '../' and end in '.json'."},
             {"type", "array"},
-            {"items", {{"anyOf", {{{"enum", names}, {"enumDescriptions", texts}}, {{"type", "string"}}}}}}};
+            {"items",
+             {{"anyOf", {{{"enum", names}, {"enumDescriptions", texts}}, {{"type", "string"}}}}}}};
 }
 
 /// The words of a feature, for people: " One of: view, normal."
@@ -71,7 +74,8 @@ std::string valuesOf(const Node& feature)
     const Node* values = feature.find("values");
     std::string text;
     if (values)
-        for (const Node& word : values->items) text += (text.empty() ? " One of: " : ", ") + word.text;
+        for (const Node& word : values->items)
+            text += (text.empty() ? " One of: " : ", ") + word.text;
     return text.empty() ? text : text + '.';
 }
 
@@ -88,10 +92,11 @@ Json offeredNames(const SourceSet& sources, const std::string& section, const ch
             if (names.contains(entry.key)) continue;
             const std::string module = path.substr(0, path.size() - kSuffix.size());
             const std::string tooltip = textOf(entry.value, "tooltip");
-            names[entry.key] = {{"title", section + '.' + entry.key},
-                                {"description", (tooltip.empty() ? "Declared by " + module + '.' : tooltip) +
-                                                    valuesOf(entry.value)},
-                                {"allOf", Json::array({reference(definition)})}};
+            names[entry.key] = {
+                {"title", section + '.' + entry.key},
+                {"description", (tooltip.empty() ? "Declared by " + module + '.' : tooltip) +
+                                    valuesOf(entry.value)},
+                {"allOf", Json::array({reference(definition)})}};
         }
     }
     return names;
@@ -100,8 +105,10 @@ Json offeredNames(const SourceSet& sources, const std::string& section, const ch
 /// "Where `type` is the word, `default` has this form", or is deleted.
 Json typeRule(const std::string& word, Json form)
 {
-    return {{"if", {{"properties", {{"type", {{"const", word}}}}}, {"required", {"type"}}}},
-            {"then", {{"properties", {{"default", table::anyForm({std::move(form), {{"type", "null"}}})}}}}}};
+    return {
+        {"if", {{"properties", {{"type", {{"const", word}}}}}, {"required", {"type"}}}},
+        {"then",
+         {{"properties", {{"default", table::anyForm({std::move(form), {{"type", "null"}}})}}}}}};
 }
 
 Json paramTypeRules()
@@ -121,7 +128,8 @@ Json paramTypeRules()
 
 Json featureTypeRules()
 {
-    return Json::array({typeRule("bool", {{"type", "boolean"}}), typeRule("enum", {{"type", "string"}})});
+    return Json::array(
+        {typeRule("bool", {{"type", "boolean"}}), typeRule("enum", {{"type", "string"}})});
 }
 
 /// The entry of an object keyed by name: the form of "targets.NAME" for "targets".
@@ -130,8 +138,9 @@ Json& entryOf(Json& form) { return form["patternProperties"].back(); }
 /// What every file has and the merged config has not.
 Json fileProperties(const SourceSet& sources)
 {
-    return {{"$schema", {{"type", "string"},
-                         {"description", "The JSON Schema that editors check this file with; not read."}}},
+    return {{"$schema",
+             {{"type", "string"},
+              {"description", "The JSON Schema that editors check this file with; not read."}}},
             {"extends", extendsForm(sources)},
             {"variants", table::keyedForm("^(?!x-)", reference("patch"))}};
 }
@@ -149,7 +158,8 @@ std::string schemaJson(const SourceSet& sources)
     Json form = descriptionForm();
     allowNulls(form);
     Json definitions = Json::object(), keys = Json::object();
-    for (const auto& [section, definition] : {std::pair{"params", "param"}, {"features", "feature"}}) {
+    for (const auto& [section, definition] :
+         {std::pair{"params", "param"}, {"features", "feature"}}) {
         Json& all = form["properties"][section];
         definitions[definition] = std::exchange(entryOf(all), reference(definition));
         all["properties"] = offeredNames(sources, section, definition);
@@ -180,7 +190,8 @@ std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts)
     Json form = descriptionForm();
     bool named = false;
     for (const std::string& part : parts) {
-        if (form.contains("anyOf")) form = Json(form["anyOf"].front());  // what has keys comes first
+        if (form.contains("anyOf"))
+            form = Json(form["anyOf"].front());  // what has keys comes first
         const bool fixed = form.contains("properties");
         named = !fixed && form.contains("patternProperties");
         if (fixed && form["properties"].contains(part)) form = Json(form["properties"][part]);
@@ -188,7 +199,8 @@ std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts)
         else return std::nullopt;
     }
     const bool has_default = form.contains("default");
-    return FormatKey{form.value("description", ""), has_default ? form["default"].dump() : "", named};
+    return FormatKey{form.value("description", ""), has_default ? form["default"].dump() : "",
+                     named};
 }
 
 }  // namespace crevice

@@ -59,9 +59,10 @@ Json objectForm(Json properties)
 
 Json keyedForm(const char* pattern, Json entry)
 {
-    return {{"type", "object"},
-            {"patternProperties", {{kExtensionPattern, Json::object()}, {pattern, std::move(entry)}}},
-            {"additionalProperties", false}};
+    return {
+        {"type", "object"},
+        {"patternProperties", {{kExtensionPattern, Json::object()}, {pattern, std::move(entry)}}},
+        {"additionalProperties", false}};
 }
 
 Json anyForm(std::vector<Json> forms)

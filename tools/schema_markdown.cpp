@@ -54,7 +54,9 @@ std::string listText(const Json& form, const std::string& path)
     const bool counted = form.contains("maxItems");
     const std::string least = form.value("minItems", Json(0)).dump();
     const std::string most = counted ? form["maxItems"].dump() : "";
-    const std::string count = !counted ? "" : least == most ? " " + most : " " + least + " to " + most;
+    const std::string count = !counted        ? ""
+                              : least == most ? " " + most
+                                              : " " + least + " to " + most;
     const bool word = form["items"].contains("type") && form["items"]["type"].is_string();
     return "list of" + count + " " + typeText(form["items"], path) + (word ? "s" : "");
 }
@@ -68,11 +70,13 @@ std::string typeText(const Json& form, const std::string& path)
     if (const Json* entry = entryOf(form)) return "by name: " + typeText(*entry, path + ".NAME");
     if (form.contains("items")) return listText(form, path);
     if (!form.contains("anyOf"))
-        return form["type"].is_array() ? joined(form["type"], " or ", "") : form["type"].get<std::string>();
+        return form["type"].is_array() ? joined(form["type"], " or ", "")
+                                       : form["type"].get<std::string>();
     std::string text;
     for (const Json& each : form["anyOf"]) {
         const bool list_of_it = each.contains("items") && each["items"] == form["anyOf"][0];
-        const std::string type = list_of_it && !each.contains("maxItems") ? "list of them" : typeText(each, path);
+        const std::string type =
+            list_of_it && !each.contains("maxItems") ? "list of them" : typeText(each, path);
         text += (text.empty() ? "" : " or ") + type;
     }
     return text;
@@ -80,7 +84,8 @@ std::string typeText(const Json& form, const std::string& path)
 
 std::string rangeText(const Json& form)
 {
-    if (form.contains("minimum")) return "[" + form["minimum"].dump() + ", " + form["maximum"].dump() + "]";
+    if (form.contains("minimum"))
+        return "[" + form["minimum"].dump() + ", " + form["maximum"].dump() + "]";
     return form.contains("anyOf") ? rangeText(form["anyOf"][0]) : "";
 }
 
@@ -98,7 +103,8 @@ std::string meaningText(const Json& form)
     std::string text = form.value("description", "");
     if (entry && entry->contains("description")) text += " " + entry->value("description", "");
     std::string escaped;
-    for (const char c : text) escaped += c == '<' || c == '|' ? std::string("\\") + c : std::string(1, c);
+    for (const char c : text)
+        escaped += c == '<' || c == '|' ? std::string("\\") + c : std::string(1, c);
     return escaped;
 }
 
