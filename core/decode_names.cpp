@@ -4,8 +4,10 @@
 
 #include "core/frame_values.h"
 #include "core/generators.h"
+#include "core/syntax.h"
 
 #include <algorithm>
+#include <set>
 
 namespace crevice::table {
 
@@ -87,8 +89,10 @@ void checkTaken(const Node& document, const Description& description, const Take
     if (param && report.errorWithin(param->pointer)) return;
     if (!param) {
         if (report.errorAt("/params") || contains(strayNames(document, report), name.name)) return;
+        const bool number = numberLength(name.name, 0) == name.name.size() && !name.name.empty();
         report.at(name, Code::reference_missing, takes + "does not exist").help =
-            suggestName(name.name, namesOf(description.params), "params");
+            number ? "write it without quotes: " + name.name
+                   : suggestName(name.name, namesOf(description.params), "params");
         report.sameMistake("param " + name.name);
     } else if (param->type != ParamType::int_ && (taker.whole || param->type != ParamType::float_)) {
         const std::string type = taker.whole ? "int" : "float";
@@ -127,21 +131,6 @@ void checkCount(const Node& document, const Description& description,
         .help = "4 suits a 4x4 filter; larger noises need larger filters";
 }
 
-// The targets from `start` along `size.of`, until one comes again or the chain ends. Empty unless
-// it comes back to `start`.
-std::vector<const TargetDesc*> sizeCycle(const Description& description, const TargetDesc& start)
-{
-    std::vector<const TargetDesc*> chain;
-    const TargetDesc* at = &start;
-    while (at && !at->size.of.pointer.empty()) {
-        chain.push_back(at);
-        at = findNamed(description.targets, at->size.of.name);
-        if (at == &start) return chain;
-        if (std::find(chain.begin(), chain.end(), at) != chain.end()) break;
-    }
-    return {};
-}
-
 void checkScale(const Node& document, const Description& description, const TargetDesc& target,
                 Report& report)
 {
@@ -162,17 +151,36 @@ void checkSamples(const Node& document, const Description& description, const Ta
                report);
 }
 
-void checkSizeCycle(const Description& description, const TargetDesc& target, Report& report)
+void reportSizeCycle(std::vector<const TargetDesc*> cycle, Report& report)
 {
-    const auto cycle = sizeCycle(description, target);
-    if (cycle.empty() || *std::min_element(cycle.begin(), cycle.end()) != &target) return;
-    Diagnostic& error = report.at(target.size.of, Code::cycle,
-                                  "target '" + target.name + "' follows the size of '" +
-                                      target.size.of.name + "', which leads back to it");
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    const TargetDesc& first = *cycle[0];
+    Diagnostic& error = report.at(first.size.of, Code::cycle,
+                                  "target '" + first.name + "' follows the size of '" +
+                                      first.size.of.name + "', which leads back to it");
     for (std::size_t i = 1; i < cycle.size(); ++i)
         error.notes.push_back({cycle[i]->size.of.place, "'" + cycle[i]->name + "' follows '" +
                                                             cycle[i]->size.of.name + "'"});
     error.help = "let one of them follow the output: leave out its 'of'";
+}
+
+// Walks along `size.of` from each target that no walk has come by, until one is met again.
+void checkSizeCycles(const Description& description, Report& report)
+{
+    std::map<std::string, const TargetDesc*> named;
+    for (const TargetDesc& each : description.targets) named.emplace(each.name, &each);
+    std::set<const TargetDesc*> met;
+    for (const TargetDesc& start : description.targets) {
+        std::vector<const TargetDesc*> chain;
+        const TargetDesc* at = &start;
+        while (at && met.insert(at).second) {
+            chain.push_back(at);
+            const auto next = named.find(at->size.of.name);
+            at = next == named.end() ? nullptr : next->second;
+        }
+        const auto again = std::find(chain.begin(), chain.end(), at);
+        if (again != chain.end()) reportSizeCycle({again, chain.end()}, report);
+    }
 }
 
 // A default that was fine until a later file moved a bound over it: the bound is the mistake.
@@ -205,8 +213,8 @@ void checkNames(const Node& document, const Description& description, Report& re
     for (const TargetDesc& each : description.targets) {
         checkScale(document, description, each, report);
         checkSamples(document, description, each, report);
-        checkSizeCycle(description, each, report);
     }
+    checkSizeCycles(description, report);
     checkCollisions(description, report);
 }
 

@@ -2,6 +2,7 @@
 // What the decoding visitor does with keys: missing, unknown, refused, badly named.
 #include "core/decode_reader.h"
 
+#include "core/decode_steps.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -28,23 +29,6 @@ bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-// `name` as it should have been spelt: "AoRadius" and "ao-radius" become "ao_radius".
-std::string spellName(std::string_view name)
-{
-    std::string out;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const bool hump = isUpper(name[i]) && i > 0 && !isUpper(name[i - 1]);
-        const bool kept = isLower(name[i]) || isUpper(name[i]) || isDigit(name[i]);
-        if ((hump || !kept) && !out.empty() && out.back() != '_') out += '_';
-        if (kept) out += isUpper(name[i]) ? static_cast<char>(name[i] - 'A' + 'a') : name[i];
-    }
-    while (!out.empty() && out.back() == '_') out.pop_back();
-    if (out.substr(0, 3) == "gl_") out.erase(0, 3);
-    if (out.empty()) return "name";
-    if (!isLower(out.front())) out.insert(0, "my_");
-    return out.substr(0, kMaxNameBytes);
-}
-
 // What people write who know other systems, and what this format calls it.
 constexpr struct {
     const char* written;
@@ -64,23 +48,21 @@ constexpr struct {
     {"address", "wrap"},     {"blending", "blend"},      {"culling", "cull"},
     {"import", "imports"},   {"parameters", "params"},   {"uniforms", "params"},
     {"textures", "targets"}, {"presets", "variants"},    {"profiles", "variants"},
+    {"scale", "size"},       {"of", "size"},             {"sampler2D", "texture"},
+    {"image", "texture"},    {"quad", "fullscreen"},     {"screen", "fullscreen"},
+    {"mesh", "draw"},        {"scene", "draw"},          {"geometry", "draw"},
+    {"double", "float"},     {"color", "vec3"},          {"rgb", "vec3"},
+    {"rgba", "vec4"},        {"string", "enum"},         {"point", "nearest"},
+    {"over", "alpha"},       {"off", "none"},            {"lequal", "less_equal"},
+    {"gequal", "greater_equal"}, {"d16", "depth16"},     {"d24", "depth24"},
+    {"d32", "depth32f"},     {"d32f", "depth32f"},
 };
 
-// The help for a key that is none of `keys`.
-std::string suggestKey(std::string_view written, const std::vector<std::string>& keys)
+// "_comment", "x_note", "Note": no key of a format.
+bool looksOwn(std::string_view key)
 {
-    const auto there = [&](std::string_view key) {
-        return std::find(keys.begin(), keys.end(), key) != keys.end();
-    };
-    std::string help = suggestName(written, keys, "keys");
-    const char first = written.empty() ? ' ' : written[0];
-    if (!isLower(first) || startsWith(written, "x_") || startsWith(written, "comment"))
-        help += "; a key of your own begins with 'x-'";
-    if (startsWith(help, "did you mean")) return help;
-    for (const auto& word : kOtherWords)
-        if (word.written == written && there(word.meant))
-            return "did you mean '" + std::string(word.meant) + "'? " + help;
-    return help;
+    const char first = key.empty() ? ' ' : key[0];
+    return !isLower(first) || startsWith(key, "x_") || startsWith(key, "comment");
 }
 
 // "radius": 0.8 at the top of a config is meant for its section.
@@ -97,6 +79,33 @@ std::string suggestPlace(const Node& document, const Member& member)
 }
 
 }  // namespace
+
+std::string spellName(std::string_view name)
+{
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool hump = isUpper(name[i]) && i > 0 && !isUpper(name[i - 1]);
+        const bool kept = isLower(name[i]) || isUpper(name[i]) || isDigit(name[i]);
+        if ((hump || !kept) && !out.empty() && out.back() != '_') out += '_';
+        if (kept) out += isUpper(name[i]) ? static_cast<char>(name[i] - 'A' + 'a') : name[i];
+    }
+    while (!out.empty() && out.back() == '_') out.pop_back();
+    if (out.substr(0, 3) == "gl_") out.erase(0, 3);
+    if (out.empty()) return "name";
+    if (!isLower(out.front())) out.insert(0, "my_");
+    return out.substr(0, kMaxNameBytes);
+}
+
+std::string suggestWord(std::string_view written, const std::vector<std::string>& allowed,
+                        std::string_view what)
+{
+    std::string help = suggestName(written, allowed, what);
+    if (startsWith(help, "did you mean")) return help;
+    for (const auto& word : kOtherWords)
+        if (written == word.written && contains(allowed, word.meant))
+            return "did you mean '" + std::string(word.meant) + "'? " + help;
+    return help;
+}
 
 bool isName(std::string_view name)
 {
@@ -159,7 +168,8 @@ void Reader::reportUnknown()
     for (const Member& member : cursor_.node.members) {
         const bool known = std::find(keys_.begin(), keys_.end(), member.key) != keys_.end();
         if (known || isExtension(member.key)) continue;
-        std::string help = suggestKey(member.key, keys_);
+        std::string help = suggestWord(member.key, keys_, "keys");
+        if (looksOwn(member.key)) help += "; a key of your own begins with 'x-'";
         if (cursor_.pointer.empty()) help = suggestPlace(cursor_.node, member) + help;
         const auto meant = [&](const Missing& each) {
             return startsWith(help, "did you mean '" + std::string(each.key) + "'");

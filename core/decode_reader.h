@@ -41,6 +41,13 @@ bool isName(std::string_view name);
 /// Where an object was changed: its place, or that of a member that another file set.
 Place lastPlace(const Node& object);
 
+/// `name` as it should have been spelt: "AoRadius" and "ao-radius" become "ao_radius".
+std::string spellName(std::string_view name);
+
+/// The help for a key or word that is none of `allowed`, which are called `what`.
+std::string suggestWord(std::string_view written, const std::vector<std::string>& allowed,
+                        std::string_view what);
+
 /// CV3004 unless the cursor's key is a name that JSON, GLSL and C++ can share.
 void checkName(Report& report, const Cursor& cursor);
 

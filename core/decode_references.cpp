@@ -233,7 +233,8 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
         atPointer(term.subject.pointer + item, Code::feature_value,
                   "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
                       "', which it never is")
-            .help = suggestName(value, allowed, "values");
+            .help = suggestName(value, allowed, "values") +
+                    (trait && trait->counted ? ", or a number" : "");
     }
 }
 

@@ -18,12 +18,23 @@ std::vector<Note> notesOf(const std::vector<Place>& origins)
     return notes;
 }
 
+// "a/b" for "/a~1b".
+std::string keyOf(std::string_view token)
+{
+    std::string key;
+    for (std::size_t i = 1; i < token.size(); ++i) {
+        if (token[i] != '~' || i + 1 == token.size()) key += token[i];
+        else key += token[++i] == '1' ? '/' : '~';
+    }
+    return key;
+}
+
 // The child that `token`, a slash and an escaped key, stands for.
 const Node* childAt(const Node& parent, std::string_view token, std::size_t& index)
 {
+    const std::string key = keyOf(token);
     for (index = 0; index < parent.members.size(); ++index)
-        if (memberPointer("", parent.members[index].key) == token)
-            return &parent.members[index].value;
+        if (parent.members[index].key == key) return &parent.members[index].value;
     for (index = 0; index < parent.items.size(); ++index)
         if ("/" + std::to_string(index) == token) return &parent.items[index];
     return nullptr;

@@ -54,6 +54,9 @@ std::string asNumber(const Node& node, bool whole)
 {
     if (node.kind == Node::Kind::string && isNumber(node.text))
         return "write it without quotes: " + node.text;
+    std::string pointed = node.kind == Node::Kind::string ? node.text : "";
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    if (isNumber(pointed)) return "write it without quotes and with a point: " + pointed;
     if (node.kind == Node::Kind::array && node.items.size() == 1)
         return "write it without brackets: " + brief(node.items[0]);
     if (node.kind == Node::Kind::number && whole) return "write " + numberText(std::round(node.number));
@@ -72,8 +75,6 @@ std::string asFlag(const Node& node)
 // What to write for a value where a name or text is wanted.
 std::string asText(const Node& node)
 {
-    if (node.kind == Node::Kind::number || node.kind == Node::Kind::boolean)
-        return "put it in double quotes: \"" + brief(node) + "\"";
     const Node* inner = nullptr;
     if (node.items.size() == 1) inner = &node.items[0];
     if (node.members.size() == 1) inner = &node.members[0].value;
@@ -193,7 +194,7 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
     report.atValue(cursor, Code::bad_enum,
                    cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
                        std::to_string(words.size()) + " allowed words")
-        .help = suggestName(cursor.node.text, words, "allowed");
+        .help = suggestWord(cursor.node.text, words, "allowed");
     return false;
 }
 
@@ -232,7 +233,9 @@ bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
 bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::string)
-        return wrongType(report, cursor, "a string", asText(cursor.node));
+        return wrongType(report, cursor, "a string",
+                         isScalar(cursor.node) ? "put it in double quotes: \"" + brief(cursor.node) + '"'
+                                               : asText(cursor.node));
     out = cursor.node.text;
     return true;
 }
@@ -328,11 +331,13 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
         if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
         if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
             report.atValue(item, Code::bad_name,
-                           item.label + ": found '" + word + "', wanted snake_case");
+                           item.label + ": found '" + word + "', wanted snake_case")
+                .help = "write '" + spellName(word) + "'";
             return false;
         }
         if (std::count(out.words.begin(), out.words.end(), word) == 1) return true;
-        report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice");
+        report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice")
+            .help = "take one of them away";
         return false;
     };
     return forEachItem(report, cursor, one);

@@ -309,6 +309,13 @@ void FileLoader::checkFormat(const Node& document)
         if (format->number > 1) error.help += "; update crevice";
         if (format->number == 1 || format->text == "1") error.help = "write \"format\": 1";
     }
+    for (const Member& member : document.members) {
+        const bool near = startsWith(suggestName(member.key, {"format"}, "keys"), "did you mean");
+        if (format || !near) continue;
+        error.place = member.key_place;
+        error.pointer = memberPointer("", member.key);
+        error.help = "did you mean 'format'? begin the file with \"format\": 1";
+    }
     errors.push_back(std::move(error));
 }
 

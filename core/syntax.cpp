@@ -231,7 +231,15 @@ Fault wordFault(std::string_view text, const Wanted& wanted)
     if (token.find_first_not_of('.') == token.npos && token.size() > 1)
         return unexpected(begin, token.size(), quoted(token), wanted,
                           "write out what belongs there, or take it away");
-    if (!isDigit(first) && first != '.' && token.size() > sign)
+    // 0,5 and 1,000 in an object end the value at the comma.
+    if (wanted.after_comma && begin > 1 && text[begin - 1] == ',' && isDigit(text[begin - 2]) &&
+        isDigit(token[0]))
+        return unexpected(begin, token.size(), quoted(token), wanted,
+                          "a decimal number is written with a point, 0.5, and 1000 without a comma");
+    if (begin > 0 && text[begin - 1] == '"')
+        return unexpected(begin, token.size(), quoted(token), wanted,
+                          "does it belong to the text before? a quote in a text is written \\\"");
+    if (!isDigit(first) && !isOneOf(first, ".+-") && token.size() > sign)
         return unexpected(begin, token.size(), quoted(token), wanted,
                           afterNumber(text, begin, wanted)
                               ? "write the number alone, without a unit; or is a comma missing?"
@@ -242,11 +250,7 @@ Fault wordFault(std::string_view text, const Wanted& wanted)
     if (wanted.value)
         return {begin, token.size(), "the number " + quoted(token) + " is too large",
                 "the largest number is about 1.8e308", Code::number_range};
-    // 0,5 in an object ends the value at the comma.
-    const bool decimal_comma = wanted.after_comma && begin > 1 && text[begin - 1] == ',' &&
-                               isDigit(text[begin - 2]);
-    return unexpected(begin, token.size(), quoted(token), wanted,
-                      decimal_comma ? "a decimal number is written with a point: 0.5" : wanted.help);
+    return unexpected(begin, token.size(), quoted(token), wanted, wanted.help);
 }
 
 // What to do about a sign that JSON does not have there.
@@ -254,15 +258,20 @@ std::string symbolHelp(std::string_view text, const SyntaxStop& stop, const Want
 {
     const char c = text[wanted.offset];
     const bool after_value = stop.after == SyntaxStop::After::value;
-    if (c == ',')
+    if (c == ':' && !stop.container) return "put braces around all of it: { \"format\": 1, ... }";
+    if (c == ':' && stop.container->kind == Node::Kind::array)
+        return "a list has no keys: close it with ']' first, or write '{' for its '['";
+    if (c == ',' && stop.after != SyntaxStop::After::key)
         return wanted.after_comma ? "take one of the two commas away" : "take the comma away";
     if (isOneOf(c, "]}")) {
         if (!stop.container) return "take it away; or is an opening one missing above?";
-        if (stop.after == SyntaxStop::After::key) return wanted.help;
+        if (stop.after == SyntaxStop::After::key)
+            return "write ':' and a value behind the key, or take the key away";
         return stop.container->kind == Node::Kind::array ? "close the array with ']' first"
                                                          : "close the object with '}' first";
     }
-    if (c == ';' && after_value) return "write ',' between entries";
+    if (c == ';' && after_value)
+        return stop.container ? "write ',' between entries" : "take it away";
     if (c == '%') return "write a share, such as 0.5";
     if (isOneOf(c, "/*") && after_value) return "JSON does not calculate: write the result";
     if (isOneOf(c, "()")) return "take the parentheses away";
