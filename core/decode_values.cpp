@@ -59,8 +59,8 @@ std::string asNumber(const Node& node, bool whole)
     if (isNumber(pointed)) return "write it without quotes and with a point: " + pointed;
     if (node.kind == Node::Kind::array && node.items.size() == 1)
         return "write it without brackets: " + brief(node.items[0]);
-    if (node.kind == Node::Kind::number && whole) return "write " + numberText(std::round(node.number));
-    return {};
+    const bool fraction = node.kind == Node::Kind::number && whole;
+    return fraction ? "write " + numberText(std::round(node.number)) : "";
 }
 
 // What to write for a value where true or false is wanted.
@@ -187,7 +187,8 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
               std::size_t& index)
 {
     if (cursor.node.kind != Node::Kind::string)
-        return wrongType(report, cursor, "a string", suggestName(cursor.node.text, words, "allowed"));
+        return wrongType(report, cursor, "a string",
+                         suggestName(cursor.node.text, words, "allowed"));
     const auto word = std::find(words.begin(), words.end(), cursor.node.text);
     index = static_cast<std::size_t>(word - words.begin());
     if (word != words.end()) return true;
@@ -232,10 +233,10 @@ bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
 
 bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
 {
+    const std::string quoted = "put it in double quotes: \"" + brief(cursor.node) + '"';
     if (cursor.node.kind != Node::Kind::string)
         return wrongType(report, cursor, "a string",
-                         isScalar(cursor.node) ? "put it in double quotes: \"" + brief(cursor.node) + '"'
-                                               : asText(cursor.node));
+                         isScalar(cursor.node) ? quoted : asText(cursor.node));
     out = cursor.node.text;
     return true;
 }

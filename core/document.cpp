@@ -262,8 +262,8 @@ void TreeBuilder::checkKeys()
             continue;
         }
         errors_.push_back({Code::duplicate_key, "found the key '" + first->key + "' a second time",
-                           (*at)->key_place, memberPointer(pointer(), first->key), {{first->key_place, "the first one is here"}},
-                           "keep one of them"});
+                           (*at)->key_place, memberPointer(pointer(), first->key),
+                           {{first->key_place, "the first one is here"}}, "keep one of them"});
     }
 }
 

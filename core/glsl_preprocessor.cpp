@@ -234,8 +234,8 @@ bool Preprocessor::condition(const GlslLine& line)
     return value.value_or(0) != 0;
 }
 
-/// Says so when all that is wrong with a condition is a name without a #define, which C takes for 0 and
-/// GLSL ES refuses.
+/// Says so when all that is wrong with a condition is a name without a #define, which C takes for 0
+/// and GLSL ES refuses.
 bool Preprocessor::undefinedName(const GlslTokens& condition)
 {
     if (!evaluate(condition.data(), condition.data() + condition.size(), true)) return false;

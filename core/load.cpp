@@ -54,7 +54,8 @@ std::string suggestModule(const SourceSet& sources, const std::string& name)
     std::vector<std::string> beside;
     for (const std::string& each : names)
         if (startsWith(each, folder)) beside.push_back(each);
-    return beside.empty() ? help : suggestName(name, std::move(beside), "modules of '" + folder + "'");
+    if (beside.empty()) return help;
+    return suggestName(name, std::move(beside), "modules of '" + folder + "'");
 }
 
 std::string absenceOf(const std::string& path)
@@ -322,7 +323,8 @@ void FileLoader::checkFormat(const Node& document)
 // A key that was meant as `extends` is told before all that is not there without it.
 void FileLoader::checkKeys(const Node& document)
 {
-    static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit", "inherits"};
+    static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit",
+                                                 "inherits"};
     for (const Member& member : document.members) {
         std::string help = suggestName(member.key, {"extends"}, "keys");
         const bool near = startsWith(help, "did you mean") && member.key != "extends";

@@ -120,8 +120,8 @@ private:
         if (diagnostics_.size() > before) {
             Diagnostic missing = missingKey(base, patch, pointer);
             if (startsWith(missing.help, "did you mean")) {
-                missing.message = "found the key '" + patch.key + "' with a null in it, and there is "
-                                  "nothing to be deleted";
+                missing.message = "found the key '" + patch.key + "' with a null in it, and there "
+                                  "is nothing to be deleted";
                 diagnostics_.resize(before);
                 diagnostics_.push_back(std::move(missing));
             }

@@ -235,7 +235,7 @@ Fault wordFault(std::string_view text, const Wanted& wanted)
     if (wanted.after_comma && begin > 1 && text[begin - 1] == ',' && isDigit(text[begin - 2]) &&
         isDigit(token[0]))
         return unexpected(begin, token.size(), quoted(token), wanted,
-                          "a decimal number is written with a point, 0.5, and 1000 without a comma");
+                          "a decimal number is written with a point, 0.5, and 1000 without comma");
     if (begin > 0 && text[begin - 1] == '"')
         return unexpected(begin, token.size(), quoted(token), wanted,
                           "does it belong to the text before? a quote in a text is written \\\"");

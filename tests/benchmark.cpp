@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CPU time of a frame: a plan of ten passes on the recording device, in microseconds. And of what comes
-// before the first one: reading a mebibyte of JSON, and the slowest shipped config from text to plan.
+// CPU time of a frame: a plan of ten passes on the recording device, in microseconds. And of what
+// comes before it: reading a mebibyte of JSON, and the slowest shipped config from text to plan.
 #include "backends/recording_device.h"
 #include "core/load.h"
 #include "core/renderer.h"

@@ -32,7 +32,8 @@ TEST_CASE_METHOD(GlFixture, "a driver compiles an assembled stage, conditions an
 
 TEST_CASE_METHOD(GlFixture, "a driver too refuses a condition over a name without a define")
 {
-    GlslStage broken = stage(fragment("#if UNKNOWN\n#endif\nout vec4 c;\nvoid main() { c = vec4(1); }"));
+    const GlslStage broken = stage(
+        fragment("#if UNKNOWN\n#endif\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n"));
     CHECK_FALSE(device->createProgram({"unknown", stage(kFullscreenVertex), broken}).ok());
 }
 

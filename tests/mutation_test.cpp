@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every node of every shipped config and module deleted, renamed and retyped, one at a time. What comes
-// of it is a plan, or errors that a reader can act on: at the change, or at something that refers to
-// what is no longer there. No device is called before all of that is settled.
+// Every node of every shipped config and module deleted, renamed and retyped, one at a time. What
+// comes of it is a plan, or errors that a reader can act on: at the change, or at something that
+// refers to what is no longer there. No device is called before all of that is settled.
 //
 // The whole takes long under sanitizers, so each run takes every third mutation; with
 // CREVICE_MUTATIONS=all in the environment it takes all of them.

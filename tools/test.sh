@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
-# docs/bench, the pictures of docs/methods, the tests without GL under sanitizers, a build with clang,
-# and a minute of fuzzing.
+# docs/bench, the pictures of docs/methods, the tests without GL under sanitizers, a build with
+# clang, and a minute of fuzzing.
 # Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it

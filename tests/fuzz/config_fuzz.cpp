@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Any text as a config over the shipped modules: merged, decoded and compiled, down to the calls of a
-// recording device. What a line of "====" parts is a module that the config may extend, as "fuzz/base",
-// then the config with its variant "fast", then one override.
+// Any text as a config over the shipped modules: merged, decoded and compiled, down to the calls of
+// a recording device. What a line of "====" parts is a module that the config may extend, as
+// "fuzz/base", then the config with its variant "fast", then one override.
 #include "backends/recording_device.h"
 #include "core/load.h"
 #include "core/renderer.h"
@@ -63,7 +63,8 @@ void check(const SourceSet& sources, const LoadRequest& request)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    const auto parts = split(std::string(reinterpret_cast<const char*>(data), size));
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    const auto parts = split(text);
     MemorySources mine;
     mine.add("configs/fuzz.json", parts.size() > 1 ? parts[1] : parts[0]);
     if (parts.size() > 1) mine.add("fuzz/base.json", parts[0]);
@@ -73,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (parts.size() > 2 && parts[2].find("./") == std::string::npos)
         request.overrides.push_back(parts[2]);
     check(sources, request);
-    if (parts[0].find("\"fast\"") == std::string::npos) return 0;
+    if (text.find("\"fast\"") == std::string::npos) return 0;
     request.variant = "fast";
     check(sources, request);
     return 0;

@@ -3,7 +3,8 @@
 # Builds the fuzzers and runs each for so many seconds, 30 unless told; for hours by hand. What they
 # learn stays in build/fuzz/corpus, so that the next run goes on from there. A text that breaks
 # something is written to build/fuzz as crash-*, slow-* or timeout-*; pass it as an argument to the
-# fuzzer to see it again, and keep it in tests/fuzz/found once it is mended: every run begins with those.
+# fuzzer to see it again, and keep it in tests/fuzz/found once it is mended: each run begins with
+# those.
 #
 #   tests/fuzz/run.sh 3600
 set -euo pipefail
@@ -21,7 +22,7 @@ out=build/fuzz
 seeds=$out/seeds
 rm -rf -- "$seeds"
 mkdir -p "$seeds"
-for file in configs/*.json effects/*/*.json tests/data/bad/*/*.json tests/fuzz/found/*; do
+for file in configs/*.json effects/*/*.json tests/data/bad/*/*.json tests/fuzz/{seeds,found}/*; do
     if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
 done
 
