@@ -175,7 +175,8 @@ void checkSizeCycles(const Description& description, Report& report)
         const TargetDesc* at = &start;
         while (at && met.insert(at).second) {
             chain.push_back(at);
-            const auto next = named.find(at->size.of.name);
+            const Reference& of = at->size.of;
+            const auto next = of.pointer.empty() ? named.end() : named.find(of.name);
             at = next == named.end() ? nullptr : next->second;
         }
         const auto again = std::find(chain.begin(), chain.end(), at);
