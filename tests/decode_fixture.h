@@ -21,7 +21,7 @@ inline MemorySources glslSources()
     sources.add("ssao/ao.frag",
                 "#version 300 es\n#include \"common/view.glsl\"\n#include <surface>\n"
                 "uniform float radius;\nuniform vec3 kernel[16];\nuniform sampler2D depth, noise, photo;\n"
-                "#if FAST && CHECK\n#endif\n");
+                "#if defined(FAST) && defined(CHECK)\n#endif\n");
     sources.add("geometry/a.surface.glsl", "#include \"./normal.glsl\"\n");
     sources.add("geometry/normal.glsl", "// normals\n");
     sources.add("geometry/mesh.vert", "void main() {}\n");

@@ -112,7 +112,8 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stopped = 1; });
     WatchedFiles files;
     (void)loadWatched(options, sources, files);
-    std::fprintf(stderr, "watching %d files; interrupt to end\n", static_cast<int>(files.size()));
+    std::fprintf(stderr, "watching %d %s; interrupt to end\n", static_cast<int>(files.size()),
+                 files.size() == 1 ? "file" : "files");
     for (; !stopped; std::this_thread::sleep_for(kPause)) {
         if (!files.changed()) continue;
         Result<Description> description = loadWatched(options, sources, files);
