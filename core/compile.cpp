@@ -177,6 +177,9 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     chooseSamples(state);
     lint(state);
     dropRepeats(state);
+    if (!hasErrors(state.diagnostics))
+        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
+                                 description.unused.end());
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     Plan plan = buildPlan(state);
     return {std::move(plan), std::move(state.diagnostics)};

@@ -27,10 +27,10 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     table::checkNames(document, description, report);
     table::checkReferences(document, sources, description, report);
     table::readShaderFiles(document, sources, description, report);
-    table::checkUnused(document, description, report);
     description.deleted = table::deletedNames(document);
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
+    description.unused = table::unusedNames(document, description);
     return {std::move(description), std::move(diagnostics)};
 }
 

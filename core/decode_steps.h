@@ -22,10 +22,9 @@ void checkReferences(const Node& document, const SourceSet& sources,
 void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
                      Report& report);
 
-/// Reports params, targets and the like that the config's own file declares and nothing uses:
-/// CV2108, a warning where a variant or a pointer's override was laid over the file. Requires the
-/// GLSL files; does nothing after an error.
-void checkUnused(const Node& document, const Description& description, Report& report);
+/// Errors CV2108 about params, targets and the like that the config's own file declares and nothing
+/// uses; warnings where a variant or a pointer's override was laid over the file. Requires the GLSL files.
+Diagnostics unusedNames(const Node& document, const Description& description);
 
 /// What patches deleted: whole sections, and the entries of those that are there.
 std::vector<Named> deletedNames(const Node& document);

@@ -18,11 +18,11 @@ namespace {
 // config uses, and deleting a pass leaves what fed it behind.
 class UseChecker {
 public:
-    UseChecker(const Node& document, const Description& description, Report& report)
+    UseChecker(const Node& document, const Description& description)
         : root_(document.place.source), patched_(!document.origins.empty()),
-          description_(description), report_(report) {}
+          description_(description) {}
 
-    void run()
+    Diagnostics run()
     {
         collect();
         check(description_.params, "param", "params", "no shader, size, count or identity");
@@ -32,6 +32,7 @@ public:
         check(description_.targets, "target", "targets", "no pass, output or view");
         check(description_.shaders, "shader", "shaders", "no pass");
         check(description_.interfaces, "interface", "interfaces", "no #include");
+        return std::move(found_);
     }
 
 private:
@@ -52,7 +53,7 @@ private:
     const SourceRef root_;
     const bool patched_;
     const Description& description_;
-    Report& report_;
+    Diagnostics found_;
     std::set<std::string> used_;
     std::optional<std::set<std::string, std::less<>>> words_;  // of all GLSL; read when needed
 };
@@ -137,9 +138,10 @@ void UseChecker::check(const std::vector<T>& list, const char* what, const char*
         if (others.empty())
             for (const T& other : list)
                 if (other.place.source != root_ || used(other)) others.push_back(other.name);
-        Diagnostic& error = report_.at({each.name, each.place, each.pointer}, Code::unused_name,
-                                       std::string(what) + " '" + each.name +
-                                           "' is used by nothing: " + readers + " names it");
+        found_.push_back({Code::unused_name, std::string(what) + " '" + each.name +
+                                                 "' is used by nothing: " + readers + " names it",
+                          each.place, each.pointer});
+        Diagnostic& error = found_.back();
         error.help = others.empty() ? "use it or leave it out"
                                     : suggestName(each.name, others, heading);
         // What a variant takes away may leave something unused that is well used without it.
@@ -149,9 +151,9 @@ void UseChecker::check(const std::vector<T>& list, const char* what, const char*
 
 }  // namespace
 
-void checkUnused(const Node& document, const Description& description, Report& report)
+Diagnostics unusedNames(const Node& document, const Description& description)
 {
-    if (!report.errorWithin("")) UseChecker(document, description, report).run();
+    return UseChecker(document, description).run();
 }
 
 }  // namespace crevice::table

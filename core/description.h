@@ -219,6 +219,8 @@ struct Description : Named {
     std::vector<OutputDesc> outputs;
     std::vector<ViewDesc> views;
     std::vector<Named> deleted;  ///< Entries that patches deleted, for notes.
+    Diagnostics unused;          ///< About names that nothing uses; `compile` tells them where it finds
+                                 ///< no other error, which might be why.
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
 };
 

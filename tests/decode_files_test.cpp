@@ -79,7 +79,7 @@ TEST_CASE("a path with ./ is relative to the file that wrote it", "[decode]")
     Node* fragment = document.find("shaders")->find("ao")->find("fragment");
     fragment->place.source =
         std::make_shared<SourceText>(SourceText{"effects/mine/m.json", "", "mine/m.json"});
-    const auto result = decode(asModule(document), sources);
+    const auto result = decode(document, sources);
     REQUIRE(errorsOf(result) == "");
     CHECK(result->shaders.at(0).fragment.name == "mine/local.frag");
     CHECK(result->files.count("mine/local.frag") == 1);
@@ -96,7 +96,7 @@ TEST_CASE("a config on disk names files beside it and modules' files", "[decode]
     folder.write("shared.glsl", "// shared\n");
     const auto document = parseDocument(readFile(config));
     REQUIRE(document.ok());
-    const auto result = decode(asModule(*document), glslSources());
+    const auto result = decode(*document, glslSources());
     INFO(toText(result.diagnostics()));
     REQUIRE(result.ok());
     CHECK(result->shaders.at(0).fragment.name == resolvePath(config, "./local.frag"));

@@ -2,6 +2,7 @@
 // Decoding, the names that nothing uses: a typo makes one, and it must not pass in silence.
 #include "core/load.h"
 #include "tests/decode_fixture.h"
+#include "tests/plan_rig.h"
 
 using namespace crevice;
 
@@ -15,7 +16,7 @@ MemorySources sources()
     return all;
 }
 
-Result<Description> decodeOver(const std::string& members, const LoadRequest& extra = {})
+Diagnostics unusedIn(const std::string& members, const LoadRequest& extra = {})
 {
     MemorySources all = sources();
     all.add("configs/mine.json",
@@ -25,7 +26,10 @@ Result<Description> decodeOver(const std::string& members, const LoadRequest& ex
     const Result<Node> document = loadConfig(all, request);
     INFO(toText(document.diagnostics()));
     REQUIRE(document.ok());
-    return decode(*document, all);
+    const Result<Description> description = decode(*document, all);
+    INFO(toText(description.diagnostics()));
+    REQUIRE(description.ok());
+    return description->unused;
 }
 
 }  // namespace
@@ -45,11 +49,11 @@ TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
         {R"("interfaces": {"surfaec": "geometry/a.surface.glsl"})", "interface 'surfaec'",
          "did you mean 'surface'?"},
     }));
-    const Result<Description> result = decodeOver(members);
-    INFO(toText(result.diagnostics()));
-    REQUIRE(result.diagnostics().size() == 1);
-    const Diagnostic& error = result.diagnostics()[0];
-    CHECK_FALSE(result.ok());
+    const Diagnostics unused = unusedIn(members);
+    INFO(toText(unused));
+    REQUIRE(unused.size() == 1);
+    const Diagnostic& error = unused[0];
+    CHECK(error.severity == Severity::error);
     CHECK(error.code == Code::unused_name);
     CHECK(error.message.find(message) == 0);
     CHECK(error.help.find(help) == 0);
@@ -58,29 +62,40 @@ TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
 
 TEST_CASE("A name that only a comment in GLSL mentions is unused")
 {
-    CHECK_FALSE(decodeOver(R"("params": {"normals": {"default": 1}})").ok());
+    CHECK(unusedIn(R"("params": {"normals": {"default": 1}})").size() == 1);
 }
 
 TEST_CASE("What a deleted pass of another file leaves behind is no mistake")
 {
-    const Result<Description> result = decodeOver(
+    const Diagnostics unused = unusedIn(
         R"("passes": {"blur": null}, "outputs": {"ao": "ao"}, "params": {"radius": {"default": 1}})");
-    INFO(toText(result.diagnostics()));
-    CHECK(result.ok());
-    CHECK(result.diagnostics().empty());
+    INFO(toText(unused));
+    CHECK(unused.empty());
 }
 
 TEST_CASE("Under a variant an unused name is a warning")
 {
     LoadRequest request;
     request.variant = "plain";
-    const Result<Description> result = decodeOver(
+    const Diagnostics unused = unusedIn(
         R"("targets": {"more": {"format": "r8"}},
            "passes": {"more": {"shader": "ao", "color": "more"}},
            "variants": {"plain": {"passes": {"more": null}}})", request);
-    INFO(toText(result.diagnostics()));
-    CHECK(result.ok());
-    REQUIRE(result.diagnostics().size() == 1);
-    CHECK(result.diagnostics()[0].severity == Severity::warning);
-    CHECK(result.diagnostics()[0].message.find("target 'more'") == 0);
+    INFO(toText(unused));
+    REQUIRE(unused.size() == 1);
+    CHECK(unused[0].severity == Severity::warning);
+    CHECK(unused[0].message.find("target 'more'") == 0);
+}
+
+TEST_CASE("An unused name is told where nothing else is wrong, since that might be why")
+{
+    Description description = describe(R"({"format": 1, "targets": {"x": {"format": "r8"}},
+        "shaders": {"a": {"vertex": "full.vert", "fragment": "a.frag"}},
+        "passes": {"a": {"shader": "a", "color": "x"}}, "outputs": {"out": "x"}})",
+        {{"full.vert", kFullVertex},
+         {"a.frag", "#version 300 es\nlayout(location = 0) out highp float x;\nvoid main() {}\n"}});
+    description.unused = {{Code::unused_name, "param 'radius' is used by nothing"}};
+    CHECK(onlyError(description).code == Code::unused_name);
+    description.outputs.clear();
+    CHECK(onlyError(description).code == Code::no_outputs);
 }
