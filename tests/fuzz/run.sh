@@ -33,6 +33,6 @@ for fuzzer in document config; do
     printf '\n-- %s, %s s\n' "$fuzzer" "$seconds"
     mkdir -p "$out/corpus/$fuzzer"
     "$out/tests/fuzz/crevice_fuzz_$fuzzer" -max_total_time="$seconds" -timeout=10 -max_len=8192 \
-        -dict="$out/words.dict" -artifact_prefix="$out/" -print_final_stats=1 -verbosity=1 \
-        "$out/corpus/$fuzzer" "$seeds" 2>&1 | tail -n 40
+        -dict="$out/words.dict" -artifact_prefix="$out/" -print_final_stats=1 \
+        "$out/corpus/$fuzzer" "$seeds" 2>&1 | grep -vE '^(#|"|INFO|[[:space:]]*NEW_FUNC)'
 done
