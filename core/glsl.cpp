@@ -33,6 +33,21 @@ GlslDefines cleaned(const GlslDefines& defines)
     return clean;
 }
 
+/// The text up to its last #include, with all the line that it stands on: they come first, and what
+/// follows is most of a file.
+std::string_view throughIncludes(std::string_view text)
+{
+    const std::size_t last = text.rfind("include");
+    if (last == text.npos) return {};
+    std::size_t end = text.find('\n', last);
+    const auto continued = [&] {
+        const std::size_t before = text[end - 1] == '\r' ? end - 2 : end - 1;
+        return text[before] == '\\';
+    };
+    while (end != text.npos && continued()) end = text.find('\n', end + 1);
+    return text.substr(0, end);
+}
+
 /// The defines that the text mentions, or that the values of such defines mention.
 std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit& unit)
 {
@@ -80,7 +95,7 @@ bool isSampler(GlslType type)
 std::vector<GlslInclude> findIncludes(const SourceRef& source)
 {
     std::vector<GlslInclude> includes;
-    const BlankedText blanked = blankComments(source->text);
+    const BlankedText blanked = blankComments(throughIncludes(source->text));
     GlslLines lines(blanked.text, 0);
     for (GlslLine line; lines.next(line);) {
         GlslInclude include;
