@@ -44,10 +44,13 @@ std::vector<std::string> extendsNames(const SourceSet& sources)
     return names;
 }
 
-// A help line for a name that is none of them: the nearest one, or else those of its folder.
+// A help line for a name that is none of them: the one that lacks its folder, the nearest one, or
+// else those of its folder.
 std::string suggestModule(const SourceSet& sources, const std::string& name)
 {
     const std::vector<std::string> names = extendsNames(sources);
+    for (const std::string& each : names)
+        if (endsWith(each, "/" + name)) return suggestName(each, names, "modules and configs");
     std::string help = suggestName(name, names, "modules and configs");
     const std::string folder = name.substr(0, name.find('/') + 1);
     if (folder.empty() || startsWith(help, "did you mean")) return help;
@@ -354,17 +357,20 @@ void FileLoader::takeVariants(Node& document)
     }
 }
 
+std::vector<std::string> namesOf(const std::vector<Member>& variants)
+{
+    std::set<std::string> names;
+    for (const Member& variant : variants) names.insert(variant.key);
+    return {names.begin(), names.end()};
+}
+
 void applyVariant(Node& document, const FileLoader& files, const LoadRequest& request,
                   Diagnostics& errors)
 {
-    std::vector<std::string> names;
-    for (const Member& variant : files.variants) {
+    std::vector<std::string> names = namesOf(files.variants);
+    for (const Member& variant : files.variants)
         if (variant.key == request.variant) mergePatch(document, variant.value, errors);
-        names.push_back(variant.key);
-    }
     if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
     Diagnostic missing{Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
                        request.config + "'", document.place, "/variants"};
     missing.help = suggestName(request.variant, std::move(names), "variants");
@@ -396,6 +402,15 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
         append(errors, applyOverride(document, text).diagnostics());
     if (!errors.empty()) return errors;
     return document;
+}
+
+std::vector<std::string> variantNames(const SourceSet& sources, const std::string& config)
+{
+    const Result<SourceRef> source = findConfig(sources, config);
+    if (!source) return {};
+    FileLoader files(sources);
+    files.load(*source, {});
+    return namesOf(files.variants);
 }
 
 std::vector<std::string> configNames(const SourceSet& sources)

@@ -32,6 +32,10 @@ struct LoadRequest {
 /// Errors: CV1xxx of any file, CV1201 to CV1208, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
 
+/// The names of the variants that a config and all that it extends declare, sorted; none where it cannot
+/// be read.
+std::vector<std::string> variantNames(const SourceSet& sources, const std::string& config);
+
 /// The names of the configs in `sources`, sorted.
 std::vector<std::string> configNames(const SourceSet& sources);
 

@@ -28,7 +28,10 @@ expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
 # --- validate ---
 expect 0 'learnopengl: ok \([0-9]+ passes\)' validate --all
 expect 0 '"ok": true' validate learnopengl --json
-expect 0 'thesis: ok' validate thesis --variant ambient_only
+expect 0 'thesis variant ambient_only: ok' validate thesis --variant ambient_only
+expect 0 'thesis variant ambient_only: ok' validate thesis
+printf '%s' '{"format": 1, "extends": ["learnopengl"], "variants": {"low": {"parms": {}}}}' >variant.json
+expect 1 "variant.json:.*CV3001: found the key 'parms'" validate variant.json
 expect 1 'CV1205' validate thesis --variant winter
 expect 1 'CV1201.*' validate learnopengle
 expect 1 "did you mean 'learnopengl'" validate learnopengle

@@ -22,13 +22,43 @@ struct ValidateOptions : ConfigOptions {
     std::string format = "text";
 };
 
-void printText(const std::string& config, const Result<Plan>& plan)
+/// One config, or one of its variants.
+struct Checked {
+    std::string config;
+    std::string variant;
+    Result<Plan> plan;
+};
+
+/// The config, and where no variant was asked for, each of its variants.
+std::vector<Checked> check(ConfigOptions options, const SourceSet& sources)
 {
-    report(plan.diagnostics(), false);
-    if (plan)
-        std::printf("%s: ok (%zu passes)\n", config.c_str(), plan->passes.size());
+    std::vector<Checked> checked = {
+        {options.config, options.variant, planWithoutDevice(options, sources)}};
+    if (!options.variant.empty() || !checked[0].plan) return checked;
+    for (const std::string& variant : variantNames(sources, options.config)) {
+        options.variant = variant;
+        checked.push_back({options.config, variant, planWithoutDevice(options, sources)});
+    }
+    return checked;
+}
+
+void printText(const Checked& each)
+{
+    report(each.plan.diagnostics(), false);
+    const std::string variant = each.variant.empty() ? "" : " variant " + each.variant;
+    if (each.plan)
+        std::printf("%s%s: ok (%zu passes)\n", each.config.c_str(), variant.c_str(),
+                    each.plan->passes.size());
     else
-        std::printf("%s: failed\n", config.c_str());
+        std::printf("%s%s: failed\n", each.config.c_str(), variant.c_str());
+}
+
+nlohmann::json toJson(const Checked& each)
+{
+    return {{"config", each.config},
+            {"variant", each.variant},
+            {"ok", each.plan.ok()},
+            {"diagnostics", nlohmann::json::parse(toJson(each.plan.diagnostics()))}};
 }
 
 int validate(ValidateOptions options)
@@ -39,12 +69,11 @@ int validate(ValidateOptions options)
     Diagnostics all;
     for (const std::string& config : options.configs) {
         options.config = config;
-        const Result<Plan> plan = planWithoutDevice(options, sources);
-        append(all, plan.diagnostics());
-        if (options.format == "text") printText(config, plan);
-        results.push_back({{"config", config},
-                           {"ok", plan.ok()},
-                           {"diagnostics", nlohmann::json::parse(toJson(plan.diagnostics()))}});
+        for (const Checked& each : check(options, sources)) {
+            append(all, each.plan.diagnostics());
+            if (options.format == "text") printText(each);
+            results.push_back(toJson(each));
+        }
     }
     if (options.format == "json") std::puts(results.dump(2).c_str());
     if (options.format == "sarif") std::fputs(toSarif(all, CREVICE_VERSION).c_str(), stdout);
