@@ -92,13 +92,18 @@ Diagnostic& Report::at(const Reference& reference, Code code, std::string messag
 
 Diagnostic& Report::add(Diagnostic diagnostic)
 {
-    entries_.push_back({std::move(diagnostic)});
-    return entries_.back().diagnostic;
+    if (entries_.size() < kMaxErrors) {
+        entries_.push_back({std::move(diagnostic)});
+    } else {
+        spare_ = {std::move(diagnostic)};
+        ++dropped_;
+    }
+    return last().diagnostic;
 }
 
 void Report::sameMistake(std::string mistake)
 {
-    entries_.back().mistake = std::move(mistake);
+    last().mistake = std::move(mistake);
 }
 
 bool Report::errorAt(std::string_view pointer) const
@@ -139,6 +144,9 @@ Diagnostics Report::take(const Node& document)
         if (fresh || entry.mistake.empty()) diagnostics.push_back(std::move(entry.diagnostic));
         else diagnostics[first->second].notes.push_back({entry.diagnostic.place, "and here"});
     }
+    if (dropped_ > 0)
+        diagnostics.back().notes.push_back(
+            {{}, std::to_string(dropped_) + " more errors were found and are not listed"});
     return diagnostics;
 }
 

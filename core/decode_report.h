@@ -21,7 +21,10 @@ struct Cursor {
     Reference keyReference() const;               ///< To what the key names.
 };
 
-/// Errors in any order, to be put into that of the document.
+/// Errors told of one document; nobody reads more, and each is searched for what it explains.
+constexpr std::size_t kMaxErrors = 1000;
+
+/// Errors in any order, to be put into that of the document. Those past kMaxErrors are counted.
 class Report {
 public:
     /// An error about a value, or about its key. The help is the table's sentence; change it in the
@@ -52,7 +55,11 @@ private:
         Diagnostic diagnostic;
         std::string mistake = {};
     };
+    Entry& last() { return dropped_ > 0 ? spare_ : entries_.back(); }
+
     std::vector<Entry> entries_;
+    Entry spare_;  // the last one that was dropped
+    std::size_t dropped_ = 0;
 };
 
 /// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among

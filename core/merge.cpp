@@ -85,8 +85,10 @@ public:
         } else if (isObject(base) && base.members.empty()) {
             base.members = fresh(patch, pointer).members;
         } else if (isObject(base)) {
+            // A patch names each key once, so what it adds need not be searched.
+            std::size_t searched = base.members.size();
             for (const Member& member : patch.members)
-                mergeMember(base, member, memberPointer(pointer, member.key));
+                mergeMember(base, member, memberPointer(pointer, member.key), searched);
         } else {
             std::vector<Place> origins = std::move(base.origins);
             origins.push_back(base.place);
@@ -96,16 +98,19 @@ public:
     }
 
 private:
-    void mergeMember(Node& base, const Member& patch, const std::string& pointer)
+    void mergeMember(Node& base, const Member& patch, const std::string& pointer,
+                     std::size_t& searched)
     {
-        const auto found = std::find_if(base.members.begin(), base.members.end(),
+        const auto end = base.members.begin() + static_cast<std::ptrdiff_t>(searched);
+        const auto found = std::find_if(base.members.begin(), end,
                                         [&](const Member& m) { return m.key == patch.key; });
-        const bool there = found != base.members.end();
+        const bool there = found != end;
         if (patch.value.kind != Node::Kind::null) {
             if (there) merge(found->value, patch.value, pointer);
             else addMember(base, patch, pointer);
         } else if (there) {
             base.members.erase(found);
+            --searched;
             base.deleted.push_back(patch);
         } else {
             diagnostics_.push_back(missingKey(base, patch, pointer));

@@ -230,3 +230,16 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
         line = each.place.line;
     }
 }
+
+TEST_CASE("a document of nothing but mistakes is told a thousand of them, and how many more", "[decode]")
+{
+    std::string params;
+    for (int i = 0; i < 1500; ++i)
+        params += (i > 0 ? ", \"p" : "\"p") + std::to_string(i) + R"(": {"default": 1, "mni": 0})";
+    const Result<Description> result = decodeWith({{"params", "{" + params + "}"}});
+    REQUIRE(result.diagnostics().size() == 1000);
+    const Diagnostic& last = result.diagnostics().back();
+    CHECK(last.pointer == "/params/p999/mni");
+    REQUIRE_FALSE(last.notes.empty());
+    CHECK(last.notes.back().text == "500 more errors were found and are not listed");
+}
