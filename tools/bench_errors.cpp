@@ -34,17 +34,29 @@ double rmseWhere(const Image& mask, const Image& test, const Image& truth)
     return figures ? figures->rmse : -1.0;
 }
 
-/// The widest format that can stand in for `format`.
-Format wideFormat(Format format)
+/// The widest format that can stand in for `format`; 32-bit floats cannot be filtered.
+Format wideFormat(Format format, bool filtered)
 {
     const FormatInfo& info = formatInfo(format);
     if (info.format_class == FormatClass::depth) return Format::depth32f;
-    return info.channels == 1 ? Format::r32f : info.channels == 2 ? Format::rg32f : Format::rgba32f;
+    if (info.channels == 1) return filtered ? Format::r16f : Format::r32f;
+    if (info.channels == 2) return filtered ? Format::rg16f : Format::rg32f;
+    return filtered ? Format::rgba16f : Format::rgba32f;
 }
 
-void widen(TargetDesc& target, const DeviceCaps& caps)
+bool readLinearly(const Description& description, const TargetDesc& target)
 {
-    const Format wide = wideFormat(target.formats.front());
+    for (const PassDesc& pass : description.passes)
+        for (const InputDesc& input : pass.inputs)
+            if (input.has_filter && input.filter == Filter::linear &&
+                (input.from.empty() ? input.sampler.name : input.from.name) == target.name)
+                return true;
+    return false;
+}
+
+void widen(const Description& description, TargetDesc& target, const DeviceCaps& caps)
+{
+    const Format wide = wideFormat(target.formats.front(), readLinearly(description, target));
     if (caps.canRender(wide)) target.formats.insert(target.formats.begin(), wide);
 }
 
@@ -59,7 +71,7 @@ void widenOcclusion(Description& description, const DeviceCaps& caps)
             formats.push_back(target.formats);
     for (TargetDesc& target : description.targets)
         if (std::find(formats.begin(), formats.end(), target.formats) != formats.end())
-            widen(target, caps);
+            widen(description, target, caps);
 }
 
 /// Seeds by counting down from the largest, since people count up from 1: noise that the mean shared
@@ -163,7 +175,7 @@ Result<Image> unfilteredOcclusion(const Stage& stage, const Description& descrip
 Result<Image> preciseOcclusion(const Stage& stage, const Description& description)
 {
     Description wide = description;
-    for (TargetDesc& target : wide.targets) widen(target, stage.device.caps());
+    for (TargetDesc& target : wide.targets) widen(wide, target, stage.device.caps());
     return drawOutput(stage, std::move(wide), kOutput);
 }
 
