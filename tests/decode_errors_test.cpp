@@ -233,9 +233,9 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
 
 TEST_CASE("a document of nothing but mistakes is told a thousand of them, and how many more", "[decode]")
 {
-    std::string params;
+    std::string params = R"("samples": {"type": "int", "default": 16})";
     for (int i = 0; i < 1500; ++i)
-        params += (i > 0 ? ", \"p" : "\"p") + std::to_string(i) + R"(": {"default": 1, "mni": 0})";
+        params += ", \"p" + std::to_string(i) + R"(": {"default": 1, "mni": 0})";
     const Result<Description> result = decodeWith({{"params", "{" + params + "}"}});
     REQUIRE(result.diagnostics().size() == 1000);
     const Diagnostic& last = result.diagnostics().back();
