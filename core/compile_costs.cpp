@@ -2,6 +2,8 @@
 // Estimates of bytes, and the list of what is left out with what that saves.
 #include "core/compile_internal.h"
 
+#include "core/text.h"
+
 #include <algorithm>
 
 namespace crevice::compiler {

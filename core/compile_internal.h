@@ -120,8 +120,6 @@ void decideConditions(State& state);
 void readShaders(State& state);
 GlslDefines definesFor(const Description& description, const SceneTraits& traits,
                        const ShaderDesc& shader);
-/// The fewest digits that read back as the same float, whatever the locale: "0.5", "1", "1e-09".
-std::string shortest(float value);
 
 // compile_inputs.cpp
 void readSampler(State& state, Pass& pass, const GlslUniform& uniform);

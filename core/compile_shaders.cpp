@@ -3,22 +3,14 @@
 #include "core/compile_internal.h"
 
 #include "core/frame_values.h"
+#include "core/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 namespace crevice::compiler {
 
 namespace {
-
-std::string upper(std::string_view name)
-{
-    std::string text(name);
-    for (char& c : text)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return text;
-}
 
 // A number as GLSL reads it; vectors are never defines.
 std::string literal(const ParamDesc& param)
@@ -31,11 +23,11 @@ std::string literal(const ParamDesc& param)
 
 void addFeature(GlslDefines& defines, const FeatureDesc& feature)
 {
-    const std::string name = upper(feature.name);
+    const std::string name = upperCase(feature.name);
     defines[name] = std::to_string(feature.value);
     if (feature.boolean) return;
     for (std::size_t i = 0; i < feature.values.size(); ++i)
-        defines[name + "_" + upper(feature.values[i])] = std::to_string(i);
+        defines[name + "_" + upperCase(feature.values[i])] = std::to_string(i);
 }
 
 void addTraits(GlslDefines& defines, const SceneTraits& traits)
@@ -144,18 +136,12 @@ void readPass(State& state, Pass& pass)
 
 }  // namespace
 
-std::string shortest(float value)
-{
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 GlslDefines definesFor(const Description& description, const SceneTraits& traits,
                        const ShaderDesc& shader)
 {
     GlslDefines defines;
     for (const ParamDesc& param : description.params)
-        if (param.bind == Bind::define) defines[upper(param.name)] = literal(param);
+        if (param.bind == Bind::define) defines[upperCase(param.name)] = literal(param);
     for (const FeatureDesc& feature : description.features) addFeature(defines, feature);
     addTraits(defines, traits);
     for (const auto& [name, value] : shader.defines) defines[name] = value;

@@ -18,25 +18,13 @@ std::vector<Note> notesOf(const std::vector<Place>& origins)
     return notes;
 }
 
-// "a/b" for "/a~1b".
-std::string keyOf(std::string_view token)
+// The child of that key, or of that index where the parent is a list.
+const Node* childAt(const Node& parent, const std::string& key, std::size_t& index)
 {
-    std::string key;
-    for (std::size_t i = 1; i < token.size(); ++i) {
-        if (token[i] != '~' || i + 1 == token.size()) key += token[i];
-        else key += token[++i] == '1' ? '/' : '~';
-    }
-    return key;
-}
-
-// The child that `token`, a slash and an escaped key, stands for.
-const Node* childAt(const Node& parent, std::string_view token, std::size_t& index)
-{
-    const std::string key = keyOf(token);
     for (index = 0; index < parent.members.size(); ++index)
         if (parent.members[index].key == key) return &parent.members[index].value;
     for (index = 0; index < parent.items.size(); ++index)
-        if ("/" + std::to_string(index) == token) return &parent.items[index];
+        if (std::to_string(index) == key) return &parent.items[index];
     return nullptr;
 }
 
@@ -153,11 +141,10 @@ Diagnostics Report::take(const Node& document)
 Located locate(const Node& document, std::string_view pointer)
 {
     Located located = {&document};
-    while (located.node && !pointer.empty()) {
-        const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+    for (const std::string& key : pointerKeys(pointer)) {
+        if (!located.node) break;
         located.path.push_back(0);
-        located.node = childAt(*located.node, pointer.substr(0, end), located.path.back());
-        pointer.remove_prefix(end);
+        located.node = childAt(*located.node, key, located.path.back());
     }
     return located;
 }

@@ -58,13 +58,6 @@ private:
     std::optional<std::set<std::string, std::less<>>> words_;  // of all GLSL; read when needed
 };
 
-std::string upper(std::string text)
-{
-    for (char& c : text)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return text;
-}
-
 void UseChecker::collectPass(const PassDesc& pass)
 {
     used_.insert({pass.shader.name, pass.depth.name});
@@ -107,12 +100,12 @@ bool UseChecker::inGlsl(const std::string& word)
 bool UseChecker::used(const ParamDesc& param)
 {
     const bool define = param.bind == Bind::define;
-    return used(Named(param)) || inGlsl(define ? upper(param.name) : param.name);
+    return used(Named(param)) || inGlsl(define ? upperCase(param.name) : param.name);
 }
 
 bool UseChecker::used(const FeatureDesc& feature)
 {
-    return used(Named(feature)) || inGlsl(upper(feature.name));
+    return used(Named(feature)) || inGlsl(upperCase(feature.name));
 }
 
 // A camera, draw list and lights are told by their type; a config may rest on the frame without

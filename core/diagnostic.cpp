@@ -14,18 +14,6 @@ namespace {
 constexpr std::size_t kMaxExcerpt = 160;  // bytes of a source line; more wraps in any terminal
 constexpr std::size_t kExcerptLead = 50;  // bytes kept in front of the place when a line is cut
 
-std::string_view lineOf(std::string_view text, int line)
-{
-    for (int at = 1; at < line; ++at) {
-        const std::size_t end = text.find('\n');
-        if (end == std::string_view::npos) return {};
-        text.remove_prefix(end + 1);
-    }
-    text = text.substr(0, text.find('\n'));
-    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    return text;
-}
-
 // A line ready to be shown, and where in it the underlined bytes are.
 struct Excerpt {
     std::string_view line;

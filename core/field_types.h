@@ -50,6 +50,13 @@ inline Spellings spellings(Compare)
     return {"always", "less", "less_equal", "greater", "greater_equal", "equal"};
 }
 
+/// The JSON spelling of an enum's value.
+template <class T>
+std::string word(T value)
+{
+    return spellings(value)[static_cast<std::size_t>(value)];
+}
+
 /// A number when `count` is 1, else a list of `count` numbers; anything when it is 0.
 struct Numbers {
     std::array<float, 4>& values;

@@ -6,6 +6,7 @@
 //   ANGLE, Qualcomm, Apple   ERROR: 0:5: 'foo' : undeclared identifier
 //   ARM                      0:5: L0001: Undefined variable 'foo'
 //   linkers                  error: vertex shader does not write `uv'
+#include "core/text.h"
 #include "core/glsl_preprocessor.h"
 
 #include <algorithm>
@@ -142,13 +143,6 @@ bool saysNothing(std::string_view line)
     if (trimmed(line, "- \t").empty()) return true;
     if (line.find("No code generated") != std::string_view::npos) return true;
     return line.size() > kHeading.size() && line.substr(line.size() - kHeading.size()) == kHeading;
-}
-
-std::string_view lineOf(std::string_view text, int line)
-{
-    for (int at = 1; at < line && !text.empty(); ++at)
-        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    return text.substr(0, text.find('\n'));
 }
 
 /// The first name that the message quotes as `name', 'name' or "name"; empty when there is none.

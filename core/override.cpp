@@ -12,18 +12,6 @@ namespace crevice {
 namespace {
 
 // The keys on the way to what an override sets.
-std::vector<std::string> pointerKeys(std::string_view pointer)
-{
-    std::vector<std::string> keys;
-    for (std::size_t at = 0; at < pointer.size(); ++at) {
-        const std::string_view escape = pointer.substr(at, 2);
-        if (pointer[at] == '/') keys.emplace_back();
-        else if (escape == "~0" || escape == "~1") keys.back() += pointer[++at] == '0' ? '~' : '/';
-        else keys.back() += pointer[at];
-    }
-    return keys;
-}
-
 Result<std::vector<std::string>> overrideKeys(const Node& document, const std::string& name,
                                               const Place& place)
 {

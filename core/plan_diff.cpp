@@ -2,7 +2,6 @@
 // Two plans as lists of facts, and what differs between the lists.
 #include "core/plan_diff.h"
 
-#include "core/compile_internal.h"
 #include "core/field_types.h"
 #include "core/plan_names.h"
 #include "core/text.h"
@@ -22,12 +21,6 @@ struct Part {
     std::string name;
     Facts facts;
 };
-
-template <class T>
-std::string word(T value)
-{
-    return table::spellings(T{})[static_cast<std::size_t>(value)];
-}
 
 std::string yesNo(bool value) { return value ? "yes" : "no"; }
 
@@ -61,7 +54,8 @@ std::string inputText(const Plan& plan, const PlanInput& input)
 {
     const std::string source = std::string(nameOf(input.kind)) + " " + sourceName(plan, input);
     if (input.kind == InputKind::constant || input.kind == InputKind::material) return source;
-    return source + " (" + word(input.sampling.filter) + ", " + word(input.sampling.wrap) + ")";
+    return source + " (" + table::word(input.sampling.filter) + ", " +
+           table::word(input.sampling.wrap) + ")";
 }
 
 std::string attachmentText(const PlanAttachment& attachment)
@@ -69,14 +63,14 @@ std::string attachmentText(const PlanAttachment& attachment)
     if (attachment.target < 0) return "no texture";
     std::string text = nameOf(attachment.load);
     if (attachment.load == LoadOp::clear)
-        for (const float value : attachment.clear) text += " " + compiler::shortest(value);
+        for (const float value : attachment.clear) text += " " + shortest(value);
     return text + ", " + nameOf(attachment.store);
 }
 
 Part partOf(const Plan& plan, const PlanPass& pass)
 {
     const PlanProgram& program = plan.programs[pass.program];
-    Facts facts = {{"type", word(pass.type)},
+    Facts facts = {{"type", table::word(pass.type)},
                    {"size", sizeText(pass.extent)},
                    {"samples", std::to_string(pass.samples)}};
     addStage(facts, "vertex", program.vertex);
@@ -89,10 +83,10 @@ Part partOf(const Plan& plan, const PlanPass& pass)
     for (const PlanAttachment& color : pass.color)
         facts.push_back({"writes " + color.name, attachmentText(color)});
     if (pass.has_depth) facts.push_back({"writes " + pass.depth.name, attachmentText(pass.depth)});
-    facts.insert(facts.end(), {{"depth_test", word(pass.state.depth_test)},
+    facts.insert(facts.end(), {{"depth_test", table::word(pass.state.depth_test)},
                                {"depth_write", yesNo(pass.state.depth_write)},
-                               {"cull", word(pass.state.cull)},
-                               {"blend", word(pass.state.blend)},
+                               {"cull", table::word(pass.state.cull)},
+                               {"blend", table::word(pass.state.blend)},
                                {"read", bytesText(pass.bytes_read)},
                                {"written", bytesText(pass.bytes_written)}});
     return {"passes", pass.name, std::move(facts)};
@@ -114,7 +108,7 @@ Part partOf(const Plan& plan, const PlanOutput& output)
 {
     const std::string from =
         output.constant >= 0
-            ? "constant " + compiler::shortest(plan.constants[output.constant].value)
+            ? "constant " + shortest(plan.constants[output.constant].value)
             : "target " + plan.targets[output.target].name;
     return {"outputs", output.name, {{"from", from}}};
 }

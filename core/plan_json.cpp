@@ -14,7 +14,7 @@ namespace {
 std::string json(const std::string& text) { return jsonString(text); }
 std::string json(const char* text) { return jsonString(text); }
 std::string json(int number) { return std::to_string(number); }
-std::string json(float number) { return compiler::shortest(number); }
+std::string json(float number) { return shortest(number); }
 std::string json(bool value) { return value ? "true" : "false"; }
 std::string json(const Extent& extent)
 {
@@ -26,7 +26,7 @@ std::string bytesJson(double bytes) { return std::to_string(std::llround(bytes))
 template <class T>
 std::string word(T value)
 {
-    return json(table::spellings(T{})[static_cast<std::size_t>(value)]);
+    return json(table::word(value));
 }
 
 // An index, or null for none.

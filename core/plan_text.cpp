@@ -5,6 +5,7 @@
 
 #include "core/compile_internal.h"
 #include "core/field_types.h"
+#include "core/text.h"
 
 #include <cmath>
 
@@ -45,7 +46,7 @@ std::string sourceName(const Plan& plan, const PlanInput& input)
     case InputKind::history: return plan.targets[input.index].name;
     case InputKind::generated: return plan.generated[input.index].name;
     case InputKind::imported: return plan.imports[input.index].name;
-    case InputKind::constant: return compiler::shortest(plan.constants[input.index].value);
+    case InputKind::constant: return shortest(plan.constants[input.index].value);
     case InputKind::material: break;
     }
     return input.sampler;
@@ -93,8 +94,7 @@ std::size_t textureCount(const Plan& plan)
 
 std::string samplingText(const SamplerDesc& sampling)
 {
-    return table::spellings(Filter{})[static_cast<std::size_t>(sampling.filter)] + ", " +
-           table::spellings(Wrap{})[static_cast<std::size_t>(sampling.wrap)];
+    return table::word(sampling.filter) + ", " + table::word(sampling.wrap);
 }
 
 std::string readText(const Plan& plan, const PlanInput& input)
@@ -112,9 +112,9 @@ std::string readText(const Plan& plan, const PlanInput& input)
 std::string clearText(const PlanAttachment& attachment, bool depth)
 {
     const auto& c = attachment.clear;
-    std::string text = "clear to " + compiler::shortest(c[0]);
+    std::string text = "clear to " + shortest(c[0]);
     if (depth || (c[0] == c[1] && c[0] == c[2] && c[0] == c[3])) return text;
-    for (int i = 1; i < 4; ++i) text += " " + compiler::shortest(c[i]);
+    for (int i = 1; i < 4; ++i) text += " " + shortest(c[i]);
     return text;
 }
 
@@ -134,8 +134,7 @@ std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool d
 
 std::string passText(const Plan& plan, const PlanPass& pass)
 {
-    std::string text = "  " + pass.name + ": " +
-                       table::spellings(PassType{})[static_cast<std::size_t>(pass.type)] + " " +
+    std::string text = "  " + pass.name + ": " + table::word(pass.type) + " " +
                        sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
@@ -165,7 +164,7 @@ std::string outputText(const Plan& plan, const PlanOutput& output)
 {
     const bool constant = output.constant >= 0;
     return "  " + output.name + ": " +
-           (constant ? "constant " + compiler::shortest(plan.constants[output.constant].value)
+           (constant ? "constant " + shortest(plan.constants[output.constant].value)
                      : "target " + plan.targets[output.target].name) +
            "\n";
 }
@@ -189,8 +188,7 @@ std::string toText(const Plan& plan)
         text += "  " + each.name + ": " + each.generator + " " + std::to_string(each.count) + "\n";
     if (!plan.imports.empty()) text += "imports\n";
     for (const ImportDesc& each : plan.imports)
-        text += "  " + each.name + ": " +
-                table::spellings(ImportType{})[static_cast<std::size_t>(each.type)] +
+        text += "  " + each.name + ": " + table::word(each.type) +
                 (each.optional ? ", optional\n" : "\n");
     if (!plan.left_out.empty()) text += "left out\n";
     for (const LeftOut& each : plan.left_out)

@@ -3,6 +3,7 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace crevice {
 
@@ -89,6 +90,32 @@ std::string jsonString(std::string_view text)
     return out + '"';
 }
 
+std::string_view lineOf(std::string_view text, int line)
+{
+    for (int at = 1; at < line; ++at) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    return text;
+}
+
+std::string upperCase(std::string_view text)
+{
+    std::string upper(text);
+    for (char& c : upper)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return upper;
+}
+
+std::string shortest(float value)
+{
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
 std::string memberPointer(std::string_view parent, std::string_view key)
 {
     std::string pointer(parent);
@@ -99,6 +126,18 @@ std::string memberPointer(std::string_view parent, std::string_view key)
         else pointer += c;
     }
     return pointer;
+}
+
+std::vector<std::string> pointerKeys(std::string_view pointer)
+{
+    std::vector<std::string> keys;
+    for (std::size_t at = 0; at < pointer.size(); ++at) {
+        const std::string_view escape = pointer.substr(at, 2);
+        if (pointer[at] == '/') keys.emplace_back();
+        else if (escape == "~0" || escape == "~1") keys.back() += pointer[++at] == '0' ? '~' : '/';
+        else keys.back() += pointer[at];
+    }
+    return keys;
 }
 
 }  // namespace crevice

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace crevice {
 
@@ -17,11 +18,24 @@ std::size_t utf8Length(std::string_view text, std::size_t at);
 /// The first `bytes` of `text`, fewer where a character would be cut in two.
 std::string_view utf8Prefix(std::string_view text, std::size_t bytes);
 
+/// The line of that number, from 1, without its end; empty where there is none.
+std::string_view lineOf(std::string_view text, int line);
+
+/// ASCII letters in upper case: a param `blur_size` is the define BLUR_SIZE.
+std::string upperCase(std::string_view text);
+
+/// The fewest digits that read back as the same float, whatever the locale: "0.5", "1", "1e-09".
+std::string shortest(float value);
+
 /// `text` as a JSON string in double quotes. Bytes that are not UTF-8 become U+FFFD.
 std::string jsonString(std::string_view text);
 
 /// The RFC 6901 pointer of the member `key` of what `parent` points at: ("/passes", "a/b") gives
 /// "/passes/a~1b".
 std::string memberPointer(std::string_view parent, std::string_view key);
+
+/// The keys of an RFC 6901 pointer: "/passes/a~1b" gives "passes" and "a/b". Requires one that is empty
+/// or begins with '/'.
+std::vector<std::string> pointerKeys(std::string_view pointer);
 
 }  // namespace crevice

@@ -2,7 +2,6 @@
 // Values that differ, as a patch.
 #include "core/values.h"
 
-#include "core/compile_internal.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ std::string valueJson(const ParamDesc& param)
     const int count = componentCount(param.type);
     std::string text;
     for (int i = 0; i < count; ++i)
-        text += (i > 0 ? ", " : "") + compiler::shortest(param.value[i]);
+        text += (i > 0 ? ", " : "") + shortest(param.value[i]);
     return count > 1 ? "[" + text + "]" : text;
 }
 

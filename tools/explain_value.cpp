@@ -15,19 +15,14 @@
 namespace crevice {
 namespace {
 
-/// The parts of a pointer, unescaped, or of a dotted path.
+/// The keys of a pointer, or of a dotted path.
 std::vector<std::string> partsOf(const std::string& path)
 {
-    const bool pointer = !path.empty() && path[0] == '/';
+    if (startsWith(path, "/")) return pointerKeys(path);
     std::vector<std::string> parts(1);
-    for (std::size_t i = pointer ? 1 : 0; i < path.size(); ++i) {
-        if (path[i] == (pointer ? '/' : '.')) {
-            parts.emplace_back();
-        } else if (pointer && path[i] == '~' && i + 1 < path.size()) {
-            parts.back() += path[++i] == '1' ? '/' : '~';
-        } else {
-            parts.back() += path[i];
-        }
+    for (const char c : path) {
+        if (c == '.') parts.emplace_back();
+        else parts.back() += c;
     }
     return parts;
 }
@@ -79,16 +74,9 @@ std::string pointerOf(const std::vector<std::string>& parts)
 std::string textAt(const Place& place)
 {
     if (!place.source || place.line < 1) return {};
-    const std::string& text = place.source->text;
-    std::size_t begin = 0;
-    for (int line = 1; line < place.line; ++line) {
-        begin = text.find('\n', begin);
-        if (begin == std::string::npos) return {};
-        ++begin;
-    }
-    begin = std::min(text.size(), begin + static_cast<std::size_t>(place.column) - 1);
-    const std::string found = text.substr(begin, static_cast<std::size_t>(place.length));
-    return found.substr(0, found.find('\n'));
+    const std::string_view line = lineOf(place.source->text, place.line);
+    const std::size_t begin = std::min(line.size(), static_cast<std::size_t>(place.column) - 1);
+    return std::string(line.substr(begin, static_cast<std::size_t>(place.length)));
 }
 
 /// Where the value stands now, then what it replaced, the newest first.
@@ -129,24 +117,20 @@ const GlslUniform* declarationOf(const PlanProgram& program, const std::string& 
     return nullptr;
 }
 
-template <class T>
-std::string word(T value)
-{
-    return table::spellings(value)[static_cast<std::size_t>(value)];
-}
-
 /// The word for a key of a pass's `inputs.NAME`; empty where there is no such key.
 std::string samplingWord(const SamplerDesc& sampling, const std::string& key)
 {
-    return key == "filter" ? word(sampling.filter) : key == "wrap" ? word(sampling.wrap) : "";
+    if (key == "filter") return table::word(sampling.filter);
+    return key == "wrap" ? table::word(sampling.wrap) : "";
 }
 
 /// The same for a pass's `state`.
 std::string stateWord(const StateDesc& state, const std::string& key)
 {
-    if (key == "depth_test") return word(state.depth_test);
+    if (key == "depth_test") return table::word(state.depth_test);
     if (key == "depth_write") return state.depth_write ? "true" : "false";
-    return key == "cull" ? word(state.cull) : key == "blend" ? word(state.blend) : "";
+    if (key == "cull") return table::word(state.cull);
+    return key == "blend" ? table::word(state.blend) : "";
 }
 
 /// What feeds a uniform of that name.

@@ -36,13 +36,8 @@ std::string uriOf(const std::string& path)
 /// The column, from 1, in characters instead of bytes.
 int characterColumn(const Place& place, int column)
 {
-    std::string_view text = place.source->text;
-    for (int line = 1; line < place.line; ++line) {
-        const std::size_t end = text.find('\n');
-        if (end == std::string_view::npos) return column;
-        text.remove_prefix(end + 1);
-    }
-    text = text.substr(0, static_cast<std::size_t>(std::max(column - 1, 0)));
+    const std::string_view text =
+        lineOf(place.source->text, place.line).substr(0, static_cast<std::size_t>(column - 1));
     const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
     return column - static_cast<int>(std::count_if(text.begin(), text.end(), continues));
 }
