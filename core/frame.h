@@ -36,8 +36,10 @@ namespace crevice {
 constexpr int kMaxLights = 16;
 
 /// A right-handed view (the camera looks along -z) and any projection that OpenGL can express.
+/// What is placed in the world is double, so that a scene a million radii from the origin keeps its
+/// shape: only matrices relative to the camera become float.
 struct Camera {
-    glm::mat4 view_from_world = glm::mat4(1.0f);
+    glm::dmat4 view_from_world = glm::dmat4(1.0);
     glm::mat4 clip_from_view = glm::mat4(1.0f);
 
     /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
@@ -47,7 +49,7 @@ struct Camera {
 /// Light in world space.
 struct Light {
     bool directional = false;
-    glm::vec3 position = glm::vec3(0.0f);             ///< Of a point light.
+    glm::dvec3 position = glm::dvec3(0.0);            ///< Of a point light.
     glm::vec3 direction = glm::vec3(0.0f, 0.0f, -1);  ///< Of a directional light or spot.
     glm::vec3 color = glm::vec3(1.0f);                ///< Linear, >= 0.
     glm::vec3 attenuation = glm::vec3(1.0f, 0, 0);    ///< Constant, linear (1/unit), quadratic.
@@ -73,7 +75,7 @@ struct DrawItem {
     MeshId mesh = {};
     std::uint32_t first = 0;  ///< First index.
     std::uint32_t count = 0;  ///< Indices.
-    glm::mat4 world_from_model = glm::mat4(1.0f);
+    glm::dmat4 world_from_model = glm::dmat4(1.0);
     int material = 0;  ///< Into Frame::materials.
 };
 

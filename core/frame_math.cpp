@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crevice {
 namespace {
@@ -18,15 +19,20 @@ constexpr double kLeastVolume = 1e-14;
 // Least difference of a spot's cosines: its edge is then as sharp as a float shows.
 constexpr double kLeastConeRamp = 1e-4;
 
-bool finite(const float* values, int count)
+// As floats, which is what shaders get.
+template <typename T>
+bool finite(const T* values, int count)
 {
-    for (int i = 0; i < count; ++i)
-        if (!std::isfinite(values[i])) return false;
-    return true;
+    return std::all_of(values, values + count, [](T value) {
+        return std::abs(value) <= std::numeric_limits<float>::max();
+    });
 }
 
-bool finite(const glm::mat4& matrix) { return finite(&matrix[0][0], 16); }
-bool finite(const glm::vec3& vector) { return finite(&vector[0], 3); }
+template <typename T>
+bool finite(const glm::mat<4, 4, T>& matrix) { return finite(&matrix[0][0], 16); }
+
+template <typename T>
+bool finite(const glm::vec<3, T>& vector) { return finite(&vector[0], 3); }
 
 bool finite(const Light& light)
 {
@@ -42,9 +48,8 @@ glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
     return length > 0.0 ? towards / length : towards;
 }
 
-bool invertible(const glm::mat4& matrix)
+bool invertible(const glm::dmat4& columns)
 {
-    const glm::dmat4 columns(matrix);
     double lengths = 1.0;
     for (int i = 0; i < 4; ++i) lengths *= glm::length(columns[i]);
     return std::abs(glm::determinant(columns)) > kLeastVolume * lengths &&
@@ -65,7 +70,7 @@ std::string ownedBy(std::size_t view, const char* matrix)
 
 Status checkCamera(const Camera& camera, std::size_t view)
 {
-    const auto check = [view](const glm::mat4& matrix, const char* name) -> Status {
+    const auto check = [view](const auto& matrix, const char* name) -> Status {
         if (!finite(matrix))
             return bad(ownedBy(view, name) + " is not finite",
                        "look for a zero aspect ratio, near plane or up vector");
@@ -115,9 +120,8 @@ bool drawable(const Frame& frame, const DrawItem& item)
 CameraMatrices cameraMatrices(const Camera& camera)
 {
     const glm::dmat4 clip_from_view(camera.clip_from_view);
-    const glm::dmat4 view_from_world(camera.view_from_world);
-    return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
-            glm::inverse(view_from_world)};
+    return {clip_from_view, glm::inverse(clip_from_view), camera.view_from_world,
+            glm::inverse(camera.view_from_world)};
 }
 
 glm::mat3 normalMatrix(const glm::dmat4& matrix)
@@ -135,7 +139,7 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix)
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)
 {
     if (!light.directional)
-        return glm::vec4(view_from_world * glm::dvec4(glm::dvec3(light.position), 1.0));
+        return glm::vec4(view_from_world * glm::dvec4(light.position, 1.0));
     return glm::vec4(towardsLight(light, view_from_world), 0.0);
 }
 

@@ -109,7 +109,7 @@ void ValueTable::setViewport(Extent extent)
 void ValueTable::setDraw(const DrawItem& item, const Material& material,
                          const CameraMatrices& camera)
 {
-    const glm::dmat4 to_view = camera.view_from_world * glm::dmat4(item.world_from_model);
+    const glm::dmat4 to_view = camera.view_from_world * item.world_from_model;
     write(clip_from_model, glm::mat4(camera.clip_from_view * to_view));
     write(view_from_model, glm::mat4(to_view));
     write(view_normal_from_model, normalMatrix(to_view));

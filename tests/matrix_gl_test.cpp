@@ -160,7 +160,8 @@ struct Stage {
         for (int i = 0; i < kSteps * kSteps; ++i) {
             const glm::vec3 share = {i % kSteps / (kSteps - 1.0f), i / kSteps / (kSteps - 1.0f),
                                      i / kSteps / (kSteps - 1.0f)};
-            const glm::vec4 clip = frame.camera.clip_from_view * frame.camera.view_from_world *
+            const glm::vec4 clip = frame.camera.clip_from_view *
+                                   glm::mat4(frame.camera.view_from_world) *
                                    glm::vec4(glm::mix(from, to, share), 1.0f);
             const float value = ao.at(int((clip.x / clip.w * 0.5f + 0.5f) * kExtent.width),
                                       int((clip.y / clip.w * 0.5f + 0.5f) * kExtent.height));

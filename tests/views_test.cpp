@@ -159,7 +159,7 @@ TEST_CASE("Each view remembers its own last frame")
     REQUIRE(previous.size() == 2);
     CHECK(previous[0] != previous[1]);
     const std::vector<float> right = rig.device.lastUniform("previous_clip_from_view");
-    const glm::mat4 wanted = before.clip_from_view * before.view_from_world *
+    const glm::mat4 wanted = glm::dmat4(before.clip_from_view) * before.view_from_world *
                              glm::inverse(rig.frame.other_views[0].camera.view_from_world);
     for (int i = 0; i < 16; ++i) CHECK(right.at(i) == Approx(wanted[i / 4][i % 4]).margin(1e-5));
     CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history'") +

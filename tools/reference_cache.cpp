@@ -25,9 +25,10 @@ std::string environment(const char* name)
     return value ? value : "";
 }
 
-void addMatrix(ContentHash& hash, const glm::mat4& matrix)
+template <typename Matrix>
+void addMatrix(ContentHash& hash, const Matrix& matrix)
 {
-    hash.addBytes(&matrix[0][0], 16 * sizeof(float));
+    hash.addBytes(&matrix[0][0], sizeof(matrix));
 }
 
 void addMesh(ContentHash& hash, const MeshDesc& mesh)

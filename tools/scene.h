@@ -46,13 +46,13 @@ struct SceneTexture {
 /// A mesh at a place.
 struct SceneInstance {
     int mesh = 0;  ///< Into Scene::meshes.
-    glm::mat4 world_from_model = glm::mat4(1.0f);
+    glm::dmat4 world_from_model = glm::dmat4(1.0);
     int material = 0;  ///< Into Scene::materials.
 };
 
 struct SceneCamera {
     std::string name = {};
-    glm::mat4 view_from_world = glm::mat4(1.0f);
+    glm::dmat4 view_from_world = glm::dmat4(1.0);
     bool orthographic = false;
     double fov_y_rad = 0.87;         ///< Of a perspective view: top to bottom, in (0, pi).
     double half_height = 1.0;        ///< Of an orthographic view: centre to top, scene units.
@@ -86,10 +86,9 @@ struct Scene {
     {
         for (const SceneInstance& instance : instances) {
             const MeshDesc& mesh = meshes[instance.mesh];
-            const glm::dmat4 world_from_model = instance.world_from_model;
             for (const std::uint32_t index : mesh.indices) {
                 const float* p = mesh.vertices[index].position;
-                visit(glm::dvec3(world_from_model * glm::dvec4(p[0], p[1], p[2], 1.0)));
+                visit(glm::dvec3(instance.world_from_model * glm::dvec4(p[0], p[1], p[2], 1.0)));
             }
         }
     }

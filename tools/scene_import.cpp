@@ -105,7 +105,7 @@ MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
     return mesh;
 }
 
-bool finite(const glm::mat4& matrix)
+bool finite(const glm::dmat4& matrix)
 {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)

@@ -99,7 +99,7 @@ SceneLight lightFrom(const aiLight& from, const NodePlaces& places)
 double dimming(const Light& light, const Bounds& bounds)
 {
     if (light.directional) return 1.0;
-    const double distance = std::max(glm::length(glm::dvec3(light.position) - bounds.center()),
+    const double distance = std::max(glm::length(light.position - bounds.center()),
                                      kLeastLightDistance * bounds.diagonal());
     const glm::dvec3 a = light.attenuation;
     const double divisor = a.x + a.y * distance + a.z * distance * distance;

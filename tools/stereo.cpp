@@ -29,7 +29,7 @@ SceneCamera eyeCamera(const SceneCamera& camera, double offset, double convergen
 {
     SceneCamera eye = camera;
     const glm::dmat4 eye_from_view = glm::translate(glm::dmat4(1.0), {-offset, 0.0, 0.0});
-    eye.view_from_world = glm::mat4(eye_from_view * glm::dmat4(camera.view_from_world));
+    eye.view_from_world = eye_from_view * camera.view_from_world;
     // The window that the camera sees at that distance is the one that the eye sees.
     const double width = 2.0 * convergence * std::tan(camera.fov_y_rad / 2.0) * aspect;
     if (convergence > 0.0) eye.shift.x -= offset / width;

@@ -74,7 +74,7 @@ public:
            const TraceOptions& options)
         : scene_(scene),
           view_from_clip_(glm::inverse(glm::dmat4(camera.clip_from_view))),
-          world_from_view_(glm::inverse(glm::dmat4(camera.view_from_world))),
+          world_from_view_(glm::inverse(camera.view_from_world)),
           orthographic_(camera.orthographic()),
           extent_(extent),
           radius_(options.radius),
@@ -178,9 +178,9 @@ private:
     const std::vector<Probe> probes_;
 };
 
-bool invertible(const glm::mat4& matrix)
+bool invertible(const glm::dmat4& matrix)
 {
-    const double determinant = glm::determinant(glm::dmat4(matrix));
+    const double determinant = glm::determinant(matrix);
     return std::isfinite(determinant) && determinant != 0.0;
 }
 
