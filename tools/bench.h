@@ -7,6 +7,7 @@
 
 #include "tools/bench_point.h"
 #include "tools/config_options.h"
+#include "tools/line_file.h"
 #include "tools/scene.h"
 
 #include <functional>
@@ -88,27 +89,21 @@ std::string keyOnDevice(const std::string& task_key, const std::string& device);
 /// FOLDER/results.jsonl, grown line by line.
 class ResultFile {
 public:
-    /// Makes the folder where it is not there, reads what it holds, and cuts off a last line that an
-    /// interrupt left unfinished. Keeps others out until it is destroyed.
+    /// Reads what it holds. Keeps others out until it is destroyed.
     ///
-    /// Errors: CV7007 when it cannot be written or another bench is at it; those of readBenchPoints.
+    /// Errors: those of LineFile::open and readBenchPoints.
     static Result<ResultFile> open(const std::string& folder);
-    ~ResultFile();
-    ResultFile(ResultFile&& other) noexcept;
-    ResultFile(const ResultFile&) = delete;
-    ResultFile& operator=(const ResultFile&) = delete;
 
     /// True when there are figures under that key; a failure is worth another try.
     bool has(const std::string& key) const { return done_.count(key) > 0; }
 
-    /// Adds a whole line, or nothing. Errors: CV7007, also when the file is no longer there.
+    /// Errors: those of LineFile::append.
     Status append(const BenchPoint& point);
 
 private:
-    ResultFile(std::string path, int file) : path_(std::move(path)), file_(file) {}
+    explicit ResultFile(LineFile lines) : lines_(std::move(lines)) {}
 
-    std::string path_;
-    int file_ = -1;
+    LineFile lines_;
     std::set<std::string> done_;
 };
 

@@ -32,41 +32,6 @@ std::string shortest(double value)
     return {text, end.ptr};
 }
 
-void addNode(ContentHash& hash, const Node& node)
-{
-    hash.add(static_cast<int>(node.kind));
-    hash.add(node.boolean);
-    hash.add(node.number);
-    hash.addText(node.kind == Node::Kind::string ? node.text : std::string());
-    for (const Node& item : node.items) addNode(hash, item);
-    for (const Member& member : node.members) {
-        hash.addText(member.key);
-        addNode(hash, member.value);
-    }
-}
-
-/// A config with its overrides in force.
-struct Loaded {
-    Description description;
-    std::string content;  ///< A hash over its document and its GLSL.
-};
-
-Result<Loaded> loadWith(const SourceSet& sources, const std::string& config,
-                        const std::vector<std::string>& overrides)
-{
-    const Result<Node> document = loadConfig(sources, {config, {}, overrides});
-    if (!document) return document.diagnostics();
-    Result<Description> description = decode(*document, sources);
-    if (!description) return description.diagnostics();
-    ContentHash hash;
-    addNode(hash, *document);
-    for (const auto& [path, source] : description->files) {
-        hash.addText(path);
-        hash.addText(source->text);
-    }
-    return Loaded{std::move(*description), hash.hex()};
-}
-
 class Planner {
 public:
     Planner(const BenchOptions& options, const SourceSet& sources)
@@ -93,7 +58,7 @@ private:
                                                           const Description& description);
     void addTask(const Place& place, const std::string& config,
                  std::vector<std::string> overrides);
-    Status describe(const Place& place, const Loaded& loaded, BenchTask& task);
+    Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task);
     const std::string& referenceOf(double radius);
     void note(const std::string& message);
     void tell(const Diagnostics& diagnostics);
@@ -158,7 +123,7 @@ void Planner::addConfigs(Place place)
 void Planner::addConfig(const Place& place, const std::string& config)
 {
     std::vector<std::string> overrides = options_.overrides;
-    const Result<Loaded> loaded = loadWith(sources_, config, overrides);
+    const Result<LoadedConfig> loaded = loadWithContent({config, {}, overrides, {}}, sources_);
     if (!loaded) return addTask(place, config, overrides);
     const Description& description = loaded->description;
     if (place.radius > 0.0) {
@@ -208,7 +173,7 @@ const std::string& Planner::referenceOf(double radius)
 }
 
 /// What the loaded config says about the point.
-Status Planner::describe(const Place& place, const Loaded& loaded, BenchTask& task)
+Status Planner::describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
 {
     const ParamDesc* radius = findNamed(loaded.description.params, "radius");
     task.point.samples = samplesOf(loaded.description);
@@ -242,7 +207,7 @@ void Planner::addTask(const Place& place, const std::string& config,
         point.triangles = triangleCount(*view.scene);
     }
 
-    const Result<Loaded> loaded = loadWith(sources_, config, overrides);
+    const Result<LoadedConfig> loaded = loadWithContent({config, {}, overrides, {}}, sources_);
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
     if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
 

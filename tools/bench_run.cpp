@@ -4,70 +4,11 @@
 
 #include "tools/cli_output.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 #include <utility>
-
-namespace fs = std::filesystem;
 
 namespace crevice {
 namespace {
-
-const char* const kWayOut =
-    "what was measured before is safe; make room or name another folder, and run the same command "
-    "again to go on";
-
-Diagnostic cannotWrite(const std::string& path, const std::string& reason)
-{
-    Diagnostic error{Code::cannot_write, "cannot write '" + path + "': " + reason};
-    error.help = kWayOut;
-    return error;
-}
-
-/// Lines in a file that no path leads to would be lost.
-Diagnostic lostFile(const std::string& path)
-{
-    Diagnostic error = cannotWrite(path, "it was deleted or replaced meanwhile");
-    error.help = "put it back and run the same command again to go on";
-    return error;
-}
-
-/// False once the path is gone or leads to another file.
-bool isNamed(int file, const std::string& path)
-{
-    struct stat open = {};
-    struct stat named = {};
-    return fstat(file, &open) == 0 && stat(path.c_str(), &named) == 0 &&
-           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
-}
-
-/// Cuts off what follows the last line feed. Zero, or the errno of what failed.
-int cutTornLine(int file)
-{
-    off_t end = lseek(file, 0, SEEK_END);
-    char last = '\n';
-    while (end > 0 && pread(file, &last, 1, end - 1) == 1 && last != '\n') --end;
-    return ftruncate(file, end) == 0 ? 0 : errno;
-}
-
-/// Zero, or the errno of what failed.
-int writeAll(int file, std::string_view bytes)
-{
-    while (!bytes.empty()) {
-        const ssize_t count = write(file, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return fdatasync(file) == 0 || errno == EINVAL ? 0 : errno;
-}
 
 std::string timeText(double seconds)
 {
@@ -117,7 +58,7 @@ private:
             if (summary_.interrupted) return false;
             if (!measured && firstError(measured.diagnostics()).code == Code::cannot_write) {
                 Diagnostic error = firstError(measured.diagnostics());
-                error.help = kWayOut;
+                error.help = LineFile::wayOut();
                 summary_.written = error;
                 return false;
             }
@@ -177,47 +118,21 @@ private:
 
 Result<ResultFile> ResultFile::open(const std::string& folder)
 {
-    const std::string path = folder + "/results.jsonl";
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) return cannotWrite(folder, error.message());
-    ResultFile results(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-    if (results.file_ < 0) return cannotWrite(path, std::strerror(errno));
-    if (flock(results.file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return cannotWrite(path, "another bench is writing to it");
-    if (const int failure = cutTornLine(results.file_))
-        return cannotWrite(path, std::strerror(failure));
-    const Result<std::vector<BenchPoint>> points = readBenchPoints({path});
+    Result<LineFile> lines = LineFile::open(folder + "/results.jsonl");
+    if (!lines) return lines.diagnostics();
+    const Result<std::vector<BenchPoint>> points = readBenchPoints({lines->path()});
     if (!points) return points.diagnostics();
+    ResultFile results(std::move(*lines));
     for (const BenchPoint& point : *points)
         if (point.failure.empty()) results.done_.insert(point.key);
     return results;
 }
 
-ResultFile::~ResultFile()
-{
-    if (file_ >= 0) close(file_);
-}
-
-ResultFile::ResultFile(ResultFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      file_(std::exchange(other.file_, -1)),
-      done_(std::move(other.done_))
-{
-}
-
 Status ResultFile::append(const BenchPoint& point)
 {
-    if (!isNamed(file_, path_)) return lostFile(path_);
-    const off_t before = lseek(file_, 0, SEEK_END);
-    const int failure = writeAll(file_, toJsonLine(point) + "\n");
-    if (failure == 0) {
-        if (point.failure.empty()) done_.insert(point.key);
-        return {};
-    }
-    // Where even this fails, the next run cuts the torn line off.
-    if (ftruncate(file_, before) != 0) return cannotWrite(path_, "the disk fails");
-    return cannotWrite(path_, std::strerror(failure));
+    Status written = lines_.append(toJsonLine(point));
+    if (written && point.failure.empty()) done_.insert(point.key);
+    return written;
 }
 
 BenchSummary runBench(const std::vector<BenchTask>& tasks, ResultFile& file,

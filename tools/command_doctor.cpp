@@ -5,11 +5,11 @@
 #include "tools/config_options.h"
 #include "tools/garbage_device.h"
 #include "tools/open_device.h"
-#include "tools/output_request.h"
 #include "tools/read_output.h"
 #include "tools/scene_options.h"
 #include "tools/scene_upload.h"
 #include "tools/target_health.h"
+#include "tools/watched_targets.h"
 
 #include "core/frame_math.h"
 
@@ -35,13 +35,6 @@ struct DoctorOptions {
 constexpr float kGarbage = 0.8713f;
 constexpr float kOtherGarbage = 0.3391f;
 
-/// A target that is looked at, and the output that shows it.
-struct Watched {
-    std::string target;
-    std::string pass;
-    std::string output;
-};
-
 struct Checkup {
     Plan plan;  ///< Of the config as it is.
     std::vector<TargetHealth> health;
@@ -49,26 +42,9 @@ struct Checkup {
     std::string device;
 };
 
-/// Has the description export every target that a pass of the plan writes, in the passes' order.
-std::vector<Watched> watchAll(const Plan& plan, Description& description)
-{
-    std::vector<Watched> watched;
-    for (const PlanPass& pass : plan.passes) {
-        const auto watch = [&](const PlanAttachment& attachment) {
-            if (attachment.target < 0) return;
-            const Result<OutputSource> source =
-                exposeOutput(description, "target." + attachment.name);
-            if (source) watched.push_back({attachment.name, pass.name, source->output});
-        };
-        for (const PlanAttachment& color : pass.color) watch(color);
-        if (pass.has_depth) watch(pass.depth);
-    }
-    return watched;
-}
-
 /// Draws in memory that holds the garbage and reads back all that is watched.
 Result<std::vector<Image>> drawIn(Device& device, const Description& description,
-                                  const SceneView& view, const std::vector<Watched>& watched,
+                                  const SceneView& view, const std::vector<WatchedTarget>& watched,
                                   const DoctorOptions& options)
 {
     const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
@@ -83,7 +59,7 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
     for (int i = 0; i < options.frames; ++i)
         if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
     std::vector<Image> images;
-    for (const Watched& each : watched) {
+    for (const WatchedTarget& each : watched) {
         Result<Image> image = readOutput(device, **renderer, each.output);
         if (!image) return image.diagnostics();
         images.push_back(std::move(*image));
@@ -130,7 +106,7 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     Result<Plan> plan = compile(description, traitsOf(frame), device.caps(), compile_options);
     if (!plan) return plan.diagnostics();
 
-    const std::vector<Watched> watched = watchAll(*plan, description);
+    const std::vector<WatchedTarget> watched = watchAll(*plan, description);
     progress.begin("drawing in garbage");
     GarbageDevice garbage(device, kGarbage, false);
     const auto drawn = drawIn(garbage, description, view, watched, options);

@@ -20,5 +20,6 @@ void addReportCommand(CLI::App& app, int& exit_code);
 void addChooseCommand(CLI::App& app, int& exit_code);
 void addCompareBenchCommand(CLI::App& app, int& exit_code);
 void addSchemaCommand(CLI::App& app, int& exit_code);
+void addStressCommand(CLI::App& app, int& exit_code);
 
 }  // namespace crevice

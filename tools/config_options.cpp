@@ -2,6 +2,8 @@
 // The arguments that say which config a command works on.
 #include "tools/config_options.h"
 
+#include "tools/content_hash.h"
+
 #include "core/load.h"
 #include "effects/catalog.h"
 
@@ -16,6 +18,19 @@ namespace {
 constexpr std::string_view kConfigs = "configs/";
 
 bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) == kConfigs; }
+
+void addNode(ContentHash& hash, const Node& node)
+{
+    hash.add(static_cast<int>(node.kind));
+    hash.add(node.boolean);
+    hash.add(node.number);
+    hash.addText(node.kind == Node::Kind::string ? node.text : std::string());
+    for (const Node& item : node.items) addNode(hash, item);
+    for (const Member& member : node.members) {
+        hash.addText(member.key);
+        addNode(hash, member.value);
+    }
+}
 
 /// CLI11's kind of check: "" is fine, anything else is what is wrong.
 std::string isCheckout(const std::string& folder)
@@ -81,6 +96,22 @@ Result<Description> loadDescription(const ConfigOptions& options, const SourceSe
         loadConfig(sources, {options.config, options.variant, options.overrides});
     if (!document) return document.diagnostics();
     return decode(*document, sources);
+}
+
+Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Node> document =
+        loadConfig(sources, {options.config, options.variant, options.overrides});
+    if (!document) return document.diagnostics();
+    Result<Description> description = decode(*document, sources);
+    if (!description) return description.diagnostics();
+    ContentHash hash;
+    addNode(hash, *document);
+    for (const auto& [path, source] : description->files) {
+        hash.addText(path);
+        hash.addText(source->text);
+    }
+    return LoadedConfig{std::move(*description), hash.hex()};
 }
 
 }  // namespace crevice

@@ -44,4 +44,13 @@ private:
 /// Loads, merges and decodes. Errors: those of loadConfig and decode.
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources);
 
+/// A config with its overrides in force.
+struct LoadedConfig {
+    Description description;
+    std::string content;  ///< A hash over its document and its GLSL.
+};
+
+/// As loadDescription.
+Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources);
+
 }  // namespace crevice

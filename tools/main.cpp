@@ -39,6 +39,7 @@ int run(int argc, char** argv)
     crevice::addChooseCommand(app, exit_code);
     crevice::addCompareBenchCommand(app, exit_code);
     crevice::addSchemaCommand(app, exit_code);
+    crevice::addStressCommand(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

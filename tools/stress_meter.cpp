@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: MIT
+// One step of a stress case, from its shot to its figures.
+#include "tools/stress_meter.h"
+
+#include "tools/bench_samples.h"
+#include "tools/content_hash.h"
+#include "tools/garbage_device.h"
+#include "tools/read_output.h"
+#include "tools/scene_upload.h"
+#include "tools/target_health.h"
+#include "tools/watched_targets.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+constexpr float kGarbage = 0.8713f;  // where a format holds no NaN
+
+/// A step of the format up to this share of the radius is none of the config's business.
+constexpr double kResolvedShare = 0.1;
+
+constexpr double kMiddle = 0.8;  // share of width and height that planes are judged in
+constexpr float kClosed = 0.95f;
+
+std::string shortest(double value)
+{
+    char buffer[40];
+    std::snprintf(buffer, sizeof(buffer), "%.9g", value);
+    return buffer;
+}
+
+std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
+
+/// "depth=depth16" as an override.
+std::string formatOverride(const std::string& format)
+{
+    const std::string target = nameIn(format);
+    return "/targets/" + target + "/format=[\"" + format.substr(target.size() + 1) + "\"]";
+}
+
+std::string firstErrorText(const Diagnostics& diagnostics)
+{
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::error) return codeName(each.code) + ": " + each.message;
+    return {};
+}
+
+bool remembers(const Plan& plan)
+{
+    return std::any_of(plan.targets.begin(), plan.targets.end(),
+                       [](const PlanTarget& target) { return target.history_texture >= 0; });
+}
+
+/// The format that the surface is read from: that of stored positions, else of the depth.
+Format storedFormat(const Plan& plan)
+{
+    for (const char* name : {"position", "depth"})
+        if (const PlanTarget* target = findNamed(plan.targets, name))
+            return plan.textures[target->texture].format;
+    return Format::depth24;
+}
+
+void addImage(ContentHash& hash, const Image& image)
+{
+    hash.add(image.extent.width);
+    hash.add(image.extent.height);
+    hash.addBytes(image.pixels.data(), image.pixels.size() * sizeof(float));
+}
+
+void addMatrix(ContentHash& hash, const glm::mat4& matrix)
+{
+    hash.addBytes(&matrix[0][0], 16 * sizeof(float));
+}
+
+void addShot(ContentHash& hash, const StressShot& shot)
+{
+    for (const MeshDesc& mesh : shot.scene.meshes) {
+        hash.addBytes(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
+        hash.addBytes(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+    }
+    for (const SceneInstance& instance : shot.scene.instances) {
+        hash.add(instance.mesh);
+        addMatrix(hash, instance.world_from_model);
+    }
+    for (const SceneLight& lamp : shot.scene.lights)
+        for (const glm::vec3& part : {lamp.light.position, lamp.light.direction, lamp.light.color,
+                                      lamp.light.attenuation})
+            hash.addBytes(&part[0], 3 * sizeof(float));
+    for (const SceneMaterial& material : shot.scene.materials) {
+        hash.add(material.shininess);
+        hash.addBytes(&material.specular[0], 3 * sizeof(float));
+    }
+    addMatrix(hash, shot.camera.view_from_world);
+    addMatrix(hash, shot.camera.clip_from_view);
+    hash.add(shot.radius);
+    for (const std::string& setting : shot.settings) hash.addText(setting);
+    hash.add(shot.samples);
+    hash.add(shot.keep_identities);
+    addImage(hash, shot.distances);
+    hash.add(shot.extent.width);
+    hash.add(shot.extent.height);
+    for (const double number : {shot.farthest, shot.near_distance, shot.far_distance})
+        hash.add(number);
+    hash.add(shot.shift_px);
+    hash.add(shot.mirrored);
+}
+
+/// Mean, least and most of the finite pixels, and how many lie outside [0, 1].
+void describeOcclusion(const Image& ao, StressRecord& record)
+{
+    double sum = 0;
+    long long count = 0;
+    record.least = HUGE_VAL;
+    record.most = -HUGE_VAL;
+    for (std::size_t i = 0; i < ao.pixels.size(); i += ao.channels) {
+        const double value = ao.pixels[i];
+        if (!std::isfinite(value)) continue;
+        sum += value;
+        ++count;
+        record.least = std::min(record.least, value);
+        record.most = std::max(record.most, value);
+        record.out_of_range += value < 0 || value > 1;
+    }
+    if (count == 0) record.least = record.most = 0;
+    record.mean = count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+/// What the format makes of the surface, and the pixels of the middle where that is fine enough.
+void judgeResolved(const Image& ao, const StressShot& shot, Format format, StressRecord& record)
+{
+    const auto shareAt = [&](double distance) {
+        return shot.radius > 0 ? formatStep(format, distance, shot) / shot.radius : 0.0;
+    };
+    if (shot.distances.pixels.empty()) {
+        record.step_share = shot.farthest > 0 ? shareAt(shot.farthest) : 0;
+        record.resolved = record.step_share <= kResolvedShare ? 1 : 0;
+        return;
+    }
+    const Extent size = shot.extent;
+    const int left = static_cast<int>(size.width * (1 - kMiddle) / 2);
+    const int low = static_cast<int>(size.height * (1 - kMiddle) / 2);
+    long long seen = 0, resolved = 0, below = 0;
+    double sum = 0;
+    record.judged_least = 1;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const double distance = shot.distances.at(x, y);
+            if (distance <= 0) continue;
+            ++seen;
+            if (shareAt(distance) > kResolvedShare) continue;
+            ++resolved;
+            const float value = ao.at(x, y);
+            if (x < left || x >= size.width - left || y < low || y >= size.height - low ||
+                !std::isfinite(value))
+                continue;
+            ++record.judged;
+            sum += value;
+            below += value < kClosed;
+            record.judged_least = std::min<double>(record.judged_least, value);
+        }
+    const double middle = shot.distances.at(size.width / 2, size.height / 2);
+    record.step_share = middle > 0 ? shareAt(middle) : 0;
+    record.resolved = seen > 0 ? static_cast<double>(resolved) / static_cast<double>(seen) : 1;
+    const double judged = static_cast<double>(std::max(record.judged, 1LL));
+    record.judged_mean = record.judged > 0 ? sum / judged : 0;
+    record.judged_below = static_cast<double>(below) / judged;
+}
+
+/// The mean absolute change over what both pictures show; where that is not a number in one, 1.
+double meanChange(const Image& ordinary, const Image& image, const StressShot& shot)
+{
+    if (!(ordinary.extent == image.extent)) return 1;
+    const int width = image.extent.width;
+    double sum = 0;
+    long long count = 0;
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int other = shot.mirrored ? width - 1 - x : x + shot.shift_px;
+            if (other < 0 || other >= width) continue;
+            const double change = std::abs(image.at(x, y) - ordinary.at(other, y));
+            sum += std::isfinite(change) ? change : 1;
+            ++count;
+        }
+    return count > 0 ? sum / static_cast<double>(count) : 1;
+}
+
+double radiusInPixels(const StressShot& shot)
+{
+    double distance = shot.farthest;
+    if (!shot.distances.pixels.empty())
+        distance = shot.distances.at(shot.extent.width / 2, shot.extent.height / 2);
+    if (shot.camera.orthographic()) distance = 1;
+    if (distance <= 0) return 0;
+    return shot.radius * std::abs(shot.camera.clip_from_view[1][1]) * shot.extent.height /
+           (2 * distance);
+}
+
+}  // namespace
+
+struct StressMeter::Ready {
+    Description description;
+    CompileOptions options;
+    std::string absent;
+};
+
+struct StressMeter::Drawn {
+    std::string absent;
+    Image ao;
+    Format stored = Format::none;
+    TargetHealth bad;  ///< The first target that is not finite, if any.
+    long long negative_colors = 0;
+};
+
+std::vector<std::string> surfaceFormats(const Description& description)
+{
+    if (findNamed(description.targets, "position"))
+        return {"", "position=rgba16f", "position=rgba32f"};
+    if (findNamed(description.targets, "depth"))
+        return {"", "depth=depth16", "depth=depth24", "depth=depth32f"};
+    return {""};
+}
+
+StressMeter::StressMeter(Device& device, const SourceSet& sources)
+    : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)), sources_(sources)
+{
+}
+
+StressMeter::~StressMeter() = default;
+
+std::string StressMeter::contentOf(const StressTask& task, Extent size)
+{
+    ContentHash hash;
+    const Result<LoadedConfig> loaded = loadWithContent(task.config, sources_);
+    hash.addText(loaded ? loaded->content : std::string());
+    hash.addText(task.config.config);
+    hash.addText(task.stress->name);
+    hash.addText(task.format);
+    hash.add(task.step);
+    addShot(hash, task.stress->shot(task.stress->steps[task.step].value, size));
+    return hash.hex();
+}
+
+Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const StressShot& shot)
+{
+    Ready ready;
+    const Result<Description> base = loadDescription(task.config, sources_);
+    if (!base) return base.diagnostics();
+    ConfigOptions config = task.config;
+    if (findNamed(base->params, "radius"))
+        config.overrides.push_back("radius=" + shortest(shot.radius));
+    for (const std::string& setting : shot.settings) {
+        if (!findNamed(base->params, nameIn(setting)))
+            ready.absent = "no param '" + nameIn(setting) + "'";
+        config.overrides.push_back(setting);
+    }
+    if (!task.format.empty()) config.overrides.push_back(formatOverride(task.format));
+    const std::vector<std::string> taps =
+        shot.samples > 0 ? overridesFor(*base, shot.samples) : std::vector<std::string>();
+    if (shot.samples > 0 && taps.empty())
+        ready.absent = std::to_string(shot.samples) + " taps are outside its ranges";
+    config.overrides.insert(config.overrides.end(), taps.begin(), taps.end());
+    if (!findNamed(base->outputs, "ao")) ready.absent = "no output 'ao'";
+    if (!ready.absent.empty()) return ready;
+    Result<Description> description = loadDescription(config, sources_);
+    if (!description) return description.diagnostics();
+    ready.description = std::move(*description);
+    if (shot.samples < 0) takeAllSamples(ready.description);
+    ready.options.extent = shot.extent;
+    ready.options.keep = {"sharing"};
+    if (shot.keep_identities) ready.options.keep.push_back("identity");
+    return ready;
+}
+
+Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const StressShot& shot)
+{
+    Result<Ready> ready = prepare(task, shot);
+    if (!ready) return ready.diagnostics();
+    Drawn drawn;
+    drawn.absent = ready->absent;
+    if (!drawn.absent.empty()) return drawn;
+    const Result<UploadedScene> scene = UploadedScene::upload(*garbage_, shot.scene);
+    if (!scene) return scene.diagnostics();
+    Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
+    frame.camera = shot.camera;
+    const Result<Plan> plan =
+        compile(ready->description, traitsOf(frame), garbage_->caps(), ready->options);
+    if (!plan) return plan.diagnostics();
+    drawn.stored = storedFormat(*plan);
+    const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
+
+    const std::string owner = task.config.config + " " + task.config.variant;
+    const bool anew = renderer_of_ != owner || remembers(*plan);
+    if (anew || !renderer_->reload(ready->description, ready->options)) {
+        renderer_.reset();
+        renderer_of_.clear();
+        auto created = Renderer::create(*garbage_, ready->description, ready->options,
+                                        traitsOf(frame));
+        if (!created) return created.diagnostics();
+        renderer_ = std::move(*created);
+        renderer_of_ = owner;
+    }
+    // A second frame reads what the first left in histories.
+    for (int i = 0; i < (remembers(*plan) ? 2 : 1); ++i)
+        if (const Status done = renderer_->render(frame); !done) return done.diagnostics();
+
+    for (const WatchedTarget& each : watched) {
+        const Result<Image> image = readOutput(*garbage_, *renderer_, each.output);
+        if (!image) return image.diagnostics();
+        TargetHealth health = examine(*image, *image);
+        if (!health.bad() || drawn.bad.bad()) continue;
+        drawn.bad = health;
+        drawn.bad.target = each.target;
+        drawn.bad.pass = each.pass;
+    }
+    if (renderer_->output("color")) {
+        const Result<Image> color = readOutput(*garbage_, *renderer_, "color");
+        if (!color) return color.diagnostics();
+        for (const float value : color->pixels) drawn.negative_colors += value < 0;
+    }
+    Result<Image> ao = readOutput(*garbage_, *renderer_, "ao");
+    if (!ao) return ao.diagnostics();
+    drawn.ao = std::move(*ao);
+    return drawn;
+}
+
+/// The ordinary picture of the task's series; null where there is none.
+const Image* StressMeter::ordinaryOf(const StressTask& task, Extent size)
+{
+    StressTask ordinary = task;
+    ordinary.step = static_cast<int>(task.stress->ordinary);
+    const std::string key = contentOf(ordinary, size);
+    if (ordinary_of_ != key) {
+        ordinary_of_ = key;
+        const StressShot shot =
+            task.stress->shot(task.stress->steps[ordinary.step].value, size);
+        Result<Drawn> drawn = draw(ordinary, shot);
+        ordinary_ = drawn ? std::move(drawn->ao) : Image();
+    }
+    return ordinary_.pixels.empty() ? nullptr : &ordinary_;
+}
+
+void StressMeter::compare(const StressTask& task, Extent size, const StressShot& shot,
+                          StressDrawing& done)
+{
+    if (task.stress->expectation != Expectation::same) return;
+    if (const Image* ordinary = ordinaryOf(task, size))
+        done.record.change = meanChange(*ordinary, done.ao, shot);
+    else
+        done.record.absent = "the ordinary picture cannot be drawn";
+}
+
+StressDrawing StressMeter::measure(const StressTask& task, Extent size)
+{
+    using Clock = std::chrono::steady_clock;
+    StressDrawing done;
+    StressRecord& record = done.record;
+    const StressStep& step = task.stress->steps[task.step];
+    record.config = task.config.config;
+    record.variant = task.config.variant;
+    record.overrides = task.config.overrides;
+    record.case_name = task.stress->name;
+    record.format = task.format;
+    record.step = task.step;
+    record.label = step.label;
+    record.value = step.value;
+    const StressShot shot = task.stress->shot(step.value, size);
+    const Clock::time_point start = Clock::now();
+    Result<Drawn> drawn = draw(task, shot);
+    record.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (!drawn) {
+        record.refusal = firstErrorText(drawn.diagnostics());
+        return done;
+    }
+    record.absent = drawn->absent;
+    if (!record.absent.empty()) return done;
+    done.ao = std::move(drawn->ao);
+    record.bad_target = drawn->bad.target;
+    record.bad_pass = drawn->bad.pass;
+    record.bad_pixels =
+        static_cast<long long>(drawn->bad.not_numbers + drawn->bad.infinite);
+    record.out_of_range = drawn->negative_colors;
+    record.stored = formatInfo(drawn->stored).name;
+    record.radius_px = radiusInPixels(shot);
+    describeOcclusion(done.ao, record);
+    judgeResolved(done.ao, shot, drawn->stored, record);
+    compare(task, size, shot, done);
+    return done;
+}
+
+}  // namespace crevice
