@@ -9,6 +9,9 @@
 
 #include "core/format.h"
 
+#include <glm/vec2.hpp>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +23,8 @@ enum class Expectation {
     sound,     ///< No more than that.
     open,      ///< A flat plane: a mean of 0.999 or more, no pixel of the middle below 0.95.
     one,       ///< Exactly 1 everywhere.
-    same,      ///< The picture of the ordinary step, within the case's limit as a mean.
+    same,      ///< The picture of the ordinary step, within the case's limit: as a mean, or where
+               ///< pixels are spoiled the largest change anywhere else.
     opens,     ///< From the ordinary step on, each picture as bright as the one before, the last open.
     darkens,   ///< Each picture as dark as the one before.
 };
@@ -36,6 +40,11 @@ struct StressShot {
     int samples = 0;      ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_identities = false;  ///< No pass is left out because of a param's value.
 
+    /// When set, depth and normals come from a host, which draws them through `host_camera` and then does
+    /// this to them.
+    std::function<void(Image& depth, Image& normal)> host = {};
+    Camera host_camera = {};
+
     /// How the format of the depth resolves what is seen. `distances` are those along the view axis
     /// of what each pixel shows, 0 where that is nothing; without them `farthest` stands for all.
     Image distances = {};
@@ -47,6 +56,10 @@ struct StressShot {
     /// and left and right changed.
     int shift_px = 0;
     bool mirrored = false;
+
+    /// Pixels, counted from the lower left, about which the pictures may differ, as far as `reach_px`.
+    std::vector<glm::ivec2> spoiled = {};
+    int reach_px = 0;
 };
 
 struct StressStep {

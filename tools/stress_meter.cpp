@@ -7,12 +7,14 @@
 #include "tools/garbage_device.h"
 #include "tools/read_output.h"
 #include "tools/scene_upload.h"
+#include "tools/stress_host.h"
 #include "tools/target_health.h"
 #include "tools/watched_targets.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace crevice {
 namespace {
@@ -24,6 +26,7 @@ constexpr double kResolvedShare = 0.1;
 
 constexpr double kMiddle = 0.8;  // share of width and height that planes are judged in
 constexpr float kClosed = 0.95f;
+constexpr int kBorders = 8;  // an eighth of the width at either side
 
 std::string shortest(double value)
 {
@@ -106,6 +109,12 @@ void addShot(ContentHash& hash, const StressShot& shot)
         hash.add(number);
     hash.add(shot.shift_px);
     hash.add(shot.mirrored);
+    for (const glm::ivec2 at : shot.spoiled) {
+        hash.add(at.x);
+        hash.add(at.y);
+    }
+    hash.add(shot.reach_px);
+    if (shot.host) addMatrix(hash, shot.host_camera.clip_from_view);
 }
 
 /// Mean, least and most of the finite pixels, and how many lie outside [0, 1].
@@ -169,21 +178,33 @@ void judgeResolved(const Image& ao, const StressShot& shot, Format format, Stres
     record.judged_below = static_cast<double>(below) / judged;
 }
 
+bool isNear(const StressShot& shot, int x, int y)
+{
+    return std::any_of(shot.spoiled.begin(), shot.spoiled.end(), [&](const glm::ivec2 at) {
+        return std::max(std::abs(at.x - x), std::abs(at.y - y)) <= shot.reach_px;
+    });
+}
+
 /// The mean absolute change over what both pictures show; where that is not a number in one, 1.
+/// Where pixels are spoiled, the largest change farther away.
 double meanChange(const Image& ordinary, const Image& image, const StressShot& shot)
 {
     if (!(ordinary.extent == image.extent)) return 1;
     const int width = image.extent.width;
-    double sum = 0;
+    // What lies off the screen says nothing, so pictures of other extents differ along their borders.
+    const int border = shot.shift_px == 0 ? 0 : width / kBorders;
+    double sum = 0, largest = 0;
     long long count = 0;
     for (int y = 0; y < image.extent.height; ++y)
-        for (int x = 0; x < width; ++x) {
+        for (int x = border; x < width - border; ++x) {
             const int other = shot.mirrored ? width - 1 - x : x + shot.shift_px;
-            if (other < 0 || other >= width) continue;
+            if (other < border || other >= width - border || isNear(shot, x, y)) continue;
             const double change = std::abs(image.at(x, y) - ordinary.at(other, y));
             sum += std::isfinite(change) ? change : 1;
+            largest = std::max(largest, std::isfinite(change) ? change : 1);
             ++count;
         }
+    if (!shot.spoiled.empty()) return largest;
     return count > 0 ? sum / static_cast<double>(count) : 1;
 }
 
@@ -224,31 +245,48 @@ std::vector<std::string> surfaceFormats(const Description& description)
 }
 
 StressMeter::StressMeter(Device& device, const SourceSet& sources)
-    : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)), sources_(sources)
+    : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)),
+      sources_(sources),
+      host_modules_(hostModules()),
+      host_sources_({&host_modules_, &sources_})
 {
 }
 
 StressMeter::~StressMeter() = default;
 
+const SourceSet& StressMeter::sourcesFor(const StressShot& shot) const
+{
+    return shot.host ? static_cast<const SourceSet&>(host_sources_) : sources_;
+}
+
 std::string StressMeter::contentOf(const StressTask& task, Extent size)
 {
     ContentHash hash;
-    const Result<LoadedConfig> loaded = loadWithContent(task.config, sources_);
+    const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
+    const Result<LoadedConfig> loaded = loadWithContent(task.config, sourcesFor(shot));
     hash.addText(loaded ? loaded->content : std::string());
     hash.addText(task.config.config);
     hash.addText(task.stress->name);
     hash.addText(task.format);
     hash.add(task.step);
-    addShot(hash, task.stress->shot(task.stress->steps[task.step].value, size));
+    addShot(hash, shot);
     return hash.hex();
 }
 
 Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const StressShot& shot)
 {
     Ready ready;
-    const Result<Description> base = loadDescription(task.config, sources_);
+    const SourceSet& sources = sourcesFor(shot);
+    const Result<Description> base = loadDescription(task.config, sources);
+    if (!base && shot.host) {
+        ready.absent = "it does not work over a host's depth: " + firstErrorText(base.diagnostics());
+        return ready;
+    }
     if (!base) return base.diagnostics();
     ConfigOptions config = task.config;
+    if (shot.host && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
+    if (shot.host && !findNamed(base->imports, "depth"))
+        ready.absent = "its geometry module has no counterpart for a host's depth";
     if (findNamed(base->params, "radius"))
         config.overrides.push_back("radius=" + shortest(shot.radius));
     for (const std::string& setting : shot.settings) {
@@ -264,7 +302,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     config.overrides.insert(config.overrides.end(), taps.begin(), taps.end());
     if (!findNamed(base->outputs, "ao")) ready.absent = "no output 'ao'";
     if (!ready.absent.empty()) return ready;
-    Result<Description> description = loadDescription(config, sources_);
+    Result<Description> description = loadDescription(config, sources);
     if (!description) return description.diagnostics();
     ready.description = std::move(*description);
     if (shot.samples < 0) takeAllSamples(ready.description);
@@ -285,13 +323,21 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
     frame.camera = shot.camera;
+    std::optional<HostTextures> host;
+    if (shot.host) {
+        Result<HostTextures> made = HostTextures::make(*garbage_, shot, sources_);
+        if (!made) return made.diagnostics();
+        host.emplace(std::move(*made));
+        frame.textures = host->textures();
+    }
     const Result<Plan> plan =
         compile(ready->description, traitsOf(frame), garbage_->caps(), ready->options);
     if (!plan) return plan.diagnostics();
     drawn.stored = storedFormat(*plan);
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
-    const std::string owner = task.config.config + " " + task.config.variant;
+    const std::string owner =
+        task.config.config + " " + task.config.variant + (shot.host ? " host" : "");
     const bool anew = renderer_of_ != owner || remembers(*plan);
     if (anew || !renderer_->reload(ready->description, ready->options)) {
         renderer_.reset();

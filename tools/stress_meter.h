@@ -52,8 +52,12 @@ private:
     const Image* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
 
+    const SourceSet& sourcesFor(const StressShot& shot) const;
+
     std::unique_ptr<Device> garbage_;
     const SourceSet& sources_;
+    const MemorySources host_modules_;
+    const LayeredSources host_sources_;
     std::string renderer_of_;
     std::unique_ptr<Renderer> renderer_;
     std::string ordinary_of_;

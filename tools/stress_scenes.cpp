@@ -142,13 +142,15 @@ PlaneView planeView(const StressView& view, Extent size, double distance, double
 Scene yardScene()
 {
     Scene scene = emptyYard();
-    add(scene, makeBox({-3, -0.5f, -3}, {3, 0, 4}));
-    add(scene, makeBox({-3, -kSunk, -3.5f}, {3, 3, -2.5f}));
-    add(scene, makeBox({-3.5f, -kSunk, -2.6f}, {-2.5f, 3, 4}));
-    add(scene, makeBox({-0.5f, 0, -0.4f}, {0.5f, 1.2f, 0.4f}), turned(-1, -1.2, 25));
-    add(scene, makeBox({-0.4f, 0, -0.4f}, {0.4f, 0.5f, 0.4f}), turned(0.7, 0.3, -15));
-    add(scene, makeBox({-0.04f, 0, -0.04f}, {0.04f, 1.8f, 0.04f}), turned(1.7, -0.6, 0));
-    glm::dmat4 ball = turned(0.4, -1.2, 0);
+    add(scene, makeBox({-6, -0.5f, -3}, {6, 0, 6}));
+    add(scene, makeBox({-6, -kSunk, -3.5f}, {6, 6, -2.5f}));
+    add(scene, makeBox({-3.5f, -kSunk, -2.6f}, {-2.5f, 6, 6}));
+    add(scene, makeBox({-0.5f, 0, -0.4f}, {0.5f, 1.2f, 0.4f}), turned(-1.4, -1.4, 25));
+    add(scene, makeBox({-0.4f, 0, -0.4f}, {0.4f, 0.5f, 0.4f}), turned(0.9, 0.6, -15));
+    add(scene, makeBox({-0.6f, 0, -0.2f}, {0.6f, 0.3f, 0.2f}), turned(-0.9, 0.9, 60));
+    add(scene, makeBox({-0.3f, 0, -0.3f}, {0.3f, 2.2f, 0.3f}), turned(1.9, -1.9, 40));
+    add(scene, makeBox({-0.04f, 0, -0.04f}, {0.04f, 1.8f, 0.04f}), turned(1.5, -0.4, 0));
+    glm::dmat4 ball = turned(0.3, -1.1, 0);
     ball[3][1] = 0.6 - kSunk;
     add(scene, makeSphere(0.6f, 24), ball);
     return scene;

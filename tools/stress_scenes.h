@@ -32,8 +32,7 @@ struct PlaneView {
 /// not too far. `view.eye` must be the origin.
 PlaneView planeView(const StressView& view, Extent size, double distance, double tilt_degrees);
 
-/// A floor and two walls with boxes, a pole and a sphere, all closed, within 3 units of the origin and best seen
-/// from (0, 1, 5). Everything lies in the vertices, each model matrix is one, and lamps shine.
+/// A floor and two walls with boxes, a pole and a sphere, all closed, seen from (0, 1, 5). Everything lies in the vertices, each model matrix is one, and lamps shine.
 Scene yardScene();
 
 /// A floor and a wall that meet in the x axis, seen from (0, 1, 4).

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What stands in for geometry modules, and the textures that a host would bring.
+#include "tools/stress_host.h"
+
+#include "tools/read_output.h"
+#include "tools/scene_upload.h"
+
+#include "core/renderer.h"
+
+#include <utility>
+
+namespace crevice {
+namespace {
+
+const char* const kWhite = R"(#version 300 es
+precision mediump float;
+layout(location = 0) out vec4 albedo;
+void main()
+{
+    albedo = vec4(0.8);
+}
+)";
+
+// The host's textures have no guard band; its albedo is the same everywhere.
+std::string standIn(const std::string& module)
+{
+    return R"({"format": 1, "name": ")" + module + R"(", "description": "A host's own.",
+        "extends": [")" + module + R"("],
+        "params": {"guard": {"type": "float", "default": 1, "min": 1, "max": 2, "bind": "define"}},
+        "targets": {"albedo": {"format": ["rgba8"]}},
+        "shaders": {"host_albedo": {"vertex": "common/fullscreen.vert", "fragment": "host/albedo.frag"}},
+        "passes": {"host_albedo": {
+            "type": "fullscreen", "shader": "host_albedo", "color": ["albedo"]}}})";
+}
+
+}  // namespace
+
+MemorySources hostModules()
+{
+    MemorySources modules;
+    modules.add("geometry/depth_normal.json", standIn("geometry/host_depth_normal"));
+    modules.add("geometry/depth_only.json", standIn("geometry/host_depth"));
+    modules.add("host/albedo.frag", kWhite);
+    return modules;
+}
+
+Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
+                                        const SourceSet& sources)
+{
+    MemorySources mine;
+    mine.add("configs/host.json", R"({"format": 1, "name": "host", "description": "A G-buffer.",
+        "extends": ["geometry/depth_normal"],
+        "targets": {"depth": {"format": ["depth32f"]}, "normal": {"format": ["rgba16f", "rgb10_a2"]}},
+        "outputs": {"depth": "depth", "normal": "normal"}})");
+    const LayeredSources all({&mine, &sources});
+    const Result<Description> description = loadDescription({"host", {}, {}, {}}, all);
+    if (!description) return description.diagnostics();
+    const Result<UploadedScene> scene = UploadedScene::upload(device, shot.scene);
+    if (!scene) return scene.diagnostics();
+    Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
+    frame.camera = shot.host_camera;
+    const auto renderer =
+        Renderer::create(device, *description, {shot.extent, {}, {}}, traitsOf(frame));
+    if (!renderer) return renderer.diagnostics();
+    if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
+    Result<Image> depth = readOutput(device, **renderer, "depth");
+    if (!depth) return depth.diagnostics();
+    Result<Image> normal = readOutput(device, **renderer, "normal");
+    if (!normal) return normal.diagnostics();
+    shot.host(*depth, *normal);
+
+    HostTextures textures(device);
+    if (const Status made = textures.add("depth", Format::r32f, *depth); !made)
+        return made.diagnostics();
+    if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)
+        return made.diagnostics();
+    return textures;
+}
+
+HostTextures::~HostTextures()
+{
+    for (const ImportedTexture& each : textures_) device_->destroy(each.texture);
+}
+
+HostTextures::HostTextures(HostTextures&& other) noexcept
+    : device_(other.device_), textures_(std::exchange(other.textures_, {}))
+{
+}
+
+Status HostTextures::add(const char* name, Format format, const Image& image)
+{
+    const Result<TextureId> id = device_->createTexture({name, format, image.extent});
+    if (!id) return id.diagnostics();
+    textures_.push_back({name, *id});
+    return device_->writeTexture(*id, image);
+}
+
+}  // namespace crevice
