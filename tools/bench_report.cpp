@@ -2,13 +2,12 @@
 // Writes the report's page, JSON and CSV.
 #include "tools/bench_report.h"
 
+#include "tools/page_data.h"
 #include "tools/report_model.h"
 #include "tools/report_page.h"
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 namespace crevice {
@@ -16,38 +15,20 @@ namespace {
 
 using nlohmann::json;
 
-std::string base64(std::string_view bytes)
-{
-    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::string_view three = bytes.substr(i, 3);
-        unsigned bits = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            bits = bits << 8 | (k < three.size() ? static_cast<unsigned char>(three[k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= three.size() ? kDigits[bits >> (18 - 6 * k) & 63u] : '=';
-    }
-    return text;
-}
-
 /// Reads each picture once, however many points share it.
 class Pictures {
 public:
     void add(const std::string& path)
     {
         if (path.empty() || found_.contains(path)) return;
-        std::ifstream file(path, std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(file)),
-                                std::istreambuf_iterator<char>());
-        if (bytes.empty()) {
+        const std::string uri = pictureUri(path);
+        if (uri.empty()) {
             Diagnostic warning{Code::image_broken, "the picture '" + path + "' cannot be read"};
             warning.help = "the report does without it; keep pictures beside their results file";
             warning.severity = Severity::warning;
             warnings.push_back(std::move(warning));
         }
-        found_[path] = bytes.empty() ? std::string() : "data:image/png;base64," + base64(bytes);
+        found_[path] = uri;
     }
 
     json take() { return std::move(found_); }
@@ -61,19 +42,6 @@ private:
 std::string dump(const json& value, int indent)
 {
     return value.dump(indent, ' ', false, json::error_handler_t::replace);
-}
-
-/// JSON that may stand in a script element: "</script>" in a name must not end it.
-std::string forScript(const json& value)
-{
-    std::string safe;
-    for (const char c : dump(value, -1)) {
-        if (c == '<')
-            safe += "\\u003c";
-        else
-            safe += c;
-    }
-    return safe;
 }
 
 std::string quoted(const json& value)
@@ -180,9 +148,7 @@ Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_
     json model = reportModel(points);
     model["pictures"] = pictures.take();
 
-    std::string page(reportPage());
-    page.replace(page.find(kReportDataMark), kReportDataMark.size(), forScript(model));
-    return {std::move(page), std::move(pictures.warnings)};
+    return {pageWith(reportPage(), dump(model, -1)), std::move(pictures.warnings)};
 }
 
 }  // namespace crevice

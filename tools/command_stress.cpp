@@ -5,6 +5,7 @@
 #include "tools/image_file.h"
 #include "tools/open_device.h"
 #include "tools/scene_options.h"
+#include "tools/stress_report.h"
 #include "tools/stress_run.h"
 
 #include <CLI/CLI.hpp>
@@ -133,7 +134,6 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device)
     std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
-/// Where a case name fits no width, the picture's file name is its key.
 Status keepPicture(const std::string& folder, const StressDrawing& done)
 {
     std::error_code error;
@@ -179,11 +179,15 @@ int measureAll(const StressCommand& command, const std::vector<StressTask>& task
     const std::vector<StressSeries> all = seriesOf(summary.records);
     if (command.json) printJson(all, world.device);
     else printTable(all);
+    const Status page =
+        writeFile(command.out + "/stress.html", stressHtml(summary.records, command.out));
+    report(page.diagnostics(), false);
     std::fprintf(stderr, "%d drawn, %d were there already, %d not begun: %s\n", summary.measured,
                  summary.kept, summary.missing, file->path().c_str());
     if (summary.missing > 0) std::fputs("the same command goes on where this one stopped\n", stderr);
     if (!summary.written) return report(summary.written.diagnostics(), false);
     if (summary.interrupted) return kExitInterrupted;
+    if (!page) return kExitOutput;
     return totalsOf(all).failing > 0 ? kExitDiffers : kExitOk;
 }
 
@@ -232,7 +236,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_option("--shard", options->shard, "Draw the Ith of N shares of the cases")
         ->type_name("I/N");
     command->add_option("--out", options->out,
-                        "Folder for stress.jsonl and pictures; what is there already is not drawn "
+                        "Folder for stress.jsonl, stress.html and pictures; what is there already is not drawn "
                         "again")
         ->type_name("FOLDER")
         ->capture_default_str();

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The report's data, how it writes numbers, its charts. Text goes in as text, never as markup.
+// How the report writes numbers, its charts.
 "use strict";
-const data = JSON.parse(document.getElementById("data").textContent);
 const points = data.points;
-const SVG = "http://www.w3.org/2000/svg";
 const SHAPES = [  // around 0,0
   "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z", "M-4.6-4.6h9.2v9.2h-9.2z", "M0-6L5.6 4.4H-5.6z",
   "M0-6.4L6.4 0L0 6.4L-6.4 0z", "M0 6L5.6-4.4H-5.6z"];
@@ -11,19 +9,6 @@ const families = [...new Set(points.filter(p => !p.failure).map(p => p.family))]
 const colorOf = family => `var(--f${Math.max(0, families.indexOf(family)) % 8})`;
 const shapeOf = family => SHAPES[Math.max(0, families.indexOf(family)) % SHAPES.length];
 
-function add(parent, tag, attributes = {}, ...children) {
-  const svg = parent.namespaceURI === SVG || tag === "svg";
-  const node = svg ? document.createElementNS(SVG, tag) : document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on"))
-      node.addEventListener(name.slice(2), value);
-    else if (value !== null)
-      node.setAttribute(name, value);
-  }
-  node.append(...children.map(String));
-  parent.append(node);
-  return node;
-}
 // "learnopengl /generated/kernel/distribution=cube" as "learnopengl distribution=cube".
 const brief = label => label.replace(/ \/\S*\/(?=[^\s/]+=)/g, " ");
 const three = x =>

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The report's page, put together at build from tools/report.html and what it names.
+// Pages, put together at build from tools/report.html, tools/stress.html and what those name.
 #pragma once
 
 #include <string_view>
 
 namespace crevice {
 
-/// Where in the page the figures go.
+/// Where in a page the figures go.
 constexpr std::string_view kReportDataMark = "/*report.json*/";
 
 std::string_view reportPage();
+std::string_view stressPage();
 
 }  // namespace crevice

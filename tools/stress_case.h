@@ -51,6 +51,7 @@ struct StressShot {
     double farthest = 0;  ///< 0: does not matter.
     double near_distance = 0.1;
     double far_distance = 100;
+    double coordinates = 0;  ///< The largest in the meshes, where floats round them noticeably.
 
     /// Where this picture and the ordinary one show the same: that many pixels further right there,
     /// and left and right changed.

@@ -2,6 +2,7 @@
 // The table of stress cases: its lists as one, and what they share.
 #include "tools/stress_case_lists.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -120,6 +121,14 @@ double formatStep(Format format, double distance, const StressShot& shot)
     const auto floatStep = [distance](int bits) {
         return std::exp2(std::floor(std::log2(distance)) - bits);
     };
+    if (shot.coordinates > 0) {
+        // A vertex shader rounds the coordinates and each of the products that it makes of them.
+        constexpr double kProducts = 16;
+        const double rounding = kProducts * std::exp2(std::floor(std::log2(shot.coordinates)) - 23);
+        StressShot near_by = shot;
+        near_by.coordinates = 0;
+        return std::max(rounding, formatStep(format, distance, near_by));
+    }
     if (format == Format::rgba16f) return floatStep(10);
     if (format == Format::rgba32f) return floatStep(23);
     // Depths near 1, where most of them lie, are as fine in single float as in 24 bits.

@@ -44,6 +44,7 @@ StressShot yardMoved(double radii, Extent size, bool in_vertices)
     Scene scene = placed(yardScene(), glm::translate(glm::dmat4(1.0), offset));
     StressShot shot = yard(view, size, in_vertices ? baked(scene) : scene);
     shot.farthest = yard(yardView(), size).farthest;
+    if (in_vertices) shot.coordinates = far;
     return shot;
 }
 

@@ -105,7 +105,7 @@ void addShot(ContentHash& hash, const StressShot& shot)
     addImage(hash, shot.distances);
     hash.add(shot.extent.width);
     hash.add(shot.extent.height);
-    for (const double number : {shot.farthest, shot.near_distance, shot.far_distance})
+    for (const double number : {shot.farthest, shot.near_distance, shot.far_distance, shot.coordinates})
         hash.add(number);
     hash.add(shot.shift_px);
     hash.add(shot.mirrored);

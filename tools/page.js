@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What pages share: their data, and making elements. Text goes in as text, never as markup.
+"use strict";
+const data = JSON.parse(document.getElementById("data").textContent);
+const SVG = "http://www.w3.org/2000/svg";
+
+function add(parent, tag, attributes = {}, ...children) {
+  const svg = parent.namespaceURI === SVG || tag === "svg";
+  const node = svg ? document.createElementNS(SVG, tag) : document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on"))
+      node.addEventListener(name.slice(2), value);
+    else if (value !== null)
+      node.setAttribute(name, value);
+  }
+  node.append(...children.map(String));
+  parent.append(node);
+  return node;
+}
