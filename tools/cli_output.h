@@ -15,8 +15,9 @@ enum ExitCode {
     kExitUsage = 2,     ///< The arguments cannot be understood.
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
-    kExitDiffers = 5,   ///< `compare`, `compare-bench`: over a limit; `doctor`: a pass is wrong.
-    kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
+    kExitDiffers = 5,   ///< `compare`, `compare-bench`: over a limit; `doctor`: a pass is wrong;
+                             ///< `stress`: a case fails.
+    kExitInterrupted = 130,  ///< `bench`, `stress`: stopped by SIGINT or SIGTERM; can go on.
 };
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.

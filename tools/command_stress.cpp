@@ -4,6 +4,7 @@
 #include "tools/commands.h"
 #include "tools/image_file.h"
 #include "tools/open_device.h"
+#include "tools/reference_cache.h"
 #include "tools/scene_options.h"
 #include "tools/stress_report.h"
 #include "tools/stress_run.h"
@@ -23,6 +24,7 @@ namespace {
 struct StressCommand {
     StressOptions stress;
     ConfigOptions config;
+    CacheOptions cache;
     std::string backend;
     std::string size = "256x144";
     std::string shard = "1/1";
@@ -154,7 +156,7 @@ int measureAll(const StressCommand& command, const std::vector<StressTask>& task
     if (!known) return report(known.diagnostics(), command.json);
 
     Progress progress;
-    StressMeter meter(*open->device, sources);
+    StressMeter meter(*open->device, sources, command.cache.path());
     StressWorld world;
     world.device = open->device->caps().name;
     world.version = CREVICE_VERSION;
@@ -241,6 +243,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
         ->type_name("FOLDER")
         ->capture_default_str();
     addConfigOptions(*command, options->config);
+    addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
     command->add_flag("--list", options->list, "Print the cases and stop");
     command->add_flag("--json", options->json, "Print the table as JSON");

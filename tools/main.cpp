@@ -26,7 +26,7 @@ int run(int argc, char** argv)
     app.set_version_flag("--version", "crevice " CREVICE_VERSION);
     app.require_subcommand(1);
     app.footer("Exit codes: 0 done, 1 bad input, 2 bad usage, 3 the machine lacks something,\n"
-               "4 a result cannot be written, 5 over a limit, or a pass is wrong, 130 interrupted.\n"
+               "4 a result cannot be written, 5 over a limit, or something is wrong, 130 interrupted.\n"
                "Each command has its own --help with examples.");
     crevice::addRenderCommand(app, exit_code);
     crevice::addValidateCommand(app, exit_code);

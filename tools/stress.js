@@ -28,7 +28,8 @@ function drawCurves(parent, row, chosen) {
   const gap = Math.ceil(count * 70 / (right - left));
   test.steps.forEach((label, i) => {
     if (i % gap === 0)
-      add(svg, "text", {x: X(i), y: bottom + 17, "text-anchor": "middle"}, label.slice(0, 14));
+      add(svg, "text", {x: X(i), y: bottom + 17,
+        "text-anchor": i === count - 1 && count > 1 ? "end" : "middle"}, label.slice(0, 14));
   });
   add(svg, "text", {x: (left + right) / 2, y: height - 6, "text-anchor": "middle"}, test.unit);
   add(svg, "line", {class: "axis", x1: X(test.ordinary), x2: X(test.ordinary), y1: top, y2: bottom});
@@ -130,6 +131,9 @@ const select = s => {
   const card = add(panel, "div", {class: "card"});
   add(card, "p", {}, caseOf(s.case).what);
   add(card, "p", {class: s.state}, s.text);
+  const ordinary = s.steps[caseOf(s.case).ordinary];
+  if (ordinary && ordinary.rmse >= 0)
+    add(card, "p", {class: "soft"}, `Its ordinary picture is off the ray-traced truth by ${three(ordinary.rmse)} (rmse).`);
   if (s.state !== "absent") drawCurves(card, rowOf(s), s);
   showSteps(card, s);
   showPictures(card, s);

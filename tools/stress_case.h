@@ -57,6 +57,7 @@ struct StressShot {
     /// and left and right changed.
     int shift_px = 0;
     bool mirrored = false;
+    int block_px = 1;  ///< Means over such squares are compared: noise that stays with pixels evens out.
 
     /// Pixels, counted from the lower left, about which the pictures may differ, as far as `reach_px`.
     std::vector<glm::ivec2> spoiled = {};

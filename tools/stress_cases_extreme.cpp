@@ -85,9 +85,9 @@ StressShot yardMeshes(double kind, Extent size)
 {
     StressView view = yardView();
     Scene scene = yardScene();
-    glm::mat4& placed_at = scene.instances.back().world_from_model;
+    glm::dmat4& placed_at = scene.instances.back().world_from_model;
     const auto scaled = [](double x, double y, double z) {
-        return glm::mat4(glm::scale(glm::dmat4(1.0), {x, y, z}));
+        return glm::scale(glm::dmat4(1.0), {x, y, z});
     };
     switch (static_cast<int>(kind)) {
     case 1: setNormals(ball(scene), 0); break;
@@ -122,7 +122,7 @@ void putOnSurface(StressShot& shot, double distance)
         const glm::dvec4 ray = view_from_clip * glm::dvec4(x, y, 1, 1);
         shot.scene.lights.push_back(lamp);
         shot.scene.lights.back().light.position =
-            glm::vec3(glm::dvec3(ray) * (distance / -ray.z));
+            glm::dvec3(ray) * (distance / -ray.z);
     }
 }
 
@@ -142,7 +142,7 @@ StressShot planeLamps(double value, Extent size)
     for (SceneLight& lamp : shot.scene.lights) {
         if (kind == 2 || all) lamp.light.attenuation = glm::vec3(0);
         if (kind == 5 || all) lamp.light.color = glm::vec3(1e6f);
-        if (kind == 6) lamp.light.position = glm::vec3(0);
+        if (kind == 6) lamp.light.position = glm::dvec3(0);
         if (kind == 7) lamp.light.direction = glm::vec3(0);
     }
     return shot;

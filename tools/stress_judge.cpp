@@ -34,8 +34,9 @@ Verdict judgeSoundness(const StressRecord& record)
 Verdict judgeOpen(const StressRecord& record)
 {
     if (record.judged_mean >= kOpenMean && record.judged_below == 0) return {};
+    const std::string share = number(record.judged_below * 100) + " % below 0.95";
     return breaks("mean " + number(record.judged_mean) + ", least " + number(record.judged_least) +
-                  ", " + number(record.judged_below * 100) + " % below 0.95");
+                  (record.judged_below > 0 ? ", " + share : ""));
 }
 
 /// Against the step before, on the way from `step` to the ordinary one or to the first.

@@ -5,28 +5,24 @@
 #include "tools/bench_samples.h"
 #include "tools/content_hash.h"
 #include "tools/garbage_device.h"
+#include "tools/image_metrics.h"
 #include "tools/read_output.h"
+#include "tools/reference_cache.h"
 #include "tools/scene_upload.h"
+#include "tools/stress_figures.h"
 #include "tools/stress_host.h"
 #include "tools/target_health.h"
 #include "tools/watched_targets.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 
 namespace crevice {
 namespace {
 
 constexpr float kGarbage = 0.8713f;  // where a format holds no NaN
-
-/// A step of the format up to this share of the radius is none of the config's business.
-constexpr double kResolvedShare = 0.1;
-
-constexpr double kMiddle = 0.8;  // share of width and height that planes are judged in
-constexpr float kClosed = 0.95f;
-constexpr int kBorders = 8;  // an eighth of the width at either side
+constexpr int kTruthRays = 64;       // a pixel: an error of context needs no more
 
 std::string shortest(double value)
 {
@@ -73,9 +69,17 @@ void addImage(ContentHash& hash, const Image& image)
     hash.addBytes(image.pixels.data(), image.pixels.size() * sizeof(float));
 }
 
-void addMatrix(ContentHash& hash, const glm::mat4& matrix)
+template <class Matrix>
+void addMatrix(ContentHash& hash, const Matrix& matrix)
 {
-    hash.addBytes(&matrix[0][0], 16 * sizeof(float));
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) hash.add(matrix[column][row]);
+}
+
+template <class Vector>
+void addVector(ContentHash& hash, const Vector& vector)
+{
+    for (int i = 0; i < 3; ++i) hash.add(vector[i]);
 }
 
 void addShot(ContentHash& hash, const StressShot& shot)
@@ -88,13 +92,15 @@ void addShot(ContentHash& hash, const StressShot& shot)
         hash.add(instance.mesh);
         addMatrix(hash, instance.world_from_model);
     }
-    for (const SceneLight& lamp : shot.scene.lights)
-        for (const glm::vec3& part : {lamp.light.position, lamp.light.direction, lamp.light.color,
-                                      lamp.light.attenuation})
-            hash.addBytes(&part[0], 3 * sizeof(float));
+    for (const SceneLight& lamp : shot.scene.lights) {
+        addVector(hash, lamp.light.position);
+        addVector(hash, lamp.light.direction);
+        addVector(hash, lamp.light.color);
+        addVector(hash, lamp.light.attenuation);
+    }
     for (const SceneMaterial& material : shot.scene.materials) {
         hash.add(material.shininess);
-        hash.addBytes(&material.specular[0], 3 * sizeof(float));
+        addVector(hash, material.specular);
     }
     addMatrix(hash, shot.camera.view_from_world);
     addMatrix(hash, shot.camera.clip_from_view);
@@ -109,114 +115,13 @@ void addShot(ContentHash& hash, const StressShot& shot)
         hash.add(number);
     hash.add(shot.shift_px);
     hash.add(shot.mirrored);
+    hash.add(shot.block_px);
     for (const glm::ivec2 at : shot.spoiled) {
         hash.add(at.x);
         hash.add(at.y);
     }
     hash.add(shot.reach_px);
     if (shot.host) addMatrix(hash, shot.host_camera.clip_from_view);
-}
-
-/// Mean, least and most of the finite pixels, and how many lie outside [0, 1].
-void describeOcclusion(const Image& ao, StressRecord& record)
-{
-    double sum = 0;
-    long long count = 0;
-    record.least = HUGE_VAL;
-    record.most = -HUGE_VAL;
-    for (std::size_t i = 0; i < ao.pixels.size(); i += ao.channels) {
-        const double value = ao.pixels[i];
-        if (!std::isfinite(value)) continue;
-        sum += value;
-        ++count;
-        record.least = std::min(record.least, value);
-        record.most = std::max(record.most, value);
-        record.out_of_range += value < 0 || value > 1;
-    }
-    if (count == 0) record.least = record.most = 0;
-    record.mean = count > 0 ? sum / static_cast<double>(count) : 0;
-}
-
-/// What the format makes of the surface, and the pixels of the middle where that is fine enough.
-void judgeResolved(const Image& ao, const StressShot& shot, Format format, StressRecord& record)
-{
-    const auto shareAt = [&](double distance) {
-        return shot.radius > 0 ? formatStep(format, distance, shot) / shot.radius : 0.0;
-    };
-    if (shot.distances.pixels.empty()) {
-        record.step_share = shot.farthest > 0 ? shareAt(shot.farthest) : 0;
-        record.resolved = record.step_share <= kResolvedShare ? 1 : 0;
-        return;
-    }
-    const Extent size = shot.extent;
-    const int left = static_cast<int>(size.width * (1 - kMiddle) / 2);
-    const int low = static_cast<int>(size.height * (1 - kMiddle) / 2);
-    long long seen = 0, resolved = 0, below = 0;
-    double sum = 0;
-    record.judged_least = 1;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const double distance = shot.distances.at(x, y);
-            if (distance <= 0) continue;
-            ++seen;
-            if (shareAt(distance) > kResolvedShare) continue;
-            ++resolved;
-            const float value = ao.at(x, y);
-            if (x < left || x >= size.width - left || y < low || y >= size.height - low ||
-                !std::isfinite(value))
-                continue;
-            ++record.judged;
-            sum += value;
-            below += value < kClosed;
-            record.judged_least = std::min<double>(record.judged_least, value);
-        }
-    const double middle = shot.distances.at(size.width / 2, size.height / 2);
-    record.step_share = middle > 0 ? shareAt(middle) : 0;
-    record.resolved = seen > 0 ? static_cast<double>(resolved) / static_cast<double>(seen) : 1;
-    const double judged = static_cast<double>(std::max(record.judged, 1LL));
-    record.judged_mean = record.judged > 0 ? sum / judged : 0;
-    record.judged_below = static_cast<double>(below) / judged;
-}
-
-bool isNear(const StressShot& shot, int x, int y)
-{
-    return std::any_of(shot.spoiled.begin(), shot.spoiled.end(), [&](const glm::ivec2 at) {
-        return std::max(std::abs(at.x - x), std::abs(at.y - y)) <= shot.reach_px;
-    });
-}
-
-/// The mean absolute change over what both pictures show; where that is not a number in one, 1.
-/// Where pixels are spoiled, the largest change farther away.
-double meanChange(const Image& ordinary, const Image& image, const StressShot& shot)
-{
-    if (!(ordinary.extent == image.extent)) return 1;
-    const int width = image.extent.width;
-    // What lies off the screen says nothing, so pictures of other extents differ along their borders.
-    const int border = shot.shift_px == 0 ? 0 : width / kBorders;
-    double sum = 0, largest = 0;
-    long long count = 0;
-    for (int y = 0; y < image.extent.height; ++y)
-        for (int x = border; x < width - border; ++x) {
-            const int other = shot.mirrored ? width - 1 - x : x + shot.shift_px;
-            if (other < border || other >= width - border || isNear(shot, x, y)) continue;
-            const double change = std::abs(image.at(x, y) - ordinary.at(other, y));
-            sum += std::isfinite(change) ? change : 1;
-            largest = std::max(largest, std::isfinite(change) ? change : 1);
-            ++count;
-        }
-    if (!shot.spoiled.empty()) return largest;
-    return count > 0 ? sum / static_cast<double>(count) : 1;
-}
-
-double radiusInPixels(const StressShot& shot)
-{
-    double distance = shot.farthest;
-    if (!shot.distances.pixels.empty())
-        distance = shot.distances.at(shot.extent.width / 2, shot.extent.height / 2);
-    if (shot.camera.orthographic()) distance = 1;
-    if (distance <= 0) return 0;
-    return shot.radius * std::abs(shot.camera.clip_from_view[1][1]) * shot.extent.height /
-           (2 * distance);
 }
 
 }  // namespace
@@ -244,11 +149,12 @@ std::vector<std::string> surfaceFormats(const Description& description)
     return {""};
 }
 
-StressMeter::StressMeter(Device& device, const SourceSet& sources)
+StressMeter::StressMeter(Device& device, const SourceSet& sources, std::string cache_folder)
     : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)),
       sources_(sources),
       host_modules_(hostModules()),
-      host_sources_({&host_modules_, &sources_})
+      host_sources_({&host_modules_, &sources_}),
+      cache_folder_(std::move(cache_folder))
 {
 }
 
@@ -393,9 +299,28 @@ void StressMeter::compare(const StressTask& task, Extent size, const StressShot&
 {
     if (task.stress->expectation != Expectation::same) return;
     if (const Image* ordinary = ordinaryOf(task, size))
-        done.record.change = meanChange(*ordinary, done.ao, shot);
+        done.record.change = changeBetween(*ordinary, done.ao, shot);
     else
         done.record.absent = "the ordinary picture cannot be drawn";
+}
+
+/// Against the truth, at the ordinary step of scenes that have one worth knowing; else -1.
+double StressMeter::errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const
+{
+    const Expectation expected = task.stress->expectation;
+    const bool worth = expected == Expectation::same || expected == Expectation::opens ||
+                       expected == Expectation::darkens;
+    if (!worth || !canTrace() || !task.format.empty() ||
+        task.step != static_cast<int>(task.stress->ordinary))
+        return -1;
+    TraceOptions trace;
+    trace.radius = shot.radius;
+    trace.rays = kTruthRays;
+    const Result<Image> truth =
+        cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
+    if (!truth) return -1;
+    const Result<ImageDifference> difference = compareImages(ao, *truth);
+    return difference ? difference->rmse : -1;
 }
 
 StressDrawing StressMeter::measure(const StressTask& task, Extent size)
@@ -431,7 +356,8 @@ StressDrawing StressMeter::measure(const StressTask& task, Extent size)
     record.stored = formatInfo(drawn->stored).name;
     record.radius_px = radiusInPixels(shot);
     describeOcclusion(done.ao, record);
-    judgeResolved(done.ao, shot, drawn->stored, record);
+    describeSurface(done.ao, shot, drawn->stored, record);
+    record.rmse = errorOf(task, shot, done.ao);
     compare(task, size, shot, done);
     return done;
 }

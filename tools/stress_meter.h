@@ -34,7 +34,8 @@ std::vector<std::string> surfaceFormats(const Description& description);
 /// outlive it.
 class StressMeter {
 public:
-    StressMeter(Device& device, const SourceSet& sources);
+    /// Truths are kept in `cache_folder`; empty for nowhere.
+    StressMeter(Device& device, const SourceSet& sources, std::string cache_folder);
     ~StressMeter();
 
     /// What decides a step's figures, device and version apart: 16 hex digits.
@@ -51,6 +52,7 @@ private:
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Image* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
+    double errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const;
 
     const SourceSet& sourcesFor(const StressShot& shot) const;
 
@@ -58,6 +60,7 @@ private:
     const SourceSet& sources_;
     const MemorySources host_modules_;
     const LayeredSources host_sources_;
+    const std::string cache_folder_;
     std::string renderer_of_;
     std::unique_ptr<Renderer> renderer_;
     std::string ordinary_of_;

@@ -72,6 +72,7 @@ public:
                 {"share", record->step_share},
                 {"stored", record->stored},
                 {"radius_px", record->radius_px},
+                {"rmse", record->rmse},
                 {"picture", record->picture}};
     }
 

@@ -108,7 +108,7 @@ Camera cameraOf(const StressView& view, Extent size)
         for (int column = 0; column < 4; ++column) clip[column][2] = -clip[column][2];
     const double shift = 2.0 * view.shift_px / size.width;
     for (int column = 0; column < 4; ++column) clip[column][0] -= shift * clip[column][3];
-    return {glm::mat4(glm::translate(glm::dmat4(1.0), -view.eye)), glm::mat4(clip)};
+    return {glm::translate(glm::dmat4(1.0), -view.eye), glm::mat4(clip)};
 }
 
 PlaneView planeView(const StressView& view, Extent size, double distance, double tilt_degrees)
@@ -167,11 +167,9 @@ Scene cornerScene()
 Scene placed(Scene scene, const glm::dmat4& first)
 {
     for (SceneInstance& instance : scene.instances)
-        instance.world_from_model = glm::mat4(first * glm::dmat4(instance.world_from_model));
+        instance.world_from_model = first * instance.world_from_model;
     for (SceneLight& lamp : scene.lights)
-        if (!lamp.light.directional)
-            lamp.light.position =
-                glm::vec3(first * glm::dvec4(glm::dvec3(lamp.light.position), 1.0));
+        lamp.light.position = glm::dvec3(first * glm::dvec4(lamp.light.position, 1.0));
     return scene;
 }
 

@@ -8,7 +8,7 @@
 
 namespace crevice {
 
-/// A view along -z, from a place whose coordinates a float holds.
+/// A view along -z.
 struct StressView {
     glm::dvec3 eye = {0, 0, 0};
     double fov_degrees = 45;
