@@ -232,7 +232,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
         ->type_name("WxH")
         ->capture_default_str();
     command->add_flag("--quick", options->stress.quick,
-                      "The ends of each case alone, in the configs' own formats");
+                      "Two or three steps of each case, in the configs' own formats");
     command->add_option("--time-budget", options->time_budget,
                         "Begin no step after this time: 90s, 10m, 1.5h");
     command->add_option("--shard", options->shard, "Draw the Ith of N shares of the cases")

@@ -22,6 +22,9 @@ std::vector<StressStep> kinds(std::initializer_list<const char*> labels);
 std::vector<StressStep> shapes();
 Extent shapeOf(double kind);
 
+/// Smaller for the most taps, -1, of which some configs take thousands.
+Extent sizeForTaps(double samples, Extent size);
+
 /// From 1:10 to 1e-4:1e7, by powers of ten of the near distance.
 std::vector<StressStep> nearFarSteps();
 StressView nearFarView(double power);

@@ -58,6 +58,12 @@ Extent shapeOf(double kind)
     return kShapes[static_cast<int>(kind)].size;
 }
 
+Extent sizeForTaps(double samples, Extent size)
+{
+    if (samples > 0) return size;
+    return {(size.width + 3) / 4, (size.height + 3) / 4};
+}
+
 std::vector<StressStep> nearFarSteps()
 {
     return {{0, "1:1e1"}, {1, "0.1:316"}, {2, "0.01:1e4"}, {3, "1e-3:3e5"}, {4, "1e-4:1e7"}};

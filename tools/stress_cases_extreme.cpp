@@ -28,7 +28,7 @@ StressShot cornerRadius(double radius, Extent size)
 
 StressShot yardSamples(double samples, Extent size)
 {
-    StressShot shot = yardShot(yardView(), size);
+    StressShot shot = yardShot(yardView(), sizeForTaps(samples, size));
     shot.samples = static_cast<int>(samples);
     return shot;
 }

@@ -72,7 +72,7 @@ StressShot planeRadiusPixels(double pixels, Extent size)
 
 StressShot planeSamples(double samples, Extent size)
 {
-    StressShot shot = planeShot({}, size, kDistance, 60);
+    StressShot shot = planeShot({}, sizeForTaps(samples, size), kDistance, 60);
     shot.samples = static_cast<int>(samples);
     return shot;
 }

@@ -117,10 +117,7 @@ Breakdown findBreakdown(const StressCase& stress, const std::vector<const Stress
     Breakdown found;
     found.absent = true;
     for (std::size_t i = 0; i < stress.steps.size(); ++i) {
-        if (!series[i]) {
-            found.complete = false;
-            continue;
-        }
+        if (!series[i]) continue;
         const Outcome outcome = judge(stress, series, i).outcome;
         found.failures += outcome == Outcome::breaks;
         found.refused += outcome == Outcome::refused;
@@ -133,7 +130,7 @@ Breakdown findBreakdown(const StressCase& stress, const std::vector<const Stress
 
 std::string describe(const StressCase& stress, const Breakdown& breakdown)
 {
-    if (breakdown.absent) return breakdown.complete ? "not in this config" : "not measured";
+    if (breakdown.absent) return "not in this config";
     const Reach &down = breakdown.down, &up = breakdown.up;
     std::string text;
     if (down.holds_to >= 0 && up.holds_to >= 0)
@@ -147,7 +144,6 @@ std::string describe(const StressCase& stress, const Breakdown& breakdown)
             text += (text.empty() ? "" : "; ") + breakText(stress, *reach);
     if (breakdown.refused > 0)
         text += (text.empty() ? "" : "; ") + std::to_string(breakdown.refused) + " refused";
-    if (!breakdown.complete) text += (text.empty() ? "" : "; ") + std::string("not all measured");
     return text.empty() ? "beyond the format" : text;
 }
 

@@ -85,7 +85,6 @@ struct Breakdown {
     Reach down, up;      ///< Towards the first and the last step; both begin at the ordinary one.
     int failures = 0;
     int refused = 0;
-    bool complete = true;  ///< No step is missing.
     bool absent = false;   ///< There is no figure at all.
 };
 

@@ -16,7 +16,7 @@ struct StressOptions {
     std::vector<std::string> cases = {};    ///< Empty: all.
     std::string variant = {};
     std::vector<std::string> overrides = {};
-    bool quick = false;  ///< The ends of each case alone, in the configs' own formats.
+    bool quick = false;  ///< Two or three steps of each case, in the configs' own formats.
     Shard shard = {};    ///< By config and case.
 };
 
