@@ -118,8 +118,6 @@ void decideConditions(State& state);
 
 // compile_shaders.cpp
 void readShaders(State& state);
-GlslDefines definesFor(const Description& description, const SceneTraits& traits,
-                       const ShaderDesc& shader);
 
 // compile_inputs.cpp
 void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
@@ -148,6 +146,8 @@ std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
 
 // compile_textures.cpp
+/// The first of its formats that the device renders to; the first of all where there is none.
+Format chosenFormat(const State& state, const TargetDesc& target);
 void chooseExtents(State& state);
 void chooseFormats(State& state);
 /// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.

@@ -9,21 +9,6 @@ namespace crevice::compiler {
 
 namespace {
 
-// OpenGL ES 3.0, table 3.13 and section 3.8.13: depth without comparison and 32-bit floats do not
-// filter, and a sampler that asks for it reads black.
-bool canFilter(Format format)
-{
-    switch (format) {
-    case Format::r32f:
-    case Format::rg32f:
-    case Format::rgba32f:
-    case Format::depth16:
-    case Format::depth24:
-    case Format::depth32f: return false;
-    default: return true;
-    }
-}
-
 void checkSampling(State& state, const Pass& pass)
 {
     for (const Read& read : pass.reads) {
@@ -31,7 +16,7 @@ void checkSampling(State& state, const Pass& pass)
         const std::optional<Source> source = resolve(state, read.named);
         const bool target = source && (source->kind == InputKind::target ||
                                        source->kind == InputKind::history);
-        if (!target || canFilter(state.targets[source->index].format)) continue;
+        if (!target || formatInfo(state.targets[source->index].format).filterable) continue;
         const std::string format = formatInfo(state.targets[source->index].format).name;
         Diagnostic& error = report(
             state, Code::cannot_filter,

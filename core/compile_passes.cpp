@@ -110,6 +110,18 @@ void Builder::use(const T& desc, std::vector<T>& used) const
 
 // ---- passes
 
+// The test that passes nearer things where they have more depth rather than less.
+Compare reversed(Compare test)
+{
+    switch (test) {
+    case Compare::less: return Compare::greater;
+    case Compare::less_equal: return Compare::greater_equal;
+    case Compare::greater: return Compare::less;
+    case Compare::greater_equal: return Compare::less_equal;
+    default: return test;
+    }
+}
+
 PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) const
 {
     PlanAttachment result;
@@ -134,6 +146,8 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     if (depth) result.clear = {1, 1, 1, 1};
     for (const ClearDesc& clear : desc.clear)
         if (clear.target.name == result.name) result.clear = clear.value;
+    if (depth && state_.traits.reversed_depth)
+        for (float& value : result.clear) value = 1.0f - value;
     result.reason = desc.type == PassType::draw    ? "a draw does not cover every pixel"
                     : state.blend != Blend::none ? "the pass blends with what is there"
                                                    : "the pass leaves pixels as they are";
@@ -193,6 +207,7 @@ void Builder::addPass(int index)
     result.type = desc.type;
     result.program = program(pass);
     result.state = desc.state;
+    if (state_.traits.reversed_depth) result.state.depth_test = reversed(desc.state.depth_test);
     result.extent = extentOf(state_, pass);
     result.samples = samplesOf(state_, pass);
     addInputs(pass, result);

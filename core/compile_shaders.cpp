@@ -6,6 +6,7 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 namespace crevice::compiler {
@@ -37,6 +38,36 @@ void addTraits(GlslDefines& defines, const SceneTraits& traits)
         defines[trait.define] = std::to_string(trait.value(traits));
 }
 
+// How finely a format tells values apart, as GLSL.
+std::string stepsOf(Format format)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, "vec2(%.3e, %.3e)", formatInfo(format).absolute_step,
+                  formatInfo(format).relative_step);
+    return text;
+}
+
+void addSteps(GlslDefines& defines, const State& state)
+{
+    for (const TargetDesc& target : state.description.targets)
+        defines[upperCase(target.name) + "_STEP"] = stepsOf(chosenFormat(state, target));
+    for (const ImportDesc& import : state.description.imports)
+        if (import.type == ImportType::texture)
+            defines[upperCase(import.name) + "_STEP"] = stepsOf(formatFromName(import.format));
+}
+
+GlslDefines definesFor(const State& state, const ShaderDesc& shader)
+{
+    GlslDefines defines;
+    addSteps(defines, state);
+    for (const ParamDesc& param : state.description.params)
+        if (param.bind == Bind::define) defines[upperCase(param.name)] = literal(param);
+    for (const FeatureDesc& feature : state.description.features) addFeature(defines, feature);
+    addTraits(defines, state.traits);
+    for (const auto& [name, value] : shader.defines) defines[name] = value;
+    return defines;
+}
+
 std::map<std::string, std::string> interfaceFiles(const Description& description)
 {
     std::map<std::string, std::string> files;
@@ -51,7 +82,7 @@ const Shader& assembled(State& state, int index)
     if (shader.assembled) return shader;
     shader.assembled = true;
     const ShaderDesc& desc = state.description.shaders[index];
-    const GlslDefines defines = definesFor(state.description, state.traits, desc);
+    const GlslDefines defines = definesFor(state, desc);
     const auto interfaces = interfaceFiles(state.description);
     auto stage = [&](const Reference& path, GlslStage& into) {
         Result<GlslStage> result =
@@ -135,18 +166,6 @@ void readPass(State& state, Pass& pass)
 }
 
 }  // namespace
-
-GlslDefines definesFor(const Description& description, const SceneTraits& traits,
-                       const ShaderDesc& shader)
-{
-    GlslDefines defines;
-    for (const ParamDesc& param : description.params)
-        if (param.bind == Bind::define) defines[upperCase(param.name)] = literal(param);
-    for (const FeatureDesc& feature : description.features) addFeature(defines, feature);
-    addTraits(defines, traits);
-    for (const auto& [name, value] : shader.defines) defines[name] = value;
-    return defines;
-}
 
 void readShaders(State& state)
 {

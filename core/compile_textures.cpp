@@ -138,14 +138,6 @@ std::string listed(const std::vector<Format>& formats)
     return names;
 }
 
-// The first format that the device renders to; the first of all where there is none.
-Format firstRenderable(const State& state, const TargetDesc& desc)
-{
-    for (const Format format : desc.formats)
-        if (state.caps.canRender(format)) return format;
-    return desc.formats.front();
-}
-
 void checkFormat(State& state, const TargetDesc& desc, Format chosen)
 {
     if (!state.caps.canRender(chosen)) {
@@ -205,6 +197,13 @@ private:
 
 }  // namespace
 
+Format chosenFormat(const State& state, const TargetDesc& target)
+{
+    for (const Format format : target.formats)
+        if (state.caps.canRender(format)) return format;
+    return target.formats.front();
+}
+
 void chooseExtents(State& state)
 {
     const int limit = state.caps.max_texture_size;
@@ -242,7 +241,7 @@ void chooseFormats(State& state)
     }
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const TargetDesc& desc = state.description.targets[i];
-        state.targets[i].format = firstRenderable(state, desc);
+        state.targets[i].format = chosenFormat(state, desc);
         if (state.targets[i].textured) checkFormat(state, desc, state.targets[i].format);
     }
 }

@@ -259,8 +259,7 @@ bool read(Report& report, const Cursor& cursor, std::vector<Reference>& out, con
 
 bool read(Report& report, const Cursor& cursor, std::vector<Format>& out, const Rule&)
 {
-    std::vector<std::string> names;
-    for (const FormatInfo& info : allFormats()) names.push_back(info.name);
+    const std::vector<std::string>& names = formatNames();
     return forEachItem(report, cursor, [&](const Cursor& item) {
         std::size_t index = 0;
         if (!readWord(report, item, names, index)) return false;

@@ -72,6 +72,7 @@ enum class ImportType { camera, draw_list, lights, texture };
 struct ImportDesc : Named {
     ImportType type = ImportType::texture;
     bool optional = false;  ///< Absent is allowed: 0 for a texture, no lights, nothing drawn.
+    std::string format = "depth24";  ///< Of a texture: how finely it tells values apart.
 };
 
 /// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.

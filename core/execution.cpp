@@ -9,6 +9,13 @@
 namespace crevice {
 namespace {
 
+// The state that culls what `state` keeps, for things that are mirrored.
+StateDesc turned(StateDesc state)
+{
+    state.cull = state.cull == Cull::back ? Cull::front : Cull::back;
+    return state;
+}
+
 TextureId findTexture(const std::vector<ImportedTexture>& textures, std::string_view name)
 {
     for (const ImportedTexture& texture : textures)
@@ -176,8 +183,14 @@ void Execution::runPass(const PreparedPass& pass, const Frame& frame, const Came
 
 void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
 {
+    bool mirrored = false;
     for (const DrawItem& item : frame.draws) {
         if (item.count == 0) continue;
+        if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
+            mirrored = !mirrored;
+            device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);
+            setTextures(pass.textures);
+        }
         const Material& material = frame.materials[item.material];
         values_.setDraw(item, material, camera);
         setUniforms(pass.draw_uniforms);

@@ -69,6 +69,8 @@ void fields(V& v, ImportDesc& i)
     v.field("type", i.type, "What the host supplies; a texture is a sampler of this name.",
             required());
     v.field("optional", i.optional, "The host may leave it out: zeros, no lights, nothing drawn.");
+    v.field("format", OneOf{i.format, formatNames()},
+            "Of a texture: what the host stores it in. Shaders allow for its steps.");
 }
 
 template <class V>
@@ -179,7 +181,7 @@ void fields(V& v, std::pair<Reference, Reference>& uniform)
 template <class V>
 void fields(V& v, StateDesc& s)
 {
-    v.field("depth_test", s.depth_test, "Less for a draw pass with depth, when absent.");
+    v.field("depth_test", s.depth_test, "Less for a draw pass with depth, when absent. Less is nearer, also where a camera reverses depth.");
     v.field("depth_write", s.depth_write, "True for a draw pass with depth, when absent.");
     v.field("cull", s.cull, "Which side of a triangle is left out.");
     v.field("blend", s.blend, "How a pixel joins what is there.");

@@ -2,6 +2,7 @@
 // Texture formats and the facts about them that need no GL. JSON writes them in lower case.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct FormatInfo {
     int channels;
     int bytes;       ///< A texel; depth24 counts 4.
     bool core_renderable;  ///< OpenGL ES 3.0 renders to it with no extension.
+    bool filterable;       ///< ... and reads it with the filter linear; else that reads black
+                           ///< (table 3.13, section 3.8.13).
+    double absolute_step;  ///< Between neighbouring values: this much,
+    double relative_step;  ///< and this share of the value, at most.
 };
 
 /// Facts about `format`; Format::none has zero channels and bytes.
@@ -44,6 +49,9 @@ const FormatInfo& formatInfo(Format format);
 
 /// The format of that JSON name; Format::none when there is none.
 Format formatFromName(std::string_view name);
+
+/// The JSON spellings of all formats but none, in the order of the enum.
+const std::vector<std::string>& formatNames();
 
 /// All formats but none, in the order of the enum.
 const std::vector<FormatInfo>& allFormats();

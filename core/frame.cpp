@@ -15,6 +15,13 @@ bool Camera::orthographic() const
     return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f;
 }
 
+bool Camera::reversedDepth() const
+{
+    // The sign of how depth changes with view z, which falls with distance.
+    const glm::dmat4 m = clip_from_view;
+    return m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0;
+}
+
 const Camera& cameraOf(const Frame& frame, std::size_t view)
 {
     return view == 0 ? frame.camera : frame.other_views[view - 1].camera;
@@ -24,7 +31,8 @@ bool SceneTraits::operator==(const SceneTraits& other) const
 {
     return lights == other.lights && alpha_tested == other.alpha_tested &&
            specular == other.specular && textured == other.textured &&
-           orthographic == other.orthographic && normal_mapped == other.normal_mapped &&
+           orthographic == other.orthographic &&
+           reversed_depth == other.reversed_depth && normal_mapped == other.normal_mapped &&
            baked_occlusion == other.baked_occlusion && views == other.views;
 }
 
@@ -33,6 +41,7 @@ SceneTraits traitsOf(const Frame& frame)
     SceneTraits traits;
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     traits.orthographic = frame.camera.orthographic();
+    traits.reversed_depth = frame.camera.reversedDepth();
     traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {
         if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size())) continue;

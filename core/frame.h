@@ -3,7 +3,8 @@
 //
 // GLSL sees them under these names. All vectors are in view space unless the name says otherwise.
 //
-//   camera     mat4 clip_from_view, view_from_clip, view_from_world, world_from_view
+//   camera     mat4 clip_from_view, view_from_clip, view_from_world, world_from_view;
+//              mat4 view_from_window (from uv and depth as a texture holds it, 0..1 each)
 //   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
 //              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
 //              float normal_scale (0 without a map), occlusion_strength; sampler2D
@@ -40,10 +41,13 @@ constexpr int kMaxLights = 16;
 /// shape: only matrices relative to the camera become float.
 struct Camera {
     glm::dmat4 view_from_world = glm::dmat4(1.0);
-    glm::mat4 clip_from_view = glm::mat4(1.0f);
+    glm::mat4 clip_from_view = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
 
     /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
     bool orthographic() const;
+
+    /// True when what is farther has less depth. Passes then test and clear depth the other way round.
+    bool reversedDepth() const;
 };
 
 /// Light in world space.
@@ -100,7 +104,7 @@ struct Frame {
     std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
-    std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic if `camera` (view 0) is.
+    std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic or reversed if `camera` is.
     bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
 };
 
@@ -114,6 +118,7 @@ struct SceneTraits {
     bool specular = false;       ///< scene.specular
     bool textured = false;       ///< scene.textured: some material has a base_color_map
     bool orthographic = false;   ///< camera.orthographic
+    bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
     bool normal_mapped = false;  ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
     int views = 1;                 ///< camera.views

@@ -86,13 +86,19 @@ Status checkCamera(const Camera& camera, std::size_t view)
 Status checkViews(const Frame& frame)
 {
     const bool orthographic = frame.camera.orthographic();
+    const bool reversed = frame.camera.reversedDepth();
     for (std::size_t view = 0; view <= frame.other_views.size(); ++view) {
         const Camera& camera = cameraOf(frame, view);
         if (Status status = checkCamera(camera, view); !status) return status;
-        if (camera.orthographic() != orthographic)
-            return bad("view " + std::to_string(view) + (orthographic ? " is not" : " is") +
-                           " orthographic, and the camera is" + (orthographic ? "" : " not"),
+        const auto unlike = [view](bool is, const char* what) {
+            return bad("view " + std::to_string(view) + (is ? " is " : " is not ") + what +
+                           ", and the camera is" + (is ? " not" : ""),
                        "draw it as a frame of its own, by another renderer");
+        };
+        if (camera.orthographic() != orthographic)
+            return unlike(camera.orthographic(), "orthographic");
+        if (camera.reversedDepth() != reversed)
+            return unlike(camera.reversedDepth(), "reversed in depth");
     }
     return {};
 }
@@ -134,6 +140,14 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix)
     if (!(size > 0.0)) return glm::mat3(1.0f);
     const double sign = glm::dot(x, cofactors[0]) < 0.0 ? -1.0 : 1.0;  // of the determinant
     return glm::mat3(cofactors * (sign / size));
+}
+
+bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
+{
+    const glm::dmat3 view_from_model(camera.view_from_world * item.world_from_model);
+    const glm::dmat4& clip = camera.clip_from_view;
+    const double upright = clip[0][0] * clip[1][1] - clip[0][1] * clip[1][0];
+    return (glm::determinant(view_from_model) < 0.0) != (upright < 0.0);
 }
 
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)

@@ -34,6 +34,9 @@ CameraMatrices cameraMatrices(const Camera& camera);
 /// transpose, but also right for a matrix that flattens, which has none. Rotations keep lengths.
 glm::mat3 normalMatrix(const glm::dmat4& matrix);
 
+/// Whether front faces of an item come out as back faces: it, the view or the projection mirrors.
+bool isMirrored(const DrawItem& item, const CameraMatrices& camera);
+
 /// A light in view space: (x, y, z, 1) of a point, (x, y, z, 0) towards a directional one.
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 

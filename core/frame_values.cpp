@@ -16,6 +16,7 @@ constexpr auto kLights = ImportType::lights;
 const FrameValueInfo kFrameValues[frame_value_count] = {
     {"clip_from_view", GlslType::mat4, 1, kCamera},
     {"view_from_clip", GlslType::mat4, 1, kCamera},
+    {"view_from_window", GlslType::mat4, 1, kCamera},
     {"view_from_world", GlslType::mat4, 1, kCamera},
     {"world_from_view", GlslType::mat4, 1, kCamera},
     {"light_count", GlslType::int_, 1, kLights},
@@ -40,7 +41,7 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"occlusion_strength", GlslType::float_, 1, kDrawList},
 };
 
-const TraitInfo kTraits[8] = {
+const TraitInfo kTraits[9] = {
     {"scene.lights", "SCENE_LIGHTS",
      [](const SceneTraits& traits) { return std::min(traits.lights, kMaxLights); }, true},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED",
@@ -51,6 +52,8 @@ const TraitInfo kTraits[8] = {
      [](const SceneTraits& traits) { return int(traits.textured); }, false},
     {"camera.orthographic", "CAMERA_ORTHOGRAPHIC",
      [](const SceneTraits& traits) { return int(traits.orthographic); }, false},
+    {"camera.reversed_depth", "CAMERA_REVERSED_DEPTH",
+     [](const SceneTraits& traits) { return int(traits.reversed_depth); }, false},
     {"camera.views", "CAMERA_VIEWS", [](const SceneTraits& traits) { return traits.views; }, true},
     {"scene.normal_mapped", "SCENE_NORMAL_MAPPED",
      [](const SceneTraits& traits) { return int(traits.normal_mapped); }, false},

@@ -14,7 +14,7 @@ namespace crevice {
 
 /// The frame's values, in the order of `kFrameValues`.
 enum FrameValue : std::size_t {
-    clip_from_view, view_from_clip, view_from_world, world_from_view, light_count, light_position,
+    clip_from_view, view_from_clip, view_from_window, view_from_world, world_from_view, light_count, light_position,
     light_color, light_attenuation, light_cone, ambient_light, viewport_size, history_valid,
     frame_index, previous_view_from_view, previous_clip_from_view, clip_from_model, view_from_model,
     view_normal_from_model, base_color, alpha_cutoff, specular, shininess, normal_scale,
@@ -41,7 +41,7 @@ struct TraitInfo {
     bool counted;  ///< A number, of which true means at least one; else 0 or 1.
 };
 
-extern const TraitInfo kTraits[8];
+extern const TraitInfo kTraits[9];
 
 /// The trait of that name, or null.
 const TraitInfo* findTrait(std::string_view name);

@@ -10,6 +10,9 @@
 namespace crevice {
 namespace {
 
+// Clip space is 2 wide about 0, windows 1 from 0 on.
+const glm::dmat4 kClipFromWindow(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1);
+
 /// 32-bit words that one element of a value takes.
 int wordsOf(GlslType type)
 {
@@ -79,6 +82,7 @@ void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
 {
     write(clip_from_view, glm::mat4(camera.clip_from_view));
     write(view_from_clip, glm::mat4(camera.view_from_clip));
+    write(view_from_window, glm::mat4(camera.view_from_clip * kClipFromWindow));
     write(view_from_world, glm::mat4(camera.view_from_world));
     write(world_from_view, glm::mat4(camera.world_from_view));
     write(ambient_light, frame.ambient_light);

@@ -80,6 +80,17 @@ TEST_CASE("Traits of the scene are defines")
     CHECK(defines(on, "CAMERA_ORTHOGRAPHIC 1"));
 }
 
+TEST_CASE("Shaders that ask are told how finely a texture tells values apart")
+{
+    const auto step = [](const std::string& format) {
+        return textWith("DEPTH_STEP", R"("imports": {"depth": {"type": "texture")" + format + "}}");
+    };
+    CHECK(defines(textWith("X_STEP"), "X_STEP vec2(3.922e-03, 0.000e+00)"));  // r8: 1 in 255
+    CHECK(defines(step(R"(, "format": "depth16")"), "DEPTH_STEP vec2(1.526e-05, 0.000e+00)"));
+    CHECK(defines(step(R"(, "format": "r16f")"), "DEPTH_STEP vec2(5.960e-08, 9.766e-04)"));
+    CHECK(defines(step(""), "DEPTH_STEP vec2(5.960e-08, 0.000e+00)"));  // as depth24
+}
+
 TEST_CASE("A shader's own defines win")
 {
     CHECK(defines(textWith("SOFT", R"("features": {"soft": {"type": "bool"}})", {},

@@ -162,7 +162,8 @@ TEST_CASE("Each trait of the scene and the camera can be a condition")
         {"scene.alpha_tested", {0, true, false, false, false}},
         {"scene.specular", {0, false, true, false, false}},
         {"scene.textured", {0, false, false, true, false}},
-        {"camera.orthographic", {0, false, false, false, true}}}));
+        {"camera.orthographic", {0, false, false, false, true}},
+        {"camera.reversed_depth", {0, false, false, false, false, true}}}));
     const Description description = describe(Sketch{
         {"a: -> x", "b: x -> y | \"when\": {\"" + name + R"(": true}, "bypass": {"y": "x"})"},
         {{"out", "y"}}});

@@ -83,6 +83,8 @@ TEST_CASE("Shaders get the camera's matrices and their inverses")
     CHECK(clip_from_view == rig.frame.camera.clip_from_view);
     CHECK(view_from_world == glm::mat4(rig.frame.camera.view_from_world));
     CHECK(difference(sentMatrix(rig, "view_from_clip") * clip_from_view, glm::mat4(1)) < 1e-4f);
+    const glm::vec4 middle = sentMatrix(rig, "view_from_window") * glm::vec4(0.5f, 0.5f, 0.75f, 1);
+    CHECK(glm::length(middle - sentMatrix(rig, "view_from_clip") * glm::vec4(0, 0, 0.5f, 1)) < 1e-5f);
     CHECK(difference(sentMatrix(rig, "world_from_view") * view_from_world, glm::mat4(1)) < 1e-5f);
 }
 
@@ -101,6 +103,33 @@ TEST_CASE("A scene far from the origin reaches shaders as it does near it")
     rig.draw();
     CHECK(difference(sentMatrix(rig, "view_from_model"), view_from_model) < 1e-6f);
     CHECK(difference(sentMatrix(rig, "clip_from_model"), clip_from_model) < 1e-6f);
+}
+
+TEST_CASE("What is mirrored is culled the other way round")
+{
+    Rig rig;
+    look(rig.frame);
+    Description description = rigDescription();
+    for (PassDesc& pass : description.passes)
+        if (pass.name == "geometry") pass.state.cull = Cull::back;
+    auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
+    REQUIRE(made.ok());
+    rig.renderer = std::move(*made);
+    DrawItem mirrored = rig.frame.draws[0];
+    mirrored.world_from_model = glm::scale(mirrored.world_from_model, glm::dvec3(1, 1, -1));
+    rig.frame.draws = {rig.frame.draws[0], mirrored, rig.frame.draws[0]};
+    const auto culls = [&] {
+        const std::string log = rig.draw();
+        std::string order;
+        for (std::size_t at = 0; (at = log.find("cull ", at)) != log.npos; at += 5)
+            if (log[at + 5] != 'n') order += log[at + 5];
+        return order;
+    };
+    CHECK(culls() == "bfb");
+    rig.frame.draws.pop_back();
+    CHECK(culls() == "bf");
+    rig.frame.camera.clip_from_view[1][1] *= -1;  // a picture that is upside down
+    CHECK(culls() == "bfb");
 }
 
 TEST_CASE("Normals stay normal to what they stand on")

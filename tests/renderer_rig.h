@@ -77,7 +77,7 @@ inline Description rigDescription(bool remembers = false)
         {"full.vert", "#version 300 es\nvoid main() {}\n"},
         {"occlusion.frag", "#version 300 es\n"
                            "precision highp float;\n"
-                           "uniform mat4 clip_from_view, view_from_clip;\n"
+                           "uniform mat4 clip_from_view, view_from_clip, view_from_window;\n"
                            "uniform mat4 view_from_world, world_from_view;\n"
                            "uniform vec3 kernel[SAMPLES];\n"
                            "uniform vec2 viewport_size;\n"
