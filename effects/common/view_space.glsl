@@ -5,16 +5,51 @@
 #include "common/guard.glsl"
 
 uniform highp mat4 clip_from_view;
-uniform highp mat4 view_from_clip;
+uniform highp mat4 view_from_window;
 
 // Smallest w divided by: at an infinite far plane w is 0, and the quotient must stay finite in float.
 const highp float kSmallestW = 1e-18;
 
+// Whether something was drawn where this depth is stored: the clear left the farthest.
+bool isDrawn(highp float window_depth)
+{
+#if CAMERA_REVERSED_DEPTH
+    return window_depth > 0.0;
+#else
+    return window_depth < 1.0;
+#endif
+}
+
 // The point in view space behind `uv` at window depth `window_depth`, both in 0..1.
 highp vec3 viewFromWindow(highp vec2 uv, highp float window_depth)
 {
-    highp vec4 view = view_from_clip * (vec4(uv, window_depth, 1.0) * 2.0 - 1.0);
+    highp vec4 view = view_from_window * vec4(uv, window_depth, 1.0);
     return view.xyz / max(view.w, kSmallestW);
+}
+
+// How far apart in view depth two points about `point` may come out that are one, where window depth is
+// stored in steps of `stored` (absolute, and a share of the value): by the steps and by the arithmetic above.
+highp float viewStepOf(highp vec2 stored, highp vec3 point)
+{
+    const highp float kEpsilon = 1.2e-7;  // of 32-bit floats
+    highp mat4 m = view_from_window;
+    highp vec2 clip = (clip_from_view * vec4(point, 1.0)).zw;
+    highp float window = clamp(clip.x / max(clip.y, kSmallestW) * 0.5 + 0.5, 0.0, 1.0);
+    highp float steps = stored.x + stored.y * window;
+    highp float slope = abs(m[2].z - point.z * m[2].w) * steps;
+    highp float z = abs(m[2].z) * window + abs(m[3].z);
+    highp float w = abs(m[2].w) * window + abs(m[3].w);
+    return (slope + kEpsilon * (z + abs(point.z) * w)) / max(m[2].w * window + m[3].w, kSmallestW);
+}
+
+// How far a point moves along `normal` while its view depth changes by 1 and it stays behind its pixel.
+highp float raySlope(highp vec3 point, highp vec3 normal)
+{
+#if CAMERA_ORTHOGRAPHIC
+    return abs(normal.z);
+#else
+    return abs(dot(point, normal) / min(point.z, -kSmallestW));
+#endif
 }
 
 // The uv onto which `point` projects; false when the camera cannot see there: behind it, or beyond the

@@ -11,10 +11,16 @@ uniform highp sampler2D depth;
 // View depth that stands for the background: behind everything.
 const highp float kBackgroundZ = -1e30;
 
-// The point in view space of the texel at uv; false in the background, which the clear left at 1.
+// The point in view space of the texel at uv; false in the background.
 bool pointAt(highp vec2 at, out highp vec3 point)
 {
     return pointIn(depth, at, point);
+}
+
+// How far above its own surface, along `normal`, a point may come out.
+highp float offSurface(highp vec3 point, highp vec3 normal)
+{
+    return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }
 
 // View-space z of the texel at uv; kBackgroundZ in the background.

@@ -5,12 +5,12 @@
 #include "common/view_space.glsl"
 
 // The point in view space that the texel at the view's uv holds, at its centre; false where nothing was
-// drawn and the clear left 1.
+// drawn.
 bool pointIn(highp sampler2D depths, highp vec2 at, out highp vec3 point)
 {
     highp vec2 size = vec2(textureSize(depths, 0));
     highp ivec2 texel = texelAt(uvInGuard(at), size);
     highp float stored = texelFetch(depths, texel, 0).r;
     point = viewFromWindow(uvFromGuard((vec2(texel) + 0.5) / size), stored);
-    return stored < 1.0;
+    return isDrawn(stored);
 }

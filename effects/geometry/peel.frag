@@ -14,6 +14,11 @@ in vec2 uv;
 
 void main()
 {
-    if (gl_FragCoord.z <= texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r) discard;
+    float nearer = texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r;
+#if CAMERA_REVERSED_DEPTH
+    if (gl_FragCoord.z >= nearer) discard;
+#else
+    if (gl_FragCoord.z <= nearer) discard;
+#endif
     materialAlbedo(uv);
 }

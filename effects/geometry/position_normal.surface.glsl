@@ -17,6 +17,12 @@ bool pointAt(highp vec2 at, out highp vec3 point)
     return stored.a > 0.5;
 }
 
+// How far above its own surface, along `normal`, a point may come out.
+highp float offSurface(highp vec3 point, highp vec3 normal)
+{
+    return dot(POSITION_STEP.x + POSITION_STEP.y * abs(point), abs(normal));
+}
+
 // View-space z at uv; kBackgroundZ in the background.
 highp float viewZAt(highp vec2 at)
 {

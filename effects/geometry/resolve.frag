@@ -23,6 +23,12 @@ uniform highp sampler2DMS normal_samples;
 layout(location = 0) out vec4 normal;
 #endif
 
+#if CAMERA_REVERSED_DEPTH
+const int kMiddle = HOST_SAMPLES / 2;
+#else
+const int kMiddle = (HOST_SAMPLES - 1) / 2;
+#endif
+
 void main()
 {
     ivec2 texel = texelAt(gl_FragCoord.xy / viewport_size, vec2(textureSize(depth_samples)));
@@ -34,7 +40,7 @@ void main()
         int before = 0;  // samples that come before this one, by depth and then by number
         for (int j = 0; j < HOST_SAMPLES; ++j)
             before += int(depths[j] < depths[i] || (j < i && depths[j] == depths[i]));
-        if (before != (HOST_SAMPLES - 1) / 2) continue;
+        if (before != kMiddle) continue;
         middle = i;
         middle_depth = depths[i];
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The occlusion of a point by the horizons about it, for whoever provides `pointAt` and `normalAt`.
+// The occlusion of a point by the horizons about it, for whoever provides `pointAt` and `offSurface`.
 //
 // Each side of a slice is marched outwards. Where a tap rises above all before it, the part of the side
 // between the two horizons is blocked, the less the farther the tap lies.

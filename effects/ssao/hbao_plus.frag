@@ -28,7 +28,12 @@ bool pointAt(vec2 at, out vec3 point)
     ivec2 local = clamp(nearest, ivec2(0), last);
     float stored = texelFetch(depth_tiles, which * tile + local, 0).r;
     point = viewFromWindow(uvOfPixel(4 * local + which), stored);
-    return stored < 1.0 && at == clamp(at, 0.0, 1.0);
+    return isDrawn(stored) && at == clamp(at, 0.0, 1.0);
+}
+
+float offSurface(vec3 point, vec3 normal)
+{
+    return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }
 
 #define SEEN_IN_TILES

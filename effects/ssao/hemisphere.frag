@@ -7,8 +7,8 @@
 //   kernel          SAMPLES offsets in the unit hemisphere about +z
 //   rotation_noise  a tile of unit vectors, one rotation about the normal a pixel
 //   ao              visibility, 1 open .. 0 blocked; 1 in the background
-//   BIAS_ALONG      view: an occluder must lie `bias` in front of an offset; normal: the offsets stand about a
-//                   point that is lifted off its surface by `bias`
+//   BIAS_ALONG      view: an occluder must lie the bias in front of an offset; normal: the offsets stand about a
+//                   point that is lifted off its surface by the bias
 //   POWER_OF        of the visibility, as usual, or of the occlusion
 //   WITH_BOUNCE     also what the occluders reflect:
 //   direct          linear colour that surfaces reflect
@@ -70,13 +70,14 @@ void main()
     }
     vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
     vec3 normal_here = normalAt(uv);
+    float lift = max(bias * radius, offSurface(origin, normal_here));
     mat3 view_from_kernel = rotatedFrame(normal_here, rotation);
 #if BIAS_ALONG == BIAS_ALONG_NORMAL
-    vec3 center = origin + normal_here * bias;
+    vec3 center = origin + normal_here * lift;
     const float in_front = 0.0;
 #else
     vec3 center = origin;
-    float in_front = bias;
+    float in_front = lift;
 #endif
 
     float occlusion = 0.0;
@@ -93,7 +94,7 @@ void main()
         if (!seenAt(uv, at, seen)) continue;
         // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
         // shades itself, since a texel's one depth stands for all of its slope.
-        bool above = dot(seen - origin, normal_here) > bias;
+        bool above = dot(seen - origin, normal_here) > lift;
         if (!above || seen.z < probe.z + in_front) continue;
         float weight = rangeWeight(origin.z, probe.z, seen.z, radius);
         occlusion += weight;

@@ -53,7 +53,7 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
 #endif
     march.right = normalize(vec3(max(march.to_camera.z, 1e-6), 0.0, -march.to_camera.x));
     march.up = cross(march.to_camera, march.right);
-    march.point = point + normal * (bias * radius);
+    march.point = point + normal * max(bias * radius, offSurface(point, normal));
     march.clip = clipOf(vec4(point, 1.0));
     march.reach = seenReach(point);
     march.shown = reachOf(point);

@@ -32,12 +32,12 @@ const float kNearest = 0.01;
 float weightOf(float height, float distance2)
 {
     float inside = max(1.0 - distance2, 0.0);
-    return 5.0 * inside * inside * inside * max(height - bias, 0.0) / (distance2 + kNearest);
+    return 5.0 * inside * inside * inside * max(height, 0.0) / (distance2 + kNearest);
 }
 #else
 float weightOf(float height, float distance2)
 {
-    return 4.0 * max(1.0 - distance2, 0.0) * max(height - bias, 0.0);
+    return 4.0 * max(1.0 - distance2, 0.0) * max(height, 0.0);
 }
 #endif
 
@@ -50,6 +50,7 @@ void main()
     }
     float per_radius = 1.0 / max(radius, 1e-18);
     vec3 up = normalAt(uv);
+    float lift = max(bias, offSurface(point, up) * per_radius);
     vec2 reach = reachOf(point);
     vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
     vec2 noise = pixelNoise(gl_FragCoord.xy);
@@ -71,7 +72,7 @@ void main()
         vec3 seen;
         if (!seenAt(uv, at, seen)) continue;
         vec3 offset = (seen - point) * per_radius;
-        occlusion += weightOf(dot(offset, up), dot(offset, offset));
+        occlusion += weightOf(dot(offset, up) - lift, dot(offset, offset));
     }
     ao = visibilityOf(shareShown(reach, pixel) * occlusion / max(known, 1.0));
 }

@@ -27,7 +27,7 @@ bool seenAt(highp vec2 from, inout highp vec2 at, out highp vec3 point)
     highp float stored = texelFetch(depth_levels, levelCorner(level, size) + texel, 0).r;
     at = uvFromGuard((vec2(levelSource(level, texel)) + 0.5) / vec2(size));
     point = viewFromWindow(at, stored);
-    return stored < 1.0;
+    return isDrawn(stored);
 }
 #else
 bool seenAt(highp vec2 from, highp vec2 at, out highp vec3 point)
