@@ -40,6 +40,9 @@ struct StressShot {
     int samples = 0;      ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_identities = false;  ///< No pass is left out because of a param's value.
 
+    /// What the config runs over, one of the names in tools/stress_geometry.h; empty: its own.
+    std::string geometry = {};
+
     /// When set, depth and normals come from a host, which draws them through `host_camera` and then does
     /// this to them.
     std::function<void(Image& depth, Image& normal)> host = {};
@@ -83,6 +86,9 @@ struct StressCase {
 
 /// All of them.
 const std::vector<StressCase>& stressCases();
+
+/// Over all of a shot but what its host does to textures: 16 hex digits.
+std::string hashOf(const StressShot& shot);
 
 /// How far two values that a format tells apart lie from each other at a distance, in scene units. Of
 /// depth formats, for the camera's near and far distance; of half and single float, as a position.

@@ -39,6 +39,6 @@ StressView yardView();
 std::vector<StressCase> planeCases();    ///< Flat planes.
 std::vector<StressCase> sameCases();     ///< What must not change the yard.
 std::vector<StressCase> extremeCases();  ///< Radii, sizes, identities; broken meshes and lamps.
-std::vector<StressCase> hostCases();     ///< The host's own depth and normals.
+std::vector<StressCase> hostCases();     ///< Other geometry; a host's depth and normals.
 
 }  // namespace crevice

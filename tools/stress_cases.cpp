@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of stress cases: its lists as one, and what they share.
+#include "tools/content_hash.h"
 #include "tools/stress_case_lists.h"
 
 #include <algorithm>
@@ -17,6 +18,26 @@ struct Shape {
 const Shape kShapes[] = {{"256x144", {256, 144}}, {"1x1", {1, 1}},       {"1x64", {1, 64}},
                          {"64x1", {64, 1}},       {"3x2", {3, 2}},       {"127x93", {127, 93}},
                          {"2048x1", {2048, 1}},   {"1x2048", {1, 2048}}, {"255x144", {255, 144}}};
+
+void addImage(ContentHash& hash, const Image& image)
+{
+    hash.add(image.extent.width);
+    hash.add(image.extent.height);
+    hash.addBytes(image.pixels.data(), image.pixels.size() * sizeof(float));
+}
+
+template <class Matrix>
+void addMatrix(ContentHash& hash, const Matrix& matrix)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) hash.add(matrix[column][row]);
+}
+
+template <class Vector>
+void addVector(ContentHash& hash, const Vector& vector)
+{
+    for (int i = 0; i < 3; ++i) hash.add(vector[i]);
+}
 
 }  // namespace
 
@@ -119,6 +140,50 @@ const std::vector<StressCase>& stressCases()
         return all;
     }();
     return cases;
+}
+
+std::string hashOf(const StressShot& shot)
+{
+    ContentHash hash;
+    for (const MeshDesc& mesh : shot.scene.meshes) {
+        hash.addBytes(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
+        hash.addBytes(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+    }
+    for (const SceneInstance& instance : shot.scene.instances) {
+        hash.add(instance.mesh);
+        addMatrix(hash, instance.world_from_model);
+    }
+    for (const SceneLight& lamp : shot.scene.lights) {
+        addVector(hash, lamp.light.position);
+        addVector(hash, lamp.light.direction);
+        addVector(hash, lamp.light.color);
+        addVector(hash, lamp.light.attenuation);
+    }
+    for (const SceneMaterial& material : shot.scene.materials) {
+        hash.add(material.shininess);
+        addVector(hash, material.specular);
+    }
+    addMatrix(hash, shot.camera.view_from_world);
+    addMatrix(hash, shot.camera.clip_from_view);
+    hash.add(shot.radius);
+    for (const std::string& setting : shot.settings) hash.addText(setting);
+    hash.add(shot.samples);
+    hash.add(shot.keep_identities);
+    addImage(hash, shot.distances);
+    hash.add(shot.extent.width);
+    hash.add(shot.extent.height);
+    for (const double number : {shot.farthest, shot.near_distance, shot.far_distance, shot.coordinates})
+        hash.add(number);
+    hash.add(shot.shift_px);
+    hash.add(shot.mirrored);
+    hash.add(shot.block_px);
+    for (const glm::ivec2 at : shot.spoiled) {
+        hash.add(at.x);
+        hash.add(at.y);
+    }
+    hash.add(shot.reach_px);
+    if (shot.host) addMatrix(hash, shot.host_camera.clip_from_view);
+    return hash.hex();
 }
 
 double formatStep(Format format, double distance, const StressShot& shot)

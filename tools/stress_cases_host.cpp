@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Stress cases in which depth and normals come from a host: other projections of depth, and rubbish.
+// Stress cases over other geometry: stored positions, and a host's depth and normals of other projections
+// and with rubbish in them.
 #include "tools/stress_case_lists.h"
+#include "tools/stress_geometry.h"
 
 #include <glm/matrix.hpp>
 
@@ -21,6 +23,7 @@ StressShot hostShot(Extent size)
 {
     StressShot shot = yardShot(yardView(), size);
     shot.radius = kRadius;
+    shot.geometry = kHostGeometry;
     shot.host_camera = shot.camera;
     shot.host = [](Image&, Image&) {};
     return shot;
@@ -133,12 +136,21 @@ StressShot hostInward(double kind, Extent size)
     return shot;
 }
 
+StressShot inputs(double kind, Extent size)
+{
+    StressShot shot = yardShot(yardView(), size);
+    shot.geometry = kind == 0 ? kDepthGeometry : kPositionGeometry;
+    return shot;
+}
+
 }  // namespace
 
 std::vector<StressCase> hostCases()
 {
     using E = Expectation;
     return {
+        {"inputs", "The same config over depth and normals, and over stored positions.", "",
+         kinds({kDepthGeometry, kPositionGeometry}), 0, E::same, 0.002, false, inputs},
         {"host_projection", "A host's depth of other projections.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
          false, hostProjection},

@@ -10,9 +10,7 @@
 #include "tools/reference_cache.h"
 #include "tools/scene_upload.h"
 #include "tools/stress_figures.h"
-#include "tools/stress_host.h"
 #include "tools/target_health.h"
-#include "tools/watched_targets.h"
 
 #include <algorithm>
 #include <chrono>
@@ -62,68 +60,6 @@ Format storedFormat(const Plan& plan)
     return Format::depth24;
 }
 
-void addImage(ContentHash& hash, const Image& image)
-{
-    hash.add(image.extent.width);
-    hash.add(image.extent.height);
-    hash.addBytes(image.pixels.data(), image.pixels.size() * sizeof(float));
-}
-
-template <class Matrix>
-void addMatrix(ContentHash& hash, const Matrix& matrix)
-{
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) hash.add(matrix[column][row]);
-}
-
-template <class Vector>
-void addVector(ContentHash& hash, const Vector& vector)
-{
-    for (int i = 0; i < 3; ++i) hash.add(vector[i]);
-}
-
-void addShot(ContentHash& hash, const StressShot& shot)
-{
-    for (const MeshDesc& mesh : shot.scene.meshes) {
-        hash.addBytes(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
-        hash.addBytes(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
-    }
-    for (const SceneInstance& instance : shot.scene.instances) {
-        hash.add(instance.mesh);
-        addMatrix(hash, instance.world_from_model);
-    }
-    for (const SceneLight& lamp : shot.scene.lights) {
-        addVector(hash, lamp.light.position);
-        addVector(hash, lamp.light.direction);
-        addVector(hash, lamp.light.color);
-        addVector(hash, lamp.light.attenuation);
-    }
-    for (const SceneMaterial& material : shot.scene.materials) {
-        hash.add(material.shininess);
-        addVector(hash, material.specular);
-    }
-    addMatrix(hash, shot.camera.view_from_world);
-    addMatrix(hash, shot.camera.clip_from_view);
-    hash.add(shot.radius);
-    for (const std::string& setting : shot.settings) hash.addText(setting);
-    hash.add(shot.samples);
-    hash.add(shot.keep_identities);
-    addImage(hash, shot.distances);
-    hash.add(shot.extent.width);
-    hash.add(shot.extent.height);
-    for (const double number : {shot.farthest, shot.near_distance, shot.far_distance, shot.coordinates})
-        hash.add(number);
-    hash.add(shot.shift_px);
-    hash.add(shot.mirrored);
-    hash.add(shot.block_px);
-    for (const glm::ivec2 at : shot.spoiled) {
-        hash.add(at.x);
-        hash.add(at.y);
-    }
-    hash.add(shot.reach_px);
-    if (shot.host) addMatrix(hash, shot.host_camera.clip_from_view);
-}
-
 }  // namespace
 
 struct StressMeter::Ready {
@@ -152,45 +88,43 @@ std::vector<std::string> surfaceFormats(const Description& description)
 StressMeter::StressMeter(Device& device, const SourceSet& sources, std::string cache_folder)
     : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)),
       sources_(sources),
-      host_modules_(hostModules()),
-      host_sources_({&host_modules_, &sources_}),
+      stand_ins_(sources),
       cache_folder_(std::move(cache_folder))
 {
 }
 
 StressMeter::~StressMeter() = default;
 
-const SourceSet& StressMeter::sourcesFor(const StressShot& shot) const
-{
-    return shot.host ? static_cast<const SourceSet&>(host_sources_) : sources_;
-}
-
 std::string StressMeter::contentOf(const StressTask& task, Extent size)
 {
     ContentHash hash;
     const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
-    const Result<LoadedConfig> loaded = loadWithContent(task.config, sourcesFor(shot));
+    const Result<LoadedConfig> loaded = loadWithContent(task.config, stand_ins_.over(shot.geometry));
     hash.addText(loaded ? loaded->content : std::string());
     hash.addText(task.config.config);
+    hash.addText(shot.geometry);
     hash.addText(task.stress->name);
     hash.addText(task.format);
     hash.add(task.step);
-    addShot(hash, shot);
+    hash.addText(hashOf(shot));
     return hash.hex();
 }
 
 Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const StressShot& shot)
 {
     Ready ready;
-    const SourceSet& sources = sourcesFor(shot);
+    const SourceSet& sources = stand_ins_.over(shot.geometry);
     const Result<Description> base = loadDescription(task.config, sources);
-    if (!base && shot.host) {
-        ready.absent = "it does not work over a host's depth: " + firstErrorText(base.diagnostics());
+    if (!base && !shot.geometry.empty()) {
+        ready.absent = "not over " + shot.geometry + ": " + firstErrorText(base.diagnostics());
         return ready;
     }
     if (!base) return base.diagnostics();
     ConfigOptions config = task.config;
-    if (shot.host && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
+    if (!shot.geometry.empty() && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
+    if (!shot.geometry.empty() && !shot.host &&
+        (shot.geometry == kPositionGeometry) != (findNamed(base->targets, "position") != nullptr))
+        ready.absent = "its geometry module has no counterpart with " + shot.geometry;
     if (shot.host && !findNamed(base->imports, "depth"))
         ready.absent = "its geometry module has no counterpart for a host's depth";
     if (findNamed(base->params, "radius"))
@@ -218,6 +152,46 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     return ready;
 }
 
+/// With the renderer of `owner`, whose programs are there already, or another.
+Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& frame,
+                           const std::string& owner)
+{
+    const bool anew = renderer_of_ != owner || remembers(plan);
+    if (anew || !renderer_->reload(ready.description, ready.options)) {
+        renderer_.reset();
+        renderer_of_.clear();
+        auto created = Renderer::create(*garbage_, ready.description, ready.options,
+                                        traitsOf(frame));
+        if (!created) return created.diagnostics();
+        renderer_ = std::move(*created);
+        renderer_of_ = owner;
+    }
+    // A second frame reads what the first left in histories.
+    for (int i = 0; i < (remembers(plan) ? 2 : 1); ++i)
+        if (Status done = renderer_->render(frame); !done) return done;
+    return {};
+}
+
+/// For what is not finite, and for colours below 0.
+Status StressMeter::look(const std::vector<WatchedTarget>& watched, Drawn& drawn)
+{
+    for (const WatchedTarget& each : watched) {
+        const Result<Image> image = readOutput(*garbage_, *renderer_, each.output);
+        if (!image) return image.diagnostics();
+        TargetHealth health = examine(*image, *image);
+        if (!health.bad() || drawn.bad.bad()) continue;
+        drawn.bad = health;
+        drawn.bad.target = each.target;
+        drawn.bad.pass = each.pass;
+    }
+    if (renderer_->output("color")) {
+        const Result<Image> color = readOutput(*garbage_, *renderer_, "color");
+        if (!color) return color.diagnostics();
+        for (const float value : color->pixels) drawn.negative_colors += value < 0;
+    }
+    return {};
+}
+
 Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const StressShot& shot)
 {
     Result<Ready> ready = prepare(task, shot);
@@ -243,35 +217,9 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
     const std::string owner =
-        task.config.config + " " + task.config.variant + (shot.host ? " host" : "");
-    const bool anew = renderer_of_ != owner || remembers(*plan);
-    if (anew || !renderer_->reload(ready->description, ready->options)) {
-        renderer_.reset();
-        renderer_of_.clear();
-        auto created = Renderer::create(*garbage_, ready->description, ready->options,
-                                        traitsOf(frame));
-        if (!created) return created.diagnostics();
-        renderer_ = std::move(*created);
-        renderer_of_ = owner;
-    }
-    // A second frame reads what the first left in histories.
-    for (int i = 0; i < (remembers(*plan) ? 2 : 1); ++i)
-        if (const Status done = renderer_->render(frame); !done) return done.diagnostics();
-
-    for (const WatchedTarget& each : watched) {
-        const Result<Image> image = readOutput(*garbage_, *renderer_, each.output);
-        if (!image) return image.diagnostics();
-        TargetHealth health = examine(*image, *image);
-        if (!health.bad() || drawn.bad.bad()) continue;
-        drawn.bad = health;
-        drawn.bad.target = each.target;
-        drawn.bad.pass = each.pass;
-    }
-    if (renderer_->output("color")) {
-        const Result<Image> color = readOutput(*garbage_, *renderer_, "color");
-        if (!color) return color.diagnostics();
-        for (const float value : color->pixels) drawn.negative_colors += value < 0;
-    }
+        task.config.config + " " + task.config.variant + shot.geometry;
+    if (const Status done = render(*ready, *plan, frame, owner); !done) return done.diagnostics();
+    if (const Status done = look(watched, drawn); !done) return done.diagnostics();
     Result<Image> ao = readOutput(*garbage_, *renderer_, "ao");
     if (!ao) return ao.diagnostics();
     drawn.ao = std::move(*ao);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "tools/config_options.h"
+#include "tools/stress_geometry.h"
 #include "tools/stress_record.h"
+#include "tools/watched_targets.h"
 
 #include "core/renderer.h"
 
@@ -49,17 +51,17 @@ private:
     struct Ready;
 
     Result<Ready> prepare(const StressTask& task, const StressShot& shot);
+    Status render(const Ready& ready, const Plan& plan, const Frame& frame,
+                  const std::string& owner);
+    Status look(const std::vector<WatchedTarget>& watched, Drawn& drawn);
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Image* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
     double errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const;
 
-    const SourceSet& sourcesFor(const StressShot& shot) const;
-
     std::unique_ptr<Device> garbage_;
     const SourceSet& sources_;
-    const MemorySources host_modules_;
-    const LayeredSources host_sources_;
+    const StandIns stand_ins_;
     const std::string cache_folder_;
     std::string renderer_of_;
     std::unique_ptr<Renderer> renderer_;

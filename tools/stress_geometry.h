@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Configs over a host's own depth and normals: the same methods and filters, other geometry modules.
+// Configs over other geometry modules, a host's own depth and normals among them.
 #pragma once
 
 #include "tools/config_options.h"
@@ -10,9 +10,24 @@
 
 namespace crevice {
 
-/// In the place of the geometry modules that draw depth, those that read a host's textures. So any config
-/// that extends one of them becomes one over a host's; others stay as they are.
-MemorySources hostModules();
+/// What stands in for geometry modules, so that any config that extends one of them becomes one over
+/// another: a host's depth (and normals), stored positions, or depth and normals. Others stay as they are.
+class StandIns {
+public:
+    explicit StandIns(const SourceSet& sources);
+
+    /// Sources in which `geometry` (StressShot::geometry, or kHostGeometry) is extended instead.
+    const SourceSet& over(const std::string& geometry) const;
+
+private:
+    const SourceSet& own_;
+    MemorySources host_, positions_, depths_;
+    LayeredSources over_host_, over_positions_, over_depths_;
+};
+
+constexpr const char* kHostGeometry = "host";
+constexpr const char* kPositionGeometry = "positions";
+constexpr const char* kDepthGeometry = "depth and normals";
 
 /// Depth and normals on a device as a host brings them.
 class HostTextures {

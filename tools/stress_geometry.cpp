@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What stands in for geometry modules, and the textures that a host would bring.
-#include "tools/stress_host.h"
+#include "tools/stress_geometry.h"
 
 #include "tools/read_output.h"
 #include "tools/scene_upload.h"
@@ -21,27 +21,71 @@ void main()
 }
 )";
 
+const char* const kNoGuard =
+    R"("guard": {"type": "float", "default": 1, "min": 1, "max": 2, "bind": "define"})";
+
 // The host's textures have no guard band; its albedo is the same everywhere.
-std::string standIn(const std::string& module)
+std::string overHost(const std::string& module)
 {
     return R"({"format": 1, "name": ")" + module + R"(", "description": "A host's own.",
-        "extends": [")" + module + R"("],
-        "params": {"guard": {"type": "float", "default": 1, "min": 1, "max": 2, "bind": "define"}},
+        "extends": [")" + module + R"("], "params": {)" + kNoGuard + R"(},
         "targets": {"albedo": {"format": ["rgba8"]}},
         "shaders": {"host_albedo": {"vertex": "common/fullscreen.vert", "fragment": "host/albedo.frag"}},
         "passes": {"host_albedo": {
             "type": "fullscreen", "shader": "host_albedo", "color": ["albedo"]}}})";
 }
 
-}  // namespace
-
 MemorySources hostModules()
 {
     MemorySources modules;
-    modules.add("geometry/depth_normal.json", standIn("geometry/host_depth_normal"));
-    modules.add("geometry/depth_only.json", standIn("geometry/host_depth"));
+    modules.add("geometry/depth_normal.json", overHost("geometry/host_depth_normal"));
+    modules.add("geometry/depth_only.json", overHost("geometry/host_depth"));
     modules.add("host/albedo.frag", kWhite);
     return modules;
+}
+
+// In the finest formats, so that what differs is the way to the points.
+MemorySources positionModules()
+{
+    MemorySources modules;
+    modules.add("geometry/depth_normal.json",
+                std::string(R"({"format": 1, "name": "geometry/depth_normal",
+        "description": "Stored positions.", "extends": ["geometry/position_normal"],
+        "params": {)") + kNoGuard + R"(},
+        "targets": {"position": {"format": ["rgba32f", "rgba16f"]}}})");
+    return modules;
+}
+
+MemorySources depthModules()
+{
+    MemorySources modules;
+    modules.add("geometry/position_normal.json",
+                R"({"format": 1, "name": "geometry/position_normal",
+        "description": "Depth and normals.", "extends": ["geometry/depth_normal"],
+        "targets": {"depth": {"format": ["depth32f", "depth24"]},
+                    "normal": {"format": ["rgba16f", "rgb10_a2"]}}})");
+    return modules;
+}
+
+}  // namespace
+
+StandIns::StandIns(const SourceSet& sources)
+    : own_(sources),
+      host_(hostModules()),
+      positions_(positionModules()),
+      depths_(depthModules()),
+      over_host_({&host_, &sources}),
+      over_positions_({&positions_, &sources}),
+      over_depths_({&depths_, &sources})
+{
+}
+
+const SourceSet& StandIns::over(const std::string& geometry) const
+{
+    if (geometry == kHostGeometry) return over_host_;
+    if (geometry == kPositionGeometry) return over_positions_;
+    if (geometry == kDepthGeometry) return over_depths_;
+    return own_;
 }
 
 Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
