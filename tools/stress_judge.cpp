@@ -8,7 +8,6 @@ namespace crevice {
 namespace {
 
 constexpr double kOpenMean = 0.999;
-constexpr double kOpenLeast = 0.95;
 
 std::string number(double value)
 {
