@@ -2,72 +2,22 @@
 // A device whose new textures are full of loud garbage, so that what is read before it was written shows.
 #pragma once
 
-#include "core/device.h"
+#include "tools/forwarding_device.h"
 
 namespace crevice {
 
-/// Hands every call on to another device, which must outlive it. What the other leaves undefined in a
-/// new texture, the garbage fills: a colour that no pass writes by chance, or not a number where
-/// `not_a_number` is set and the format can hold that.
-class GarbageDevice : public Device {
+/// What the other device leaves undefined in a new texture, the garbage fills: a colour that no pass writes
+/// by chance, or not a number where `not_a_number` is set and the format can hold that.
+class GarbageDevice : public ForwardingDevice {
 public:
     GarbageDevice(Device& device, float garbage, bool not_a_number)
-        : device_(device), garbage_(garbage), not_a_number_(not_a_number) {}
+        : ForwardingDevice(device), garbage_(garbage), not_a_number_(not_a_number) {}
 
-    const DeviceCaps& caps() const override { return device_.caps(); }
     Result<TextureId> createTexture(const TextureDesc& desc) override;
-    Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override
-    {
-        return device_.createFramebuffer(desc);
-    }
-    Result<ProgramId> createProgram(const ProgramDesc& desc) override
-    {
-        return device_.createProgram(desc);
-    }
-    Result<MeshId> createMesh(const MeshDesc& desc) override { return device_.createMesh(desc); }
-    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override
-    {
-        return device_.adoptTexture(native_name, desc);
-    }
-    int samples(TextureId id) const override { return device_.samples(id); }
-    void destroy(ObjectId id) override { device_.destroy(id); }
-    Status writeTexture(TextureId id, const Image& image) override
-    {
-        return device_.writeTexture(id, image);
-    }
-    Result<Image> readTexture(TextureId id) override { return device_.readTexture(id); }
-    const std::vector<UniformInfo>& uniforms(ProgramId id) const override
-    {
-        return device_.uniforms(id);
-    }
-    void beginFrame() override { device_.beginFrame(); }
-    Status endFrame() override { return device_.endFrame(); }
-    void beginPass(const PassInfo& pass) override { device_.beginPass(pass); }
-    void endPass() override { device_.endPass(); }
-    void setProgram(ProgramId id, const StateDesc& state) override { device_.setProgram(id, state); }
-    void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) override
-    {
-        device_.setTexture(location, unit, id, sampler);
-    }
-    void setUniform(int location, GlslType type, int count, const void* data) override
-    {
-        device_.setUniform(location, type, count, data);
-    }
-    void draw(MeshId id, std::uint32_t first, std::uint32_t count) override
-    {
-        device_.draw(id, first, count);
-    }
-    void drawFullscreen() override { device_.drawFullscreen(); }
-    void present(TextureId id, const HostFramebuffer& host) override { device_.present(id, host); }
-    void finish() override { device_.finish(); }
-    bool beginTimer(int slot) override { return device_.beginTimer(slot); }
-    void endTimer() override { device_.endTimer(); }
-    double readTimer(int slot) override { return device_.readTimer(slot); }
 
 private:
     Status fill(TextureId id, const TextureDesc& desc);
 
-    Device& device_;
     float garbage_;
     bool not_a_number_;
 };
