@@ -27,6 +27,7 @@ struct DoctorOptions {
     ConfigOptions config;
     SceneOptions scene;
     std::string backend;
+    std::string precision;
     int frames = 2;
     bool json = false;
 };
@@ -93,7 +94,7 @@ void measureRadius(const Description& description, const Image& depth, const Cam
 Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
                         Description description, Progress& progress)
 {
-    const Result<OpenDevice> open = openDevice(options.backend);
+    const Result<OpenDevice> open = openDevice(options.backend, options.precision);
     if (!open) return open.diagnostics();
     Checkup checkup;
     checkup.device = open->context->description();
@@ -207,6 +208,7 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
     addSceneOptions(*command, options->scene);
     addConfigOptions(*command, options->config);
     addBackendOption(*command, options->backend);
+    addPrecisionOption(*command, options->precision);
     command->add_option("--frames", options->frames, "How many to draw before looking")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

@@ -192,6 +192,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addStereoOptions(*command, options->stereo);
     addConfigOptions(*command, options->config);
     addBackendOption(*command, options->backend);
+    addPrecisionOption(*command, options->precision);
     command->add_option("--out", options->out,
                         "What to write where: an output, a debug view or a target (target.NAME where "
                         "an output has that name), to .png or .pfm; may be repeated")

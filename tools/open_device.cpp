@@ -3,6 +3,7 @@
 #include "tools/open_device.h"
 
 #include "backends/gl_device.h"
+#include "tools/mediump_device.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,19 +33,8 @@ Diagnostics neither(const Diagnostics& egl, const Diagnostics& osmesa)
     return errors;
 }
 
-}  // namespace
-
-void addBackendOption(CLI::App& app, std::string& backend)
+Result<OpenDevice> openFirst()
 {
-    app.add_option("--backend", backend,
-                   "egl or osmesa; default: EGL, and OSMesa where there is no EGL")
-        ->type_name("BACKEND")
-        ->check(CLI::IsMember({"egl", "osmesa"}));
-}
-
-Result<OpenDevice> openDevice(const std::string& backend)
-{
-    if (!backend.empty()) return openNamed(backend);
     Result<OpenDevice> egl = openNamed("egl");
     if (egl) return egl;
     Result<OpenDevice> osmesa = openNamed("osmesa");
@@ -56,6 +46,36 @@ Result<OpenDevice> openDevice(const std::string& backend)
     Diagnostics warnings = osmesa.diagnostics();
     warnings.push_back(std::move(warning));
     return {std::move(*osmesa), std::move(warnings)};
+}
+
+}  // namespace
+
+void addBackendOption(CLI::App& app, std::string& backend)
+{
+    app.add_option("--backend", backend,
+                   "egl or osmesa; default: EGL, and OSMesa where there is no EGL")
+        ->type_name("BACKEND")
+        ->check(CLI::IsMember({"egl", "osmesa"}));
+}
+
+void addPrecisionOption(CLI::App& app, std::string& precision)
+{
+    app.add_option("--precision", precision,
+                   "What mediump is in shaders: full, 32 bits; half, 16 bits as on phones; default: what the "
+                   "driver makes of it")
+        ->type_name("PRECISION")
+        ->check(CLI::IsMember({"full", "half"}));
+}
+
+Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision)
+{
+    Result<OpenDevice> open = backend.empty() ? openFirst() : openNamed(backend);
+    if (!open || precision.empty()) return open;
+    const Mediump mediump = precision == "half" ? Mediump::half : Mediump::full;
+    Result<std::unique_ptr<Device>> device = makeMediumpDevice(std::move(open->device), mediump);
+    if (!device) return device.diagnostics();
+    open->device = std::move(*device);
+    return open;
 }
 
 }  // namespace crevice

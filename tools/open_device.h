@@ -23,8 +23,12 @@ struct OpenDevice {
 /// Adds --backend.
 void addBackendOption(CLI::App& app, std::string& backend);
 
-/// "egl", "osmesa", or "" for the first of these that works, with a warning where that is not EGL.
-/// Errors: those of makeContext and makeGlDevice.
-Result<OpenDevice> openDevice(const std::string& backend);
+/// Adds --precision.
+void addPrecisionOption(CLI::App& app, std::string& precision);
+
+/// "egl", "osmesa", or "" for the first of these that works, with a warning where that is not EGL. With a
+/// precision of "full" or "half" the device is that of makeMediumpDevice; "" leaves mediump to the driver.
+/// Errors: those of makeContext, makeGlDevice and makeMediumpDevice.
+Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision = {});
 
 }  // namespace crevice

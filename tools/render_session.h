@@ -24,6 +24,7 @@ struct RenderOptions {
     SceneOptions scene;
     StereoOptions stereo;
     std::string backend;
+    std::string precision;
     std::vector<std::string> out = {"color=color.png"};
     std::string save_patch;
     int frames = 1;
