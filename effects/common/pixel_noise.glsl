@@ -17,10 +17,10 @@ highp vec2 stillNoise(highp vec2 pixel)
     highp float turn = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
     return vec2(turn, fract(dot(pixel, vec2(0.75487767, 0.56984029))));
 #elif ROTATION == ROTATION_TILE
-    mediump ivec2 at = ivec2(mod(pixel, 4.0));
+    highp ivec2 at = ivec2(mod(pixel, 4.0));
     // A Bayer matrix of the turns, so that neighbours differ by much.
-    mediump int across = at.x ^ at.y;
-    mediump int order = (across & 1) * 8 + (at.y & 1) * 4 + (across >> 1) * 2 + (at.y >> 1);
+    highp int across = at.x ^ at.y;
+    highp int order = (across & 1) * 8 + (at.y & 1) * 4 + (across >> 1) * 2 + (at.y >> 1);
     return vec2((float(order) + 0.5) / 16.0, fract(dot(vec2(at), vec2(0.61803399, 2.72213596))));
 #else
     return vec2(0.5);
