@@ -9,8 +9,8 @@ precision mediump float;
 
 #include "common/guard.glsl"
 
-uniform sampler2D ao_filtered;
-uniform sampler2D baked_ao;
+uniform mediump sampler2D ao_filtered;
+uniform mediump sampler2D baked_ao;
 
 in highp vec2 uv;
 layout(location = 0) out float ao_joined;
