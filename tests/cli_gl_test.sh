@@ -50,6 +50,17 @@ expect 0 'wrote' render thesis "${small[@]}" --set radius=0.5 --set bias=0.1 --s
 expect 0 'bias' explain three.json --why bias
 check "a value that is the default is not in the patch" bash -c '! grep -q radius three.json'
 
+# Mediump as on a phone: another picture, by little. A build without glslang says so.
+if "$crevice" render learnopengl "${small[@]}" --precision half --out color=half.png 2>stderr.txt; then
+    expect 0 'wrote' render learnopengl "${small[@]}" --precision full --out color=full.png
+    expect 5 'over' compare full.png half.png --max-abs 0
+    expect 0 'rmse' compare full.png half.png --max-rmse 0.004
+    expect 0 'nothing is wrong' doctor learnopengl --scene corner --size 96x64 --backend "$backend" \
+        --precision half
+else
+    check "a build that cannot choose a precision says so" grep -q CV6012 stderr.txt
+fi
+
 from_readme mine.json
 from_readme cross.json
 from_readme cross.frag
