@@ -26,6 +26,7 @@ struct StressCommand {
     ConfigOptions config;
     CacheOptions cache;
     std::string backend;
+    std::string precision;
     std::string size = "256x144";
     std::string shard = "1/1";
     std::string time_budget;
@@ -147,7 +148,7 @@ Status keepPicture(const std::string& folder, const StressDrawing& done)
 int measureAll(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
                const SourceSet& sources, double time_budget)
 {
-    const Result<OpenDevice> open = openDevice(command.backend);
+    const Result<OpenDevice> open = openDevice(command.backend, command.precision);
     if (!open) return report(open.diagnostics(), command.json);
     report(open.diagnostics(), false);
     Result<LineFile> file = LineFile::open(command.out + "/stress.jsonl");
@@ -245,6 +246,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
     addConfigOptions(*command, options->config);
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
+    addPrecisionOption(*command, options->precision);
     command->add_flag("--list", options->list, "Print the cases and stop");
     command->add_flag("--json", options->json, "Print the table as JSON");
     command->footer("Exit code 5 where a case fails.\n"
