@@ -2,20 +2,12 @@
 // JSON text to a tree with places.
 #include "core/document.h"
 
+#include "core/json_parser.h"
 #include "core/syntax.h"
 #include "core/text.h"
 
-// This file is built without exceptions, while a program that links it may use nlohmann-json with
-// them. Both would emit inline functions of the same names but other content, of which the linker
-// keeps one at random. A namespace of our own keeps them apart.
-#define NLOHMANN_JSON_NAMESPACE nlohmann::crevice_core
-#define NLOHMANN_JSON_NAMESPACE_BEGIN namespace nlohmann { inline namespace crevice_core {
-#define NLOHMANN_JSON_NAMESPACE_END } }
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <tuple>
 
 namespace crevice {
 
@@ -47,20 +39,42 @@ std::vector<std::uint32_t> countEntries(std::string_view text)
     return counts;
 }
 
+// The first eight bytes of a key as a number that is in the same order.
+std::uint64_t firstBytes(std::string_view key)
+{
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+        bytes = bytes << 8 | (i < key.size() ? static_cast<unsigned char>(key[i]) : 0u);
+    return bytes;
+}
+
+// A member by its key, and of equal keys by its place; few comparisons have to look at the member.
+struct SortedKey {
+    std::uint64_t first_bytes;
+    const Member* member;
+
+    bool operator<(const SortedKey& other) const
+    {
+        return std::tie(first_bytes, member->key, member) <
+               std::tie(other.first_bytes, other.member->key, other.member);
+    }
+};
+
 // Receives the events of nlohmann-json's parser and builds the tree. The events carry no position,
-// but they come in the order of the text: a cursor follows them from token to token.
+// but they come in the order of the text: a cursor follows them from token to token. Values are read
+// again where somebody asks for them.
 class TreeBuilder {
 public:
     explicit TreeBuilder(const SourceRef& source)
         : source_(source), text_(source->text), counts_(countEntries(text_)) {}
 
     // The names of these thirteen are the parser's.
-    bool null() { return addValue(Node::Kind::null, 4); }
-    bool boolean(bool value) { return addBoolean(value); }
-    bool number_integer(std::int64_t value) { return addInteger(static_cast<double>(value)); }
-    bool number_unsigned(std::uint64_t value) { return addInteger(static_cast<double>(value)); }
-    bool number_float(double value, const std::string&) { return addNumber(value, false); }
-    bool string(std::string& value);
+    bool null() { return addLeaf(Node::Kind::null); }
+    bool boolean(bool) { return addLeaf(Node::Kind::boolean); }
+    bool number_integer(std::int64_t) { return addLeaf(Node::Kind::number); }
+    bool number_unsigned(std::uint64_t) { return addLeaf(Node::Kind::number); }
+    bool number_float(double, const std::string&) { return addLeaf(Node::Kind::number); }
+    bool string(std::string&) { return addLeaf(Node::Kind::string); }
     bool binary(Json::binary_t&) { return false; }  // JSON text has none
     bool start_object(std::size_t) { return open(Node::Kind::object); }
     bool key(std::string& name);
@@ -74,13 +88,10 @@ public:
 
 private:
     void moveToToken();
-    std::size_t stringLength() const;
+    std::size_t tokenLength() const;
     Place take(std::size_t length);
     Node& add(Node::Kind kind, std::size_t length);
-    bool addValue(Node::Kind kind, std::size_t length);
-    bool addBoolean(bool value);
-    bool addInteger(double value);
-    bool addNumber(double value, bool integer);
+    bool addLeaf(Node::Kind kind);
     bool open(Node::Kind kind);
     void reserve(Node& node);
     bool close();
@@ -114,8 +125,16 @@ void TreeBuilder::moveToToken()
     }
 }
 
-std::size_t TreeBuilder::stringLength() const
+// Of a string, number or word, which the parser has found to be one.
+std::size_t TreeBuilder::tokenLength() const
 {
+    switch (text_[at_]) {
+    case 't':
+    case 'n': return 4;
+    case 'f': return 5;
+    case '"': break;
+    default: return numberLength(text_, at_);
+    }
     std::size_t end = at_ + 1;
     while (text_[end] != '"') end += text_[end] == '\\' ? 2 : 1;
     return end + 1 - at_;
@@ -133,59 +152,28 @@ Node& TreeBuilder::add(Node::Kind kind, std::size_t length)
 {
     Node* node = &root_;
     if (!open_.empty() && open_.back()->kind == Node::Kind::array)
-        node = &open_.back()->items.emplace_back();
+        node = &open_.back()->change().items.emplace_back();
     else if (!open_.empty())
-        node = &open_.back()->members.back().value;
+        node = &open_.back()->change().members.back().value;
     node->kind = kind;
+    node->offset = static_cast<std::uint32_t>(at_);
     node->place = take(length);
     after_ = SyntaxStop::After::value;
     return *node;
 }
 
-bool TreeBuilder::addValue(Node::Kind kind, std::size_t length)
+bool TreeBuilder::addLeaf(Node::Kind kind)
 {
     moveToToken();
-    add(kind, length);
-    return true;
-}
-
-bool TreeBuilder::addBoolean(bool value)
-{
-    moveToToken();
-    add(Node::Kind::boolean, value ? 4 : 5).boolean = value;
-    return true;
-}
-
-bool TreeBuilder::addInteger(double value)
-{
-    constexpr double kExact = 9007199254740992.0;  // 2^53: above it doubles skip integers
-    return addNumber(value, std::fabs(value) <= kExact);
-}
-
-bool TreeBuilder::addNumber(double value, bool integer)
-{
-    moveToToken();
-    const std::size_t length = numberLength(text_, at_);
-    const std::string_view written = text_.substr(at_, length);
-    Node& node = add(Node::Kind::number, length);
-    node.number = value;
-    node.integer = integer;
-    node.text = written;
-    return true;
-}
-
-bool TreeBuilder::string(std::string& value)
-{
-    moveToToken();
-    add(Node::Kind::string, stringLength()).text = std::move(value);
+    add(kind, tokenLength());
     return true;
 }
 
 bool TreeBuilder::key(std::string& name)
 {
     moveToToken();
-    const Place place = take(stringLength());
-    open_.back()->members.push_back({std::move(name), place, {}});
+    const Place place = take(tokenLength());
+    open_.back()->change().members.push_back({std::move(name), place, {}});
     after_ = SyntaxStop::After::key;
     return true;
 }
@@ -213,8 +201,10 @@ void TreeBuilder::reserve(Node& node)
     const std::size_t count = counts_[opened_++];
     const std::size_t next = at_ + spaceLength(text_, at_), left = text_.size() - at_;
     if (next == text_.size() || text_[next] == ']' || text_[next] == '}') return;
-    if (node.kind == Node::Kind::array) node.items.reserve(std::min(count, left / 2 + 1));
-    else node.members.reserve(std::min(count, left / 5 + 1));
+    if (node.kind == Node::Kind::array)
+        node.change().items.reserve(std::min(count, left / 2 + 1));
+    else
+        node.change().members.reserve(std::min(count, left / 5 + 1));
 }
 
 bool TreeBuilder::close()
@@ -238,8 +228,9 @@ std::string TreeBuilder::pointer() const
     std::string path;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
         const Node& node = *open_[i];
-        path = node.kind == Node::Kind::object ? memberPointer(path, node.members.back().key)
-                                               : path + '/' + std::to_string(node.items.size() - 1);
+        path = node.kind == Node::Kind::object
+                   ? memberPointer(path, node.members().back().key)
+                   : path + '/' + std::to_string(node.items().size() - 1);
     }
     return path;
 }
@@ -247,22 +238,19 @@ std::string TreeBuilder::pointer() const
 // Sorted, because comparing each key with each takes minutes for a file made of nothing but keys.
 void TreeBuilder::checkKeys()
 {
-    const Node& object = *open_.back();
-    if (object.members.size() < 2) return;
-    std::vector<const Member*> sorted;
-    for (const Member& member : object.members) sorted.push_back(&member);
-    std::sort(sorted.begin(), sorted.end(), [](const Member* a, const Member* b) {
-        const int order = a->key.compare(b->key);
-        return order != 0 ? order < 0 : a < b;
-    });
-    const Member* first = sorted.front();
-    for (auto at = sorted.begin() + 1; at != sorted.end(); ++at) {
-        if ((*at)->key != first->key) {
-            first = *at;
+    const std::vector<Member>& members = open_.back()->members();
+    if (members.size() < 2) return;
+    std::vector<SortedKey> keys;
+    for (const Member& member : members) keys.push_back({firstBytes(member.key), &member});
+    std::sort(keys.begin(), keys.end());
+    const Member* first = nullptr;
+    for (const SortedKey& key : keys) {
+        if (!first || key.member->key != first->key) {
+            first = key.member;
             continue;
         }
         errors_.push_back({Code::duplicate_key, "found the key '" + first->key + "' a second time",
-                           (*at)->key_place, memberPointer(pointer(), first->key),
+                           key.member->key_place, memberPointer(pointer(), first->key),
                            {{first->key_place, "the first one is here"}}, "keep one of them"});
     }
 }
@@ -275,8 +263,8 @@ bool TreeBuilder::parse_error(std::size_t, const std::string&, const Json::excep
         return error.place.line == place.line && error.place.column == place.column;
     };
     error.pointer = pointer();
-    if (container && !container->members.empty()) {
-        const Member& last = container->members.back();
+    if (container && !container->members().empty()) {
+        const Member& last = container->members().back();
         const bool value = after_ == SyntaxStop::After::key && !isAt(last.key_place);
         if (value || isAt(last.value.place)) error.pointer = memberPointer(error.pointer, last.key);
     }
@@ -366,7 +354,7 @@ Result<Node> parseValue(const SourceRef& source)
     if (looksLikeJson(word)) return value;
     Node node;
     node.kind = Node::Kind::string;
-    node.text = word;
+    node.offset = static_cast<std::uint32_t>(begin);
     node.place = placeAt(source, begin, word.size());
     return node;
 }

@@ -84,11 +84,12 @@ Result<SourceRef> findConfig(const SourceSet& sources, const std::string& config
 // Takes the member out of the object.
 std::optional<Node> takeMember(Node& object, std::string_view key)
 {
-    const auto at = std::find_if(object.members.begin(), object.members.end(),
+    if (!object.find(key)) return std::nullopt;
+    std::vector<Member>& members = object.change().members;
+    const auto at = std::find_if(members.begin(), members.end(),
                                  [&](const Member& member) { return member.key == key; });
-    if (at == object.members.end()) return std::nullopt;
     Node value = std::move(at->value);
-    object.members.erase(at);
+    members.erase(at);
     return value;
 }
 
@@ -188,12 +189,12 @@ std::optional<std::string> madeByBoth(const Node& one, const Node& other)
     for (const char* list : {"interfaces", "shaders"}) {
         const Node* made = one.find(list);
         if (!made) continue;
-        for (const Member& member : made->members) {
+        for (const Member& member : made->members()) {
             const Node* mine = glslAt(one, list, member.key);
             const Node* theirs = glslAt(other, list, member.key);
             if (!mine || !theirs) continue;
             if (list[0] == 'i') return "interface '" + member.key + "'";
-            if (mine->text != theirs->text) return "shader '" + member.key + "'";
+            if (mine->text() != theirs->text()) return "shader '" + member.key + "'";
         }
     }
     return std::nullopt;
@@ -245,7 +246,7 @@ bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
 Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& entry,
                                            const std::string& pointer) const
 {
-    const std::string& name = entry.text;
+    const std::string& name = entry.text();
     Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
                        entry.place, pointer};
     if (!isRelative(name)) {
@@ -276,12 +277,12 @@ void FileLoader::loadExtended(const SourceRef& source, const Node& list)
     if (list.kind != Node::Kind::array) {
         errors.push_back(wrongType(list, "a list of names", "/extends",
                                    list.kind == Node::Kind::string
-                                       ? "put it in brackets: [" + jsonString(list.text) + "]"
+                                       ? "put it in brackets: [" + jsonString(list.text()) + "]"
                                        : "write [\"folder/module\", ...]"));
         return;
     }
-    for (const Node& entry : list.items) {
-        const std::string pointer = "/extends/" + std::to_string(&entry - list.items.data());
+    for (const Node& entry : list.items()) {
+        const std::string pointer = "/extends/" + std::to_string(&entry - list.items().data());
         if (entry.kind != Node::Kind::string) {
             errors.push_back(wrongType(entry, "a name", pointer,
                                        "write the name of a module or config in double quotes"));
@@ -303,17 +304,17 @@ void FileLoader::loadExtended(const SourceRef& source, const Node& list)
 void FileLoader::checkFormat(const Node& document)
 {
     const Node* format = document.find("format");
-    if (format && format->integer && format->number == 1) return;
+    if (format && format->integer() && format->number() == 1) return;
     Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted", document.place,
                      "/format", {}, "begin the file with \"format\": 1"};
     if (format) {
         error.message = "found format " + brief(*format) + " where 1 was wanted";
         error.place = format->place;
         error.help = "this library reads format 1";
-        if (format->number > 1) error.help += "; update crevice";
-        if (format->number == 1 || format->text == "1") error.help = "write \"format\": 1";
+        if (format->number() > 1) error.help += "; update crevice";
+        if (format->number() == 1 || format->text() == "1") error.help = "write \"format\": 1";
     }
-    for (const Member& member : document.members) {
+    for (const Member& member : document.members()) {
         const bool near = startsWith(suggestName(member.key, {"format"}, "keys"), "did you mean");
         if (format || !near) continue;
         error.place = member.key_place;
@@ -328,7 +329,7 @@ void FileLoader::checkKeys(const Node& document)
 {
     static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit",
                                                  "inherits"};
-    for (const Member& member : document.members) {
+    for (const Member& member : document.members()) {
         std::string help = suggestName(member.key, {"extends"}, "keys");
         const bool near = startsWith(help, "did you mean") && member.key != "extends";
         if (!near && kMeant.count(member.key) == 0) continue;
@@ -346,7 +347,7 @@ void FileLoader::takeVariants(Node& document)
     if (taken->kind != Node::Kind::object)
         errors.push_back(wrongType(*taken, "an object of variants", "/variants",
                                    "write {\"name\": {what to change}, ...}"));
-    for (Member& variant : taken->members) {
+    for (Member& variant : taken->change().members) {
         if (variant.value.kind == Node::Kind::object)
             variants.push_back(std::move(variant));
         else
@@ -396,7 +397,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     const auto changes_structure = [](const std::string& text) { return startsWith(text, "/"); };
     if (!request.variant.empty() ||
         std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
-        document.origins.push_back(document.place);
+        document.change().origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
         append(errors, applyOverride(document, text).diagnostics());

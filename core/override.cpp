@@ -21,7 +21,7 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
         const Node* entries = document.find(section);
         if (!entries) continue;
         if (entries->find(name)) return std::vector<std::string>{section, name, "default"};
-        for (const Member& member : entries->members) names.push_back(member.key);
+        for (const Member& member : entries->members()) names.push_back(member.key);
     }
     Diagnostic unknown{Code::unknown_param, "'" + name + "' is neither a param nor a feature",
                        place};
@@ -55,7 +55,7 @@ Status applyOverride(Node& document, const std::string& text)
         Node object;
         object.kind = Node::Kind::object;
         object.place = place;
-        object.members.push_back({*key, place, std::move(patch)});
+        object.change().members.push_back({*key, place, std::move(patch)});
         patch = std::move(object);
     }
     Diagnostics errors;

@@ -77,8 +77,8 @@ TEST_CASE("a path with ./ is relative to the file that wrote it", "[decode]")
     sources.add("mine/local.frag", "#include \"../common/view.glsl\"\n");
     Node document = parsed(configText({{"shaders", shaders("./local.frag")}}));
     Node* fragment = document.find("shaders")->find("ao")->find("fragment");
-    fragment->place.source =
-        std::make_shared<SourceText>(SourceText{"effects/mine/m.json", "", "mine/m.json"});
+    fragment->place.source = std::make_shared<SourceText>(
+        SourceText{"effects/mine/m.json", fragment->place.source->text, "mine/m.json"});
     const auto result = decode(document, sources);
     REQUIRE(errorsOf(result) == "");
     CHECK(result->shaders.at(0).fragment.name == "mine/local.frag");

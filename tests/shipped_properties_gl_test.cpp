@@ -72,7 +72,7 @@ std::vector<Subject> subjects()
         const SourceRef source = shippedSources().find("configs/" + name + ".json");
         const Node document = need(parseDocument(source));
         if (const Node* variants = document.find("variants"))
-            for (const Member& variant : variants->members) all.push_back({name, variant.key});
+            for (const Member& variant : variants->members()) all.push_back({name, variant.key});
     }
     return all;
 }
