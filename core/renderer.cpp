@@ -142,6 +142,12 @@ Diagnostics carryOver(const Values& loaded, const Description& now, Description&
     return warnings;
 }
 
+Diagnostics joined(Diagnostics first, const Diagnostics& second)
+{
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 /// The status of a new plan, with a warning where shaders had to compile for it.
 Status withCompiled(const Status& status, const Execution& execution, const std::string& cause,
                     const Reference& at)
@@ -155,9 +161,7 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
     warning.severity = Severity::warning;
     warning.help = "set each value once while loading, since what was compiled is kept, or bind a "
                    "param that changes often as a uniform";
-    Diagnostics all = status.diagnostics();
-    all.push_back(std::move(warning));
-    return all;
+    return joined(status.diagnostics(), {warning});
 }
 
 }  // namespace
@@ -174,7 +178,8 @@ struct Renderer::State {
                                                const CompileOptions& options,
                                                const SceneTraits& traits, const State* previous);
 
-    /// Makes `state` fit the frame's traits and textures, or leaves it where that fails.
+    /// Makes `state` fit the frame's traits and textures, or leaves it where that fails. The
+    /// warnings of a new plan come back.
     static Status prepare(std::unique_ptr<State>& state, const Frame& frame);
 
     /// Puts a new state in the place of `state`, or leaves it where that fails.
@@ -205,7 +210,7 @@ Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& fram
     if (!next) return next.diagnostics();
     if (Status status = (*next)->execution->setImports(frame); !status) return status;
     state = std::move(*next);
-    return {};
+    return next.diagnostics();
 }
 
 Status Renderer::State::replan(std::unique_ptr<State>& state, Description description,
@@ -235,14 +240,19 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
 
 Status Renderer::render(const Frame& frame)
 {
-    if (Status status = State::prepare(state_, frame); !status) return status;
-    return state_->execution->run(frame);
+    const Status prepared = State::prepare(state_, frame);
+    if (!prepared) return prepared;
+    return joined(prepared.diagnostics(), state_->execution->run(frame).diagnostics());
 }
 
 Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
 {
-    if (Status status = State::prepare(state_, frame); !status) return status.diagnostics();
-    return state_->execution->runTimed(frame);
+    const Status prepared = State::prepare(state_, frame);
+    if (!prepared) return prepared.diagnostics();
+    auto timed = state_->execution->runTimed(frame);
+    Diagnostics all = joined(prepared.diagnostics(), timed.diagnostics());
+    if (!timed) return all;
+    return {std::move(*timed), std::move(all)};
 }
 
 Status Renderer::setParam(std::string_view name, const float* values, int count)
@@ -300,8 +310,7 @@ Status Renderer::reload(Description description, const CompileOptions& options)
     if (!next) return next.diagnostics();
     state_ = std::move(*next);
     loaded_ = loaded;
-    all.insert(all.end(), next.diagnostics().begin(), next.diagnostics().end());
-    return all;
+    return joined(std::move(all), next.diagnostics());
 }
 
 Status Renderer::resize(Extent extent)

@@ -34,7 +34,8 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     /// Runs the plan. A frame with other traits than the plan was made for is planned anew first;
-    /// where that fails, the old plan and its pictures stay.
+    /// where that fails, the old plan and its pictures stay. The warnings of a new plan come back
+    /// with the one frame that it was made for: look at `diagnostics()` of what is `ok()` as well.
     ///
     /// Errors: CV6010 and CV6011 for the frame, CV6005 from the driver.
     Status render(const Frame& frame);

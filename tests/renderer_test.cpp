@@ -258,6 +258,38 @@ TEST_CASE("A frame with other traits is planned anew, once")
     CHECK(rig.device.misuse().empty());
 }
 
+TEST_CASE("The warnings of a plan that a frame asks for come back with that frame alone")
+{
+    const Description description = describe(R"({"format": 1, "name": "unread",
+        "imports": {"scene": {"type": "draw_list"}},
+        "targets": {"color": {"format": ["rgba8"]}, "shine": {"format": ["rgba8"]}},
+        "shaders": {"plain": {"vertex": "v", "fragment": "f"}},
+        "passes": {"lit": {"type": "fullscreen", "shader": "plain", "color": "color"},
+                   "sheen": {"type": "fullscreen", "shader": "plain", "color": "shine",
+                             "when": {"scene.specular": true}}},
+        "outputs": {"color": "color"}})",
+        {{"v", "#version 300 es\nvoid main() {}\n"},
+         {"f", "#version 300 es\nprecision highp float;\nout vec4 value;\n"}});
+    Rig rig;
+    auto renderer = Renderer::create(rig.device, description, {{8, 8}}, traitsOf(rig.frame));
+    REQUIRE(renderer.ok());
+    CHECK(renderer.diagnostics().empty());
+    CHECK((*renderer)->render(rig.frame).diagnostics().empty());
+    rig.frame.materials[0].specular = glm::vec3(1.0f);
+    const Status drawn = (*renderer)->render(rig.frame);
+    CHECK(drawn.ok());
+    REQUIRE(drawn.diagnostics().size() == 1);
+    CHECK(drawn.diagnostics()[0].code == Code::pass_unread);
+    CHECK(drawn.diagnostics()[0].pointer == "/passes/sheen");
+    CHECK((*renderer)->render(rig.frame).diagnostics().empty());
+    rig.frame.materials[0].specular = glm::vec3(0.0f);
+    CHECK((*renderer)->render(rig.frame).diagnostics().empty());
+    rig.frame.materials[0].specular = glm::vec3(1.0f);
+    const Result<FrameTimes> timed = (*renderer)->renderTimed(rig.frame);
+    REQUIRE(timed.ok());
+    CHECK(timed.diagnostics().size() == 1);
+}
+
 TEST_CASE("What a plan cannot be made of is no renderer")
 {
     RecordingDevice device;
