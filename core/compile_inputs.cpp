@@ -5,6 +5,7 @@
 #include "core/frame_values.h"
 #include "core/generators.h"
 
+#include <algorithm>
 #include <set>
 
 namespace crevice::compiler {
@@ -72,7 +73,9 @@ bool mentionedAnywhere(const State& state, const std::string& path, std::string_
     return false;
 }
 
-void checkMentioned(State& state, const Pass& pass, const Reference& name, const char* what)
+// Checks a name of the shader's that the pass gives the value `from`.
+void checkMentioned(State& state, const Pass& pass, const Reference& name, const Reference& from,
+                    const char* what)
 {
     const ShaderDesc& shader = state.description.shaders[pass.shader];
     std::set<std::string> seen;
@@ -82,10 +85,15 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
     for (const GlslStage* stage : {&state.shaders[pass.shader].vertex,
                                    &state.shaders[pass.shader].fragment})
         for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
-    report(state, Code::input_unused,
-           "pass '" + pass.desc->name + "' renames " + what + " '" + name.name +
-               "', which shader '" + shader.name + "' does not have",
-           name).help = suggestName(name.name, names, "uniforms");
+    Diagnostic& error = report(state, Code::input_unused,
+                               "pass '" + pass.desc->name + "' renames " + what + " '" +
+                                   name.name + "', which shader '" + shader.name +
+                                   "' does not have",
+                               name);
+    error.help = suggestName(name.name, names, "the shader declares");
+    const bool same = std::count(names.begin(), names.end(), from.name) > 0;
+    if (same && error.help.find("did you mean") == std::string::npos)
+        error.help = "did you mean '" + from.name + "'? " + error.help;
 }
 
 // Samples come from the host alone: targets are resolved before anyone reads them.
@@ -159,9 +167,9 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
 void checkRenames(State& state, const Pass& pass)
 {
     for (const InputDesc& input : pass.desc->inputs)
-        checkMentioned(state, pass, input.sampler, "input");
+        checkMentioned(state, pass, input.sampler, input.from, "input");
     for (const auto& renamed : pass.desc->uniforms)
-        checkMentioned(state, pass, renamed.first, "uniform");
+        checkMentioned(state, pass, renamed.first, renamed.second, "uniform");
 }
 
 }  // namespace crevice::compiler

@@ -188,6 +188,13 @@ TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hide
         CHECK(textAt(error.place) == "\"noize\"");
         CHECK(error.help.find("'noise'") != error.help.npos);
     }
+    SECTION("an input by a name far from that of what it reads, which the shader has")
+    {
+        const Diagnostic error = onlyError(body("uniform sampler2D noise;\n",
+                                                R"("inputs": {"grain": "noise"})"));
+        CHECK(error.code == Code::input_unused);
+        CHECK_THAT(error.help, Catch::StartsWith("did you mean 'noise'? the shader declares: "));
+    }
     SECTION("a uniform")
     {
         const Diagnostic error =
