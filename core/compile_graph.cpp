@@ -41,10 +41,17 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
         for (const Condition::Term& term : pass->desc->when.terms)
             error.notes.push_back({term.subject.place, "its condition is here"});
     }
-    for (const Named& each : state.description.deleted)
-        if (writers.empty() && each.pointer.compare(0, 7, "/passes") == 0)
-            error.notes.push_back({each.place, "'" + each.name + "' was deleted here"});
     error.help = help;
+    if (!writers.empty()) return;
+    std::vector<Place> deletions;
+    for (const Named& each : state.description.deleted) {
+        if (each.pointer.compare(0, 7, "/passes") != 0) continue;
+        error.notes.push_back({each.place, "'" + each.name + "' was deleted here"});
+        deletions.push_back(each.place);
+    }
+    if (isModule(at.place))
+        blame(error, deletions.size() == 1 ? deletions.front() : ownPlace(at.place),
+              "it is read here");
 }
 
 // Where the config makes the pass read through this sampler.
@@ -161,6 +168,7 @@ void checkBypasses(State& state)
                     "' while it is off, which pass '" + writer.desc->name + "' writes",
                 bypass.output);
             error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
+            blame(error, ownPlace(error.place), "it is passed on here");
             error.help = "take one of the two out, or let one write a target of its own";
         }
     }
@@ -186,6 +194,7 @@ void findWriters(State& state)
                                            "', which pass '" + first.desc->name + "' writes too",
                                        referenceTo(pass, name));
             error.notes.push_back({referenceTo(first, name).place, "the first writer"});
+            blame(error, ownPlace(error.place), "the second writer");
             error.help = "write to a target of its own, or give the passes conditions that exclude "
                          "each other";
         }

@@ -129,13 +129,17 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
     if (const std::string makers = target ? listMakers(sources_, reference.name) : "";
         !makers.empty())
         error.help = "add a module that makes it to 'extends': " + makers;
+    Place cause = ownPlace(reference.place);
     for (const Named& each : deletedNames(document_)) {
         for (const std::string& section : names.sections) {
             const std::string pointer = memberPointer("", section);
-            if (each.pointer == pointer || each.pointer == memberPointer(pointer, reference.name))
-                error.notes.push_back({each.place, "it was deleted here"});
+            if (each.pointer != pointer && each.pointer != memberPointer(pointer, reference.name))
+                continue;
+            error.notes.push_back({each.place, "it was deleted here"});
+            cause = each.place;
         }
     }
+    if (isModule(reference.place)) report_.causedBy(cause);
     report_.sameMistake(names.what + " " + reference.name);
 }
 

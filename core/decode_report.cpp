@@ -94,6 +94,11 @@ void Report::sameMistake(std::string mistake)
     last().mistake = std::move(mistake);
 }
 
+void Report::causedBy(const Place& place)
+{
+    last().cause = place;
+}
+
 bool Report::errorAt(std::string_view pointer) const
 {
     return std::any_of(entries_.begin(), entries_.end(),
@@ -125,13 +130,20 @@ Diagnostics Report::take(const Node& document)
                      [](const Ordered& a, const Ordered& b) { return a.first < b.first; });
 
     Diagnostics diagnostics;
+    std::vector<Place> causes;
     std::map<std::string, std::size_t> told;  // mistakes, and the diagnostics that tell them
     for (Ordered& each : ordered) {
         Entry& entry = each.second;
         const auto [first, fresh] = told.emplace(entry.mistake, diagnostics.size());
-        if (fresh || entry.mistake.empty()) diagnostics.push_back(std::move(entry.diagnostic));
-        else diagnostics[first->second].notes.push_back({entry.diagnostic.place, "and here"});
+        if (fresh || entry.mistake.empty()) {
+            diagnostics.push_back(std::move(entry.diagnostic));
+            causes.push_back(std::move(entry.cause));
+        } else {
+            diagnostics[first->second].notes.push_back({entry.diagnostic.place, "and here"});
+        }
     }
+    for (std::size_t i = 0; i < causes.size(); ++i)
+        if (causes[i].source) blame(diagnostics[i], causes[i], "it is named here");
     if (dropped_ > 0)
         diagnostics.back().notes.push_back(
             {{}, std::to_string(dropped_) + " more errors were found and are not listed"});

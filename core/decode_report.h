@@ -40,6 +40,9 @@ public:
     /// first one in the document is told, and the others become its notes.
     void sameMistake(std::string mistake);
 
+    /// Says that the last error comes of what stands at `place`, which is its place then.
+    void causedBy(const Place& place);
+
     /// The first error at the pointer or below, or null; valid until the next one is added.
     Diagnostic* firstWithin(std::string_view pointer);
 
@@ -54,6 +57,7 @@ private:
     struct Entry {
         Diagnostic diagnostic;
         std::string mistake = {};
+        Place cause = {};
     };
     Entry& last() { return dropped_ > 0 ? spare_ : entries_.back(); }
 

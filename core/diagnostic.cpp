@@ -189,6 +189,13 @@ bool hasErrors(const Diagnostics& diagnostics)
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
+void blame(Diagnostic& error, const Place& place, const std::string& what)
+{
+    if (place.source == error.place.source) return;
+    error.notes.insert(error.notes.begin(), {error.place, what});
+    error.place = place;
+}
+
 std::string codeName(Code code)
 {
     char name[16];

@@ -42,6 +42,10 @@ using Diagnostics = std::vector<Diagnostic>;
 /// True when any of them is an error and not a warning.
 bool hasErrors(const Diagnostics& diagnostics);
 
+/// Tells the error at a place in another file; where it was becomes the first note, which says
+/// `what`. Nothing changes where both places are in one file.
+void blame(Diagnostic& error, const Place& place, const std::string& what);
+
 /// The code as users see it: "CV2103".
 std::string codeName(Code code);
 

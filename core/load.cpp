@@ -110,7 +110,7 @@ class FileLoader {
 public:
     explicit FileLoader(const SourceSet& sources) : sources_(sources) {}
 
-    void load(const SourceRef& source, const Asked& asked);
+    void load(const SourceRef& found, const Asked& asked);
     void checkClashes();
 
     std::vector<Node> bodies;      // without `extends` and `variants`
@@ -154,10 +154,18 @@ std::string identityOf(const SourceText& source)
     return error ? source.name : canonical.string();
 }
 
-void FileLoader::load(const SourceRef& source, const Asked& asked)
+SourceRef copyFor(const SourceText& found, const Place& asked)
 {
-    const Opened file{identityOf(*source), source->name};
+    SourceText text = found;
+    text.asked = std::make_shared<const Place>(asked);
+    return std::make_shared<const SourceText>(std::move(text));
+}
+
+void FileLoader::load(const SourceRef& found, const Asked& asked)
+{
+    const Opened file{identityOf(*found), found->name};
     if (done_.count(file.identity) > 0 || !mayOpen(file, asked)) return;
+    const SourceRef source = asked.place.source ? copyFor(*found, asked.place) : found;
     Result<Node> document = parseDocument(source);
     append(errors, document.diagnostics());
     if (document) {

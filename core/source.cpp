@@ -139,6 +139,18 @@ std::vector<std::string> LayeredSources::list() const
     return paths;
 }
 
+bool isModule(const Place& place)
+{
+    return place.source && place.source->asked && !place.source->path.empty();
+}
+
+Place ownPlace(const Place& place)
+{
+    const Place* at = &place;
+    while (isModule(*at)) at = at->source->asked.get();
+    return *at;
+}
+
 std::string resolvePath(std::string_view from, std::string_view path)
 {
     if (!isRelative(path)) return std::string(path);

@@ -12,11 +12,14 @@
 
 namespace crevice {
 
+struct Place;
+
 /// One text and the name a user knows it by: a path on disk, or a path inside the catalog.
 struct SourceText {
     std::string name;
     std::string text;
     std::string path = {};  ///< Its path in the SourceSet it came from; empty for a file on disk.
+    std::shared_ptr<const Place> asked = {};  ///< The entry of `extends` that brought it, or null.
 };
 
 using SourceRef = std::shared_ptr<const SourceText>;
@@ -28,6 +31,13 @@ struct Place {
     int column = 0;
     int length = 1;  ///< Bytes to underline, at least 1.
 };
+
+/// True in a module that some file's `extends` brought.
+bool isModule(const Place& place);
+
+/// The place itself where it is in the config or in a file on disk; for one in a module, the entry
+/// of `extends` in such a file that brought the module.
+Place ownPlace(const Place& place);
 
 /// Texts by path: "ssao/hemisphere.json", "ssao/hemisphere.frag", "configs/learnopengl.json".
 /// Paths use '/', have no leading slash and no "..".

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <set>
 
 using namespace crevice;
@@ -27,6 +28,28 @@ TEST_CASE("Every config of the corpus is told its one mistake, where it is, and 
         const bool needs_device = config.name.rfind("run_time/", 0) == 0;
         CHECK((needs_device || device.log().empty()));
     }
+}
+
+TEST_CASE("What shipped modules do together is told in the config, with a note in the module")
+{
+    const std::map<std::string, std::string> kModules = {
+        {"graph/two_modules_write", "effects/filter/bilateral.json:38:61"},
+        {"graph/writer_deleted", "effects/lighting/deferred.json:42:33"},
+        {"references/filter_missing", "effects/lighting/deferred.json:42:33"},
+        {"references/target_deleted", "effects/ssao/hemisphere.json:57:57"}};
+    std::size_t seen = 0;
+    for (const CorpusCase& config : corpusCases()) {
+        const auto module = kModules.find(config.name);
+        if (module == kModules.end()) continue;
+        RecordingDevice device(capsOf(config));
+        const Diagnostics told = diagnosticsOf(config, device);
+        INFO(config.name << "\n" << toText(told));
+        REQUIRE(told.size() == 1);
+        REQUIRE_FALSE(told[0].notes.empty());
+        CHECK(placeName(told[0].notes[0].place) == module->second);
+        ++seen;
+    }
+    CHECK(seen == kModules.size());
 }
 
 TEST_CASE("Every config of the corpus is in its table")

@@ -29,6 +29,22 @@ TEST_CASE("a config may extend a config and change it")
     CHECK(document.place.source->name == "configs/fine.json");
 }
 
+TEST_CASE("a place in a module leads back to the entry of the config that brought it")
+{
+    const Node document = loaded(smallCatalog(), {"fine"});
+    const Place in_module = at(document, "passes/ssao")->place;
+    CHECK(in_module.source->name == "ssao/hemisphere.json");
+    CHECK(isModule(in_module));
+    const Place own = ownPlace(in_module);
+    CHECK(own.source->name == "configs/fine.json");
+    CHECK(own.line == 1);
+    CHECK(own.source->text.substr(own.column - 1, own.length) == "\"base\"");
+    const Place in_config = at(document, "params/samples/default")->place;
+    CHECK_FALSE(isModule(in_config));
+    CHECK(ownPlace(in_config).line == in_config.line);
+    CHECK(ownPlace(in_config).source == in_config.source);
+}
+
 TEST_CASE("a module reached twice is merged once, where it is met first")
 {
     MemorySources sources = smallCatalog();
