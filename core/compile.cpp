@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiling: the steps in their order, and what they share.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which passes run: `when` against features and the scene's traits.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include "core/frame_values.h"
 

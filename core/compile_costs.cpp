@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Estimates of bytes, and the list of what is left out with what that saves.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include "core/text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The graph: who writes what, and in which order passes run.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Samplers: the target, texture or import behind each, and renames of what no shader has.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include "core/frame_values.h"
 #include "core/generators.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a device would run without a word, and draw nothing good: linear reads of formats that it does
 // not mix, and passes whose work nobody looks at.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include <algorithm>
 

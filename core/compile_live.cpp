@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is needed: which passes some output hangs on, and what stands in for those that do not run.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The plan: passes with what they read and write, load and store operations, and programs.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Samples: how many each pass draws a pixel with. All attachments of a pass have as many.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 namespace crevice::compiler {
 

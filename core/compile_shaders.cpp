@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shaders: their defines, their stages and their outputs.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include "core/frame_values.h"
 #include "core/text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Textures: sizes, formats that the device can render to, and slots that targets share.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Uniforms: the param, kernel or frame value behind each, and how many the device holds.
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 
 #include "core/frame_values.h"
 #include "core/generators.h"

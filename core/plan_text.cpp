@@ -3,7 +3,7 @@
 // keep it.
 #include "core/plan_names.h"
 
-#include "core/compile_internal.h"
+#include "core/compile_steps.h"
 #include "core/field_types.h"
 #include "core/text.h"
 

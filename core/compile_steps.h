@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The steps of the compiler. Private to core/compile*.cpp, which fill its state in this order:
+//
+//   compile_conditions  which passes run
+//   compile_shaders     defines, stages, outputs; with compile_inputs for the samplers and
+//                       compile_uniforms for the other uniforms
+//   compile_graph       writers and order
+//   compile_live        what is needed, and what stands in for what is not
+//   compile_textures    sizes, formats, shared slots; with compile_samples for multisampling
+//   compile_lint        what would draw nothing good
+//   compile_passes      the plan itself; with compile_costs for the bytes and what is left out
+#pragma once
+
+#include "core/compile_state.h"
+
+namespace crevice::compiler {
+
+// compile_conditions.cpp
+void decideConditions(State& state);
+
+// compile_shaders.cpp
+void readShaders(State& state);
+
+// compile_inputs.cpp
+void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
+void checkRenames(State& state, const Pass& pass);
+/// True when `word` stands in the text as a word of its own.
+bool mentions(std::string_view text, std::string_view word);
+
+// compile_uniforms.cpp
+void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform);
+void checkLimits(State& state, const Pass& pass, const Shader& shader);
+/// Offsets or pixels, from the param where one is named.
+int generatedCount(const Description& description, const GeneratedDesc& generated);
+/// Whether the pass, as it will run, uses this.
+bool uses(const State& state, const Pass& pass, const GeneratedDesc& generated);
+bool uses(const State& state, const Pass& pass, const ImportDesc& import);
+
+// compile_graph.cpp
+void findWriters(State& state);
+void orderPasses(State& state);
+
+// compile_live.cpp
+void chooseLive(State& state);
+/// What a reader gets, with inactive passes and those that an identity replaces looked through;
+/// nothing when no active pass is behind it.
+std::optional<Source> resolve(const State& state, const Source& source);
+std::optional<Source> resolveTarget(const State& state, int target);
+
+// compile_textures.cpp
+/// The first of its formats that the device renders to; the first of all where there is none.
+Format chosenFormat(const State& state, const TargetDesc& target);
+void chooseExtents(State& state);
+void chooseFormats(State& state);
+/// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
+void shareTextures(const State& state, Plan& plan);
+
+// compile_samples.cpp
+void chooseSamples(State& state);
+
+// compile_lint.cpp
+/// CV2211 and the warning CV2212.
+void lint(State& state);
+
+// compile_costs.cpp
+/// Of all mip levels and copies.
+double textureBytes(const PlanTexture& texture);
+/// Fills in the bytes of each pass and of the textures.
+void estimateBytes(Plan& plan);
+std::vector<LeftOut> leftOut(const State& state);
+
+// compile_passes.cpp
+Plan buildPlan(const State& state);
+
+}  // namespace crevice::compiler
