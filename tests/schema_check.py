@@ -39,6 +39,8 @@ GOOD = [
     {"passes": {"ssao": {"when": {"scene.lights": True}, "clear": {"ao": [1, 1, 1, 1]}, "color": []}}},
     {"features": {"fade": {"type": "enum", "values": ["a", "b"], "default": "b"}}},
     {"shaders": {"ssao": {"defines": {"TAPS": 4, "DEBUG": True}}}},
+    {"passes": {"mine": {"shader": "mine", "color": ["mine", "ao"], "depth": None, "bypass": {"ao": "mine"}}}},
+    {"outputs": {"mine": "mine"}, "targets": {"mine": {"format": "r8", "size": {"of": "mine"}}}},
 ]
 BAD = [
     {"pases": {}},
@@ -74,6 +76,8 @@ BAD = [
     {"passes": {"ssao": {"inputs": {"depth": {"form": "ao"}}}}},
     {"passes": {"ssao": {"when": {"fade": []}}}},
     {"outputs": {"ao": ["ao"]}},
+    {"passes": {"ssao": {"shader": 3}}},
+    {"passes": {"ssao": {"color": [3]}}},
     {"views": {"look": {"target": "ao", "scale": "2"}}},
     {"variants": {"cheap": {"extends": []}}},
     {"variants": {"cheap": {"params": {"radius": {"defalt": 1}}}}},
@@ -92,6 +96,14 @@ if "ssao/gtao" not in offered or "learnopengl" not in offered:
     fail("'extends' offers no modules and configs")
 if "radius" not in schema["definitions"]["params"]["properties"]:
     fail("'params' offers no names")
+
+for kind, name in ("target_name", "ao_filtered"), ("shader_name", "lighting"):
+    if name not in schema["definitions"][kind]["anyOf"][0]["enum"]:
+        fail(f"'{kind}' offers no '{name}'")
+entry = next(form for pattern, form in schema["definitions"]["passes"]["patternProperties"].items() if pattern != "^x-")
+for key in "shader", "color", "depth", "bypass", "inputs":
+    if "_name" not in json.dumps(entry["properties"][key]):
+        fail(f"'{key}' of a pass offers no names")
 
 print(f"{len(shipped)} files, {len(GOOD) + len(BAD)} cases, {failures} failures")
 sys.exit(failures > 0)

@@ -8,6 +8,8 @@
 #include "core/document.h"
 #include "core/text.h"
 
+#include <map>
+
 namespace crevice {
 
 using table::Json;
@@ -102,6 +104,46 @@ Json offeredNames(const SourceSet& sources, const std::string& section, const ch
     return names;
 }
 
+/// A name of a target or shader: those of the shipped modules for completion, and any other.
+Json nameForm(const SourceSet& sources, const std::string& section)
+{
+    const Json offered = offeredNames(sources, section, "");
+    Json names = Json::array();
+    for (const auto& [name, form] : offered.items()) names.push_back(name);
+    return {{"anyOf", {{{"enum", names}}, {{"type", "string"}}}}};
+}
+
+/// Lets every string of the form be a name of that definition.
+void nameStrings(Json& form, const std::string& definition)
+{
+    if (form.contains("items")) nameStrings(form["items"], definition);
+    if (form.contains("anyOf"))
+        for (Json& each : form["anyOf"]) nameStrings(each, definition);
+    if (!form.contains("type") || form["type"] != "string") return;
+    form.erase("type");
+    form["anyOf"] = Json::array({reference(definition)});
+}
+
+/// Finds, by their titles, the keys that name a target or shader.
+void offerNames(Json& form)
+{
+    static const std::map<std::string, std::string> kNames = {
+        {"targets.NAME.size.of", "target_name"},
+        {"passes.NAME.shader", "shader_name"},
+        {"passes.NAME.color", "target_name"},
+        {"passes.NAME.depth", "target_name"},
+        {"passes.NAME.bypass.NAME", "target_name"},
+        {"passes.NAME.inputs.NAME", "target_name"},
+        {"passes.NAME.inputs.NAME.from", "target_name"},
+        {"outputs.NAME", "target_name"},
+        {"views.NAME.target", "target_name"}};
+    const auto named = kNames.find(form.value("title", ""));
+    if (named != kNames.end()) return nameStrings(form, named->second);
+    for (const char* list : {"properties", "patternProperties", "anyOf"})
+        if (form.contains(list))
+            for (Json& each : form[list]) offerNames(each);
+}
+
 /// "Where `type` is the word, `default` has this form", or is deleted.
 Json typeRule(const std::string& word, Json form)
 {
@@ -156,8 +198,11 @@ Json descriptionForm()
 std::string schemaJson(const SourceSet& sources)
 {
     Json form = descriptionForm();
+    offerNames(form);
     allowNulls(form);
-    Json definitions = Json::object(), keys = Json::object();
+    Json definitions = {{"target_name", nameForm(sources, "targets")},
+                        {"shader_name", nameForm(sources, "shaders")}};
+    Json keys = Json::object();
     for (const auto& [section, definition] :
          {std::pair{"params", "param"}, {"features", "feature"}}) {
         Json& all = form["properties"][section];
