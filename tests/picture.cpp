@@ -96,9 +96,6 @@ Scene mirrored(Scene scene)
     for (SceneInstance& instance : scene.instances)
         instance.world_from_model =
             glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1)) * instance.world_from_model;
-    for (MeshDesc& mesh : scene.meshes)
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
     return scene;
 }
 
