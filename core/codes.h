@@ -98,6 +98,7 @@ enum class Code : int {
     no_backend = 6012,         ///< A backend that does not exist or was not built.
     no_samples = 6013,         ///< More samples than the device draws.
     sampler_version = 6014,    ///< A sampler that the device's version of OpenGL ES does not have.
+    too_coarse = 6015,         ///< Formats that do not resolve the radius as far as it is seen (a warning).
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

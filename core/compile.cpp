@@ -168,14 +168,16 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     checkRules(state);
     chooseOutputs(state);
     decideConditions(state);
+    chooseFormats(state);
     readShaders(state);
     findWriters(state);
     orderPasses(state);
     chooseLive(state);
     chooseExtents(state);
-    chooseFormats(state);
+    checkFormats(state);
     chooseSamples(state);
     lint(state);
+    lintPrecision(state);
     dropRepeats(state);
     if (!hasErrors(state.diagnostics))
         state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),

@@ -163,7 +163,8 @@ void Builder::addTargets()
         if (!pass.live) continue;
         for (const int target : writtenBy(pass))
             if (state_.targets[target].textured)
-                plan_.targets.push_back({nameOf(target), -1, -1, at, at});
+                plan_.targets.push_back(
+                    {nameOf(target), -1, -1, at, at, -1, formatReason(state_, target)});
         ++at;
     }
 }

@@ -49,11 +49,11 @@ std::string stepsOf(Format format)
 
 void addSteps(GlslDefines& defines, const State& state)
 {
-    for (const TargetDesc& target : state.description.targets)
-        defines[upperCase(target.name) + "_STEP"] = stepsOf(chosenFormat(state, target));
+    for (std::size_t i = 0; i < state.targets.size(); ++i)
+        defines[stepDefine(state.description.targets[i].name)] = stepsOf(state.targets[i].format);
     for (const ImportDesc& import : state.description.imports)
         if (import.type == ImportType::texture)
-            defines[upperCase(import.name) + "_STEP"] = stepsOf(formatFromName(import.format));
+            defines[stepDefine(import.name)] = stepsOf(formatFromName(import.format));
 }
 
 GlslDefines definesFor(const State& state, const ShaderDesc& shader)
@@ -166,6 +166,8 @@ void readPass(State& state, Pass& pass)
 }
 
 }  // namespace
+
+std::string stepDefine(const std::string& texture) { return upperCase(texture) + "_STEP"; }
 
 void readShaders(State& state)
 {

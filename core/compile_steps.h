@@ -2,6 +2,7 @@
 // The steps of the compiler. Private to core/compile*.cpp, which fill its state in this order:
 //
 //   compile_conditions  which passes run
+//   compile_precision   formats, for shaders allow for their steps; in the end, where those are too coarse
 //   compile_shaders     defines, stages, outputs; with compile_inputs for the samplers and
 //                       compile_uniforms for the other uniforms
 //   compile_graph       writers and order
@@ -18,7 +19,17 @@ namespace crevice::compiler {
 // compile_conditions.cpp
 void decideConditions(State& state);
 
+// compile_precision.cpp
+void chooseFormats(State& state);
+/// Why the target has this format rather than one before it in its list; empty where it has the first
+/// that the device renders to.
+std::string formatReason(const State& state, int target);
+/// The warning CV6015.
+void lintPrecision(State& state);
+
 // compile_shaders.cpp
+/// The macro by which a shader allows for the steps of what a texture stores.
+std::string stepDefine(const std::string& texture);
 void readShaders(State& state);
 
 // compile_inputs.cpp
@@ -48,10 +59,8 @@ std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
 
 // compile_textures.cpp
-/// The first of its formats that the device renders to; the first of all where there is none.
-Format chosenFormat(const State& state, const TargetDesc& target);
 void chooseExtents(State& state);
-void chooseFormats(State& state);
+void checkFormats(State& state);
 /// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
 void shareTextures(const State& state, Plan& plan);
 

@@ -147,7 +147,7 @@ void checkFormat(State& state, const TargetDesc& desc, Format chosen)
                desc).help = "add a format that every device has, such as rgba8 or depth16";
         return;
     }
-    if (chosen == desc.formats.front()) return;
+    if (state.caps.canRender(desc.formats.front())) return;
     Diagnostic& warning = report(state, Code::no_format,
                                  "target '" + desc.name + "' falls back from " +
                                      formatInfo(desc.formats.front()).name + " to " +
@@ -197,13 +197,6 @@ private:
 
 }  // namespace
 
-Format chosenFormat(const State& state, const TargetDesc& target)
-{
-    for (const Format format : target.formats)
-        if (state.caps.canRender(format)) return format;
-    return target.formats.front();
-}
-
 void chooseExtents(State& state)
 {
     const int limit = state.caps.max_texture_size;
@@ -229,7 +222,7 @@ void chooseExtents(State& state)
         if (pass.active) checkAttachmentSizes(state, pass);
 }
 
-void chooseFormats(State& state)
+void checkFormats(State& state)
 {
     for (const Pass& pass : state.passes) {
         if (pass.active) checkAttachments(state, pass);
@@ -240,9 +233,8 @@ void chooseFormats(State& state)
                 if (!gives.constant) checkStandIn(state, gives.output, gives.input);
     }
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
-        const TargetDesc& desc = state.description.targets[i];
-        state.targets[i].format = chosenFormat(state, desc);
-        if (state.targets[i].textured) checkFormat(state, desc, state.targets[i].format);
+        const Target& target = state.targets[i];
+        if (target.textured) checkFormat(state, state.description.targets[i], target.format);
     }
 }
 

@@ -123,6 +123,13 @@ Place lastPlace(const Node& object)
     return place;
 }
 
+Place placeOf(const Cursor& object, std::string_view member)
+{
+    for (const Member& each : object.node.members())
+        if (each.key == member) return each.value.place;
+    return object.key_place;
+}
+
 void checkName(Report& report, const Cursor& cursor)
 {
     if (isName(cursor.key)) return;

@@ -41,6 +41,9 @@ bool isName(std::string_view name);
 /// Where an object was changed: its place, or that of a member that another file set.
 Place lastPlace(const Node& object);
 
+/// Of the member's value; of the object's own key where it has no such member.
+Place placeOf(const Cursor& object, std::string_view member);
+
 /// `name` as it should have been spelt: "AoRadius" and "ao-radius" become "ao_radius".
 std::string spellName(std::string_view name);
 
@@ -160,6 +163,7 @@ bool read(Report& report, const Cursor& cursor, T& out, const Rule&)
         Reader reader(report, cursor);
         fields(reader, out);
         if constexpr (std::is_same_v<T, SizeDesc>) out.place = lastPlace(cursor.node);
+        if constexpr (std::is_same_v<T, TargetDesc>) out.formats_place = placeOf(cursor, "format");
         return reader.finish();
     }
 }

@@ -99,8 +99,14 @@ struct SizeDesc {
     Place place = {};            ///< Of the value that was set last.
 };
 
+/// What surfaces are found by in a target of a colour format; those of a depth format hold window depth.
+enum class Holds { other, view_position, view_depth };
+
 struct TargetDesc : Named {
-    std::vector<Format> formats;  ///< Preference list: the first one that the device renders to.
+    std::vector<Format> formats;  ///< Preference list: the first one that the device renders to and
+                                  ///< that resolves what `holds` says (core/precision.h).
+    Place formats_place = {};
+    Holds holds = Holds::other;
     SizeDesc size = {};
     int mips = 1;          ///< Levels; 0 means down to 1x1.
     bool history = false;  ///< Last frame's content stays, under `historyName`.

@@ -100,8 +100,12 @@ void fields(V& v, SizeDesc& s)
 template <class V>
 void fields(V& v, TargetDesc& t)
 {
-    v.field("format", t.formats, "Preference list: the first that the device renders to.",
+    v.field("format", t.formats,
+            "Preference list: the first that the device renders to and that tells surfaces apart.",
             required());
+    v.field("holds", t.holds,
+            "What surfaces are found by here, so that its format is chosen to resolve the radius; "
+            "depth formats hold window depth without it.");
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
     v.field("mips", t.mips, "Mip levels; 0 means down to 1x1.", range(0, 16));
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");

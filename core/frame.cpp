@@ -5,8 +5,27 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace crevice {
+
+namespace {
+
+// Past this many near planes a far plane is lost in the rounding of a float matrix.
+constexpr double kFarthestPlane = 1 << 20;
+
+bool withinTwice(double a, double b) { return a <= 2 * b && b <= 2 * a; }
+
+// The distance of the plane at which clip z is w times `side`; infinite where there is none in front.
+double planeDistance(const glm::dmat4& clip_from_view, double side)
+{
+    const glm::dvec4 of_z = clip_from_view[2], of_1 = clip_from_view[3];
+    const double distance = (of_1.z - side * of_1.w) / (of_z.z - side * of_z.w);
+    return distance > 0 ? distance : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 bool Camera::orthographic() const
 {
@@ -33,7 +52,27 @@ bool SceneTraits::operator==(const SceneTraits& other) const
            specular == other.specular && textured == other.textured &&
            orthographic == other.orthographic &&
            reversed_depth == other.reversed_depth && normal_mapped == other.normal_mapped &&
-           baked_occlusion == other.baked_occlusion && views == other.views;
+           baked_occlusion == other.baked_occlusion && views == other.views &&
+           camera == other.camera;
+}
+
+bool CameraRange::operator==(const CameraRange& other) const
+{
+    const auto endless = [](const CameraRange& range) {
+        return range.far_distance > kFarthestPlane * range.near_distance;
+    };
+    const bool both_endless = near_distance > 0 && endless(*this) && endless(other);
+    return withinTwice(near_distance, other.near_distance) && withinTwice(zoom, other.zoom) &&
+           (both_endless || withinTwice(far_distance, other.far_distance));
+}
+
+CameraRange rangeOf(const Camera& camera)
+{
+    const glm::dmat4 m = camera.clip_from_view;
+    const double zoom = std::abs(m[1][1]);
+    if (camera.orthographic()) return {0, 2 / std::abs(m[2][2]), zoom};
+    const double one = planeDistance(m, -1), other = planeDistance(m, 1);
+    return {std::min(one, other), std::max(one, other), zoom};
 }
 
 SceneTraits traitsOf(const Frame& frame)
@@ -42,6 +81,7 @@ SceneTraits traitsOf(const Frame& frame)
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     traits.orthographic = frame.camera.orthographic();
     traits.reversed_depth = frame.camera.reversedDepth();
+    traits.camera = rangeOf(frame.camera);
     traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {
         if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size())) continue;

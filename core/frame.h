@@ -111,6 +111,22 @@ struct Frame {
 /// The camera of a view: 0 is `frame.camera`. Requires 0 <= view <= other_views.size().
 const Camera& cameraOf(const Frame& frame, std::size_t view);
 
+/// How near and far a camera sees along its axis, in scene units. Two that differ by less than a factor of
+/// two in each are equal, so that no plan is made anew while a camera zooms or its planes move a little;
+/// far planes past 2^20 near ones, which a float matrix no longer tells, count as none.
+struct CameraRange {
+    double near_distance = 0;  ///< 0 of an orthographic camera,
+    double far_distance = 0;   ///< ... and this its planes' distance from each other. Infinite where there
+                               ///< is no far plane; 0 where nothing is known.
+    double zoom = 0;  ///< A length covers zoom / 2 of the view's height at distance 1, or anywhere in an
+                      ///< orthographic view.
+
+    bool operator==(const CameraRange& other) const;
+};
+
+/// Of the projection as it is: off-centre, reversed, infinite or orthographic.
+CameraRange rangeOf(const Camera& camera);
+
 /// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
 struct SceneTraits {
     int lights = 0;              ///< scene.lights
@@ -122,6 +138,7 @@ struct SceneTraits {
     bool normal_mapped = false;  ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
     int views = 1;                 ///< camera.views
+    CameraRange camera = {};       ///< Formats are chosen by it, and no condition sees it.
 
     bool operator==(const SceneTraits& other) const;
 };

@@ -36,6 +36,7 @@ struct PlanTarget {
     int last_pass = -1;        ///< The last reader; the number of passes when an output or remembered.
     int history_texture = -1;  ///< What it held last frame, where someone reads that; the two
                                ///< textures change places before each frame.
+    std::string format_reason = {};  ///< Why its format is not the list's first; mostly empty.
 };
 
 /// Where a sampler's texture comes from. `history` is what a target held in the last frame.

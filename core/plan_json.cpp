@@ -95,7 +95,8 @@ std::string targetJson(const PlanTarget& target)
            ", \"drawn_texture\": " + json(target.drawn_texture) +
            ", \"first_pass\": " + json(target.first_pass) + ", \"last_pass\": " +
            json(target.last_pass) + ", \"history_texture\": " +
-           indexJson(target.history_texture) + "}";
+           indexJson(target.history_texture) + ", \"format_reason\": " +
+           json(target.format_reason) + "}";
 }
 
 std::string textureJson(const PlanTexture& texture)

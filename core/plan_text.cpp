@@ -181,6 +181,11 @@ std::string toText(const Plan& plan)
     for (const PlanPass& pass : plan.passes) text += passText(plan, pass);
     text += "textures\n";
     for (std::size_t i = 0; i < plan.textures.size(); ++i) text += textureText(plan, i);
+    std::string formats;
+    for (const PlanTarget& target : plan.targets)
+        if (!target.format_reason.empty())
+            formats += "  " + target.name + ": " + target.format_reason + "\n";
+    if (!formats.empty()) text += "formats\n" + formats;
     text += "outputs\n";
     for (const PlanOutput& output : plan.outputs) text += outputText(plan, output);
     if (!plan.generated.empty()) text += "generated\n";

@@ -3,6 +3,7 @@
 #include "core/renderer.h"
 
 #include "core/execution.h"
+#include "core/precision.h"
 
 #include <algorithm>
 #include <array>
@@ -71,6 +72,19 @@ bool isAll(const std::array<float, 4>& values, ParamType type, float value)
 {
     return std::all_of(values.begin(), values.begin() + componentCount(type),
                        [&](float each) { return each == value; });
+}
+
+/// Whether another radius wants other formats. Allocates nothing.
+bool changesFormats(const Description& description, float radius, const SceneTraits& traits,
+                    const DeviceCaps& caps, int height)
+{
+    const PrecisionNeed now = precisionNeed(description, traits, height);
+    const PrecisionNeed next = precisionNeed(traits, double{radius}, height);
+    return std::any_of(description.targets.begin(), description.targets.end(),
+                       [&](const TargetDesc& target) {
+                           return chooseFormat(description, target, traits, caps, now) !=
+                                  chooseFormat(description, target, traits, caps, next);
+                       });
 }
 
 /// Whether a plan made with the param's present value does not hold for `next`.
@@ -267,7 +281,11 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     std::array<float, 4> next = param->value;
     std::copy(values, values + count, next.begin());
     if (next == param->value) return {};
-    if (!changesPlan(state_->description, *param, next)) {
+    const bool reformats =
+        param->name == kRadiusName && changesFormats(state_->description, next[0], state_->traits,
+                                                  state_->device.caps(),
+                                                  state_->options.extent.height);
+    if (!reformats && !changesPlan(state_->description, *param, next)) {
         param->value = next;
         state_->execution->setParam(*param);
         return {};
@@ -276,7 +294,8 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     description.params[param - params.begin()].value = next;
     const std::string cause = param->bind == Bind::define
                                   ? "param '" + param->name + "' is bound as a define"
-                                  : "param '" + param->name + "' brought passes back";
+                              : reformats ? "param '" + param->name + "' wants other formats"
+                                          : "param '" + param->name + "' brought passes back";
     const Reference at{param->name, param->place, param->pointer};
     const Status status = State::replan(state_, std::move(description), state_->options);
     return withCompiled(status, *state_->execution, cause, at);

@@ -85,6 +85,8 @@ TEST_CASE("A frame allocates nothing while camera, draws, lights and params move
     bool ok = true;
     const long count = allocationsOf([&] {
         rig.frame.camera.view_from_world[3][0] = 2.0f;
+        rig.frame.camera.clip_from_view[1][1] *= 1.1f;
+        rig.frame.camera.clip_from_view[2][2] *= 1.1f;
         rig.frame.draws[0].world_from_model[3][1] = 1.0f;
         rig.frame.lights[0].position.x = 7.0f;
         ok = rig.renderer->setParam("radius", 3.0f).ok();

@@ -70,7 +70,7 @@ TEST_CASE("Traits come from the materials that something draws")
         frame.draws = {DrawItem{}};
         CHECK(traitsOf(frame).normal_mapped);
         CHECK_FALSE(traitsOf(frame).baked_occlusion);
-        CHECK_FALSE(traitsOf(frame) == SceneTraits{0, false, false, false, true});
+        CHECK_FALSE(traitsOf(frame) == traitsOf(Frame{}));
         frame.materials[0] = Material{};
         frame.materials[0].occlusion_map = TextureId{7};
         CHECK(traitsOf(frame).baked_occlusion);
@@ -80,7 +80,7 @@ TEST_CASE("Traits come from the materials that something draws")
     {
         frame.draws = {DrawItem{}};
         frame.draws[0].material = -3;
-        CHECK(traitsOf(frame) == SceneTraits{0, false, false, false, true});
+        CHECK(traitsOf(frame) == traitsOf(Frame{}));
     }
 }
 
