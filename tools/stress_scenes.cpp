@@ -30,6 +30,9 @@ void add(Scene& scene, MeshDesc mesh, const glm::dmat4& placed_at = glm::dmat4(1
             vertex.normal[i] = normal[i];
         }
     }
+    if (glm::determinant(glm::dmat3(placed_at)) < 0.0)  // front faces stay front faces
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
     scene.meshes.push_back(std::move(mesh));
     SceneInstance instance;
     instance.mesh = static_cast<int>(scene.meshes.size()) - 1;
