@@ -74,16 +74,22 @@ bool isAll(const std::array<float, 4>& values, ParamType type, float value)
                        [&](float each) { return each == value; });
 }
 
-/// Whether another radius wants other formats. Allocates nothing.
-bool changesFormats(const Description& description, float radius, const SceneTraits& traits,
-                    const DeviceCaps& caps, int height)
+/// What the choice of formats depends on besides the description and the device.
+struct Wants {
+    const SceneTraits& traits;
+    PrecisionNeed need;
+};
+
+/// Whether formats chosen for `now` do not hold for `next`. Allocates nothing.
+bool changesFormats(const Description& description, const DeviceCaps& caps, const Wants& now,
+                    const Wants& next)
 {
-    const PrecisionNeed now = precisionNeed(description, traits, height);
-    const PrecisionNeed next = precisionNeed(traits, double{radius}, height);
+    const auto chosen = [&](const TargetDesc& target, const Wants& wants) {
+        return chooseFormat(description, target, wants.traits, caps, wants.need);
+    };
     return std::any_of(description.targets.begin(), description.targets.end(),
                        [&](const TargetDesc& target) {
-                           return chooseFormat(description, target, traits, caps, now) !=
-                                  chooseFormat(description, target, traits, caps, next);
+                           return chosen(target, now) != chosen(target, next);
                        });
 }
 
@@ -192,6 +198,9 @@ struct Renderer::State {
                                                const CompileOptions& options,
                                                const SceneTraits& traits, const State* previous);
 
+    /// Whether its plan holds for a camera of another range, whose histories then go on.
+    bool holdsFor(const SceneTraits& other) const;
+
     /// Makes `state` fit the frame's traits and textures, or leaves it where that fails. The
     /// warnings of a new plan come back.
     static Status prepare(std::unique_ptr<State>& state, const Frame& frame);
@@ -215,11 +224,29 @@ auto Renderer::State::make(Device& device, Description description, const Compil
     return {std::move(state), plan.diagnostics()};
 }
 
+bool Renderer::State::holdsFor(const SceneTraits& other) const
+{
+    SceneTraits same = traits;
+    same.camera = other.camera;
+    const int height = options.extent.height;
+    return same == other &&
+           !changesFormats(description, device.caps(),
+                           {traits, precisionNeed(description, traits, height)},
+                           {other, precisionNeed(description, other, height)});
+}
+
 Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& frame)
 {
     if (Status status = checkFrame(frame); !status) return status;
     const SceneTraits traits = traitsOf(frame);
     if (traits == state->traits) return state->execution->setImports(frame);
+    if (state->holdsFor(traits)) {
+        const Result<Plan> plan =
+            compile(state->description, traits, state->device.caps(), state->options);
+        state->traits = traits;
+        if (Status status = state->execution->setImports(frame); !status) return status;
+        return plan.diagnostics();
+    }
     auto next = make(state->device, state->description, state->options, traits, state.get());
     if (!next) return next.diagnostics();
     if (Status status = (*next)->execution->setImports(frame); !status) return status;
@@ -281,10 +308,13 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     std::array<float, 4> next = param->value;
     std::copy(values, values + count, next.begin());
     if (next == param->value) return {};
+    const SceneTraits& traits = state_->traits;
+    const int height = state_->options.extent.height;
     const bool reformats =
-        param->name == kRadiusName && changesFormats(state_->description, next[0], state_->traits,
-                                                  state_->device.caps(),
-                                                  state_->options.extent.height);
+        param->name == kRadiusName &&
+        changesFormats(state_->description, state_->device.caps(),
+                       {traits, precisionNeed(state_->description, traits, height)},
+                       {traits, precisionNeed(traits, next[0], height)});
     if (!reformats && !changesPlan(state_->description, *param, next)) {
         param->value = next;
         state_->execution->setParam(*param);

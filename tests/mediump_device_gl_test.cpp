@@ -40,7 +40,7 @@ const float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-TEST_CASE("In half floats 2049 is 2048, 65536 is infinite and 2^-15 is 0; highp is exact")
+TEST_CASE("In half floats 2049 is 2048, 65536 is infinite and 2^-15 is 0, and highp is exact")
 {
     if (!canRewriteMediump()) return;
     const std::vector<float> value = {2049.0f, 65536.0f, 1.0f / 32768.0f, -2051.0f};
