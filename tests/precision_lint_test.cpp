@@ -234,7 +234,7 @@ TEST_CASE("A host that reverses its float depth needs no warning")
     CHECK(warnings(plan("depth24", true)) == 1);
 }
 
-TEST_CASE("A camera whose planes and zoom move a little is not planned anew")
+TEST_CASE("A camera whose planes and zoom move is not planned anew while formats hold")
 {
     Rig rig;
     const auto look = [&rig](double fov, double near_distance) {
@@ -246,7 +246,7 @@ TEST_CASE("A camera whose planes and zoom move a little is not planned anew")
         CAPTURE(i);
         CHECK_FALSE(look(1.0 - 0.005 * i, 0.1 + 0.0015 * i));
     }
-    CHECK(look(1.0, 0.5));
+    CHECK_FALSE(look(1.0, 0.5));
 }
 
 TEST_CASE("A frame that is planned anew tells the new plan's warnings once")
