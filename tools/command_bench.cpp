@@ -3,14 +3,12 @@
 #include "tools/bench_measure.h"
 #include "tools/cli_output.h"
 #include "tools/commands.h"
+#include "tools/long_run.h"
 #include "tools/open_device.h"
 #include "tools/reference_cache.h"
 
 #include <CLI/CLI.hpp>
 
-#include <csignal>
-
-#include <chrono>
 #include <memory>
 
 namespace crevice {
@@ -28,25 +26,6 @@ struct BenchCommand {
     bool no_budget = false;
     bool list = false;
 };
-
-volatile std::sig_atomic_t signalled = 0;
-
-/// The first interrupt ends the run in good order, a second one at once. A file over the limit that
-/// the shell sets (ulimit -f) is an error like a full disk's and does not kill the program.
-void catchInterrupts()
-{
-    struct sigaction action = {};
-    action.sa_handler = [](int) { signalled = 1; };
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-    std::signal(SIGXFSZ, SIG_IGN);
-}
-
-double clockSeconds()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 int listTasks(const BenchPlan& plan)
 {
@@ -91,7 +70,7 @@ int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceS
     measure.budget = !command.no_budget;
     measure.cache_folder = command.cache.path();
     measure.out_folder = command.out;
-    measure.interrupted = [] { return signalled != 0; };
+    measure.interrupted = interrupted;
     measure.tracing = [&progress](double done) { progress.update(done); };
     BenchMeter meter(*open->device, plan, sources, measure);
     BenchWorld world;

@@ -3,6 +3,7 @@
 #include "tools/cli_output.h"
 #include "tools/commands.h"
 #include "tools/image_file.h"
+#include "tools/long_run.h"
 #include "tools/open_device.h"
 #include "tools/reference_cache.h"
 #include "tools/scene_options.h"
@@ -12,9 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <csignal>
-
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -34,22 +32,6 @@ struct StressCommand {
     bool list = false;
     bool json = false;
 };
-
-volatile std::sig_atomic_t signalled = 0;
-
-void catchInterrupts()
-{
-    struct sigaction action = {};
-    action.sa_handler = [](int) { signalled = 1; };
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
-
-double clockSeconds()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 int listCases(const std::vector<StressTask>& tasks)
 {
@@ -170,7 +152,7 @@ int measureAll(const StressCommand& command, const std::vector<StressTask>& task
     };
     world.keep = [&](const StressDrawing& done) { return keepPicture(command.out, done); };
     world.seconds = clockSeconds;
-    world.interrupted = [] { return signalled != 0; };
+    world.interrupted = interrupted;
     world.say = [&progress](const std::string& line) {
         progress.wipe();
         std::fprintf(stderr, "%s\n", line.c_str());
