@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every shipped config and variant with mediump in half floats, against the same at full precision.
 #include "tests/picture.h"
+#include "tests/shipped_subjects.h"
 
 #include "core/load.h"
 #include "core/renderer.h"
@@ -23,24 +24,6 @@ namespace {
 // Most that the mean occlusion may change: a quarter of a step of the 8 bits it is stored in. Measured
 // figures are in docs/precision.md.
 constexpr double kMostChange = 0.001;
-
-struct Subject {
-    std::string config;
-    std::string variant;
-};
-
-/// Every shipped config, and again with each of its variants.
-std::vector<Subject> subjects()
-{
-    std::vector<Subject> all;
-    for (const std::string& name : configNames(shippedSources())) {
-        all.push_back({name, ""});
-        const Node document = need(parseDocument(shippedSources().find("configs/" + name + ".json")));
-        if (const Node* variants = document.find("variants"))
-            for (const Member& variant : variants->members()) all.push_back({name, variant.key});
-    }
-    return all;
-}
 
 /// The radius is 0.8 in units of one, with fewer taps for what software GL takes seconds for. What the
 /// config gives in scene units is in that unit too.

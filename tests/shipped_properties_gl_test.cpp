@@ -2,6 +2,7 @@
 // What holds for every shipped config and each of its variants, on the built-in scenes and on
 // random ones, however the camera projects.
 #include "tests/picture.h"
+#include "tests/shipped_subjects.h"
 
 #include "core/load.h"
 #include "core/renderer.h"
@@ -56,25 +57,6 @@ Scene randomScene(unsigned seed)
             glm::rotate(moved, between(0, 3), glm::vec3(0, 1, 0));
     }
     return scene;
-}
-
-struct Subject {
-    std::string config;
-    std::string variant;
-};
-
-/// Every shipped config, and again with each of its variants.
-std::vector<Subject> subjects()
-{
-    std::vector<Subject> all;
-    for (const std::string& name : configNames(shippedSources())) {
-        all.push_back({name, ""});
-        const SourceRef source = shippedSources().find("configs/" + name + ".json");
-        const Node document = need(parseDocument(source));
-        if (const Node* variants = document.find("variants"))
-            for (const Member& variant : variants->members()) all.push_back({name, variant.key});
-    }
-    return all;
 }
 
 /// The config as it ships, but for counts of taps that software GL takes seconds for.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What tests over everything that ships are about.
+#pragma once
+
+#include "tests/picture.h"
+
+#include "core/load.h"
+#include "effects/catalog.h"
+
+namespace crevice {
+
+struct Subject {
+    std::string config;
+    std::string variant;
+};
+
+/// Every shipped config, and again with each of its variants.
+inline std::vector<Subject> subjects()
+{
+    std::vector<Subject> all;
+    for (const std::string& name : configNames(shippedSources())) {
+        all.push_back({name, ""});
+        const Node document = need(parseDocument(shippedSources().find("configs/" + name + ".json")));
+        if (const Node* variants = document.find("variants"))
+            for (const Member& variant : variants->members()) all.push_back({name, variant.key});
+    }
+    return all;
+}
+
+}  // namespace crevice
