@@ -144,10 +144,11 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix)
 
 bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
 {
-    const glm::dmat3 view_from_model(camera.view_from_world * item.world_from_model);
     const glm::dmat4& clip = camera.clip_from_view;
     const double upright = clip[0][0] * clip[1][1] - clip[0][1] * clip[1][0];
-    return (glm::determinant(view_from_model) < 0.0) != (upright < 0.0);
+    const bool item_mirrors = glm::determinant(glm::dmat3(item.world_from_model)) < 0.0;
+    const bool view_mirrors = glm::determinant(glm::dmat3(camera.view_from_world)) < 0.0;
+    return (item_mirrors != view_mirrors) != (upright < 0.0);
 }
 
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)

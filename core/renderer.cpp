@@ -241,11 +241,10 @@ Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& fram
     const SceneTraits traits = traitsOf(frame);
     if (traits == state->traits) return state->execution->setImports(frame);
     if (state->holdsFor(traits)) {
-        const Result<Plan> plan =
-            compile(state->description, traits, state->device.caps(), state->options);
-        state->traits = traits;
         if (Status status = state->execution->setImports(frame); !status) return status;
-        return plan.diagnostics();
+        state->traits = traits;
+        return compile(state->description, traits, state->device.caps(), state->options)
+            .diagnostics();
     }
     auto next = make(state->device, state->description, state->options, traits, state.get());
     if (!next) return next.diagnostics();
