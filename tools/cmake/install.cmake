@@ -25,6 +25,7 @@ set(public_headers
   core/generators.h
   core/glsl.h
   core/image.h
+  core/lazy.h
   core/load.h
   core/merge.h
   core/plan.h
