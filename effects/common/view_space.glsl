@@ -27,14 +27,21 @@ highp vec3 viewFromWindow(highp vec2 uv, highp float window_depth)
     return view.xyz / max(view.w, kSmallestW);
 }
 
+// The window depth that viewFromWindow takes to view depth `z`. Nothing cancels: reversed depth keeps the
+// digits that a float texture has for it.
+highp float windowFromView(highp float z)
+{
+    highp mat4 m = view_from_window;
+    return clamp((m[3].z - z * m[3].w) / (z * m[2].w - m[2].z), 0.0, 1.0);
+}
+
 // How far apart in view depth two points about `point` may come out that are one, where window depth is
 // stored in steps of `stored` (absolute, and a share of the value): by the steps and by the arithmetic above.
 highp float viewStepOf(highp vec2 stored, highp vec3 point)
 {
     const highp float kEpsilon = 1.2e-7;  // of 32-bit floats
     highp mat4 m = view_from_window;
-    highp vec2 clip = (clip_from_view * vec4(point, 1.0)).zw;
-    highp float window = clamp(clip.x / max(clip.y, kSmallestW) * 0.5 + 0.5, 0.0, 1.0);
+    highp float window = windowFromView(point.z);
     highp float steps = stored.x + stored.y * window;
     highp float slope = abs(m[2].z - point.z * m[2].w) * steps;
     highp float z = abs(m[2].z) * window + abs(m[3].z);
