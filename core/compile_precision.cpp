@@ -109,8 +109,11 @@ std::string formatHelp(const State& state, const Setup& setup, const Stored& sto
     reversed.format = Format::depth32f;
     Setup turned = setup;
     turned.traits.reversed_depth = true;
-    const bool turns = !stored.target && !setup.traits.reversed_depth && turned.serves(reversed);
-    return turns ? "reverse the depth and store it in depth32f, with clip depths of 0..1" : "";
+    const bool turns =
+        !stored.surface.drawn && !setup.traits.reversed_depth && turned.serves(reversed);
+    if (!turns) return {};
+    return stored.target ? "give the camera reversed depth"
+                         : "reverse the depth and store it in depth32f, with clip depths of 0..1";
 }
 
 std::string radiusHelp(Setup setup, const StoredSurface& surface)
@@ -154,8 +157,9 @@ std::vector<Stored> storedSurfaces(const State& state)
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const TargetDesc& desc = state.description.targets[i];
         if (state.targets[i].textured)
-            all.push_back({desc.name, {desc.holds, state.targets[i].format}, desc.formats_place,
-                           desc.pointer + "/format", &desc});
+            all.push_back({desc.name,
+                           storedSurface(state.description, desc, state.targets[i].format),
+                           desc.formats_place, desc.pointer + "/format", &desc});
     }
     for (const ImportDesc& desc : state.description.imports)
         if (desc.type == ImportType::texture)
@@ -192,7 +196,7 @@ std::string formatReason(const State& state, int target)
     const Format chosen = state.targets[target].format;
     if (chosen == preferred) return {};
     return std::string(formatInfo(chosen).name) + " instead of " + formatInfo(preferred).name +
-           ", which " + reachText(setupOf(state), {desc.holds, preferred});
+           ", which " + reachText(setupOf(state), storedSurface(state.description, desc, preferred));
 }
 
 void lintPrecision(State& state)

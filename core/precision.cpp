@@ -59,6 +59,15 @@ bool readLinearly(const Description& description, const TargetDesc& target)
 
 }  // namespace
 
+StoredSurface storedSurface(const Description& description, const TargetDesc& target, Format format)
+{
+    const bool drawn = std::any_of(
+        description.passes.begin(), description.passes.end(), [&](const PassDesc& pass) {
+            return pass.type == PassType::draw && pass.depth.name == target.name;
+        });
+    return {target.holds, format, drawn};
+}
+
 PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height)
 {
     const CameraRange& camera = traits.camera;
@@ -116,7 +125,7 @@ Format chooseFormat(const Description& description, const TargetDesc& target,
                     const SceneTraits& traits, const DeviceCaps& caps, const PrecisionNeed& need)
 {
     const auto reach = [&](Format format) {
-        return resolvedDistance(traits, {target.holds, format}, need);
+        return resolvedDistance(traits, storedSurface(description, target, format), need);
     };
     Format best = Format::none;
     for (const Format format : target.formats) {

@@ -32,8 +32,12 @@ constexpr double kDrawnDepthStep = 1.0 / (1 << 24);
 struct StoredSurface {
     Holds holds = Holds::other;  ///< Of a colour format; a depth format holds window depth.
     Format format = Format::none;
-    bool drawn = true;  ///< By our passes, rather than by a host that may clip at depth 0.
+    bool drawn = true;  ///< Window depth that a rasteriser made, rather than a shader, or a host that may
+                        ///< clip at depth 0.
 };
+
+/// What `target` holds in `format`.
+StoredSurface storedSurface(const Description& description, const TargetDesc& target, Format format);
 
 /// What is asked of a format: steps of at most `step` up to `distance`. All 0 where nothing is.
 struct PrecisionNeed {
