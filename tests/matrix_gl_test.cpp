@@ -10,7 +10,10 @@
 #include "tools/mesh_shapes.h"
 #include "tools/scene_upload.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 using namespace crevice;
 
@@ -99,6 +102,17 @@ Scene edgeScene()
     return scene;
 }
 
+/// Window depth through `clip_from_view` as a logarithmic depth buffer with the default `log_far` has it.
+Image logarithmOf(Image depth, const glm::mat4& clip_from_view)
+{
+    const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(clip_from_view));
+    for (float& value : depth.pixels) {
+        const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, value * 2.0 - 1.0, 1);
+        if (value < 1) value = float(std::log1p(-view.z / view.w) / std::log1p(1000.0));
+    }
+    return depth;
+}
+
 /// What all cells share: the scene, and depth and normals as a host would have drawn them.
 struct Stage {
     GlFixture gl;
@@ -123,6 +137,10 @@ struct Stage {
         host_frame.lights = frame.lights;
         for (const char* name : {"depth", "normal"})
             host_frame.textures.push_back({name, host->output(name)});
+        const TextureId log_depth = gl.texture(Format::r32f, kExtent, "log_depth");
+        need(gl.device->writeTexture(
+            log_depth, logarithmOf(gl.read(host->output("depth")), frame.camera.clip_from_view)));
+        host_frame.textures.push_back({"log_depth", log_depth});
     }
 
     const Frame& frameFor(const Cell& cell) const

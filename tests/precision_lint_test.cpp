@@ -234,6 +234,25 @@ TEST_CASE("A host that reverses its float depth needs no warning")
     CHECK(warnings(plan("depth24", true)) == 1);
 }
 
+TEST_CASE("A host's logarithmic depth is kept by a camera with reversed depth")
+{
+    const auto plan = [](bool reversed) {
+        MemorySources mine;
+        mine.add("configs/hosted.json", R"({
+  "format": 1, "name": "hosted",
+  "extends": ["geometry/host_depth_log", "ssao/hemisphere", "filter/box"] })");
+        const LayeredSources sources({&mine, &shippedSources()});
+        Setup setup = {"hosted", {}, 0.001, 1000};
+        setup.reversed = reversed;
+        return planFor(setup, sources);
+    };
+    CHECK(warnings(plan(true)) == 0);
+    const Result<Plan> straight = plan(false);
+    REQUIRE(warnings(straight) == 1);
+    CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reversed depth") !=
+          std::string::npos);
+}
+
 TEST_CASE("A camera whose planes and zoom move is not planned anew while formats hold")
 {
     Rig rig;
