@@ -56,6 +56,23 @@ StressShot hostProjection(double kind, Extent size)
     return shot;
 }
 
+/// As logarithmic depth whose far distance is `far`, for a camera with reversed depth.
+StressShot hostLogarithm(double far, Extent size)
+{
+    if (far == 0) return hostShot(size);
+    StressShot shot = hostProjection(3, size);
+    shot.geometry = kLogGeometry;
+    shot.settings = {"log_far=" + std::to_string(far)};
+    shot.host = [from = shot.host_camera.clip_from_view, far](Image& depth, Image&) {
+        const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(from));
+        for (float& value : depth.pixels) {
+            const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, value * 2.0 - 1.0, 1);
+            if (value < 1) value = static_cast<float>(std::log1p(-view.z / view.w) / std::log1p(far));
+        }
+    };
+    return shot;
+}
+
 /// Pixels over the picture, away from its borders.
 std::vector<glm::ivec2> scattered(Extent size)
 {
@@ -154,6 +171,9 @@ std::vector<StressCase> hostCases()
         {"host_projection", "A host's depth of other projections.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
          false, hostProjection},
+        {"host_logarithm", "A host's logarithmic depth, by its far distance.", "",
+         {{0, "straight"}, {1e2, "1e2"}, {1e4, "1e4"}, {1e7, "1e7"}}, 0, E::same, 0.002, false,
+         hostLogarithm},
         {"host_depth", "Three pixels of rubbish in a host's depth: nothing changes beyond the radius.",
          "", stepsOf(kDepths), 0, E::same, 0.004, false, hostDepth},
         {"host_normal", "Three pixels of rubbish in a host's normals.", "", stepsOf(kNormals), 0,

@@ -35,11 +35,12 @@ std::string overHost(const std::string& module)
             "type": "fullscreen", "shader": "host_albedo", "color": ["albedo"]}}})";
 }
 
-MemorySources hostModules()
+// `kind` ends the names of the host's modules.
+MemorySources hostModules(const std::string& kind)
 {
     MemorySources modules;
-    modules.add("geometry/depth_normal.json", overHost("geometry/host_depth_normal"));
-    modules.add("geometry/depth_only.json", overHost("geometry/host_depth"));
+    modules.add("geometry/depth_normal.json", overHost("geometry/host_depth_normal" + kind));
+    modules.add("geometry/depth_only.json", overHost("geometry/host_depth" + kind));
     modules.add("host/albedo.frag", kWhite);
     return modules;
 }
@@ -71,10 +72,12 @@ MemorySources depthModules()
 
 StandIns::StandIns(const SourceSet& sources)
     : own_(sources),
-      host_(hostModules()),
+      host_(hostModules("")),
+      log_(hostModules("_log")),
       positions_(positionModules()),
       depths_(depthModules()),
       over_host_({&host_, &sources}),
+      over_log_({&log_, &sources}),
       over_positions_({&positions_, &sources}),
       over_depths_({&depths_, &sources})
 {
@@ -83,6 +86,7 @@ StandIns::StandIns(const SourceSet& sources)
 const SourceSet& StandIns::over(const std::string& geometry) const
 {
     if (geometry == kHostGeometry) return over_host_;
+    if (geometry == kLogGeometry) return over_log_;
     if (geometry == kPositionGeometry) return over_positions_;
     if (geometry == kDepthGeometry) return over_depths_;
     return own_;
@@ -114,7 +118,8 @@ Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
     shot.host(*depth, *normal);
 
     HostTextures textures(device);
-    if (const Status made = textures.add("depth", Format::r32f, *depth); !made)
+    const char* const name = shot.geometry == kLogGeometry ? "log_depth" : "depth";
+    if (const Status made = textures.add(name, Format::r32f, *depth); !made)
         return made.diagnostics();
     if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)
         return made.diagnostics();

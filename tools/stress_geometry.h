@@ -11,21 +11,22 @@
 namespace crevice {
 
 /// What stands in for geometry modules, so that any config that extends one of them becomes one over
-/// another: a host's depth (and normals), stored positions, or depth and normals. Others stay as they are.
+/// another: a host's depth (and normals), straight or logarithmic, stored positions, or depth and normals. Others stay as they are.
 class StandIns {
 public:
     explicit StandIns(const SourceSet& sources);
 
-    /// Sources in which `geometry` (StressShot::geometry, or kHostGeometry) is extended instead.
+    /// Sources in which `geometry` (StressShot::geometry) is extended instead.
     const SourceSet& over(const std::string& geometry) const;
 
 private:
     const SourceSet& own_;
-    MemorySources host_, positions_, depths_;
-    LayeredSources over_host_, over_positions_, over_depths_;
+    MemorySources host_, log_, positions_, depths_;
+    LayeredSources over_host_, over_log_, over_positions_, over_depths_;
 };
 
 constexpr const char* kHostGeometry = "host";
+constexpr const char* kLogGeometry = "host with logarithmic depth";
 constexpr const char* kPositionGeometry = "positions";
 constexpr const char* kDepthGeometry = "depth and normals";
 

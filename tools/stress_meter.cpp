@@ -125,7 +125,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     if (!shot.geometry.empty() && !shot.host &&
         (shot.geometry == kPositionGeometry) != (findNamed(base->targets, "position") != nullptr))
         ready.absent = "its geometry module has no counterpart with " + shot.geometry;
-    if (shot.host && !findNamed(base->imports, "depth"))
+    if (shot.host && !findNamed(base->imports, "depth") && !findNamed(base->imports, "log_depth"))
         ready.absent = "its geometry module has no counterpart for a host's depth";
     if (findNamed(base->params, "radius"))
         config.overrides.push_back("radius=" + shortest(shot.radius));
