@@ -47,7 +47,7 @@ void addOptions(Cell& cell, std::size_t index)
     const bool drawn = !cell.input->host_textures;
     if (drawn && has(*cell.estimator, "second_layer") && index % 3 > 0)
         cell.add_ons.push_back(layers[index % 3]);
-    if (index % 5 == 2)
+    if (cell.input->targets.count("depth") && index % 5 == 2)
         cell.add_ons.push_back(drawn ? "geometry/depth_levels" : "geometry/host_depth_levels");
     const char* const rotations[] = {"rotation=tile", "rotation=gradient", "rotation=none"};
     if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
@@ -84,7 +84,8 @@ bool makesSense(const Cell& cell)
     };
     const std::set<std::string>& needs = cell.filter->needs;
     return std::none_of(needs.begin(), needs.end(), missing) &&
-           !(cell.estimator->reads_albedo && missing("albedo"));
+           !(cell.estimator->reads_albedo && missing("albedo")) &&
+           !(cell.estimator->needs.count("depth") && missing("depth"));
 }
 
 /// A floor and a wall, closed and finite: an edge, two open faces, background all round.
@@ -102,16 +103,29 @@ Scene edgeScene()
     return scene;
 }
 
-/// Window depth through `clip_from_view` as a logarithmic depth buffer with the default `log_far` has it.
-Image logarithmOf(Image depth, const glm::mat4& clip_from_view)
-{
-    const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(clip_from_view));
-    for (float& value : depth.pixels) {
-        const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, value * 2.0 - 1.0, 1);
-        if (value < 1) value = float(std::log1p(-view.z / view.w) / std::log1p(1000.0));
+/// How a host may store the distance of window depth through `clip_from_view`: linear depth, logarithmic
+/// depth with the default `log_far`, and positions.
+struct Encodings {
+    Image linear, logarithmic, positions;
+
+    Encodings(const Image& depth, const glm::mat4& clip_from_view)
+        : linear(depth.extent, 1, 0), logarithmic(depth.extent, 1, 1), positions(depth.extent, 4, 0)
+    {
+        const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(clip_from_view));
+        for (int y = 0; y < depth.extent.height; ++y)
+            for (int x = 0; x < depth.extent.width; ++x) {
+                if (depth.at(x, y) >= 1) continue;
+                const glm::dvec3 ndc = glm::dvec3((x + 0.5) / depth.extent.width,
+                                                  (y + 0.5) / depth.extent.height, depth.at(x, y)) *
+                                           2.0 - 1.0;
+                glm::dvec4 view = view_from_clip * glm::dvec4(ndc, 1);
+                view /= view.w;
+                linear.at(x, y) = float(-view.z);
+                logarithmic.at(x, y) = float(std::log1p(-view.z) / std::log1p(1000.0));
+                for (int i = 0; i < 4; ++i) positions.at(x, y, i) = float(view[i]);
+            }
     }
-    return depth;
-}
+};
 
 /// What all cells share: the scene, and depth and normals as a host would have drawn them.
 struct Stage {
@@ -137,10 +151,17 @@ struct Stage {
         host_frame.lights = frame.lights;
         for (const char* name : {"depth", "normal"})
             host_frame.textures.push_back({name, host->output(name)});
-        const TextureId log_depth = gl.texture(Format::r32f, kExtent, "log_depth");
-        need(gl.device->writeTexture(
-            log_depth, logarithmOf(gl.read(host->output("depth")), frame.camera.clip_from_view)));
-        host_frame.textures.push_back({"log_depth", log_depth});
+        const Encodings stored(gl.read(host->output("depth")), frame.camera.clip_from_view);
+        give("linear_depth", Format::r32f, stored.linear);
+        give("log_depth", Format::r32f, stored.logarithmic);
+        give("position", Format::rgba32f, stored.positions);
+    }
+
+    void give(const char* name, Format format, const Image& image)
+    {
+        const TextureId texture = gl.texture(format, image.extent, name);
+        need(gl.device->writeTexture(texture, image));
+        host_frame.textures.push_back({name, texture});
     }
 
     const Frame& frameFor(const Cell& cell) const

@@ -27,6 +27,17 @@ highp vec3 viewFromWindow(highp vec2 uv, highp float window_depth)
     return view.xyz / max(view.w, kSmallestW);
 }
 
+// The point in view space behind `uv` at view depth `z`. As exact as z is: nothing cancels.
+highp vec3 viewFromDepth(highp vec2 uv, highp float z)
+{
+    highp vec3 ray = (view_from_window * vec4(uv, 0.0, 1.0)).xyz;
+#if CAMERA_ORTHOGRAPHIC
+    return vec3(ray.xy, z);
+#else
+    return ray * (z / ray.z);
+#endif
+}
+
 // The window depth that viewFromWindow takes to view depth `z`. Nothing cancels: reversed depth keeps the
 // digits that a float texture has for it.
 highp float windowFromView(highp float z)

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 // A G-buffer without positions: depth is kept and the position rebuilt from it.
 //
-//   normal    view space, stored as n * 0.5 + 0.5; alpha 1 on a surface, 0 (the clear value) elsewhere
-//   albedo    linear colour; alpha is the strength of the highlight
-//   baked_ao  with BAKED_AO: the material's own visibility, 1 open
+//   normal        view space, stored as n * 0.5 + 0.5; alpha 1 on a surface, 0 (the clear value) elsewhere
+//   albedo        linear colour; alpha is the strength of the highlight
+//   baked_ao      with BAKED_AO: the material's own visibility, 1 open
+//   linear_depth  with LINEAR_DEPTH: distance along the view axis; 0 (the clear value) in the background
 precision highp float;
 
 #include "geometry/material.glsl"
@@ -18,6 +19,9 @@ layout(location = 1) out vec4 albedo;
 #ifdef BAKED_AO
 layout(location = 2) out float baked_ao;
 #endif
+#ifdef LINEAR_DEPTH
+layout(location = 2) out highp float linear_depth;
+#endif
 
 void main()
 {
@@ -25,5 +29,8 @@ void main()
     normal = vec4(materialNormal(point, facing, uv) * 0.5 + 0.5, 1.0);
 #ifdef BAKED_AO
     baked_ao = materialOpen(uv);
+#endif
+#ifdef LINEAR_DEPTH
+    linear_depth = -point.z;
 #endif
 }
