@@ -240,7 +240,7 @@ TEST_CASE("A host's logarithmic depth is kept by a camera with reversed depth")
         MemorySources mine;
         mine.add("configs/hosted.json", R"({
   "format": 1, "name": "hosted",
-  "extends": ["geometry/host_depth_log", "ssao/hemisphere", "filter/box"] })");
+  "extends": ["geometry/host_log_depth", "ssao/hemisphere", "filter/box"] })");
         const LayeredSources sources({&mine, &shippedSources()});
         Setup setup = {"hosted", {}, 0.001, 1000};
         setup.reversed = reversed;

@@ -200,8 +200,8 @@ double formatStep(Format format, double distance, const StressShot& shot)
         near_by.coordinates = 0;
         return std::max(rounding, formatStep(format, distance, near_by));
     }
-    if (format == Format::rgba16f) return floatStep(10);
-    if (format == Format::rgba32f) return floatStep(23);
+    if (format == Format::rgba16f || format == Format::r16f) return floatStep(10);
+    if (format == Format::rgba32f || format == Format::r32f) return floatStep(23);
     // Depths near 1, where most of them lie, are as fine in single float as in 24 bits.
     const double depths = format == Format::depth16 ? 65536.0 : 16777216.0;
     if (shot.camera.orthographic()) return (far - near) / depths;

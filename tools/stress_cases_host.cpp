@@ -56,20 +56,35 @@ StressShot hostProjection(double kind, Extent size)
     return shot;
 }
 
-/// As logarithmic depth whose far distance is `far`, for a camera with reversed depth.
-StressShot hostLogarithm(double far, Extent size)
+/// Each distance along the view axis as `stored` has it; the background stays 1.
+template <class Stored>
+auto storedBy(const glm::dmat4& clip_from_view, const Stored& stored)
 {
-    if (far == 0) return hostShot(size);
-    StressShot shot = hostProjection(3, size);
-    shot.geometry = kLogGeometry;
-    shot.settings = {"log_far=" + std::to_string(far)};
-    shot.host = [from = shot.host_camera.clip_from_view, far](Image& depth, Image&) {
-        const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(from));
+    return [view_from_clip = glm::inverse(clip_from_view), stored](Image& depth, Image&) {
         for (float& value : depth.pixels) {
             const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, value * 2.0 - 1.0, 1);
-            if (value < 1) value = static_cast<float>(std::log1p(-view.z / view.w) / std::log1p(far));
+            value = static_cast<float>(stored(-view.z / view.w, value < 1));
         }
     };
+}
+
+/// 1 for linear depth, else the power of ten to which logarithmic depth reaches; for a camera with reversed depth.
+StressShot hostEncoding(double kind, Extent size)
+{
+    if (kind == 0) return hostShot(size);
+    StressShot shot = hostProjection(3, size);
+    const glm::dmat4 drawn = shot.host_camera.clip_from_view;
+    if (kind == 1) {
+        shot.geometry = kHostLinearGeometry;
+        shot.host = storedBy(drawn, [](double z, bool seen) { return seen ? z : 0; });
+        return shot;
+    }
+    const double far = std::pow(10, kind);
+    shot.geometry = kHostLogGeometry;
+    shot.settings = {"log_far=" + std::to_string(far)};
+    shot.host = storedBy(drawn, [far](double z, bool seen) {
+        return seen ? std::log1p(z) / std::log1p(far) : 1;
+    });
     return shot;
 }
 
@@ -156,7 +171,8 @@ StressShot hostInward(double kind, Extent size)
 StressShot inputs(double kind, Extent size)
 {
     StressShot shot = yardShot(yardView(), size);
-    shot.geometry = kind == 0 ? kDepthGeometry : kPositionGeometry;
+    const char* const geometry[] = {kDepthGeometry, kPositionGeometry, kLinearGeometry};
+    shot.geometry = geometry[static_cast<int>(kind)];
     return shot;
 }
 
@@ -166,14 +182,15 @@ std::vector<StressCase> hostCases()
 {
     using E = Expectation;
     return {
-        {"inputs", "The same config over depth and normals, and over stored positions.", "",
-         kinds({kDepthGeometry, kPositionGeometry}), 0, E::same, 0.002, false, inputs},
+        {"inputs", "The same config over depth, over stored positions and over linear depth.", "",
+         kinds({kDepthGeometry, kPositionGeometry, kLinearGeometry}), 0, E::same, 0.002, false, inputs},
         {"host_projection", "A host's depth of other projections.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
          false, hostProjection},
-        {"host_logarithm", "A host's logarithmic depth, by its far distance.", "",
-         {{0, "straight"}, {1e2, "1e2"}, {1e4, "1e4"}, {1e7, "1e7"}}, 0, E::same, 0.002, false,
-         hostLogarithm},
+        {"host_encoding", "A host's linear depth, and its logarithmic depth to ever farther.", "",
+         {{0, "straight"}, {1, "linear"}, {2, "logarithmic to 1e2"}, {4, "logarithmic to 1e4"},
+          {7, "logarithmic to 1e7"}},
+         0, E::same, 0.002, false, hostEncoding},
         {"host_depth", "Three pixels of rubbish in a host's depth: nothing changes beyond the radius.",
          "", stepsOf(kDepths), 0, E::same, 0.004, false, hostDepth},
         {"host_normal", "Three pixels of rubbish in a host's normals.", "", stepsOf(kNormals), 0,

@@ -35,13 +35,29 @@ std::string overHost(const std::string& module)
             "type": "fullscreen", "shader": "host_albedo", "color": ["albedo"]}}})";
 }
 
-// `kind` ends the names of the host's modules.
+// `kind` begins the names of the host's modules.
 MemorySources hostModules(const std::string& kind)
 {
     MemorySources modules;
-    modules.add("geometry/depth_normal.json", overHost("geometry/host_depth_normal" + kind));
-    modules.add("geometry/depth_only.json", overHost("geometry/host_depth" + kind));
+    modules.add("geometry/depth_normal.json", overHost("geometry/" + kind + "depth_normal"));
+    modules.add("geometry/depth_only.json", overHost("geometry/" + kind + "depth"));
     modules.add("host/albedo.frag", kWhite);
+    return modules;
+}
+
+// The module that stores linear depth extends the one that it stands in for.
+MemorySources linearModules(const SourceSet& sources)
+{
+    const char* const kDrawn = "geometry/depth_normal";
+    const std::string path = std::string(kDrawn) + ".json";
+    MemorySources modules;
+    const SourceRef drawn = sources.find(path);
+    const SourceRef linear = sources.find("geometry/linear_depth_normal.json");
+    if (!drawn || !linear) return modules;
+    std::string text = linear->text;
+    text.replace(text.find(kDrawn), std::string(kDrawn).size(), "geometry/drawn");
+    modules.add(path, text);
+    modules.add("geometry/drawn.json", drawn->text);
     return modules;
 }
 
@@ -70,26 +86,25 @@ MemorySources depthModules()
 
 }  // namespace
 
-StandIns::StandIns(const SourceSet& sources)
-    : own_(sources),
-      host_(hostModules("")),
-      log_(hostModules("_log")),
-      positions_(positionModules()),
-      depths_(depthModules()),
-      over_host_({&host_, &sources}),
-      over_log_({&log_, &sources}),
-      over_positions_({&positions_, &sources}),
-      over_depths_({&depths_, &sources})
+StandIns::Layer::Layer(MemorySources stand_ins, const SourceSet& sources)
+    : modules(std::move(stand_ins)), all({&modules, &sources})
 {
+}
+
+StandIns::StandIns(const SourceSet& sources) : own_(sources)
+{
+    over_.try_emplace(kHostGeometry, hostModules("host_"), sources);
+    over_.try_emplace(kHostLogGeometry, hostModules("host_log_"), sources);
+    over_.try_emplace(kHostLinearGeometry, hostModules("host_linear_"), sources);
+    over_.try_emplace(kPositionGeometry, positionModules(), sources);
+    over_.try_emplace(kLinearGeometry, linearModules(sources), sources);
+    over_.try_emplace(kDepthGeometry, depthModules(), sources);
 }
 
 const SourceSet& StandIns::over(const std::string& geometry) const
 {
-    if (geometry == kHostGeometry) return over_host_;
-    if (geometry == kLogGeometry) return over_log_;
-    if (geometry == kPositionGeometry) return over_positions_;
-    if (geometry == kDepthGeometry) return over_depths_;
-    return own_;
+    const auto found = over_.find(geometry);
+    return found == over_.end() ? own_ : found->second.all;
 }
 
 Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
@@ -118,7 +133,9 @@ Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
     shot.host(*depth, *normal);
 
     HostTextures textures(device);
-    const char* const name = shot.geometry == kLogGeometry ? "log_depth" : "depth";
+    const char* const name = shot.geometry == kHostLogGeometry      ? "log_depth"
+                             : shot.geometry == kHostLinearGeometry ? "linear_depth"
+                                                                    : "depth";
     if (const Status made = textures.add(name, Format::r32f, *depth); !made)
         return made.diagnostics();
     if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)

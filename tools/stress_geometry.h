@@ -5,29 +5,38 @@
 #include "tools/config_options.h"
 #include "tools/stress_case.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace crevice {
 
 /// What stands in for geometry modules, so that any config that extends one of them becomes one over
-/// another: a host's depth (and normals), straight or logarithmic, stored positions, or depth and normals. Others stay as they are.
+/// another. Others stay as they are.
 class StandIns {
 public:
     explicit StandIns(const SourceSet& sources);
 
-    /// Sources in which `geometry` (StressShot::geometry) is extended instead.
+    /// Sources in which `geometry`, one of the names below, is extended instead; else those given.
     const SourceSet& over(const std::string& geometry) const;
 
 private:
+    struct Layer {
+        Layer(MemorySources stand_ins, const SourceSet& sources);
+
+        MemorySources modules;
+        LayeredSources all;
+    };
+
     const SourceSet& own_;
-    MemorySources host_, log_, positions_, depths_;
-    LayeredSources over_host_, over_log_, over_positions_, over_depths_;
+    std::map<std::string, Layer> over_;
 };
 
 constexpr const char* kHostGeometry = "host";
-constexpr const char* kLogGeometry = "host with logarithmic depth";
+constexpr const char* kHostLogGeometry = "host with logarithmic depth";
+constexpr const char* kHostLinearGeometry = "host with linear depth";
 constexpr const char* kPositionGeometry = "positions";
+constexpr const char* kLinearGeometry = "linear depth";
 constexpr const char* kDepthGeometry = "depth and normals";
 
 /// Depth and normals on a device as a host brings them.

@@ -51,10 +51,26 @@ bool remembers(const Plan& plan)
                        [](const PlanTarget& target) { return target.history_texture >= 0; });
 }
 
-/// The format that the surface is read from: that of stored positions, else of the depth.
+/// Why a config that was put over the shot's geometry is none; null where it is one.
+const char* missingFrom(const Description& description, const StressShot& shot)
+{
+    if (shot.geometry.empty()) return nullptr;
+    if (shot.host)
+        for (const char* name : {"depth", "log_depth", "linear_depth"})
+            if (findNamed(description.imports, name)) return nullptr;
+    if (shot.host) return "its geometry module has no counterpart for a host's depth";
+    const bool positions = findNamed(description.targets, "position");
+    const bool linear = findNamed(description.targets, "linear_depth");
+    return positions == (shot.geometry == kPositionGeometry) &&
+                   linear == (shot.geometry == kLinearGeometry)
+               ? nullptr
+               : "its geometry module has no such counterpart";
+}
+
+/// The format that the surface is read from: that of stored positions or distances, else of the depth.
 Format storedFormat(const Plan& plan)
 {
-    for (const char* name : {"position", "depth"})
+    for (const char* name : {"position", "linear_depth", "depth"})
         if (const PlanTarget* target = findNamed(plan.targets, name))
             return plan.textures[target->texture].format;
     return Format::depth24;
@@ -80,6 +96,8 @@ std::vector<std::string> surfaceFormats(const Description& description)
 {
     if (findNamed(description.targets, "position"))
         return {"", "position=rgba16f", "position=rgba32f"};
+    if (findNamed(description.targets, "linear_depth"))
+        return {"", "linear_depth=r16f", "linear_depth=r32f"};
     if (findNamed(description.targets, "depth"))
         return {"", "depth=depth16", "depth=depth24", "depth=depth32f"};
     return {""};
@@ -122,11 +140,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     if (!base) return base.diagnostics();
     ConfigOptions config = task.config;
     if (!shot.geometry.empty() && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
-    if (!shot.geometry.empty() && !shot.host &&
-        (shot.geometry == kPositionGeometry) != (findNamed(base->targets, "position") != nullptr))
-        ready.absent = "its geometry module has no counterpart with " + shot.geometry;
-    if (shot.host && !findNamed(base->imports, "depth") && !findNamed(base->imports, "log_depth"))
-        ready.absent = "its geometry module has no counterpart for a host's depth";
+    if (const char* what = missingFrom(*base, shot)) ready.absent = what;
     if (findNamed(base->params, "radius"))
         config.overrides.push_back("radius=" + shortest(shot.radius));
     for (const std::string& setting : shot.settings) {
