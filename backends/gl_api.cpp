@@ -17,6 +17,19 @@ constexpr std::size_t kMaxLabelLength = 255;
 
 const char* const kHelp = "crevice needs OpenGL ES 3.0, and the context's own loader";
 
+Diagnostic contextLost(const std::string& what)
+{
+    return failure(Code::context_lost, what + " found the GL context lost",
+                   "destroy what was made in it, make a new context, and in that a new device and "
+                   "renderer");
+}
+
+template <class Value, class... Arguments>
+void silence(Value(GL_APIENTRY*& function)(Arguments...))
+{
+    if (function) function = [](Arguments...) -> Value { return Value(); };
+}
+
 }  // namespace
 
 Result<GlApi> loadGlApi(const GlLoader& load)
@@ -31,10 +44,10 @@ Result<GlApi> loadGlApi(const GlLoader& load)
     CREVICE_GL_FUNCTIONS(CREVICE_GL_LOAD)
 #undef CREVICE_GL_LOAD
     if (!errors.empty()) return errors;
-    if (!api.GetString(GL_VERSION))
-        return failure(Code::gl_version, "no GL context is current on this thread",
-                       "make the context current before making a device in it");
-    return api;
+    if (api.GetString(GL_VERSION)) return api;
+    if (api.GetError() == GL_CONTEXT_LOST) return contextLost("makeGlDevice");
+    return failure(Code::gl_version, "no GL context is current on this thread",
+                   "make the context current before making a device in it");
 }
 
 const char* glErrorName(GLenum error)
@@ -67,15 +80,19 @@ const char* framebufferStatusName(GLenum status)
     }
 }
 
-Status takeErrors(const GlApi& gl, const char* what, const char* label)
+Status takeErrors(GlApi& gl, const char* what, const char* label)
 {
     GLenum error = gl.GetError();
     if (error == GL_NO_ERROR) return {};
     Code code = Code::gl_error;
-    std::string message = what;
-    if (*label) message += std::string(" '") + label + "'";
-    message += " gave ";
+    std::string who = what;
+    if (*label) who += std::string(" '") + label + "'";
+    std::string message = who + " gave ";
     for (int i = 0; i < kMaxPendingErrors && error != GL_NO_ERROR; ++i, error = gl.GetError()) {
+        if (error == GL_CONTEXT_LOST) {
+            abandon(gl);
+            return contextLost(who);
+        }
         if (i > 0) message += ", ";
         message += glErrorName(error);
         if (error == GL_OUT_OF_MEMORY) code = Code::out_of_memory;
@@ -84,6 +101,19 @@ Status takeErrors(const GlApi& gl, const char* what, const char* label)
                            ? "render at a smaller size, or free other textures of this device"
                            : "the driver refused a call; its name and version help with a report";
     return failure(code, message, help);
+}
+
+void abandon(GlApi& gl)
+{
+#define CREVICE_GL_SILENCE(name, upper, required) silence(gl.name);
+    CREVICE_GL_FUNCTIONS(CREVICE_GL_SILENCE)
+#undef CREVICE_GL_SILENCE
+    gl.GetError = []() -> GLenum { return GL_CONTEXT_LOST; };
+}
+
+void noticeReset(GlApi& gl)
+{
+    if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR) abandon(gl);
 }
 
 void setLabel(const GlApi& gl, GLenum identifier, GLuint name, const std::string& label)

@@ -78,6 +78,7 @@ namespace crevice {
     X(GetBooleanv, GETBOOLEANV, true) \
     X(GetError, GETERROR, true) \
     X(GetFloatv, GETFLOATV, true) \
+    X(GetGraphicsResetStatus, GETGRAPHICSRESETSTATUS, false) \
     X(GetIntegeri_v, GETINTEGERI_V, true) \
     X(GetIntegerv, GETINTEGERV, true) \
     X(GetInternalformativ, GETINTERNALFORMATIV, false) \
@@ -137,9 +138,20 @@ const char* glErrorName(GLenum error);
 /// "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT" and the like.
 const char* framebufferStatusName(GLenum status);
 
-/// Takes all pending errors. Errors: CV6005, or CV6009 when memory ran out; "WHAT gave NAME, NAME".
-/// Allocates nothing when there is none.
-Status takeErrors(const GlApi& gl, const char* what, const char* label = "");
+/// Takes all pending errors. Allocates nothing when there is none.
+///
+/// Errors: CV6005, or CV6009 when memory ran out; "WHAT gave NAME, NAME". CV6016 alone when the
+/// context is lost: the table is then abandoned.
+Status takeErrors(GlApi& gl, const char* what, const char* label = "");
+
+/// For a context that is lost or destroyed: from now on no function of the table reaches a driver,
+/// so that nothing is deleted in whatever context is current then, and glGetError says
+/// GL_CONTEXT_LOST.
+void abandon(GlApi& gl);
+
+/// Abandons the table where the context tells that the GPU was reset: where GL_KHR_robustness is
+/// missing, and GL_EXT_robustness alone is there, no error says so.
+void noticeReset(GlApi& gl);
 
 /// Gives an object a name for debuggers, where the context can. `identifier` is GL_TEXTURE or the
 /// like.

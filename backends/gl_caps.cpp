@@ -66,7 +66,7 @@ bool mayRender(const GlInfo& info, const FormatInfo& format)
 }
 
 /// True when a framebuffer of that format is really complete: some drivers promise too much.
-bool tryRender(const GlApi& gl, const FormatInfo& format)
+bool tryRender(GlApi& gl, const FormatInfo& format)
 {
     constexpr int kSize = 4;
     auto texture = GlTexture::make(gl);
@@ -123,6 +123,16 @@ const char* timerSuffix(const GlInfo& info)
     if (info.bare) return nullptr;
     if (!info.desktop) return info.has("GL_EXT_disjoint_timer_query") ? "EXT" : nullptr;
     return info.native_version >= 330 || info.has("GL_ARB_timer_query") ? "" : nullptr;
+}
+
+/// The same for glGetGraphicsResetStatus.
+const char* resetSuffix(const GlInfo& info)
+{
+    if (info.bare) return nullptr;
+    if (info.native_version >= (info.desktop ? 450 : 320)) return "";
+    if (info.has("GL_KHR_robustness")) return info.desktop ? "" : "KHR";
+    if (info.desktop) return info.has("GL_ARB_robustness") ? "ARB" : nullptr;
+    return info.has("GL_EXT_robustness") ? "EXT" : nullptr;
 }
 
 }  // namespace
@@ -183,6 +193,8 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", timers);
     find(gl.GetQueryiv, "glGetQueryiv", timers);
 
+    find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatus", resetSuffix(info));
+
     if (info.desktop && info.native_version < 420 && !info.has("GL_ARB_internalformat_query"))
         gl.GetInternalformativ = nullptr;
     if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
@@ -194,7 +206,7 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.ObjectLabel, "glObjectLabel", labels);
 }
 
-DeviceCaps readCaps(const GlApi& gl, const GlInfo& info)
+DeviceCaps readCaps(GlApi& gl, const GlInfo& info)
 {
     DeviceCaps caps;
     const std::string renderer = text(gl, GL_RENDERER);

@@ -34,7 +34,7 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load);
 
 /// Limits, and which formats can be rendered to: first by the rules, then by trying. Clobbers the
 /// bindings of unit 0's texture and of the draw framebuffer.
-DeviceCaps readCaps(const GlApi& gl, const GlInfo& info);
+DeviceCaps readCaps(GlApi& gl, const GlInfo& info);
 
 /// True when a linear filter may be used on the format; else sampling it would give black.
 bool canFilter(const GlInfo& info, Format format);

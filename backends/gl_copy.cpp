@@ -34,7 +34,7 @@ out highp uvec4 bits;
 void main() { bits = floatBitsToUint(texelFetch(source, ivec2(gl_FragCoord.xy), 0)); }
 )";
 
-Result<GlLinkedProgram> link(const GlApi& gl, const char* fragment, const char* label)
+Result<GlLinkedProgram> link(GlApi& gl, const char* fragment, const char* label)
 {
     ProgramDesc desc;
     desc.label = label;
@@ -45,7 +45,7 @@ Result<GlLinkedProgram> link(const GlApi& gl, const char* fragment, const char* 
 
 }  // namespace
 
-Result<GlCopier> GlCopier::make(const GlApi& gl)
+Result<GlCopier> GlCopier::make(GlApi& gl)
 {
     Result<GlLinkedProgram> copy = link(gl, kCopy, "crevice copy");
     if (!copy) return copy.diagnostics();
@@ -65,7 +65,7 @@ void GlCopier::copy(const GlApi& gl, GlState& state, GLuint texture, GLuint samp
     drawTriangle(gl);
 }
 
-Result<Image> GlCopier::read(const GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
+Result<Image> GlCopier::read(GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
                              Extent extent) const
 {
     auto target = GlTexture::make(gl);

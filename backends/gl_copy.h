@@ -9,7 +9,7 @@ namespace crevice {
 
 class GlCopier {
 public:
-    static Result<GlCopier> make(const GlApi& gl);
+    static Result<GlCopier> make(GlApi& gl);
 
     /// Draws the texture over the viewport of the bound framebuffer.
     void copy(const GlApi& gl, GlState& state, GLuint texture, GLuint sampler) const;
@@ -17,8 +17,8 @@ public:
     /// Level 0 as four floats a texel, bit for bit what a shader fetches: works for every format,
     /// for depth too, which glReadPixels refuses. `nearest` is a sampler without a filter.
     ///
-    /// Errors: CV6005, CV6009.
-    Result<Image> read(const GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
+    /// Errors: CV6005, CV6009, CV6016.
+    Result<Image> read(GlApi& gl, GlState& state, GLuint texture, GLuint nearest,
                        Extent extent) const;
 
     /// Draws three vertices that have no attributes.

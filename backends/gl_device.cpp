@@ -80,11 +80,15 @@ Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
 
 Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
 {
-    if (!gl_.IsTexture(native_name))
+    dropHostErrors();
+    if (!gl_.IsTexture(native_name)) {
+        if (Status status = takeErrors(gl_, "adoptTexture", desc.label.c_str()); !status)
+            return status.diagnostics();
         return failure(Code::bad_input,
                        "the host's texture '" + desc.label + "' has the name " +
                            std::to_string(native_name) + ", which is no texture of this context",
                        "make it in the device's context, or in one that shares with it");
+    }
     if (desc.samples > 1 && caps_.version < 310)
         return failure(Code::sampler_version,
                        "the host's texture '" + desc.label + "' has " +
@@ -118,12 +122,13 @@ Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
     if (depth) attach(GL_DEPTH_ATTACHMENT, depth);
     gl_.DrawBuffers(std::max(count, 1), buffers.data());
     const GLenum complete = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (Status status = takeErrors(gl_, "createFramebuffer", label.c_str()); !status) return status;
     if (complete != GL_FRAMEBUFFER_COMPLETE)
         return failure(Code::gl_error,
                        "framebuffer '" + label + "' is " + framebufferStatusName(complete),
                        "give its targets one size, and formats that this device renders to");
     setLabel(gl_, GL_FRAMEBUFFER, framebuffer.name(), label);
-    return takeErrors(gl_, "createFramebuffer", label.c_str());
+    return {};
 }
 
 Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
@@ -150,7 +155,7 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
 
 Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 {
-    (void)takeErrors(gl_, "the host");
+    dropHostErrors();
     Result<GlLinkedProgram> program = linkProgram(gl_, desc);
     if (!program) return program.diagnostics();
     if (Status status = takeErrors(gl_, "createProgram", desc.label.c_str()); !status)
@@ -226,11 +231,16 @@ Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader, const GlDev
     Result<GlApi> gl = loadGlApi(loader);
     if (!gl) return gl.diagnostics();
     Result<GlInfo> info = readInfo(*gl, options.ignore_extensions);
-    if (!info) return info.diagnostics();
+    if (!info) {
+        const Status status = takeErrors(*gl, "makeGlDevice");
+        return tellsLoss(status.diagnostics()) ? status.diagnostics() : info.diagnostics();
+    }
     settleOptional(*gl, *info, loader);
     auto device = std::make_unique<GlDevice>(*gl, *info, options);
     if (Status status = device->prepare(); !status) return status.diagnostics();
     return std::unique_ptr<Device>(std::move(device));
 }
+
+void abandonGlDevice(Device& device) { static_cast<GlDevice&>(device).abandon(); }
 
 }  // namespace crevice

@@ -19,7 +19,8 @@ struct GlDeviceOptions {
     /// queries a frame; the host must then set all state that it relies on.
     bool restore_state = true;
 
-    /// Asks for errors after each pass. Off saves what can be a wait for a driver's own thread.
+    /// Asks for errors after each pass, and whether the context is lost once a frame. Off saves what
+    /// can be a wait for a driver's own thread.
     bool check_errors = true;
 
     /// Pretends a bare OpenGL ES 3.0 without extensions: for testing what falls back.
@@ -27,11 +28,18 @@ struct GlDeviceOptions {
 };
 
 /// A device in the current context. That context must be current for every call of the device, its
-/// destructor included.
+/// destructor included, until a call of it or of its renderers gives CV6016: the context is lost.
+/// From then on the device calls no GL; every further call that can fail gives CV6016, and the device
+/// and all that was made on it may be destroyed at any time, whatever context is current. It asks
+/// glGetGraphicsResetStatus, which tells of a reset once: a host that asks too may hear nothing.
 ///
 /// Errors: CV6003 for a function that the context lacks, CV6004 for a context that is too old or
-/// when none is current, CV6005 when the driver fails.
+/// when none is current, CV6005 and CV6009 when the driver fails, CV6016 when the context is lost.
 Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader,
                                              const GlDeviceOptions& options = {});
+
+/// Tells a device that its context is lost, for a host that knows before the driver says so: one
+/// whose window system destroyed the context. Requires a device of makeGlDevice.
+void abandonGlDevice(Device& device);
 
 }  // namespace crevice

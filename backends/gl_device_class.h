@@ -49,6 +49,7 @@ public:
     void drawFullscreen() override;
     void present(TextureId id, const HostFramebuffer& host) override;
     void finish() override { gl_.Finish(); }
+    void abandon() { crevice::abandon(gl_); }
     bool beginTimer(int slot) override { return timers_.begin(gl_, slot); }
     void endTimer() override { timers_.end(gl_); }
     double readTimer(int slot) override { return timers_.read(gl_, slot); }
@@ -76,12 +77,12 @@ private:
         GlBuffer indices;
     };
 
-    /// Brackets a call that may come outside of a frame. Drops the errors that the host left.
+    /// Brackets a call that may come outside of a frame.
     class Scope {
     public:
         explicit Scope(GlDevice& device) : state_(device.state_)
         {
-            if (!state_.entered()) (void)takeErrors(device.gl_, "the host");
+            if (!state_.entered()) device.dropHostErrors();
             state_.enter();
         }
         ~Scope() { state_.leave(); }
@@ -101,6 +102,9 @@ private:
 
     /// Leaves the running pass's framebuffer with nothing to store.
     void resolve(const FramebufferSlot& framebuffer);
+
+    /// Before the first call of something: what the host left is not its fault. Abandons a lost context.
+    void dropHostErrors();
 
     /// Keeps the errors of a call that returns none, for endFrame.
     void noteErrors(const char* what, const char* label = "");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The drawing half of the GL device.
+#include "backends/failure.h"
 #include "backends/gl_device_class.h"
 
 namespace crevice {
@@ -61,16 +62,22 @@ GLuint GlDevice::sampler(const SamplerDesc& desc, Format format) const
     return samplers_[static_cast<int>(filter)][static_cast<int>(desc.wrap)].name();
 }
 
+void GlDevice::dropHostErrors()
+{
+    noticeReset(gl_);
+    (void)takeErrors(gl_, "the host");
+}
+
 void GlDevice::noteErrors(const char* what, const char* label)
 {
-    if (!check_errors_) return;
+    if (!check_errors_ || tellsLoss(errors_)) return;
     const Status status = takeErrors(gl_, what, label);
     errors_.insert(errors_.end(), status.diagnostics().begin(), status.diagnostics().end());
 }
 
 void GlDevice::beginFrame()
 {
-    if (check_errors_) (void)takeErrors(gl_, "the host");
+    if (check_errors_) dropHostErrors();
     state_.enter();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/gl_program.h"
 
+#include "backends/failure.h"
+
 namespace crevice {
 
 namespace {
@@ -38,17 +40,21 @@ std::string readLog(GLuint name, GetValue get_value, GetLog get_log)
     return log;
 }
 
-/// The driver's words at the author's lines; never empty, though some drivers say nothing.
-Diagnostics explain(const GlslStage& stage, Code code, const std::string& what,
-                    const std::string& log)
+/// The driver's words at the author's lines; never empty, though some drivers say nothing. Where it
+/// reports an error instead, memory ran out or the context is lost, and that is told.
+Diagnostics explain(GlApi& gl, const GlslStage& stage, Code code, const std::string& label,
+                    const std::string& what, const std::string& log)
 {
+    const Status errors = takeErrors(gl, "createProgram", label.c_str());
+    if (log.empty() && !errors) return errors.diagnostics();
     Diagnostics diagnostics = explainLog(stage, code, log);
     if (!hasErrors(diagnostics))
-        diagnostics.push_back({code, what + " and the driver does not say why"});
+        diagnostics.push_back(
+            {code, "the shader '" + label + "' does not " + what + " and the driver does not say why"});
     return diagnostics;
 }
 
-Result<GlShader> compileStage(const GlApi& gl, GLenum kind, const GlslStage& stage,
+Result<GlShader> compileStage(GlApi& gl, GLenum kind, const GlslStage& stage,
                               const std::string& label)
 {
     GlShader shader(gl, gl.CreateShader(kind));
@@ -59,7 +65,7 @@ Result<GlShader> compileStage(const GlApi& gl, GLenum kind, const GlslStage& sta
     GLint compiled = GL_FALSE;
     gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
     if (compiled) return shader;
-    return explain(stage, Code::shader_compile, "the shader '" + label + "' does not compile",
+    return explain(gl, stage, Code::shader_compile, label, "compile",
                    readLog(shader.name(), gl.GetShaderiv, gl.GetShaderInfoLog));
 }
 
@@ -89,9 +95,10 @@ std::vector<UniformInfo> readUniforms(const GlApi& gl, GLuint program)
 
 }  // namespace
 
-Result<GlLinkedProgram> linkProgram(const GlApi& gl, const ProgramDesc& desc)
+Result<GlLinkedProgram> linkProgram(GlApi& gl, const ProgramDesc& desc)
 {
     Result<GlShader> vertex = compileStage(gl, GL_VERTEX_SHADER, desc.vertex, desc.label);
+    if (tellsLoss(vertex.diagnostics())) return vertex.diagnostics();
     Result<GlShader> fragment = compileStage(gl, GL_FRAGMENT_SHADER, desc.fragment, desc.label);
     if (!vertex || !fragment) {
         Diagnostics errors = vertex.diagnostics();
@@ -106,8 +113,7 @@ Result<GlLinkedProgram> linkProgram(const GlApi& gl, const ProgramDesc& desc)
     GLint linked = GL_FALSE;
     gl.GetProgramiv(program.name(), GL_LINK_STATUS, &linked);
     if (!linked)
-        return explain(desc.fragment, Code::shader_link,
-                       "the shader '" + desc.label + "' does not link",
+        return explain(gl, desc.fragment, Code::shader_link, desc.label, "link",
                        readLog(program.name(), gl.GetProgramiv, gl.GetProgramInfoLog));
     setLabel(gl, GL_PROGRAM, program.name(), desc.label);
     std::vector<UniformInfo> uniforms = readUniforms(gl, program.name());

@@ -15,7 +15,7 @@ struct GlLinkedProgram {
 };
 
 /// Errors: CV5001 and CV5002, at the author's file and line.
-Result<GlLinkedProgram> linkProgram(const GlApi& gl, const ProgramDesc& desc);
+Result<GlLinkedProgram> linkProgram(GlApi& gl, const ProgramDesc& desc);
 
 /// Sets a uniform of the current program; see Device::setUniform.
 void setUniformValues(const GlApi& gl, int location, GlslType type, int count, const void* data);

@@ -99,6 +99,7 @@ enum class Code : int {
     no_samples = 6013,         ///< More samples than the device draws.
     sampler_version = 6014,    ///< A sampler that the device's version of OpenGL ES does not have.
     too_coarse = 6015,         ///< Formats that do not resolve the radius as far as it is seen (a warning).
+    context_lost = 6016,       ///< The context is gone, and all that was made in it.
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

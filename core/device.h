@@ -147,7 +147,8 @@ public:
     virtual const DeviceCaps& caps() const = 0;
 
     /// Creates an object; the caller owns it and gives it to `destroy`.
-    /// Errors: CV6005, CV6007, CV6009; CV5001 and CV5002 for programs. A texture's content is undefined.
+    /// Errors: CV6005, CV6007, CV6009, CV6016; CV5001 and CV5002 for programs, CV6011 for meshes. A
+    /// texture's content is undefined.
     virtual Result<TextureId> createTexture(const TextureDesc& desc) = 0;
     virtual Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) = 0;
     virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
@@ -173,7 +174,8 @@ public:
     virtual const std::vector<UniformInfo>& uniforms(ProgramId id) const = 0;
 
     /// Brackets all drawing of a frame: keeps the host's state and puts it back.
-    /// endFrame returns CV6005 with the pass's name when the driver reported an error.
+    /// endFrame returns CV6005 with the pass's name when the driver reported an error, CV6009 when
+    /// memory ran out, and CV6016 when the context is lost: then the device is of no more use.
     virtual void beginFrame() = 0;
     virtual Status endFrame() = 0;
 

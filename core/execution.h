@@ -35,7 +35,7 @@ public:
     Status setImports(const Frame& frame);
 
     /// Draws the plan. Requires that `checkFrame` had nothing against the frame and that its
-    /// imports were set. Errors: CV6005.
+    /// imports were set. Errors: CV6005, CV6009, CV6016.
     Status run(const Frame& frame);
 
     /// The same, with a wait before the frame and the time of each pass.

@@ -25,7 +25,7 @@ class Renderer {
 public:
     /// Compiles the plan and creates every object that it needs. The device must outlive it.
     ///
-    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6005 to CV6009.
+    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6005 to CV6009, CV6016.
     static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
                                                     const CompileOptions& options,
                                                     const SceneTraits& traits);
@@ -37,7 +37,9 @@ public:
     /// where that fails, the old plan and its pictures stay. The warnings of a new plan come back
     /// with the one frame that it was made for: look at `diagnostics()` of what is `ok()` as well.
     ///
-    /// Errors: CV6010 and CV6011 for the frame, CV6005 from the driver.
+    /// Errors: CV6010 and CV6011 for the frame; CV6005 and CV6009 from the driver, and CV6016 where
+    /// the context is lost: destroy the renderer, and make another on a new device from the same
+    /// `description()`.
     Status render(const Frame& frame);
 
     /// The same, but measures how long each pass takes: by the GPU's timer where the device has one

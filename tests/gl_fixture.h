@@ -6,7 +6,7 @@
 #include "backends/context.h"
 #include "backends/gl_api.h"
 #include "backends/gl_device.h"
-#include "tests/catch.h"
+#include "tests/need.h"
 
 #include <memory>
 #include <string>
@@ -19,21 +19,6 @@ std::string testBackend();
 
 /// The context that the tests run in; made before the first test.
 Context& testContext();
-
-/// The value, or a failed test that prints why there is none.
-template <class T>
-T need(Result<T> result)
-{
-    INFO(toText(result.diagnostics()));
-    REQUIRE(result.ok());
-    return std::move(*result);
-}
-
-inline void need(const Status& status)
-{
-    INFO(toText(status.diagnostics()));
-    REQUIRE(status.ok());
-}
 
 /// A vertex shader for drawFullscreen, with `uv` over the picture.
 extern const char* const kFullscreenVertex;

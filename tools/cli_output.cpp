@@ -26,6 +26,7 @@ int exitCodeOf(const Diagnostics& diagnostics)
     case Code::no_format:
     case Code::too_many:
     case Code::out_of_memory:
+    case Code::context_lost:
     case Code::no_backend: return kExitMachine;
     default: return kExitBadInput;
     }
