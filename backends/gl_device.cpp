@@ -165,6 +165,7 @@ Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 
 Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
 {
+    if (Status status = checkMesh(desc); !status) return status.diagnostics();
     Scope scope(*this);
     MeshSlot mesh{GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_)};
     gl_.BindVertexArray(mesh.vertex_array.name());

@@ -173,6 +173,7 @@ Result<ProgramId> RecordingDevice::createProgram(const ProgramDesc& desc)
 
 Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
 {
+    if (Status status = checkMesh(desc); !status) return status.diagnostics();
     Diagnostics errors;
     if (failsNow(errors, "mesh '" + desc.label + "'")) return errors;
     Object object{ObjectId::Kind::mesh, desc.label};

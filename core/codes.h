@@ -90,7 +90,7 @@ enum class Code : int {
     gl_version = 6004,         ///< A context older than OpenGL ES 3.0.
     gl_error = 6005,           ///< The driver reported an error.
     no_format = 6006,          ///< No format of a preference list can be rendered to.
-    too_big_for_device = 6007, ///< A texture larger than the device holds.
+    too_big_for_device = 6007, ///< A texture or mesh larger than the device holds.
     too_many = 6008,           ///< More attachments, samplers or uniforms than the device has.
     out_of_memory = 6009,      ///< The device has no memory left.
     missing_import = 6010,     ///< The host did not supply something that is not optional.

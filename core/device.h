@@ -96,6 +96,15 @@ struct MeshDesc {
     std::vector<std::uint32_t> indices = {};  ///< Triangles.
 };
 
+/// The most bytes that a mesh's vertices may take, and its indices: sizes in 32-bit drivers end here.
+constexpr std::uint64_t kMaxMeshBytes = 0x7fffffff;
+
+/// Errors: CV6007 for so many vertices or indices that one of them takes more than kMaxMeshBytes.
+Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint64_t indices);
+
+/// Errors: those of `checkMeshSize`; CV6011 for an index past the last vertex.
+Status checkMesh(const MeshDesc& mesh);
+
 /// A uniform that a linked program really has.
 struct UniformInfo {
     std::string name;  ///< Without "[0]".
