@@ -62,12 +62,14 @@ RecordingDevice::RecordingDevice(DeviceCaps caps) : caps_(std::move(caps))
 int RecordingDevice::live() const
 {
     return static_cast<int>(std::count_if(objects_.begin(), objects_.end(),
-                                          [](const Object& object) { return object.alive; }));
+                                          [](const auto& each) { return each.second.alive; }));
 }
 
 int RecordingDevice::live(ObjectId::Kind kind) const
 {
-    const auto counts = [&](const Object& object) { return object.alive && object.kind == kind; };
+    const auto counts = [&](const auto& each) {
+        return each.second.alive && each.second.kind == kind;
+    };
     return static_cast<int>(std::count_if(objects_.begin(), objects_.end(), counts));
 }
 
@@ -79,10 +81,14 @@ void RecordingDevice::record(Call call, std::uint32_t object, Words words)
 
 void RecordingDevice::blame(std::string what) { misuse_.push_back(std::move(what)); }
 
-/// Counts an attempt; when it is the one to fail, says so.
+/// Counts an attempt; when it is the one to fail, or the context is lost, says so.
 bool RecordingDevice::failsNow(Diagnostics& errors, const std::string& what)
 {
     ++attempts_;
+    if (lost_) {
+        errors.push_back({Code::context_lost, "the context of " + what + " is lost"});
+        return true;
+    }
     if (fail_in_ == 0 || --fail_in_ != 0) return false;
     errors.push_back({Code::out_of_memory, "no memory is left for " + what});
     return true;
@@ -91,16 +97,21 @@ bool RecordingDevice::failsNow(Diagnostics& errors, const std::string& what)
 std::uint32_t RecordingDevice::add(Object object, Call call)
 {
     if (in_frame_) blame("'" + object.label + "' is created inside a frame");
-    objects_.push_back(std::move(object));
-    const auto id = static_cast<std::uint32_t>(objects_.size());
-    record(call, id);
-    return id;
+    objects_.emplace(++last_id_, std::move(object));
+    record(call, last_id_);
+    return last_id_;
+}
+
+const RecordingDevice::Object* RecordingDevice::objectOf(std::uint32_t id) const
+{
+    const auto found = objects_.find(id);
+    return found == objects_.end() ? nullptr : &found->second;
 }
 
 RecordingDevice::Object* RecordingDevice::find(ObjectId id, const char* caller)
 {
-    const bool known = id.value >= 1 && id.value <= objects_.size();
-    Object* object = known ? &objects_[id.value - 1] : nullptr;
+    const auto found = objects_.find(id.value);
+    Object* object = found == objects_.end() ? nullptr : &found->second;
     if (object && object->kind == id.kind && object->alive) return object;
     blame(std::string(caller) + " gets a " + kindName(id.kind) + " that " +
           (object && object->kind == id.kind ? "was destroyed: '" + object->label + "'"
@@ -183,8 +194,8 @@ Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
 
 int RecordingDevice::samples(TextureId id) const
 {
-    const bool known = id.value >= 1 && id.value <= objects_.size();
-    return known ? objects_[id.value - 1].texture.samples : 1;
+    const Object* object = objectOf(id.value);
+    return object ? object->texture.samples : 1;
 }
 
 void RecordingDevice::destroy(ObjectId id)
@@ -193,7 +204,7 @@ void RecordingDevice::destroy(ObjectId id)
     if (in_frame_) blame("an object is destroyed inside a frame");
     Object* object = find(id, "destroy");
     if (!object) return;
-    for (const Object& other : objects_) {
+    for (const auto& [other_id, other] : objects_) {
         if (!other.alive || other.kind != ObjectId::Kind::framebuffer) continue;
         if (uses(other.framebuffer, id.value))
             blame("texture '" + object->label + "' is destroyed before framebuffer '" +
@@ -222,6 +233,8 @@ Result<Image> RecordingDevice::readTexture(TextureId id)
 {
     Object* object = find(id, "readTexture");
     if (!object) return Image{};
+    Diagnostics errors;
+    if (lost_ && failsNow(errors, "texture '" + object->label + "'")) return errors;
     if (!object->defined) blame("texture '" + object->label + "' is read, with undefined content");
     record(Call::read_texture, id.value);
     if (object->image.channels > 0) return object->image;
@@ -230,7 +243,7 @@ Result<Image> RecordingDevice::readTexture(TextureId id)
 
 const std::vector<UniformInfo>& RecordingDevice::uniforms(ProgramId id) const
 {
-    return objects_[id.value - 1].uniforms;
+    return objects_.at(id.value).uniforms;
 }
 
 }  // namespace crevice

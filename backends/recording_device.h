@@ -9,8 +9,8 @@
 #include "core/device.h"
 
 #include <bitset>
-#include <deque>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -35,7 +35,8 @@ public:
     /// A uniform's values past the sixteenth are left out; `lastUniform` has them.
     std::string log() const;
 
-    /// Forgets the calls but keeps the memory, so that a steady frame allocates nothing.
+    /// Forgets the calls, and the destroyed objects that they name, but keeps the memory of calls, so
+    /// that a steady frame allocates nothing.
     void clearLog();
 
     /// The values of the last setUniform for that name in the log; empty when there is none.
@@ -49,6 +50,9 @@ public:
 
     /// Makes the next endFrame fail with CV6005.
     void failFrame() { frame_fails_ = true; }
+
+    /// Loses the context: from now on all that can fail does so, with CV6016.
+    void loseContext() { lost_ = true; }
 
     /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
     /// read as void, and none at all takes the timers away.
@@ -131,6 +135,7 @@ private:
     void blame(std::string what);
     bool failsNow(Diagnostics& errors, const std::string& what);
     std::uint32_t add(Object object, Call call);
+    const Object* objectOf(std::uint32_t id) const;
     Object* find(ObjectId id, const char* caller);
     int uniformAt(int location, const char* caller);
     void checkAttachments(const FramebufferDesc& desc);
@@ -145,7 +150,8 @@ private:
     std::string arguments(const Record& call) const;
 
     DeviceCaps caps_;
-    std::deque<Object> objects_;  // by id - 1; ids are never used again
+    std::map<std::uint32_t, Object> objects_;  // by id; the dead ones too, while the log names them
+    std::uint32_t last_id_ = 0;                // ids are never used again
     std::vector<Record> records_;
     std::vector<std::uint32_t> words_;
     std::vector<PassInfo> passes_;  // those in the log
@@ -162,6 +168,7 @@ private:
     bool timers_read_ = false;          // since the last one began
     bool in_timer_ = false;
     bool frame_fails_ = false;
+    bool lost_ = false;
     int fail_in_ = 0;
     int attempts_ = 0;
 };

@@ -36,6 +36,7 @@ Status RecordingDevice::endFrame()
     if (in_timer_) blame("endFrame while a timer runs");
     in_frame_ = false;
     record(Call::end_frame);
+    if (lost_) return Diagnostic{Code::context_lost, "the context is lost"};
     if (!std::exchange(frame_fails_, false)) return {};
     return Diagnostic{Code::gl_error, "the frame failed, as it was asked to"};
 }
@@ -93,13 +94,13 @@ void RecordingDevice::endPass()
     record(Call::end_pass);
     if (!in_pass_) return blame("endPass outside a pass");
     in_pass_ = false;
-    const FramebufferDesc& desc = objects_[pass_.framebuffer.value - 1].framebuffer;
+    const FramebufferDesc& desc = objects_.at(pass_.framebuffer.value).framebuffer;
     const auto storeAttachment = [&](TextureId id, TextureId resolved, StoreOp store) {
         if (!id) return;
-        Object& texture = objects_[id.value - 1];
+        Object& texture = objects_.at(id.value);
         const bool stored = store == StoreOp::store && (texture.defined || drawn_);
         texture.defined = stored && texture.texture.samples == 1;
-        if (resolved) objects_[resolved.value - 1].defined = stored;
+        if (resolved) objects_.at(resolved.value).defined = stored;
         else if (stored && texture.texture.samples > 1)
             blame("the samples of texture '" + texture.label + "' are stored, not resolved");
     };
@@ -131,7 +132,7 @@ int RecordingDevice::uniformAt(int location, const char* caller)
         blame(std::string(caller) + " without a program");
         return -1;
     }
-    const Object& program = objects_[program_ - 1];
+    const Object& program = objects_.at(program_);
     for (std::size_t i = 0; i < program.uniforms.size(); ++i)
         if (program.uniforms[i].location == location) return static_cast<int>(i);
     blame(std::string(caller) + " at a location that program '" + program.label +
@@ -147,7 +148,7 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
     const int index = uniformAt(location, "setTexture");
     const Object* texture = find(id, "setTexture");
     if (index < 0 || !texture) return;
-    Object& program = objects_[program_ - 1];
+    Object& program = objects_.at(program_);
     const UniformInfo& uniform = program.uniforms[index];
     program.uniform_set[index] = true;
     const auto blameSampler = [&](const std::string& what) {
@@ -159,7 +160,7 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
         blameSampler("reads texture '" + texture->label + "', with undefined content");
     if ((texture->texture.samples > 1) != (uniform.type == GlslType::sampler2d_ms))
         blameSampler("reads texture '" + texture->label + "', which has another count of samples");
-    if (in_pass_ && uses(objects_[pass_.framebuffer.value - 1].framebuffer, id.value))
+    if (in_pass_ && uses(objects_.at(pass_.framebuffer.value).framebuffer, id.value))
         blameSampler("reads texture '" + texture->label + "', which the pass draws into");
 }
 
@@ -174,7 +175,7 @@ void RecordingDevice::setUniform(int location, GlslType type, int count, const v
 
     const int index = uniformAt(location, "setUniform");
     if (index < 0) return;
-    Object& program = objects_[program_ - 1];
+    Object& program = objects_.at(program_);
     const UniformInfo& uniform = program.uniforms[index];
     program.uniform_set[index] = true;
     if (uniform.type != type || count < 1 || count > uniform.count)
@@ -187,7 +188,7 @@ void RecordingDevice::checkDraw(const char* caller)
     drawn_ = true;
     if (!in_pass_ || program_ == 0)
         return blame(std::string(caller) + " outside a pass, or without a program");
-    const Object& program = objects_[program_ - 1];
+    const Object& program = objects_.at(program_);
     for (std::size_t i = 0; i < program.uniforms.size(); ++i)
         if (!program.uniform_set[i])
             blame("uniform '" + program.uniforms[i].name + "' of program '" + program.label +

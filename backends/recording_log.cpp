@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 
 namespace crevice {
@@ -73,6 +74,9 @@ void RecordingDevice::clearLog()
     records_.clear();
     words_.clear();
     passes_.clear();
+    for (auto each = objects_.begin(); each != objects_.end();)
+        each = each->second.alive ? std::next(each) : objects_.erase(each);
+    if (!objectOf(program_)) program_ = 0;
 }
 
 std::string RecordingDevice::log() const
@@ -95,15 +99,15 @@ std::vector<float> RecordingDevice::lastUniform(std::string_view name) const
 
 std::string RecordingDevice::label(std::uint32_t object) const
 {
-    const bool known = object >= 1 && object <= objects_.size();
-    return known ? "'" + objects_[object - 1].label + "'" : std::string("nothing");
+    const Object* found = objectOf(object);
+    return found ? "'" + found->label + "'" : std::string("nothing");
 }
 
 /// The uniform that a setTexture or setUniform means: words are location, then what follows.
 const UniformInfo* RecordingDevice::uniformOf(const Record& call) const
 {
     if (call.program == 0) return nullptr;
-    for (const UniformInfo& uniform : objects_[call.program - 1].uniforms)
+    for (const UniformInfo& uniform : objects_.at(call.program).uniforms)
         if (uniform.location == static_cast<int>(words_[call.words])) return &uniform;
     return nullptr;
 }
@@ -160,10 +164,10 @@ std::string RecordingDevice::arguments(const Record& call) const
     switch (call.call) {
     case Call::create_texture: case Call::create_framebuffer: case Call::create_program:
     case Call::create_mesh: case Call::adopt_texture:
-        out << ' ' << object << createdText(objects_[call.object - 1]);
+        out << ' ' << object << createdText(objects_.at(call.object));
         break;
     case Call::destroy:
-        out << ' ' << kKindNames[static_cast<int>(objects_[call.object - 1].kind)] << ' ' << object;
+        out << ' ' << kKindNames[static_cast<int>(objects_.at(call.object).kind)] << ' ' << object;
         break;
     case Call::write_texture: case Call::read_texture:
         out << ' ' << object;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Steady frames allocate no memory. Counts every operator new of the program.
+#include "tests/allocations.h"
+
 #include "core/renderer.h"
 
 #include "tests/catch.h"
 #include "tests/renderer_rig.h"
+
+#include <malloc.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -12,11 +16,22 @@
 namespace {
 
 std::atomic<long> allocations{0};
+std::atomic<long> bytes{0};
+
+long sizeOf(void* memory) { return static_cast<long>(malloc_usable_size(memory)); }
 
 void* allocate(std::size_t size) noexcept
 {
     ++allocations;
-    return std::malloc(size ? size : 1);
+    void* memory = std::malloc(size ? size : 1);
+    bytes += sizeOf(memory);
+    return memory;
+}
+
+void release(void* memory) noexcept
+{
+    bytes -= sizeOf(memory);
+    std::free(memory);
 }
 
 void* allocateOrThrow(std::size_t size)
@@ -32,12 +47,15 @@ void* operator new(std::size_t size) { return allocateOrThrow(size); }
 void* operator new[](std::size_t size) { return allocateOrThrow(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
+
+long crevice::allocationCount() { return allocations; }
+long crevice::allocatedBytes() { return bytes; }
 
 using namespace crevice;
 
@@ -47,9 +65,9 @@ namespace {
 template <class Work>
 long allocationsOf(Work work)
 {
-    const long before = allocations;
+    const long before = allocationCount();
     work();
-    return allocations - before;
+    return allocationCount() - before;
 }
 
 }  // namespace
@@ -57,6 +75,13 @@ long allocationsOf(Work work)
 TEST_CASE("Allocations are counted")
 {
     CHECK(allocationsOf([] { std::vector<int>(100); }) == 1);
+    const long before = allocatedBytes();
+    auto memory = std::make_unique<std::vector<int>>(100);
+    const long during = allocatedBytes();
+    memory.reset();
+    const long after = allocatedBytes();
+    CHECK(during - before >= 400);
+    CHECK(after == before);
 }
 
 TEST_CASE("A steady frame allocates nothing")
