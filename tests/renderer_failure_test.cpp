@@ -3,6 +3,7 @@
 #include "core/renderer.h"
 
 #include "tests/catch.h"
+#include "tests/failing_changes.h"
 #include "tests/renderer_rig.h"
 
 #include <algorithm>
@@ -12,25 +13,15 @@ using namespace crevice;
 
 namespace {
 
-// Lets each attempt of `change` fail in turn, until one run of it meets no failure.
+// Lets each object of `change` fail in turn, until one run of it meets no failure.
 void failEachAttempt(Rig& rig, const std::function<Status()>& change)
 {
     const std::string before = rig.draw();
-    const int live = rig.device.live();
     const TextureId ao = rig.renderer->output("ao");
-    int failures = 0;
-    for (int n = 1;; ++n) {
-        INFO("attempt " << n);
-        rig.device.failAt(n);
-        const Status status = change();
-        rig.device.failAt(0);
-        if (status.ok()) break;
-        ++failures;
-        CHECK(codeOf(status) == Code::out_of_memory);
-        REQUIRE(rig.device.live() == live);
+    const int failures = failEachObject(rig.device, change, [&] {
         REQUIRE(rig.renderer->output("ao").value == ao.value);
         CHECK(rig.device.readTexture(ao).ok());
-    }
+    });
     CHECK(failures > 5);
     CHECK(rig.device.misuse().empty());
     CHECK(rig.draw() != before);
@@ -181,4 +172,33 @@ TEST_CASE("What the driver reports at the end of a frame reaches the caller, and
     CHECK(codeOf(rig.renderer->render(rig.frame)) == Code::gl_error);
     CHECK(rig.draw() == before);
     CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A lost context is one error a call and changes nothing, and a new renderer draws the same")
+{
+    Rig rig;
+    REQUIRE(rig.renderer->setParam("radius", 2.0f).ok());
+    REQUIRE(rig.renderer->setParam("samples", 9.0f).ok());
+    const std::string before = rig.draw();
+    const Description description = rig.renderer->description();
+    rig.device.loseContext();
+    const auto lost = [](const Status& status) {
+        return status.diagnostics().size() == 1 && codeOf(status) == Code::context_lost;
+    };
+    CHECK(lost(rig.renderer->render(rig.frame)));
+    CHECK(lost(rig.renderer->renderTimed(rig.frame).diagnostics()));
+    CHECK(lost(rig.renderer->resize({30, 30})));
+    CHECK(lost(rig.renderer->setFeature("soft", "false")));
+    CHECK(lost(rig.renderer->setParam("samples", 5.0f)));
+    CHECK(lost(rig.renderer->reload(rigDescription(), {{64, 32}})));
+    CHECK(lost(rig.device.readTexture(rig.renderer->output("ao")).diagnostics()));
+    CHECK(rig.renderer->changes() == valuesPatch(valuesOf(rigDescription()), description));
+    rig.renderer.reset();
+    CHECK(rig.device.live() == 1);
+    CHECK(rig.device.misuse().empty());
+
+    Rig other;
+    other.renderer = std::move(*Renderer::create(other.device, description, {{64, 32}},
+                                                 traitsOf(other.frame)));
+    CHECK(other.draw() == before);
 }

@@ -2,7 +2,7 @@
 // What tests over everything that ships are about.
 #pragma once
 
-#include "tests/picture.h"
+#include "tests/need.h"
 
 #include "core/load.h"
 #include "effects/catalog.h"
@@ -25,6 +25,21 @@ inline std::vector<Subject> subjects()
             for (const Member& variant : variants->members()) all.push_back({name, variant.key});
     }
     return all;
+}
+
+inline Description descriptionOf(const Subject& subject)
+{
+    return need(decode(need(loadConfig(shippedSources(), {subject.config, subject.variant, {}})),
+                       shippedSources()));
+}
+
+/// With all its whole numbers, counts most of them, at one end of their ranges.
+inline Description withCounts(Description description, bool most)
+{
+    for (ParamDesc& param : description.params)
+        if (param.type == ParamType::int_)
+            param.value[0] = static_cast<float>(most ? param.max : param.min);
+    return description;
 }
 
 }  // namespace crevice
