@@ -34,6 +34,13 @@ bool finite(const glm::mat<4, 4, T>& matrix) { return finite(&matrix[0][0], 16);
 template <typename T>
 bool finite(const glm::vec<3, T>& vector) { return finite(&vector[0], 3); }
 
+bool finite(const Material& material)
+{
+    const float numbers[] = {material.shininess, material.alpha_cutoff, material.normal_scale,
+                             material.occlusion_strength};
+    return finite(&material.base_color[0], 4) && finite(material.specular) && finite(numbers, 4);
+}
+
 bool finite(const Light& light)
 {
     return finite(light.position) && finite(light.direction) && finite(light.color) &&
@@ -174,6 +181,10 @@ Status checkFrame(const Frame& frame)
     for (std::size_t i = 0; i < frame.draws.size(); ++i)
         if (frame.draws[i].count > 0 && !drawable(frame, frame.draws[i])) 
             return whyNotDrawable(frame, i);
+    for (std::size_t i = 0; i < frame.materials.size(); ++i)
+        if (!finite(frame.materials[i]))
+            return bad("material " + std::to_string(i) + " is not finite",
+                       "look for a division by zero where it is made");
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
         if (!finite(frame.lights[i]))
             return bad("light " + std::to_string(i) + " is not finite", "leave it out of the list");

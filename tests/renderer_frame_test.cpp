@@ -325,6 +325,15 @@ TEST_CASE("A frame that no shader could draw is refused, and the last picture st
         frame.draws[0].material = -1;
         what = "draw 0 has material -1, and the frame has 1 materials";
     }
+    SECTION("material not finite")
+    {
+        float* const numbers[] = {&frame.materials[0].base_color.w, &frame.materials[0].specular.y,
+                                  &frame.materials[0].shininess, &frame.materials[0].alpha_cutoff,
+                                  &frame.materials[0].normal_scale,
+                                  &frame.materials[0].occlusion_strength};
+        *numbers[GENERATE(range(0, 6))] = nan;
+        what = "material 0 is not finite";
+    }
     SECTION("light not finite")
     {
         frame.lights[0].position.y = nan;
