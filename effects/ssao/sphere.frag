@@ -12,14 +12,13 @@
 precision highp float;  // positions and depths; mediump bands
 
 #define SURFACE_WITHOUT_NORMAL
-#include "common/view_space.glsl"
 #include <surface>
 #include "ssao/occlusion_curve.glsl"
 #include "ssao/range_check.glsl"
+#include "ssao/reach.glsl"
 #include "ssao/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
-uniform float radius;
 #if ROTATE
 uniform mediump sampler2D rotation_noise;
 #endif
@@ -51,5 +50,6 @@ void main()
         if (!seenAt(uv, at, seen) || seen.z < probe.z) continue;
         occlusion += rangeWeight(origin.z, probe.z, seen.z, radius);
     }
-    ao = visibilityOf(occlusion / max(known, 1.0));
+    vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
+    ao = visibilityOf(shareShown(reachOf(origin), pixel) * occlusion / max(known, 1.0));
 }
