@@ -16,12 +16,20 @@ constexpr double kWorthwhile = 1.25;
 // Halvings after which an interval is as short as doubles make it, even from 1e7 near planes.
 constexpr int kHalvings = 80;
 
+bool isHalf(const FormatInfo& format)
+{
+    return format.format_class == FormatClass::floating && format.bytes <= 2 * format.channels;
+}
+
 double largestOf(const FormatInfo& format)
 {
     if (format.format_class != FormatClass::floating) return 1;
     constexpr double kLargestHalf = 65504;
-    return format.bytes > 2 * format.channels ? FLT_MAX : kLargestHalf;
+    return isHalf(format) ? kLargestHalf : FLT_MAX;
 }
+
+// Halves below this are denormals, which a device may take for 0.
+constexpr double kLeastHalf = 1.0 / (1 << 14);
 
 // Window depth at a distance, and how view depth changes with it.
 struct Window {
@@ -98,8 +106,11 @@ double formatStep(Format format, double value)
 
 double viewStep(const SceneTraits& traits, const StoredSurface& stored, double distance)
 {
-    if (formatInfo(stored.format).format_class != FormatClass::depth)
-        return stored.holds == Holds::other ? 0 : formatStep(stored.format, distance);
+    const FormatInfo& info = formatInfo(stored.format);
+    if (info.format_class != FormatClass::depth) {
+        if (stored.holds == Holds::other) return 0;
+        return std::max(formatStep(stored.format, distance), isHalf(info) ? kLeastHalf : 0.0);
+    }
     const Window window = windowAt(traits, distance);
     const double step = formatStep(stored.format, window.depth);
     return window.slope * (stored.drawn ? std::max(step, kDrawnDepthStep) : step);

@@ -175,7 +175,7 @@ TEST_CASE("Positions are stored in 32 bits where halves do not hold the units")
             Setup setup = {config, {"radius=" + shortest(float(0.5 * unit))}, 0.1 * unit, 50 * unit};
             const Result<Plan> plan = planFor(setup);
             CHECK(warnings(plan) == 0);
-            const bool half = unit > 5e-6 && unit < 5e3;
+            const bool half = unit > 1.3e-3 && unit < 5e3;
             CHECK(formatOf(*plan, "position") == (half ? Format::rgba16f : Format::rgba32f));
         }
 }

@@ -111,6 +111,7 @@ TEST_CASE("The known steps of depth and half floats come out")
     CHECK(viewStep(traits, position(Format::rgba16f), 100) == 0.0625);
     CHECK(viewStep(traits, position(Format::rgba16f), 1000) == 0.5);
     CHECK(std::isinf(viewStep(traits, position(Format::rgba16f), 65505)));
+    CHECK(viewStep(traits, position(Format::rgba16f), 1e-6) == std::exp2(-14));
     CHECK(formatStep(Format::rgba16f, 1e-6) == std::exp2(-24));
     CHECK(formatStep(Format::rgba32f, 1e-6) == std::exp2(-43));
     CHECK(viewStep(traits, {Holds::other, Format::rgba8}, 100) == 0);
