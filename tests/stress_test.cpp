@@ -153,11 +153,13 @@ TEST_CASE("A series whose ordinary step fails holds nowhere and breaks there, on
     CHECK(series.text() == "breaks at c: 3 pixels out of range, 1 to 1");
 }
 
-TEST_CASE("A picture may change by a quarter of the step in radii, as far as the format resolves")
+TEST_CASE("Where steps are coarse a picture may change by a quarter of one in radii")
 {
     Series series{caseOf(Expectation::same)};
-    series.records[4].change = 0.01;
+    series.records[4].change = 0.0045;
+    series.records[4].step_share = 0.019;
     CHECK(series.outcome(4) == Outcome::breaks);
+    series.records[4].change = 0.01;
     series.records[4].step_share = 0.04;
     CHECK(series.outcome(4) == Outcome::holds);
     series.records[4].change = 0.011;

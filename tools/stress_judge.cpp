@@ -10,6 +10,11 @@ namespace {
 
 constexpr double kOpenMean = 0.999;
 
+/// Steps of the format that a picture does not show, in radii.
+constexpr double kFineShare = 0.02;
+/// What is allowed of coarser ones.
+constexpr double kChangePerStep = 0.25;
+
 std::string number(double value)
 {
     char buffer[32];
@@ -61,9 +66,14 @@ Verdict judgeSlope(const StressCase& stress, const std::vector<const StressRecor
     return {};
 }
 
-/// How much occlusion may change on average where a surface is known to a step, in radii. Noise of a step
-/// showed 0.08 of that by hemispheres, 0.15 by horizons and 0.24 by normals rebuilt from depth.
-constexpr double kChangePerStep = 0.25;
+/// How much a picture may change on average and be the same: the case's limit, where the format's steps are
+/// fine; noise of coarser ones showed changes of 0.08 of a step by hemispheres, 0.15 by horizons and 0.24 by
+/// normals rebuilt from depth.
+double mostChange(const StressCase& stress, const StressRecord& record)
+{
+    return record.step_share <= kFineShare ? stress.limit
+                                           : std::max(stress.limit, kChangePerStep * record.step_share);
+}
 
 std::string atLabel(const StressCase& stress, int step) { return stress.steps[step].label; }
 
@@ -108,7 +118,7 @@ Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& 
         return resolves ? judgeOpen(record) : Verdict{Outcome::beyond, "beyond the format"};
     case Expectation::same:
         if (!resolves) return {Outcome::beyond, "beyond the format"};
-        if (record.change <= std::max(stress.limit, kChangePerStep * record.step_share)) return {};
+        if (record.change <= mostChange(stress, record)) return {};
         return breaks("mean change " + number(record.change));
     case Expectation::opens:
     case Expectation::darkens: return judgeSlope(stress, series, step);
