@@ -112,6 +112,8 @@ TEST_CASE("A flat plane is open as far as foretold, and where it is not a plan w
         if (stress.name != "plane_distance" && stress.name != "plane_near_far") continue;
         for (const Stored& stored : {Stored{"hemisphere_box", "depth", Format::depth16},
                                      Stored{"hemisphere_box", "depth", Format::depth24},
+                                     Stored{"sao", "depth", Format::depth16},
+                                     Stored{"sao", "depth", Format::depth24},
                                      Stored{"learnopengl", "position", Format::rgba16f}}) {
             GlFixture gl;
             for (const StressStep& step : stress.steps) {

@@ -46,6 +46,17 @@ highp float windowFromView(highp float z)
     return clamp((m[3].z - z * m[3].w) / (z * m[2].w - m[2].z), 0.0, 1.0);
 }
 
+// One scene unit across the view at a point in view space, in uv.
+highp vec2 uvOfUnit(highp vec3 point)
+{
+#if CAMERA_ORTHOGRAPHIC
+    const highp float w = 1.0;
+#else
+    highp float w = -point.z;
+#endif
+    return 0.5 / w * vec2(clip_from_view[0][0], clip_from_view[1][1]);
+}
+
 // How far apart in view depth two points about `point` may come out that are one, where window depth is
 // stored in steps of `stored` (absolute, and a share of the value): by the steps and by the arithmetic above.
 highp float viewStepOf(highp vec2 stored, highp vec3 point)

@@ -17,8 +17,9 @@ bool pointAt(highp vec2 at, out highp vec3 point)
     return pointIn(depth, at, point);
 }
 
-// How far above its own surface, along `normal`, a point may come out.
-highp float offSurface(highp vec3 point, highp vec3 normal)
+// How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
+// are stored.
+highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
 {
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }

@@ -14,12 +14,6 @@ bool pointAt(highp vec2 at, out highp vec3 point)
     return pointIn(depth, at, point);
 }
 
-// How far above its own surface, along `normal`, a point may come out.
-highp float offSurface(highp vec3 point, highp vec3 normal)
-{
-    return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
-}
-
 // View-space z of the texel at uv; kBackgroundZ in the background.
 highp float viewZAt(highp vec2 at)
 {
@@ -33,6 +27,13 @@ highp float viewZAt(highp vec2 at)
 // The unit normal in view space at uv, towards the camera's side.
 highp vec3 normalAt(highp vec2 at)
 {
-    return rebuiltNormal(depth, at);
+    return rebuiltNormal(depth, DEPTH_STEP, at);
+}
+
+// How far above the tangent plane of `point` its own surface may come out within `reach`.
+highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
+{
+    highp float rise = rebuiltRise(vec2(textureSize(depth, 0)), DEPTH_STEP, point, normal, reach);
+    return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal) + rise;
 }
 #endif

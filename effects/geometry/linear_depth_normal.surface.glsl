@@ -28,8 +28,9 @@ bool pointAt(highp vec2 at, out highp vec3 point)
     return stored > 0.0 && stored < LINEAR_FAR;
 }
 
-// How far above its own surface, along `normal`, a point may come out.
-highp float offSurface(highp vec3 point, highp vec3 normal)
+// How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
+// are stored.
+highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
 {
     return (LINEAR_DEPTH_STEP.x + LINEAR_DEPTH_STEP.y * abs(point.z)) * raySlope(point, normal);
 }

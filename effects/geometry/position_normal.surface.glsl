@@ -24,8 +24,9 @@ bool pointAt(highp vec2 at, out highp vec3 point)
     return stored.a > 0.5;
 }
 
-// How far above its own surface, along `normal`, a point may come out.
-highp float offSurface(highp vec3 point, highp vec3 normal)
+// How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
+// are stored.
+highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
 {
     return dot(POSITION_STEP.x + POSITION_STEP.y * abs(point), abs(normal));
 }

@@ -31,7 +31,7 @@ bool pointAt(vec2 at, out vec3 point)
     return isDrawn(stored) && at == clamp(at, 0.0, 1.0);
 }
 
-float offSurface(vec3 point, vec3 normal)
+float offSurface(vec3 point, vec3 normal, float reach)
 {
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }

@@ -70,7 +70,7 @@ void main()
     }
     vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
     vec3 normal_here = normalAt(uv);
-    float lift = max(bias * radius, offSurface(origin, normal_here));
+    float lift = max(bias * radius, offSurface(origin, normal_here, radius));
     mat3 view_from_kernel = rotatedFrame(normal_here, rotation);
 #if BIAS_ALONG == BIAS_ALONG_NORMAL
     vec3 center = origin + normal_here * lift;

@@ -53,7 +53,8 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
 #endif
     march.right = normalize(vec3(max(march.to_camera.z, 1e-6), 0.0, -march.to_camera.x));
     march.up = cross(march.to_camera, march.right);
-    march.point = point + normal * max(bias * radius, offSurface(point, normal));
+    // Of a normal that leans, the light that one side loses the other gains: no lift for what lies away from here.
+    march.point = point + normal * max(bias * radius, offSurface(point, normal, 0.0));
     march.clip = clipOf(vec4(point, 1.0));
     march.reach = seenReach(point);
     march.shown = reachOf(point);

@@ -8,12 +8,7 @@ uniform highp float radius;
 // One radius about a point in view space, in uv.
 highp vec2 reachOf(highp vec3 point)
 {
-#if CAMERA_ORTHOGRAPHIC
-    const highp float w = 1.0;
-#else
-    highp float w = -point.z;
-#endif
-    return 0.5 * radius / w * vec2(clip_from_view[0][0], clip_from_view[1][1]);
+    return radius * uvOfUnit(point);
 }
 
 // 1 where the radius is two pixels or more, 0 where it is below one: no tap is as near, and there is nothing

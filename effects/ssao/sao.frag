@@ -50,7 +50,7 @@ void main()
     }
     float per_radius = 1.0 / max(radius, 1e-18);
     vec3 up = normalAt(uv);
-    float lift = max(bias, offSurface(point, up) * per_radius);
+    float lift = max(bias, offSurface(point, up, radius) * per_radius);
     vec2 reach = reachOf(point);
     vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
     vec2 noise = pixelNoise(gl_FragCoord.xy);
