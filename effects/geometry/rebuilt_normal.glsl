@@ -19,7 +19,7 @@ const highp float kNoSide = 2.0;
 // How much the steps of the depth may make a normal lean, as a slope, before texels farther apart serve, and how
 // far apart at most.
 const highp float kLean = 0.02;
-const highp int kWidest = 32;
+const highp int kWidest = 64;
 
 // What makes a normal lean that is rebuilt from neighbouring texels: steps of the view depth, over a texel's width.
 // `stored` is as in viewStepOf.
@@ -37,11 +37,12 @@ highp int strideFor(highp float lean)
     return stride;
 }
 
-// How far above its own tangent plane a surface may come out `reach` away, by how its normal is rebuilt there.
+// How far above its own tangent plane a surface may come out `reach` away, where its normal leans by more than
+// estimators take: kLean is within any bias.
 highp float rebuiltRise(highp vec2 size, highp vec2 stored, highp vec3 point, highp vec3 normal, highp float reach)
 {
     highp float lean = leanAt(size, stored, point);
-    return 0.5 * reach * raySlope(point, normal) * lean / float(strideFor(lean));
+    return 0.5 * reach * raySlope(point, normal) * max(lean / float(strideFor(lean)) - kLean, 0.0);
 }
 
 // Off the edge the nearest texel stands in.
