@@ -55,7 +55,7 @@ void addOptions(Cell& cell, std::size_t index)
     if (has(*cell.filter, "ao_scale") && index % 2) cell.overrides.push_back("ao_scale=0.25");
 }
 
-/// All pairs of estimator and filter, half of them on two inputs, so that every estimator and every
+/// All pairs of estimator and filter, each on two inputs three apart, so that every estimator and every
 /// filter meets every input.
 std::vector<Cell> cells()
 {
@@ -65,8 +65,8 @@ std::vector<Cell> cells()
     for (const Module& estimator : shippedEstimators()) {
         std::size_t input = row++;
         for (const Module& filter : shippedFilters()) {
-            for (std::size_t i = 0; i <= input % 2; ++i) {
-                all.push_back({&inputs[(input + 2 * i) % inputs.size()], &estimator, &filter});
+            for (std::size_t i = 0; i < 2; ++i) {
+                all.push_back({&inputs[(input + 3 * i) % inputs.size()], &estimator, &filter});
                 addOptions(all.back(), all.size() + row);
             }
             ++input;
