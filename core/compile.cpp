@@ -10,7 +10,7 @@ namespace compiler {
 
 namespace {
 
-const char* const kRules[] = {"unread", "identity", "sharing", "all"};
+const char* const kRules[] = {"unread", "identity", "sharing", "unchanged", "all"};
 
 State begin(const Description& description, const SceneTraits& traits, const DeviceCaps& caps,
             const CompileOptions& options)
@@ -184,6 +184,7 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
                                  description.unused.end());
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     Plan plan = buildPlan(state);
+    plan.reruns = !state.applies("unchanged");
     return {std::move(plan), std::move(state.diagnostics)};
 }
 

@@ -2,9 +2,10 @@
 // Running a prepared plan: no allocation, no creation, no decision that could be made before.
 #include "core/execution.h"
 
-#include <algorithm>
-
 #include "core/frame_values.h"
+
+#include <algorithm>
+#include <cstring>
 
 namespace crevice {
 namespace {
@@ -16,19 +17,24 @@ StateDesc turned(StateDesc state)
     return state;
 }
 
-TextureId findTexture(const std::vector<ImportedTexture>& textures, std::string_view name)
+/// Null where there is none of that name, or a null id behind it.
+const ImportedTexture* findTexture(const std::vector<ImportedTexture>& textures,
+                                   std::string_view name)
 {
     for (const ImportedTexture& texture : textures)
-        if (texture.name == name) return texture.texture;
-    return {};
+        if (texture.name == name) return texture.texture ? &texture : nullptr;
+    return nullptr;
 }
 
-TextureId findTexture(const Frame& frame, std::size_t view, std::string_view name)
+const ImportedTexture* findTexture(const Frame& frame, std::size_t view, std::string_view name)
 {
-    const TextureId own =
-        view > 0 ? findTexture(frame.other_views[view - 1].textures, name) : TextureId{};
+    const ImportedTexture* own =
+        view > 0 ? findTexture(frame.other_views[view - 1].textures, name) : nullptr;
     return own ? own : findTexture(frame.textures, name);
 }
+
+/// The revision of what is always there: no host's, for they count from 1.
+constexpr std::uint64_t kNeverChanges = ~std::uint64_t{0};
 
 Diagnostic missing(const ImportDesc& import)
 {
@@ -65,8 +71,8 @@ Status Execution::checkImports(const Frame& frame) const
             for (const TextureBinding& binding : pass.textures) {
                 if (binding.import < 0) continue;
                 const ImportDesc& import = plan_.imports[binding.import];
-                const TextureId texture = findTexture(frame, view, import.name);
-                const int samples = texture ? device_.samples(texture) : 1;
+                const ImportedTexture* found = findTexture(frame, view, import.name);
+                const int samples = found ? device_.samples(found->texture) : 1;
                 if (binding.multisampled != (samples > 1))
                     return otherSamples(import, pass.info.label, samples);
             }
@@ -82,9 +88,15 @@ Status Execution::setImports(const Frame& frame)
         for (PreparedPass& pass : views_[view].passes) {
             for (TextureBinding& binding : pass.textures) {
                 if (binding.import < 0) continue;
-                const TextureId texture =
+                const ImportedTexture* found =
                     findTexture(frame, view, plan_.imports[binding.import].name);
-                binding.texture = texture ? texture : black_.id();
+                const TextureId texture = found ? found->texture : black_.id();
+                const std::uint64_t revision = found ? found->revision : kNeverChanges;
+                pass.imports_changed = pass.imports_changed || revision == 0 ||
+                                       revision != binding.revision ||
+                                       texture.value != binding.texture.value;
+                binding.texture = texture;
+                binding.revision = revision;
             }
         }
     }
@@ -93,39 +105,100 @@ Status Execution::setImports(const Frame& frame)
 
 Status Execution::run(const Frame& frame)
 {
-    begin();
-    for (std::size_t view = 0; view < views_.size(); ++view) {
-        const CameraMatrices camera = beginView(frame, view);
-        for (const PreparedPass& pass : views_[view].passes) runPass(pass, frame, camera);
+    const std::vector<char>& runs = begin(frame);
+    beginDrawing();
+    std::size_t run = 0;
+    for (const PreparedView& view : views_) {
+        setView(frame, view);
+        for (const PreparedPass& pass : view.passes)
+            if (runs[run++]) runPass(pass, frame, view.camera);
     }
     return end();
 }
 
-void Execution::begin()
+/// Takes the frame's values, and says which passes must run: by view and pass.
+const std::vector<char>& Execution::begin(const Frame& frame)
 {
     swapHistories();
+    const bool draws_changed = takeDraws(frame);
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        PreparedView& view = views_[i];
+        const bool camera_changed = beginView(frame, view, cameraOf(frame, i));
+        for (PreparedPass& pass : view.passes) {
+            values_.setViewport(pass.info.extent);
+            const bool drawn_anew =
+                pass.type == PassType::draw && (draws_changed || camera_changed);
+            const bool sent_anew = takeUniforms(pass);
+            changed_[run++] = plan_.reruns || drawn_anew || sent_anew || pass.imports_changed;
+            pass.imports_changed = false;
+        }
+    }
+    return cache_.choose(changed_);
+}
+
+void Execution::beginDrawing()
+{
     device_.beginFrame();
     if (!remembers_) clearHistories();
     remembers_ = true;
 }
 
-/// Puts the view's values into the table.
-CameraMatrices Execution::beginView(const Frame& frame, std::size_t view)
+/// Puts the view's values into the table. Whether its camera is another than in the last frame.
+bool Execution::beginView(const Frame& frame, PreparedView& view, const Camera& camera)
 {
-    const CameraMatrices camera = cameraMatrices(cameraOf(frame, view));
-    FrameHistory& history = views_[view].history;
+    const CameraMatrices matrices = cameraMatrices(camera);
+    const bool changed = matrices.clip_from_view != view.camera.clip_from_view ||
+                         matrices.view_from_world != view.camera.view_from_world;
+    FrameHistory& history = view.history;
     history.valid = history.valid && !frame.camera_cut;
-    if (!history.valid) history.camera = camera;
-    values_.setFrame(frame, camera);
-    values_.setHistory(history, camera);
-    history = {true, (history.frame_index + 1) % kFrameIndices, camera};
-    return camera;
+    if (!history.valid) history.camera = matrices;
+    view.camera = matrices;
+    view.before = history;
+    setView(frame, view);
+    history = {true, (history.frame_index + 1) % kFrameIndices, matrices};
+    return changed;
+}
+
+/// Puts the values of a view that has begun into the table.
+void Execution::setView(const Frame& frame, const PreparedView& view)
+{
+    values_.setFrame(frame, view.camera);
+    values_.setHistory(view.before, view.camera);
+}
+
+/// Whether things, materials or what they hold are others than in the last frame.
+bool Execution::takeDraws(const Frame& frame)
+{
+    if (frame.draws == drawn_.draws && frame.materials == drawn_.materials &&
+        frame.revision == drawn_.revision) return false;
+    drawn_.draws = frame.draws;
+    drawn_.materials = frame.materials;
+    drawn_.revision = frame.revision;
+    return true;
+}
+
+/// Whether the pass's values are others than when it ran last.
+bool Execution::takeUniforms(PreparedPass& pass)
+{
+    bool changed = false;
+    std::size_t at = 0;
+    for (const UniformBinding& uniform : pass.uniforms) {
+        const std::size_t words = wordsOf(uniform.type, uniform.count);
+        const std::size_t bytes = words * sizeof(std::uint32_t);
+        const void* value = values_.data(uniform.offset);
+        changed = changed || std::memcmp(&pass.sent[at], value, bytes) != 0;
+        std::memcpy(&pass.sent[at], value, bytes);
+        at += words;
+    }
+    return changed;
 }
 
 Status Execution::end()
 {
     Status status = device_.endFrame();
     for (PreparedView& view : views_) view.history.valid = status.ok();
+    if (!status) cache_.clear();
     return status;
 }
 

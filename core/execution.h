@@ -7,6 +7,7 @@
 
 #include "core/frame_times.h"
 #include "core/owned.h"
+#include "core/pass_cache.h"
 #include "core/plan.h"
 #include "core/value_table.h"
 
@@ -34,11 +35,11 @@ public:
     /// Errors: CV6010; then nothing changed.
     Status setImports(const Frame& frame);
 
-    /// Draws the plan. Requires that `checkFrame` had nothing against the frame and that its
-    /// imports were set. Errors: CV6005, CV6009, CV6016.
+    /// Draws what has changed of the plan since the last frame. Requires that `checkFrame` had
+    /// nothing against the frame and that its imports were set. Errors: CV6005, CV6009, CV6016.
     Status run(const Frame& frame);
 
-    /// The same, with a wait before the frame and the time of each pass.
+    /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
 
     void setParam(const ParamDesc& param) { values_.setParam(param); }
@@ -67,6 +68,7 @@ private:
         SamplerDesc sampling;
         bool multisampled = false;  // what the shader's sampler reads
         int import = -1;  // into the plan's imports; the texture is then set a frame
+        std::uint64_t revision = 0;  // of what it holds; only an import's changes
         int map = -1;     // of the material; set for each draw
     };
 
@@ -79,13 +81,24 @@ private:
         std::vector<TextureBinding> material_textures;  // set for each draw
         std::vector<UniformBinding> uniforms;
         std::vector<UniformBinding> draw_uniforms;      // sent for each draw
+        std::vector<std::uint32_t> sent;  // what `uniforms` were when it ran last
+        bool imports_changed = true;      // since then
         Owned<FramebufferId> framebuffer;
         Owned<FramebufferId> other;  // that takes its place in every second frame; null likewise
     };
 
     struct PreparedView {
-        FrameHistory history;
+        FrameHistory history;  // for the next frame
+        FrameHistory before;   // for this one
+        CameraMatrices camera = {};
         std::vector<PreparedPass> passes;  // the plan's
+    };
+
+    // What draw passes drew last.
+    struct DrawnList {
+        std::vector<DrawItem> draws;
+        std::vector<Material> materials;
+        std::uint64_t revision = 0;
     };
 
     Execution(Device& device, const Description& description, Plan plan);
@@ -119,9 +132,13 @@ private:
     void readTimers(FrameTimes& times);
 
     // execution.cpp
-    void begin();
-    CameraMatrices beginView(const Frame& frame, std::size_t view);
+    const std::vector<char>& begin(const Frame& frame);
+    bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
+    void beginDrawing();
+    void setView(const Frame& frame, const PreparedView& view);
     Status end();
+    bool takeDraws(const Frame& frame);
+    bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistories();
     void clearHistory(const PreparedPass& pass);
@@ -134,6 +151,9 @@ private:
     Device& device_;
     Plan plan_;
     ValueTable values_;
+    PassCache cache_;
+    std::vector<char> changed_;  // by run, for cache_
+    DrawnList drawn_;
     bool swapped_ = false;    // whether histories and their targets have changed places
     bool remembers_ = false;  // whether histories hold anything
     std::vector<std::string> compiled_;

@@ -70,7 +70,12 @@ Result<std::unique_ptr<Execution>> Execution::create(Device& device, const Descr
 }
 
 Execution::Execution(Device& device, const Description& description, Plan plan)
-    : device_(device), plan_(std::move(plan)), values_(description.params), views_(plan_.views)
+    : device_(device),
+      plan_(std::move(plan)),
+      values_(description.params),
+      cache_(plan_),
+      changed_(plan_.passes.size() * plan_.views),
+      views_(plan_.views)
 {
 }
 
@@ -293,9 +298,11 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform, in
     if (value->type != uniform.type)
         return report(Code::uniform_type, "of type " + std::string(glslName(uniform.type)) +
                                               ", and its value is " + glslName(value->type));
+    const int count = std::min(uniform.count, value->count);
     auto& uniforms = value->per_draw ? prepared.draw_uniforms : prepared.uniforms;
-    uniforms.push_back({uniform.location, uniform.type, std::min(uniform.count, value->count),
-                        value->offset});
+    uniforms.push_back({uniform.location, uniform.type, count, value->offset});
+    if (!value->per_draw)
+        prepared.sent.resize(prepared.sent.size() + wordsOf(uniform.type, count));
 }
 
 void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,

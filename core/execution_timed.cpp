@@ -22,13 +22,15 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
     times.pass_ms.resize(plan_.passes.size());
     device_.finish();
     const Clock::time_point start = Clock::now();
-    begin();
+    cache_.clear();
+    begin(frame);
+    beginDrawing();
     int slot = 0;
-    for (std::size_t view = 0; view < views_.size(); ++view) {
-        const CameraMatrices camera = beginView(frame, view);
+    for (const PreparedView& view : views_) {
+        setView(frame, view);
         for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
             times.method =
-                timePass(views_[view].passes[i], slot++, frame, camera, times.pass_ms[i]);
+                timePass(view.passes[i], slot++, frame, view.camera, times.pass_ms[i]);
     }
     if (Status status = end(); !status) return status.diagnostics();
     device_.finish();

@@ -41,6 +41,22 @@ bool Camera::reversedDepth() const
     return m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0;
 }
 
+bool Material::operator==(const Material& other) const
+{
+    const auto same = [](TextureId a, TextureId b) { return a.value == b.value; };
+    return base_color == other.base_color && same(base_color_map, other.base_color_map) &&
+           specular == other.specular && shininess == other.shininess &&
+           alpha_cutoff == other.alpha_cutoff && same(normal_map, other.normal_map) &&
+           normal_scale == other.normal_scale && same(occlusion_map, other.occlusion_map) &&
+           occlusion_strength == other.occlusion_strength;
+}
+
+bool DrawItem::operator==(const DrawItem& other) const
+{
+    return mesh.value == other.mesh.value && first == other.first && count == other.count &&
+           world_from_model == other.world_from_model && material == other.material;
+}
+
 const Camera& cameraOf(const Frame& frame, std::size_t view)
 {
     return view == 0 ? frame.camera : frame.other_views[view - 1].camera;

@@ -72,6 +72,8 @@ struct Material {
     float normal_scale = 1.0f;               ///< Of the map's x and y.
     TextureId occlusion_map = {};            ///< Baked visibility in red; null is open.
     float occlusion_strength = 1.0f;         ///< [0, 1]; 0 is open.
+
+    bool operator==(const Material& other) const;
 };
 
 /// A mesh at a place.
@@ -81,12 +83,18 @@ struct DrawItem {
     std::uint32_t count = 0;  ///< Indices.
     glm::dmat4 world_from_model = glm::dmat4(1.0);
     int material = 0;  ///< Into Frame::materials.
+
+    bool operator==(const DrawItem& other) const;
 };
 
 /// A texture for an import of that name.
 struct ImportedTexture {
     std::string name;
     TextureId texture = {};
+
+    /// A number that changes whenever the host draws into the texture; passes that read it are then run again.
+    /// 0 means that it may change with every frame.
+    std::uint64_t revision = 0;
 };
 
 /// A further view of the same things.
@@ -96,7 +104,8 @@ struct FrameView {
 };
 
 /// A frame's input. The host keeps it and changes it in place, so that a steady frame allocates
-/// nothing.
+/// nothing. What is the same as in the last frame is not drawn again: camera, lights, draws and materials
+/// are compared, and what meshes and textures hold is known by `revision`.
 struct Frame {
     Camera camera;
     std::vector<DrawItem> draws;
@@ -105,6 +114,8 @@ struct Frame {
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
     std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic or reversed if `camera` is.
+    std::uint64_t revision = 0;  ///< To be changed when a mesh, or a material's texture, that was drawn
+                                 ///< before holds something else now.
     bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
 };
 

@@ -113,6 +113,8 @@ struct Plan {
     std::string config;
     Extent extent;
     int views = 1;  ///< Every pass runs once for each, all passes of one before the next.
+    bool reruns = false;  ///< Passes run in every frame, also where nothing that they read has changed:
+                          ///< the rule "unchanged" is off.
     std::vector<PlanPass> passes;
     std::vector<PlanTarget> targets;
     std::vector<PlanTexture> textures;
@@ -128,8 +130,8 @@ struct Plan {
 struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
-    std::vector<std::string> keep = {};     ///< Rules to switch off: "unread", "identity",
-                                            ///< "sharing", or "all". Conditions are meaning.
+    std::vector<std::string> keep = {};     ///< Rules to switch off: "unread", "identity", "sharing",
+                                            ///< "unchanged", or "all". Conditions are meaning.
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values

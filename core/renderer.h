@@ -33,7 +33,8 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Runs the plan. A frame with other traits than the plan was made for is planned anew first;
+    /// Runs those passes of the plan whose input has changed since the last frame (Frame says how
+    /// that is known), and those after them. A frame with other traits than the plan was made for is planned anew first;
     /// where that fails, the old plan and its pictures stay. The warnings of a new plan come back
     /// with the one frame that it was made for: look at `diagnostics()` of what is `ok()` as well.
     ///
@@ -42,9 +43,9 @@ public:
     /// `description()`.
     Status render(const Frame& frame);
 
-    /// The same, but measures how long each pass takes: by the GPU's timer where the device has one
-    /// and the plan's views have at most kMaxTimers passes together, else by the clock, waiting for
-    /// the GPU after each pass. Slower than `render`, and allocates.
+    /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
+    /// device has one and the plan's views have at most kMaxTimers passes together, else by the
+    /// clock, waiting for the GPU after each pass. Slower than `render`, and allocates.
     ///
     /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
     Result<FrameTimes> renderTimed(const Frame& frame);

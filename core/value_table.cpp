@@ -13,20 +13,22 @@ namespace {
 // Clip space is 2 wide about 0, windows 1 from 0 on.
 const glm::dmat4 kClipFromWindow(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1);
 
-/// 32-bit words that one element of a value takes.
-int wordsOf(GlslType type)
-{
-    switch (type) {
-    case GlslType::vec2: return 2;
-    case GlslType::vec3: return 3;
-    case GlslType::vec4: return 4;
-    case GlslType::mat3: return 9;
-    case GlslType::mat4: return 16;
-    default: return 1;
-    }
-}
-
 }  // namespace
+
+std::size_t wordsOf(GlslType type, int count)
+{
+    const auto words = [type] {
+        switch (type) {
+        case GlslType::vec2: return 2;
+        case GlslType::vec3: return 3;
+        case GlslType::vec4: return 4;
+        case GlslType::mat3: return 9;
+        case GlslType::mat4: return 16;
+        default: return 1;
+        }
+    };
+    return static_cast<std::size_t>(words()) * count;
+}
 
 ValueTable::ValueTable(const std::vector<ParamDesc>& params)
 {
@@ -41,7 +43,7 @@ ValueTable::ValueTable(const std::vector<ParamDesc>& params)
 std::size_t ValueTable::add(std::string name, GlslType type, int count, bool per_draw)
 {
     values_.push_back({std::move(name), type, count, per_draw, words_.size()});
-    words_.resize(words_.size() + static_cast<std::size_t>(wordsOf(type)) * count);
+    words_.resize(words_.size() + wordsOf(type, count));
     return values_.size() - 1;
 }
 

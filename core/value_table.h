@@ -23,6 +23,9 @@ struct Value {
     std::size_t offset = 0;  ///< In 32-bit words.
 };
 
+/// 32-bit words that so many elements of a value take.
+std::size_t wordsOf(GlslType type, int count);
+
 class ValueTable {
 public:
     /// Holds the values of core/frame.h and the description's params.

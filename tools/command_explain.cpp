@@ -169,9 +169,9 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     repeatable(command->add_option("--output", options->outputs,
                                    "Plan for this output, view or target alone; may be repeated"));
     repeatable(command->add_option("--keep", options->keep,
-                                   "Switch off a rule that leaves things out: unread, condition, "
-                                   "identity, sharing or all; may be repeated")
-                   ->check(CLI::IsMember({"unread", "condition", "identity", "sharing", "all"})));
+                                   "Switch off a rule that leaves things out: unread, "
+                                   "identity, sharing, unchanged or all; may be repeated")
+                   ->check(CLI::IsMember({"unread", "identity", "sharing", "unchanged", "all"})));
     command->add_option("--views", options->views,
                         "Plan for frames of that many views, 2 for stereo")
         ->check(CLI::Range(1, 64))
