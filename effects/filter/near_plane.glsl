@@ -3,6 +3,7 @@
 // normal turns. A plane is filtered alike however it lies to the camera.
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 
+#define WIDEST_NORMAL 1
 #include <surface>
 
 uniform highp float radius;

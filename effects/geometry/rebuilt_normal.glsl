@@ -13,13 +13,18 @@
 #include "common/texel.glsl"
 #include "common/view_space.glsl"
 
+// What rebuilds a normal a tap keeps to neighbouring texels, and says WIDEST_NORMAL 1 before it includes this:
+// loops over strides within loops over taps take drivers minutes to compile.
+#ifndef WIDEST_NORMAL
+#define WIDEST_NORMAL 64
+#endif
+
 // Depth error of a side that ends at the texture's edge: more than any other.
 const highp float kNoSide = 2.0;
 
 // How much the steps of the depth may make a normal lean, as a slope, before texels farther apart serve, and how
 // far apart at most.
 const highp float kLean = 0.02;
-const highp int kWidest = 64;
 
 // What makes a normal lean that is rebuilt from neighbouring texels: steps of the view depth, over a texel's width.
 // `stored` is as in viewStepOf.
@@ -33,7 +38,9 @@ highp float leanAt(highp vec2 size, highp vec2 stored, highp vec3 point)
 highp int strideFor(highp float lean)
 {
     highp int stride = 1;
-    while (stride < kWidest && lean > kLean * float(stride)) stride *= 2;
+#if WIDEST_NORMAL > 1
+    while (stride < WIDEST_NORMAL && lean > kLean * float(stride)) stride *= 2;
+#endif
     return stride;
 }
 
@@ -78,13 +85,18 @@ highp vec3 alongSurface(highp sampler2D depths, highp ivec2 texel, highp ivec2 a
     highp float ahead;
     highp float error_behind;
     highp float error_ahead;
-    for (; stride > 0; stride /= 2) {
+#if WIDEST_NORMAL > 1
+    for (; stride > 0; stride /= 2)
+#endif
+    {
         step = stride * axis;
         behind = depthNear(depths, texel - step);
         ahead = depthNear(depths, texel + step);
         error_behind = sideError(depths, texel, -step, here, behind);
         error_ahead = sideError(depths, texel, step, here, ahead);
+#if WIDEST_NORMAL > 1
         if (min(error_behind, error_ahead) <= noise) break;
+#endif
     }
     bool by_behind = error_behind < max(error_ahead, noise);
     bool by_ahead = !by_behind || error_ahead <= noise;
