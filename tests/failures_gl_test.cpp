@@ -126,6 +126,7 @@ TEST_CASE("A context that is lost in a frame ends in CV6016, and a new one draws
         auto renderer = stage.make(descriptionOf({"balanced", ""}));
         need(renderer->setParam("radius", 0.3f));
         before = stage.draw(*renderer, stage.frame);
+        ++stage.frame.revision;
         gl.loseAt(200, Loss::for_ever);
         const Status status = renderer->render(stage.frame);
         REQUIRE(status.diagnostics().size() == 1);
