@@ -34,9 +34,10 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     /// Runs those passes of the plan whose input has changed since the last frame (Frame says how
-    /// that is known), and those after them. A frame with other traits than the plan was made for is planned anew first;
-    /// where that fails, the old plan and its pictures stay. The warnings of a new plan come back
-    /// with the one frame that it was made for: look at `diagnostics()` of what is `ok()` as well.
+    /// that is known), and those after them. A frame with other traits than the plan was made for
+    /// is planned anew first; where that fails, the old plan and its pictures stay. The warnings of a
+    /// new plan come back with the one frame that it was made for: look at `diagnostics()` of what is
+    /// `ok()` as well.
     ///
     /// Errors: CV6010 and CV6011 for the frame; CV6005 and CV6009 from the driver, and CV6016 where
     /// the context is lost: destroy the renderer, and make another on a new device from the same
