@@ -91,11 +91,17 @@ Code onlyCode(const Status& status)
     return status.diagnostics().size() == 1 ? status.diagnostics()[0].code : Code::internal;
 }
 
+Status doStep(Host& host, std::size_t index)
+{
+    const Host::Step step = kSteps[index];
+    return (host.*step)();
+}
+
 /// Does the steps in turn up to the first that fails, whose status comes back.
 Status failingStep(Host& host, std::size_t& index)
 {
     for (index = 0; index < std::size(kSteps); ++index)
-        if (Status status = (host.*kSteps[index])(); !status) return status;
+        if (Status status = doStep(host, index); !status) return status;
     return {};
 }
 
@@ -149,9 +155,9 @@ TEST_CASE("A context whose loss only glGetGraphicsResetStatus tells ends in CV60
         INFO("step " << next);
         WatchedGl gl;
         auto host = std::make_unique<Host>(gl);
-        for (std::size_t i = 0; i < next; ++i) need((*host.*kSteps[i])());
+        for (std::size_t i = 0; i < next; ++i) need(doStep(*host, i));
         gl.loseAt(1, Loss::by_status);
-        CHECK(onlyCode((*host.*kSteps[next])()) == Code::context_lost);
+        CHECK(onlyCode(doStep(*host, next)) == Code::context_lost);
         checkAbandoned(std::move(host));
     }
 }
@@ -207,12 +213,12 @@ TEST_CASE("A driver that is out of memory at any call is told so, and nothing st
     for (std::size_t step = 1; step < std::size(kSteps); ++step) {
         WatchedGl gl;
         Host host(gl);
-        for (std::size_t i = 0; i < step; ++i) need((host.*kSteps[i])());
+        for (std::size_t i = 0; i < step; ++i) need(doStep(host, i));
         for (int n = 1;; ++n) {
             INFO("step " << step << ", attempt " << n);
             const int names = gl.names(), attempts = gl.attempts();
             gl.failAt(n);
-            const Status status = (host.*kSteps[step])();
+            const Status status = doStep(host, step);
             gl.failAt(0);
             if (gl.attempts() - attempts < n) {
                 need(status);
