@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Interface `surface`, from depth and stored normals; works for any projection.
-//
-// A shader that needs no normals defines SURFACE_WITHOUT_NORMAL before it includes this, so that a plan
-// sees that nobody reads them.
 
 #include "geometry/depth_point.glsl"
 
 uniform highp sampler2D depth;
-
-// View depth that stands for the background: behind everything.
-const highp float kBackgroundZ = -1e30;
 
 // The point in view space of the texel at uv; false in the background.
 bool pointAt(highp vec2 at, out highp vec3 point)
@@ -24,20 +18,5 @@ highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }
 
-// View-space z of the texel at uv; kBackgroundZ in the background.
-highp float viewZAt(highp vec2 at)
-{
-    highp vec3 point;
-    return pointAt(at, point) ? point.z : kBackgroundZ;
-}
-
-#ifndef SURFACE_WITHOUT_NORMAL
-uniform mediump sampler2D normal;
-
-// The unit normal in view space at uv, towards the camera's side.
-highp vec3 normalAt(highp vec2 at)
-{
-    highp ivec2 texel = texelAt(uvInGuard(at), vec2(textureSize(normal, 0)));
-    return normalize(texelFetch(normal, texel, 0).xyz * 2.0 - 1.0);
-}
-#endif
+#include "geometry/view_z.glsl"
+#include "geometry/stored_normal.glsl"

@@ -5,21 +5,13 @@
 
 uniform highp sampler2D depth;
 
-// View depth that stands for the background: behind everything.
-const highp float kBackgroundZ = -1e30;
-
 // The point in view space of the texel at uv; false in the background.
 bool pointAt(highp vec2 at, out highp vec3 point)
 {
     return pointIn(depth, at, point);
 }
 
-// View-space z of the texel at uv; kBackgroundZ in the background.
-highp float viewZAt(highp vec2 at)
-{
-    highp vec3 point;
-    return pointAt(at, point) ? point.z : kBackgroundZ;
-}
+#include "geometry/view_z.glsl"
 
 #ifndef SURFACE_WITHOUT_NORMAL
 #include "geometry/rebuilt_normal.glsl"

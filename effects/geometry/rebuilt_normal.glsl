@@ -13,8 +13,8 @@
 #include "common/texel.glsl"
 #include "common/view_space.glsl"
 
-// What rebuilds a normal a tap keeps to neighbouring texels, and says WIDEST_NORMAL 1 before it includes this:
-// loops over strides within loops over taps take drivers minutes to compile.
+// How far apart texels are at most, in texels. What rebuilds a normal a tap keeps to neighbours, and says
+// WIDEST_NORMAL 1 before it includes this: loops over strides within loops over taps take drivers minutes to compile.
 #ifndef WIDEST_NORMAL
 #define WIDEST_NORMAL 64
 #endif
@@ -22,8 +22,7 @@
 // Depth error of a side that ends at the texture's edge: more than any other.
 const highp float kNoSide = 2.0;
 
-// How much the steps of the depth may make a normal lean, as a slope, before texels farther apart serve, and how
-// far apart at most.
+// How much the steps of the depth may make a normal lean, as a slope, before texels farther apart serve.
 const highp float kLean = 0.02;
 
 // What makes a normal lean that is rebuilt from neighbouring texels: steps of the view depth, over a texel's width.
