@@ -29,34 +29,8 @@ StressShot hostShot(Extent size)
     return shot;
 }
 
-/// Depths of one projection as those of another; what `from` cleared to 1 becomes `background`.
-void reproject(Image& depth, const glm::dmat4& from, const glm::dmat4& to, double background)
-{
-    const glm::dmat4 view_from_clip = glm::inverse(from);
-    for (float& value : depth.pixels) {
-        const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, value * 2.0 - 1.0, 1);
-        const glm::dvec4 clip = to * glm::dvec4(0, 0, view.z / view.w, 1);
-        value = static_cast<float>(value < 1 ? clip.z / clip.w * 0.5 + 0.5 : background);
-    }
-}
-
-StressShot hostProjection(double kind, Extent size)
-{
-    StressShot shot = hostShot(size);
-    StressView view = yardView();
-    view.reversed = kind == 1 || kind == 3;
-    view.infinite = kind == 2 || kind == 3;
-    shot.camera = cameraOf(view, size);
-    const glm::dmat4 from = shot.host_camera.clip_from_view, to = shot.camera.clip_from_view;
-    const double background = view.reversed ? 0 : 1;
-    if (kind > 0)
-        shot.host = [from, to, background](Image& depth, Image&) {
-            reproject(depth, from, to, background);
-        };
-    return shot;
-}
-
-/// Each distance along the view axis as `stored` has it; the background stays 1.
+/// What a host does to its depth, drawn through `clip_from_view`: each becomes `stored(distance along the view
+/// axis, whether something was drawn)`.
 template <class Stored>
 auto storedBy(const glm::dmat4& clip_from_view, const Stored& stored)
 {
@@ -68,7 +42,25 @@ auto storedBy(const glm::dmat4& clip_from_view, const Stored& stored)
     };
 }
 
-/// 1 for linear depth, else the power of ten to which logarithmic depth reaches; for a camera with reversed depth.
+StressShot hostProjection(double kind, Extent size)
+{
+    StressShot shot = hostShot(size);
+    StressView view = yardView();
+    view.reversed = kind == 1 || kind == 3;
+    view.infinite = kind == 2 || kind == 3;
+    shot.camera = cameraOf(view, size);
+    const glm::dmat4 to = shot.camera.clip_from_view;
+    const double background = view.reversed ? 0 : 1;
+    if (kind > 0)
+        shot.host = storedBy(shot.host_camera.clip_from_view, [to, background](double z, bool seen) {
+            const glm::dvec4 clip = to * glm::dvec4(0, 0, -z, 1);
+            return seen ? clip.z / clip.w * 0.5 + 0.5 : background;
+        });
+    return shot;
+}
+
+/// 1 for linear depth, else the power of ten to which logarithmic depth reaches; for a camera with reversed
+/// depth.
 StressShot hostEncoding(double kind, Extent size)
 {
     if (kind == 0) return hostShot(size);
