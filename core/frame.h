@@ -92,8 +92,8 @@ struct ImportedTexture {
     std::string name;
     TextureId texture = {};
 
-    /// A number that changes whenever the host draws into the texture; passes that read it are then run again.
-    /// 0 means that it may change with every frame.
+    /// A number that changes whenever the host draws into the texture, or puts another under the same
+    /// id; passes that read it are then run again. 0 means that it may change with every frame.
     std::uint64_t revision = 0;
 };
 
@@ -115,7 +115,8 @@ struct Frame {
     std::vector<ImportedTexture> textures;
     std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic or reversed if `camera` is.
     std::uint64_t revision = 0;  ///< To be changed when a mesh, or a material's texture, that was drawn
-                                 ///< before holds something else now.
+                                 ///< before holds something else now: ids of what was destroyed
+                                 ///< are given out again.
     bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
 };
 

@@ -63,32 +63,32 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
         }
     do
         next_slots_ = slots_;
-    while (findOverwritten(next_slots_));
+    while (findOverwritten());
     slots_.swap(next_slots_);
     return runs_;
 }
 
 /// Goes through the frame with what is chosen so far, and chooses whoever wrote what is read, or asked for at
 /// the end, and is no longer there. True when there was one.
-bool PassCache::findOverwritten(std::vector<int>& slots)
+bool PassCache::findOverwritten()
 {
     bool found = false;
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             if (!runs_[runOf(view, static_cast<int>(i))]) continue;
             for (const int target : passes_[i].reads)
-                found = requireTarget(view, target, slots) || found;
+                found = requireTarget(view, target) || found;
             for (const int target : passes_[i].writes)
-                slots[slotOf(view, target)] = contentOf(view, target);
+                next_slots_[slotOf(view, target)] = contentOf(view, target);
         }
     for (int view = 0; view < plan_.views; ++view)
-        for (const int target : outputs_) found = requireTarget(view, target, slots) || found;
+        for (const int target : outputs_) found = requireTarget(view, target) || found;
     return found;
 }
 
-bool PassCache::requireTarget(int view, int target, const std::vector<int>& slots)
+bool PassCache::requireTarget(int view, int target)
 {
-    if (slots[slotOf(view, target)] == contentOf(view, target)) return false;
+    if (next_slots_[slotOf(view, target)] == contentOf(view, target)) return false;
     char& writer = runs_[runOf(view, plan_.targets[target].first_pass)];
     if (writer) return false;  // it runs, and what it wrote was overwritten before: the plan's business
     writer = 1;

@@ -33,14 +33,14 @@ private:
     int runOf(int view, int pass) const { return view * static_cast<int>(passes_.size()) + pass; }
     int slotOf(int view, int target) const;
     int contentOf(int view, int target) const;
-    bool findOverwritten(std::vector<int>& slots);
-    bool requireTarget(int view, int target, const std::vector<int>& slots);
+    bool findOverwritten();
+    bool requireTarget(int view, int target);
 
     const Plan& plan_;
     std::vector<PassNode> passes_;
     std::vector<int> outputs_;    // targets
     std::vector<int> slots_;      // what each texture holds: a content, or kNothing
-    std::vector<int> next_slots_;
+    std::vector<int> next_slots_;  // ... while a frame is gone through
     std::vector<char> runs_;
 };
 
