@@ -104,6 +104,6 @@ void main()
     }
     ao = shown(occlusion / max(known, 1.0));
 #ifdef WITH_BOUNCE
-    indirect = vec4(reflected * (bounce / max(known, 1.0)), 1.0);
+    indirect = vec4(reflected * (intensity * bounce / max(known, 1.0)), 1.0);
 #endif
 }
