@@ -50,6 +50,7 @@ private:
     void describeStores();
     std::string storeReason(const PlanTarget& target, int index) const;
 
+    Shader shaderOf(const Pass& pass) const;
     int program(const Pass& pass);
     int constant(float value);
     int planTarget(int target) const;
@@ -63,9 +64,20 @@ private:
     Plan plan_;
 };
 
+// The pass's shader without the outputs that nobody reads.
+Shader Builder::shaderOf(const Pass& pass) const
+{
+    Shader shader = state_.shaders[pass.shader];
+    const std::vector<GlslOutput> outputs = shader.fragment.outputs;
+    for (const GlslOutput& output : outputs)
+        if (!state_.targets[pass.color[output.location]].textured)
+            dropOutput(shader.fragment, output.name);
+    return shader;
+}
+
 int Builder::program(const Pass& pass)
 {
-    const Shader& shader = state_.shaders[pass.shader];
+    const Shader shader = shaderOf(pass);
     const std::string key = programKey(shader);
     for (std::size_t i = 0; i < plan_.programs.size(); ++i)
         if (plan_.programs[i].key == key) return static_cast<int>(i);

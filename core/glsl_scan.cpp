@@ -3,6 +3,7 @@
 #include "core/glsl_scan.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace crevice {
 
@@ -163,7 +164,54 @@ void Scanner::skipStatement()
     if (at_ != end_) ++at_;
 }
 
+// A line of GLSL that is `layout(...) out type name;` and no more: where its qualifiers begin and the type
+// does, and the precision among them.
+struct OutputLine {
+    std::size_t begin = 0;
+    std::size_t type = 0;
+    std::string_view precision;
+};
+
+std::optional<OutputLine> outputLine(std::string_view line, std::string_view name)
+{
+    GlslTokens tokens;
+    tokenize(line, 0, 1, tokens);
+    const std::size_t count = tokens.size();
+    if (count < 4 || !tokens[count - 1].is(";") || !tokens[count - 2].is(name)) return std::nullopt;
+    OutputLine found;
+    found.type = tokens[count - 3].text.data() - line.data();
+    found.begin = tokens[0].text.data() - line.data();
+    bool output = false;
+    std::size_t i = 0;
+    if (tokens[0].is("layout"))
+        while (i + 3 < count && !tokens[i++].is(")")) {}
+    for (; i + 3 < count; ++i) {
+        if (!isQualifier(tokens[i].text)) return std::nullopt;
+        const bool precision = tokens[i].text.back() == 'p';  // highp, mediump, lowp
+        if (precision) found.precision = tokens[i].text;
+        output = output || tokens[i].is("out");
+    }
+    return output ? std::optional(found) : std::nullopt;
+}
+
 }  // namespace
+
+void dropOutput(GlslStage& stage, const std::string& name)
+{
+    std::string& text = stage.text;
+    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+        end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        const std::optional<OutputLine> found = outputLine(line, name);
+        if (!found) continue;
+        const std::string precision = found->precision.empty() ? "" : std::string(found->precision) + " ";
+        text.replace(begin + found->begin, found->type - found->begin, precision);
+        const auto same = [&](const GlslOutput& output) { return output.name == name; };
+        stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
+                            stage.outputs.end());
+        return;
+    }
+}
 
 void scanDeclarations(GlslUnit& unit, GlslStage& stage)
 {

@@ -4,6 +4,8 @@
 
 #include "tests/catch.h"
 
+#include <algorithm>
+
 using namespace crevice;
 
 namespace {
@@ -122,6 +124,26 @@ TEST_CASE("outputs have the location that they say, or that of their order")
     REQUIRE(single.outputs.size() == 1);
     CHECK(single.outputs[0].location == 0);
     CHECK(single.outputs[0].place.line == 2);
+}
+
+TEST_CASE("an output that is dropped becomes a variable on its line, with its precision")
+{
+    const std::string body = "layout(location = 1) out mediump vec4 albedo;\n"
+                             "  highp out float far;\nout vec2 a, b;\n"
+                             "void f(out float far);\n";
+    GlslStage stage = stageOf(body);
+    const auto lines = std::count(stage.text.begin(), stage.text.end(), '\n');
+    dropOutput(stage, "albedo");
+    dropOutput(stage, "far");
+    dropOutput(stage, "a");
+    dropOutput(stage, "missing");
+    CHECK(stage.text.find("\nmediump vec4 albedo;\n") != std::string::npos);
+    CHECK(stage.text.find("\n  highp float far;\n") != std::string::npos);
+    CHECK(stage.text.find("\nout vec2 a, b;\n") != std::string::npos);
+    CHECK(stage.text.find("\nvoid f(out float far);\n") != std::string::npos);
+    CHECK(std::count(stage.text.begin(), stage.text.end(), '\n') == lines);
+    REQUIRE(stage.outputs.size() == 2);
+    CHECK(stage.outputs[0].name == "a");
 }
 
 TEST_CASE("a location that is no number is an error")
