@@ -2,15 +2,23 @@
 // Compiling: the steps in their order, and what they share.
 #include "core/compile_steps.h"
 
+#include "core/text.h"
+
 #include <algorithm>
 
 namespace crevice {
 
+const RuleInfo kRules[5] = {
+    {"unread", "passes, attachments and shader outputs that no output asked for needs"},
+    {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
+    {"idle", "what a param adds for the sake of targets that are not drawn: a guard band"},
+    {"sharing", "a texture of its own for each target"},
+    {"unchanged", "passes of a frame whose input is the last frame's"},
+};
+
 namespace compiler {
 
 namespace {
-
-const char* const kRules[] = {"unread", "identity", "sharing", "unchanged", "all"};
 
 State begin(const Description& description, const SceneTraits& traits, const DeviceCaps& caps,
             const CompileOptions& options)
@@ -42,10 +50,12 @@ void checkExtent(State& state)
 
 void checkRules(State& state)
 {
+    std::vector<std::string> names = {"all"};
+    for (const RuleInfo& rule : kRules) names.push_back(rule.name);
     for (const std::string& rule : state.options.keep) {
-        if (std::find(std::begin(kRules), std::end(kRules), rule) != std::end(kRules)) continue;
+        if (std::find(names.begin(), names.end(), rule) != names.end()) continue;
         report(state, Code::bad_enum, "'" + rule + "' is no rule that can be switched off", Place{})
-            .help = suggestName(rule, {std::begin(kRules), std::end(kRules)}, "rules");
+            .help = suggestName(rule, names, "rules");
     }
 }
 
@@ -93,14 +103,76 @@ void dropRepeats(State& state)
     state.diagnostics = std::move(kept);
 }
 
-}  // namespace
-
-bool State::applies(std::string_view rule) const
+bool applies(const CompileOptions& options, std::string_view rule)
 {
     return std::none_of(options.keep.begin(), options.keep.end(), [&](const std::string& kept) {
         return kept == rule || kept == "all";
     });
 }
+
+Result<Plan> compileAsItIs(const Description& description, const SceneTraits& traits,
+                           const DeviceCaps& caps, const CompileOptions& options)
+{
+    State state = begin(description, traits, caps, options);
+    checkExtent(state);
+    checkRules(state);
+    chooseOutputs(state);
+    decideConditions(state);
+    chooseFormats(state);
+    readShaders(state);
+    findWriters(state);
+    orderPasses(state);
+    chooseLive(state);
+    chooseExtents(state);
+    checkFormats(state);
+    chooseSamples(state);
+    lint(state);
+    lintPrecision(state);
+    dropRepeats(state);
+    if (!hasErrors(state.diagnostics))
+        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
+                                 description.unused.end());
+    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
+    Plan plan = buildPlan(state);
+    plan.reruns = !state.applies("unchanged");
+    return {std::move(plan), std::move(state.diagnostics)};
+}
+
+// Whether the param is above its min for the sake of targets that the plan does not draw.
+bool isIdle(const ParamDesc& param, const Description& description, const Plan& plan)
+{
+    const auto declared = [&](const Reference& target) {
+        return indexOf(description.targets, target.name) >= 0;
+    };
+    const auto drawn = [&](const Reference& target) {
+        return indexOf(plan.targets, target.name) >= 0;
+    };
+    const std::vector<Reference>& all = param.serves;
+    return param.value[0] > param.min && std::any_of(all.begin(), all.end(), declared) &&
+           std::none_of(all.begin(), all.end(), drawn);
+}
+
+double bytesMoved(const Plan& plan)
+{
+    double bytes = 0;
+    for (const PlanPass& pass : plan.passes) bytes += pass.bytes_read + pass.bytes_written;
+    return bytes;
+}
+
+// "no pass draws ao, so guard is 1 and not 1.4".
+std::string idleReason(const ParamDesc& param, const Description& description)
+{
+    std::string served;
+    for (const Reference& target : param.serves)
+        if (indexOf(description.targets, target.name) >= 0)
+            served += (served.empty() ? "" : " or ") + target.name;
+    return "no pass draws " + served + ", so " + param.name + " is " + shortest(param.min) +
+           " and not " + shortest(param.value[0]);
+}
+
+}  // namespace
+
+bool State::applies(std::string_view rule) const { return compiler::applies(options, rule); }
 
 Diagnostic& report(State& state, Code code, std::string message, const Named& at)
 {
@@ -163,29 +235,21 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
                      const DeviceCaps& caps, const CompileOptions& options)
 {
     using namespace compiler;
-    State state = begin(description, traits, caps, options);
-    checkExtent(state);
-    checkRules(state);
-    chooseOutputs(state);
-    decideConditions(state);
-    chooseFormats(state);
-    readShaders(state);
-    findWriters(state);
-    orderPasses(state);
-    chooseLive(state);
-    chooseExtents(state);
-    checkFormats(state);
-    chooseSamples(state);
-    lint(state);
-    lintPrecision(state);
-    dropRepeats(state);
-    if (!hasErrors(state.diagnostics))
-        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
-                                 description.unused.end());
-    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
-    Plan plan = buildPlan(state);
-    plan.reruns = !state.applies("unchanged");
-    return {std::move(plan), std::move(state.diagnostics)};
+    Result<Plan> whole = compileAsItIs(description, traits, caps, options);
+    if (!whole || !applies(options, "idle")) return whole;
+    Description lean = description;
+    std::vector<LeftOut> idle;
+    for (ParamDesc& param : lean.params) {
+        if (!isIdle(param, description, *whole)) continue;
+        idle.push_back({"param " + param.name, "idle", idleReason(param, description)});
+        param.value[0] = static_cast<float>(param.min);
+    }
+    if (idle.empty()) return whole;
+    Result<Plan> plan = compileAsItIs(lean, traits, caps, options);
+    if (!plan) return plan;
+    idle.front().bytes = bytesMoved(*whole) - bytesMoved(*plan);
+    plan->left_out.insert(plan->left_out.end(), idle.begin(), idle.end());
+    return plan;
 }
 
 }  // namespace crevice

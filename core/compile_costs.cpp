@@ -60,6 +60,19 @@ double bytesOf(const State& state, const Pass& pass)
     return texel * pixels(extentOf(state, pass)) * state.traits.views;
 }
 
+// "ao is 1 everywhere, and so is ao_blur".
+std::string constantReason(const State& state, const Pass& pass)
+{
+    std::string reason;
+    for (const KeepsConstantDesc& each : pass.desc->keeps_constant) {
+        const int output = indexOf(state.description.targets, each.output.name);
+        reason += (reason.empty() ? "" : "; ") + each.sampler.name + " is " +
+                  shortest(resolveTarget(state, output)->value) + " everywhere, and so is " +
+                  each.output.name;
+    }
+    return reason;
+}
+
 // "intensity is 0, so ao is 1".
 std::string standInReason(const Pass& pass)
 {
@@ -77,6 +90,8 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
         left_out.push_back({what, "condition", pass.off_reason, bytesOf(state, pass)});
     } else if (pass.identity) {
         left_out.push_back({what, "identity", standInReason(pass), bytesOf(state, pass)});
+    } else if (pass.keeps_constant) {
+        left_out.push_back({what, "identity", constantReason(state, pass), bytesOf(state, pass)});
     } else if (!pass.live) {
         left_out.push_back({what, "unread", "no output asked for needs it", bytesOf(state, pass)});
     }
@@ -87,7 +102,7 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
         const double bytes =
             pixels(target.extent) * formatInfo(target.format).bytes * state.traits.views;
         const std::string& name = state.description.targets[index].name;
-        left_out.push_back({"attachment " + name, "unread", "nobody reads it", bytes});
+        left_out.push_back({"attachment " + name, "unread", "nobody reads it, nor is it worked out", bytes});
     }
 }
 

@@ -73,7 +73,7 @@ bool mentionedAnywhere(const State& state, const std::string& path, std::string_
     return false;
 }
 
-// Checks a name of the shader's that the pass gives the value `from`.
+// Checks a name of the shader's by which the pass says `what`, and that `from` is not meant.
 void checkMentioned(State& state, const Pass& pass, const Reference& name, const Reference& from,
                     const char* what)
 {
@@ -86,7 +86,7 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
                                    &state.shaders[pass.shader].fragment})
         for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
     Diagnostic& error = report(state, Code::input_unused,
-                               "pass '" + pass.desc->name + "' renames " + what + " '" +
+                               "pass '" + pass.desc->name + "' " + what + " '" +
                                    name.name + "', which shader '" + shader.name +
                                    "' does not have",
                                name);
@@ -167,9 +167,11 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
 void checkRenames(State& state, const Pass& pass)
 {
     for (const InputDesc& input : pass.desc->inputs)
-        checkMentioned(state, pass, input.sampler, input.from, "input");
+        checkMentioned(state, pass, input.sampler, input.from, "renames input");
     for (const auto& renamed : pass.desc->uniforms)
-        checkMentioned(state, pass, renamed.first, renamed.second, "uniform");
+        checkMentioned(state, pass, renamed.first, renamed.second, "renames uniform");
+    for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
+        checkMentioned(state, pass, each.sampler, each.sampler, "keeps constant what sampler");
 }
 
 }  // namespace crevice::compiler

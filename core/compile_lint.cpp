@@ -46,9 +46,9 @@ void lint(State& state)
 {
     for (const Pass& pass : state.passes)
         if (pass.active && pass.live) checkSampling(state, pass);
-    // Where something was asked for, or an identity holds, that is what leaves passes out.
+    // Where something was asked for, or something stands in, that is what leaves passes out.
     const bool reduced = std::any_of(state.passes.begin(), state.passes.end(),
-                                     [](const Pass& pass) { return pass.identity != nullptr; });
+                                     [](const Pass& pass) { return pass.replaced(); });
     if (reduced || !state.options.outputs.empty() || hasErrors(state.diagnostics)) return;
     for (const Pass& pass : state.passes) warnUnread(state, pass);
 }

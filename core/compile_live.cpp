@@ -13,14 +13,27 @@ Source targetNamed(const State& state, const std::string& name)
     return {InputKind::target, indexOf(state.description.targets, name)};
 }
 
-// What the pass says its output is while it does not run: by `bypass` when inactive, by `identity`
-// when left out.
+// What the pass reads by that sampler; nothing where its shader, as it is now, has none.
+std::optional<Source> readBy(const Pass& pass, const std::string& sampler)
+{
+    for (const Read& read : pass.reads)
+        if (read.sampler == sampler) return read.named;
+    return std::nullopt;
+}
+
+// What the pass says its output is while it does not run: by `bypass` when inactive, by `identity` or
+// `keeps_constant` when left out.
 std::optional<Source> standIn(const State& state, const Pass& pass, int target)
 {
     const std::string& name = state.description.targets[target].name;
     if (!pass.active) {
         for (const BypassDesc& bypass : pass.desc->bypass)
             if (bypass.output.name == name) return targetNamed(state, bypass.input.name);
+        return std::nullopt;
+    }
+    if (!pass.identity) {
+        for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
+            if (each.output.name == name) return readBy(pass, each.sampler.name);
         return std::nullopt;
     }
     for (const IdentityDesc::Gives& gives : pass.identity->gives) {
@@ -50,8 +63,37 @@ const IdentityDesc* nextIdentity(const State& state, const Pass& pass)
     return nullptr;
 }
 
-// Marks the target behind `source` and its writer. False when that writer has been replaced by an
-// identity that does not give this target; the caller must then take another.
+bool keepsConstant(const State& state, const Pass& pass)
+{
+    const auto constant = [&](const KeepsConstantDesc& each) {
+        const std::optional<Source> source = readBy(pass, each.sampler.name);
+        const std::optional<Source> behind = source ? resolve(state, *source) : std::nullopt;
+        return behind && behind->kind == InputKind::constant;
+    };
+    const std::vector<KeepsConstantDesc>& all = pass.desc->keeps_constant;
+    return !all.empty() && std::all_of(all.begin(), all.end(), constant);
+}
+
+// Leaves out what only passes constants on, in the order of data flow: one may hang on another.
+void chooseConstant(State& state)
+{
+    for (Pass& pass : state.passes) pass.keeps_constant = false;
+    for (const int index : state.order) {
+        Pass& pass = state.passes[index];
+        pass.keeps_constant =
+            !pass.identity && !pass.indispensable && keepsConstant(state, pass);
+    }
+}
+
+// Takes back what stands in for the pass, and takes what may do instead, if anything.
+void standBack(const State& state, Pass& pass)
+{
+    if (pass.identity) pass.identity = nextIdentity(state, pass);
+    else pass.indispensable = true;
+}
+
+// Marks the target behind `source` and its writer. False when that writer has been replaced by what does
+// not give this target; the caller must then take that back.
 bool need(State& state, const Source& source, std::vector<int>& work, int& misfit)
 {
     const std::optional<Source> behind = resolve(state, source);
@@ -59,7 +101,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
     if (!behind || (behind->kind != InputKind::target && !history)) return true;
     Target& target = state.targets[behind->index];
     Pass& writer = state.passes[target.writer];
-    if (writer.identity) {
+    if (writer.replaced()) {
         misfit = target.writer;
         return false;
     }
@@ -70,7 +112,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
     return true;
 }
 
-// Finds what the outputs need. Returns -1, or a pass whose identity lacks an output that is needed.
+// Finds what the outputs need. Returns -1, or a pass whose stand-in lacks an output that is needed.
 int markNeeded(State& state)
 {
     for (Pass& pass : state.passes) pass.live = false;
@@ -84,7 +126,7 @@ int markNeeded(State& state)
     }
     for (const int index : state.order) {
         Pass& pass = state.passes[index];
-        if (state.applies("unread") || pass.live || pass.identity) continue;
+        if (state.applies("unread") || pass.live || pass.replaced()) continue;
         pass.live = true;
         work.push_back(index);
     }
@@ -111,7 +153,7 @@ std::optional<Source> resolve(const State& state, const Source& source)
         const int writer = state.targets[target].writer;
         if (writer >= 0) {
             const Pass& pass = state.passes[writer];
-            const auto given = pass.identity ? standIn(state, pass, target) : std::nullopt;
+            const auto given = pass.replaced() ? standIn(state, pass, target) : std::nullopt;
             if (!given) return at;
             at = given;
             continue;
@@ -135,9 +177,11 @@ void chooseLive(State& state)
     if (state.applies("identity"))
         for (Pass& pass : state.passes)
             if (pass.active) pass.identity = nextIdentity(state, pass);
-    for (int misfit = markNeeded(state); misfit >= 0; misfit = markNeeded(state)) {
-        Pass& pass = state.passes[misfit];
-        pass.identity = nextIdentity(state, pass);
+    while (true) {
+        if (state.applies("identity")) chooseConstant(state);
+        const int misfit = markNeeded(state);
+        if (misfit < 0) break;
+        standBack(state, state.passes[misfit]);
     }
     for (Target& target : state.targets) {
         if (target.writer < 0 || !state.passes[target.writer].live) continue;

@@ -46,9 +46,13 @@ struct Pass {
     std::string off_reason = {};             ///< Why not.
     bool live = false;                       ///< Some output needs it.
     const IdentityDesc* identity = nullptr;  ///< What stands in for it, when something does.
+    bool keeps_constant = false;             ///< What it reads is constant, and so stands in for it.
+    bool indispensable = false;              ///< ... but not for all that is needed of it.
     std::vector<Read> reads = {};
     std::vector<int> color = {};  ///< Targets.
     int depth = -1;               ///< A target, or -1 for none.
+
+    bool replaced() const { return identity != nullptr || keeps_constant; }
 };
 
 struct Target {

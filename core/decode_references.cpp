@@ -167,6 +167,8 @@ void Checker::checkPass(const PassDesc& pass)
             expect(gives.input, who + "reads", targets_);
         }
     }
+    for (const KeepsConstantDesc& each : pass.keeps_constant)
+        checkAttached(pass, each.output, "keeps constant");
     for (const InputDesc& each : pass.inputs) checkInput(pass, each);
     for (const auto& [glsl, value] : pass.uniforms)
         expect(value, who + "feeds '" + glsl.name + "' from", values_);

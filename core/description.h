@@ -52,6 +52,8 @@ struct ParamDesc : Named {
     std::string tooltip;     ///< One sentence: what it does and what turning it up costs.
     std::string group;       ///< Heading in a panel.
     Bind bind = Bind::uniform;
+    std::vector<Reference> serves = {};  ///< Targets for whose sake a define is above its min, those
+                                         ///< that the config has: a plan that draws none takes min.
 };
 
 /// Number of floats in a param of that type.
@@ -186,6 +188,12 @@ struct BypassDesc {
     Reference input = {};
 };
 
+/// "Where all texels of that sampler are one constant, so are those of this output."
+struct KeepsConstantDesc {
+    Reference output = {};
+    Reference sampler = {};  ///< The GLSL name.
+};
+
 struct PassDesc : Named {
     PassType type = PassType::fullscreen;
     Reference shader = {};
@@ -195,6 +203,7 @@ struct PassDesc : Named {
     Condition when = {};
     std::vector<BypassDesc> bypass = {};
     std::vector<IdentityDesc> identity = {};
+    std::vector<KeepsConstantDesc> keeps_constant = {};
     std::vector<InputDesc> inputs = {};
     std::vector<std::pair<Reference, Reference>> uniforms = {};  ///< GLSL name, value's name.
     StateDesc state = {};

@@ -104,6 +104,7 @@ struct NumberOrName {
 inline Reference& keyOf(ClearDesc& clear) { return clear.target; }
 inline Reference& keyOf(Condition::Term& term) { return term.subject; }
 inline Reference& keyOf(BypassDesc& bypass) { return bypass.output; }
+inline Reference& keyOf(KeepsConstantDesc& kept) { return kept.output; }
 inline Reference& keyOf(IdentityDesc& identity) { return identity.param; }
 inline Reference& keyOf(IdentityDesc::Gives& gives) { return gives.output; }
 inline Reference& keyOf(InputDesc& input) { return input.sampler; }

@@ -43,6 +43,9 @@ void fields(V& v, ParamDesc& p)
     v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");
+    v.field("serves", p.serves, "Targets for whose sake a define is above its min; it is min where none that the config has is drawn.");
+    if (!p.serves.empty() && p.bind != Bind::define)
+        v.refuse("serves", Code::bad_enum, "a uniform serves whoever reads it");
 }
 
 template <class V>
@@ -153,6 +156,12 @@ void fields(V& v, BypassDesc& b)
 }
 
 template <class V>
+void fields(V& v, KeepsConstantDesc& k)
+{
+    v.itself(k.sampler, "The sampler that this output is filtered from.");
+}
+
+template <class V>
 void fields(V& v, IdentityDesc::Gives& g)
 {
     v.itself(NumberOrName<float>{g.value, g.input}, "A constant, or the target that it equals.");
@@ -202,6 +211,7 @@ void fields(V& v, PassDesc& p)
     v.field("when", p.when.terms, "Features and traits that must hold for the pass to run.");
     v.field("bypass", p.bypass, "Which input stands in for an output when the pass is off.");
     v.field("identity", p.identity, "Values of params at which the outputs are known unrun.");
+    v.field("keeps_constant", p.keeps_constant, "Outputs that are one constant, the background aside, where all that the sampler reads is.");
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     v.field("uniforms", p.uniforms, "Uniforms whose names differ from what feeds them.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};

@@ -90,10 +90,19 @@ struct PlanProgram {
     std::string pointer;
 };
 
+/// A rule by which plans and frames leave out what changes no picture.
+struct RuleInfo {
+    const char* name;     ///< As CompileOptions::keep and LeftOut::rule have it.
+    const char* meaning;  ///< What it leaves out.
+};
+
+/// Those that may be switched off.
+extern const RuleInfo kRules[5];
+
 /// One thing that the plan does not do.
 struct LeftOut {
     std::string what;    ///< "pass filter_x", "attachment albedo"
-    std::string rule;    ///< "unread", "condition", "identity"
+    std::string rule;    ///< Of kRules; or "condition", which is meaning and cannot be switched off.
     std::string reason;  ///< One sentence.
     double bytes = 0;    ///< Estimated bytes a frame that are not moved.
 };
@@ -130,8 +139,7 @@ struct Plan {
 struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
-    std::vector<std::string> keep = {};     ///< Rules to switch off: "unread", "identity", "sharing",
-                                            ///< "unchanged", or "all". Conditions are meaning.
+    std::vector<std::string> keep = {};     ///< Names of rules to switch off, or "all".
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values

@@ -285,6 +285,90 @@ TEST_CASE("A vector param is at an identity when each component is")
     CHECK(passes("[1, 1, 0.5]") == 2);
 }
 
+TEST_CASE("A pass that keeps constants goes where it reads one, down a chain")
+{
+    const auto chain = [](const std::string& intensity, const std::string& extra = "") {
+        return describe(Sketch{
+            {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+             R"(x: ao -> blur | "keeps_constant": {"blur": "ao"})",
+             R"(y: blur -> smooth )" + extra + R"(| "keeps_constant": {"smooth": "blur"})",
+             "light: smooth -> lit"},
+            {{"ao", "smooth"}, {"color", "lit"}},
+            {},
+            R"("params": {"intensity": {"default": )" + intensity + "}}"});
+    };
+    const Plan plan = planOf(chain("0"));
+    CHECK(passNames(plan) == "light");
+    REQUIRE(plan.passes[0].inputs.size() == 1);
+    CHECK(plan.passes[0].inputs[0].kind == InputKind::constant);
+    REQUIRE(plan.constants.size() == 1);
+    CHECK(plan.constants[0].value == 1.0f);
+    CHECK(plan.outputs[0].constant == 0);
+    const LeftOut* left = leftOut(plan, "pass y");
+    REQUIRE(left);
+    CHECK(left->rule == "identity");
+    CHECK(left->reason == "blur is 1 everywhere, and so is smooth");
+    CHECK(left->bytes > 0);
+
+    CHECK(passNames(planOf(chain("1"))) == "ssao, x, y, light");
+    CHECK(passNames(planOf(chain("0"), {}, keeping("identity"))) == "ssao, x, y, light");
+}
+
+TEST_CASE("A pass that keeps constants stays for what else is needed of it")
+{
+    const Description description = describe(Sketch{
+        {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+         R"(x: ao -> blur edges | "keeps_constant": {"blur": "ao"})",
+         R"(y: blur -> smooth | "keeps_constant": {"smooth": "blur"})", "light: smooth edges -> lit"},
+        {{"color", "lit"}},
+        {},
+        R"("params": {"intensity": {"default": 0}})"});
+    const Plan plan = planOf(description);
+    CHECK(passNames(plan) == "x, y, light");
+    REQUIRE(plan.passes[0].inputs.size() == 1);
+    CHECK(plan.passes[0].inputs[0].kind == InputKind::constant);
+}
+
+TEST_CASE("A constant is kept of a sampler that the shader has")
+{
+    const Diagnostic error = onlyError(describe(Sketch{
+        {"ssao: -> ao", R"(x: ao -> blur | "keeps_constant": {"blur": "aoo"})"},
+        {{"ao", "blur"}}}));
+    CHECK(error.code == Code::input_unused);
+    CHECK(error.pointer == "/passes/x/keeps_constant/blur");
+    CHECK(error.help.find("'ao'") != error.help.npos);
+}
+
+TEST_CASE("A define that serves targets is at its min where none of them is drawn")
+{
+    const auto guarded = [](const std::string& intensity, const std::string& serves) {
+        return describe(Sketch{
+            {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+             "depth: -> z", "light: ao z -> lit"},
+            {{"color", "lit"}},
+            {{"z", R"({"format": ["r8"], "size": {"scale": "guard"}})"}},
+            R"("params": {"intensity": {"default": )" + intensity +
+                R"(}, "guard": {"default": 2, "min": 1, "bind": "define", "serves": [)" + serves +
+                "]}}"});
+    };
+    const auto widthOf = [](const Plan& plan) {
+        return plan.textures[plan.targets[plan.passes[0].color[0].target].texture].extent.width;
+    };
+    const Plan plan = planOf(guarded("0", R"("ao", "elsewhere")"));
+    CHECK(passNames(plan) == "depth, light");
+    CHECK(widthOf(plan) == 64);
+    const LeftOut* left = leftOut(plan, "param guard");
+    REQUIRE(left);
+    CHECK(left->rule == "idle");
+    CHECK(left->reason == "no pass draws ao, so guard is 1 and not 2");
+    CHECK(left->bytes == 3 * 64 * 32);
+
+    CHECK(widthOf(planOf(guarded("0", R"("ao")"), {}, keeping("idle"))) == 128);
+    CHECK(widthOf(planOf(guarded("0", R"("elsewhere")"))) == 128);
+    CHECK(widthOf(planOf(guarded("0", ""))) == 128);
+    CHECK_FALSE(leftOut(planOf(guarded("1", R"("ao")")), "param guard"));
+}
+
 TEST_CASE("The identity rule can be switched off")
 {
     const Description description = describe(withIdentities("0", "0"));
@@ -307,7 +391,12 @@ TEST_CASE("An attachment that nobody reads gets no texture, and is listed with i
     CHECK(left->rule == "unread");
     CHECK(left->bytes == 64 * 32);
 
+    CHECK(plan.programs[plan.passes[0].program].fragment.text.find("out vec4 to_albedo") ==
+          std::string::npos);
+
     const Plan kept = planOf(description, {}, keeping("unread"));
+    CHECK(kept.programs[kept.passes[0].program].fragment.text.find("out vec4 to_albedo") !=
+          std::string::npos);
     CHECK(attachmentOf(kept, "albedo")->target >= 0);
     CHECK(attachmentOf(kept, "albedo")->store == StoreOp::discard);
     CHECK(kept.left_out.empty());

@@ -163,15 +163,12 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     addConfigOptions(*command, options->config);
     addSceneOptions(*command, options->scene);
     addBackendOption(*command, options->backend);
-    const auto repeatable = [](CLI::Option* option) {
-        option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    };
-    repeatable(command->add_option("--output", options->outputs,
-                                   "Plan for this output, view or target alone; may be repeated"));
-    repeatable(command->add_option("--keep", options->keep,
-                                   "Switch off a rule that leaves things out: unread, "
-                                   "identity, sharing, unchanged or all; may be repeated")
-                   ->check(CLI::IsMember({"unread", "identity", "sharing", "unchanged", "all"})));
+    command
+        ->add_option("--output", options->outputs,
+                     "Plan for this output, view or target alone; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addKeepOption(*command, options->keep);
     command->add_option("--views", options->views,
                         "Plan for frames of that many views, 2 for stereo")
         ->check(CLI::Range(1, 64))

@@ -191,6 +191,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addSceneOptions(*command, options->scene);
     addStereoOptions(*command, options->stereo);
     addConfigOptions(*command, options->config);
+    addKeepOption(*command, options->keep);
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
     command->add_option("--out", options->out,

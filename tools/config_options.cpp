@@ -5,6 +5,7 @@
 #include "tools/content_hash.h"
 
 #include "core/load.h"
+#include "core/plan.h"
 #include "effects/catalog.h"
 
 #include <CLI/CLI.hpp>
@@ -61,6 +62,23 @@ void addCheckoutOption(CLI::App& app, std::string& checkout)
                    "Read effects/ and configs/ below this folder before those embedded")
         ->type_name("FOLDER")
         ->check(isCheckout);
+}
+
+void addKeepOption(CLI::App& app, std::vector<std::string>& keep)
+{
+    std::vector<std::string> names;
+    std::string listed;
+    for (const RuleInfo& rule : kRules) {
+        names.push_back(rule.name);
+        listed += std::string(rule.name) + ", ";
+    }
+    names.push_back("all");
+    app.add_option("--keep", keep,
+                   "Switch off a rule that leaves things out: " + listed + "or all; may be repeated")
+        ->type_name("RULE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(CLI::IsMember(names));
 }
 
 CheckoutSources::CheckoutSources(std::string folder)

@@ -26,6 +26,9 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options);
 /// Adds --effects alone.
 void addCheckoutOption(CLI::App& app, std::string& checkout);
 
+/// Adds --keep: rules of core/plan.h that are switched off.
+void addKeepOption(CLI::App& app, std::vector<std::string>& keep);
+
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
 class CheckoutSources : public SourceSet {
 public:

@@ -26,6 +26,7 @@ struct RenderOptions {
     std::string backend;
     std::string precision;
     std::vector<std::string> out = {"color=color.png"};
+    std::vector<std::string> keep;
     std::string save_patch;
     int frames = 1;
     bool watch = false;
