@@ -1,30 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The plan: passes with what they read and write, load and store operations, and programs.
 #include "core/compile_steps.h"
+#include "core/content_hash.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace crevice::compiler {
 
 namespace {
 
-// FNV-1a, 64 bits: small, the same everywhere, and no one attacks it.
-std::uint64_t hash(std::string_view text, std::uint64_t seed)
-{
-    for (const char c : text) seed = (seed ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return seed;
-}
-
 std::string programKey(const Shader& shader)
 {
-    constexpr std::uint64_t kOffsetBasis = 0xcbf29ce484222325u;
-    std::uint64_t key = hash(shader.vertex.text, kOffsetBasis);
-    key = hash(std::string_view("\0", 1), key);
-    key = hash(shader.fragment.text, key);
-    std::string digits;
-    for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[key >> shift & 15];
-    return digits;
+    ContentHash key;
+    key.addText(shader.vertex.text);
+    key.addText(shader.fragment.text);
+    return key.hex();
 }
 
 std::string joined(const std::vector<std::string>& words)

@@ -4,10 +4,10 @@
 
 #include "tools/bench_samples.h"
 #include "tools/camera_framing.h"
-#include "tools/content_hash.h"
 #include "tools/reference_cache.h"
 #include "tools/scene_options.h"
 
+#include "core/content_hash.h"
 #include "core/load.h"
 
 #include <algorithm>

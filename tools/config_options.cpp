@@ -2,8 +2,7 @@
 // The arguments that say which config a command works on.
 #include "tools/config_options.h"
 
-#include "tools/content_hash.h"
-
+#include "core/content_hash.h"
 #include "core/load.h"
 #include "core/plan.h"
 #include "effects/catalog.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The table of stress cases: its lists as one, and what they share.
-#include "tools/content_hash.h"
 #include "tools/stress_case_lists.h"
+
+#include "core/content_hash.h"
 
 #include <algorithm>
 #include <cmath>

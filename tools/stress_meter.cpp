@@ -2,8 +2,8 @@
 // One step of a stress case, from its shot to its figures.
 #include "tools/stress_meter.h"
 
+#include "core/content_hash.h"
 #include "tools/bench_samples.h"
-#include "tools/content_hash.h"
 #include "tools/garbage_device.h"
 #include "tools/image_metrics.h"
 #include "tools/read_output.h"

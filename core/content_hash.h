@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A hash over content, for keys that must be the same on every machine and in every run.
+// A hash over content, for keys that must be the same on every machine and in every run. No one
+// attacks it.
 //
 // Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", the 64-bit FNV-1a.
 #pragma once
