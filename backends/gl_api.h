@@ -82,6 +82,7 @@ namespace crevice {
     X(GetIntegeri_v, GETINTEGERI_V, true) \
     X(GetIntegerv, GETINTEGERV, true) \
     X(GetInternalformativ, GETINTERNALFORMATIV, false) \
+    X(GetProgramBinary, GETPROGRAMBINARY, false) \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG, true) \
     X(GetProgramiv, GETPROGRAMIV, true) \
     X(GetQueryObjectui64v, GETQUERYOBJECTUI64VEXT, false) \
@@ -98,6 +99,8 @@ namespace crevice {
     X(LinkProgram, LINKPROGRAM, true) \
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PixelStorei, PIXELSTOREI, true) \
+    X(ProgramBinary, PROGRAMBINARY, false) \
+    X(ProgramParameteri, PROGRAMPARAMETERI, false) \
     X(ReadBuffer, READBUFFER, true) \
     X(ReadPixels, READPIXELS, true) \
     X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE, true) \

@@ -199,6 +199,11 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
         gl.GetInternalformativ = nullptr;
     if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
         gl.InvalidateFramebuffer = nullptr;
+    if (info.desktop && info.native_version < 410 && !info.has("GL_ARB_get_program_binary")) {
+        gl.GetProgramBinary = nullptr;
+        gl.ProgramBinary = nullptr;
+        gl.ProgramParameteri = nullptr;
+    }
 
     const bool core_labels = info.native_version >= (info.desktop ? 430 : 320);
     const char* labels = core_labels || info.desktop ? "" : "KHR";

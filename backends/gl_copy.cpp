@@ -34,22 +34,23 @@ out highp uvec4 bits;
 void main() { bits = floatBitsToUint(texelFetch(source, ivec2(gl_FragCoord.xy), 0)); }
 )";
 
-Result<GlLinkedProgram> link(GlApi& gl, const char* fragment, const char* label)
+Result<GlLinkedProgram> ownProgram(GlApi& gl, const GlProgramCache& cache, const char* fragment,
+                                   const char* label)
 {
     ProgramDesc desc;
     desc.label = label;
     desc.vertex.text = kVertex;
     desc.fragment.text = fragment;
-    return linkProgram(gl, desc);
+    return makeProgram(gl, cache, desc);
 }
 
 }  // namespace
 
-Result<GlCopier> GlCopier::make(GlApi& gl)
+Result<GlCopier> GlCopier::make(GlApi& gl, const GlProgramCache& cache)
 {
-    Result<GlLinkedProgram> copy = link(gl, kCopy, "crevice copy");
+    Result<GlLinkedProgram> copy = ownProgram(gl, cache, kCopy, "crevice copy");
     if (!copy) return copy.diagnostics();
-    Result<GlLinkedProgram> fetch_bits = link(gl, kFetchBits, "crevice fetch bits");
+    Result<GlLinkedProgram> fetch_bits = ownProgram(gl, cache, kFetchBits, "crevice fetch bits");
     if (!fetch_bits) return fetch_bits.diagnostics();
     GlCopier copier;
     copier.copy_ = std::move(copy->program);

@@ -9,7 +9,7 @@ namespace crevice {
 
 class GlCopier {
 public:
-    static Result<GlCopier> make(GlApi& gl);
+    static Result<GlCopier> make(GlApi& gl, const GlProgramCache& cache);
 
     /// Draws the texture over the viewport of the bound framebuffer.
     void copy(const GlApi& gl, GlState& state, GLuint texture, GLuint sampler) const;

@@ -11,12 +11,13 @@
 
 namespace crevice {
 
-Status GlDevice::prepare()
+Status GlDevice::prepare(const ProgramCache& program_cache)
 {
     Scope scope(*this);
     state_.bindTexture(0, 0, 0);  // so that unit 0 is put back
     caps_ = readCaps(gl_, info_);
-    Result<GlCopier> copier = GlCopier::make(gl_);
+    program_cache_ = GlProgramCache(gl_, program_cache);
+    Result<GlCopier> copier = GlCopier::make(gl_, program_cache_);
     if (!copier) return copier.diagnostics();
     copier_ = std::move(*copier);
     makeSamplers();
@@ -156,10 +157,8 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
 Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 {
     dropHostErrors();
-    Result<GlLinkedProgram> program = linkProgram(gl_, desc);
+    Result<GlLinkedProgram> program = makeProgram(gl_, program_cache_, desc);
     if (!program) return program.diagnostics();
-    if (Status status = takeErrors(gl_, "createProgram", desc.label.c_str()); !status)
-        return status.diagnostics();
     return ProgramId{programs_.add(std::move(*program))};
 }
 
@@ -238,7 +237,7 @@ Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader, const GlDev
     }
     settleOptional(*gl, *info, loader);
     auto device = std::make_unique<GlDevice>(*gl, *info, options);
-    if (Status status = device->prepare(); !status) return status.diagnostics();
+    if (Status status = device->prepare(options.program_cache); !status) return status.diagnostics();
     return std::unique_ptr<Device>(std::move(device));
 }
 

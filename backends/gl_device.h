@@ -10,9 +10,34 @@
 #include "backends/gl_loader.h"
 #include "core/device.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace crevice {
+
+/// Where a host keeps linked programs between runs, so that the next run compiles none of them: in a
+/// folder, say, with a file for each. The library itself writes no file.
+///
+/// Both functions are called wherever a program would be compiled, on the device's thread and in its
+/// context: they must not throw, and not touch GL or the device. What they refer to must outlive the
+/// device. Either may be empty. Neither is called where the driver gives no binaries
+/// (GL_NUM_PROGRAM_BINARY_FORMATS is 0).
+///
+/// A key is 16 hex digits, fit for a file's name: a hash over both shaders as they are compiled, and
+/// the driver's vendor, renderer and version. So what a key stands for never changes, any entry may
+/// go at any time, and one place serves all configs, devices and versions. Drivers run what is in it
+/// as code: keep it where no one else can write.
+struct ProgramCache {
+    /// What was stored under the key; empty for nothing. Bytes that are not whole, or that the driver
+    /// refuses, count as nothing: the program is compiled, and stored anew.
+    std::function<std::vector<std::uint8_t>(const std::string& key)> load;
+
+    /// Keeps the bytes, 4 to 21 KiB on Mesa's llvmpipe, in place of what is there.
+    std::function<void(const std::string& key, const std::vector<std::uint8_t>& bytes)> store;
+};
 
 struct GlDeviceOptions {
     /// Puts the host's state back after each frame and each call outside of one. Off saves some 130
@@ -25,6 +50,9 @@ struct GlDeviceOptions {
 
     /// Pretends a bare OpenGL ES 3.0 without extensions: for testing what falls back.
     bool ignore_extensions = false;
+
+    /// Keeps programs between runs. Default: each run compiles its own.
+    ProgramCache program_cache = {};
 };
 
 /// A device in the current context. That context must be current for every call of the device, its

@@ -19,7 +19,7 @@ public:
     }
 
     /// Reads what the context can do and makes the device's own objects.
-    Status prepare();
+    Status prepare(const ProgramCache& program_cache);
 
     const DeviceCaps& caps() const override { return caps_; }
     Result<TextureId> createTexture(const TextureDesc& desc) override;
@@ -114,6 +114,7 @@ private:
     bool check_errors_;
     GlState state_;
     DeviceCaps caps_;
+    GlProgramCache program_cache_;
     GlCopier copier_;
     GlSampler samplers_[2][2];
     GlTimers timers_;

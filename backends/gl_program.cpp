@@ -93,9 +93,7 @@ std::vector<UniformInfo> readUniforms(const GlApi& gl, GLuint program)
     return uniforms;
 }
 
-}  // namespace
-
-Result<GlLinkedProgram> linkProgram(GlApi& gl, const ProgramDesc& desc)
+Result<GlProgram> compile(GlApi& gl, const GlProgramCache& cache, const ProgramDesc& desc)
 {
     Result<GlShader> vertex = compileStage(gl, GL_VERTEX_SHADER, desc.vertex, desc.label);
     if (tellsLoss(vertex.diagnostics())) return vertex.diagnostics();
@@ -108,6 +106,7 @@ Result<GlLinkedProgram> linkProgram(GlApi& gl, const ProgramDesc& desc)
     GlProgram program(gl, gl.CreateProgram());
     const GLuint shaders[] = {vertex->name(), fragment->name()};
     for (GLuint shader : shaders) gl.AttachShader(program.name(), shader);
+    cache.announce(gl, program.name());
     gl.LinkProgram(program.name());
     for (GLuint shader : shaders) gl.DetachShader(program.name(), shader);
     GLint linked = GL_FALSE;
@@ -115,8 +114,27 @@ Result<GlLinkedProgram> linkProgram(GlApi& gl, const ProgramDesc& desc)
     if (!linked)
         return explain(gl, desc.fragment, Code::shader_link, desc.label, "link",
                        readLog(program.name(), gl.GetProgramiv, gl.GetProgramInfoLog));
+    return program;
+}
+
+}  // namespace
+
+Result<GlLinkedProgram> makeProgram(GlApi& gl, const GlProgramCache& cache,
+                                    const ProgramDesc& desc)
+{
+    const std::string key = cache.key(desc);
+    GlProgram program = cache.load(gl, key);
+    const bool missed = program.name() == 0;
+    if (missed) {
+        Result<GlProgram> compiled = compile(gl, cache, desc);
+        if (!compiled) return compiled.diagnostics();
+        program = std::move(*compiled);
+    }
     setLabel(gl, GL_PROGRAM, program.name(), desc.label);
     std::vector<UniformInfo> uniforms = readUniforms(gl, program.name());
+    if (Status status = takeErrors(gl, "createProgram", desc.label.c_str()); !status)
+        return status.diagnostics();
+    if (missed) cache.store(gl, key, program.name());
     return GlLinkedProgram{std::move(program), std::move(uniforms)};
 }
 

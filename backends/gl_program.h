@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Programs: compiled, linked, and asked for their uniforms.
+// Programs: compiled and linked or taken from the cache, and asked for their uniforms.
 #pragma once
 
 #include "backends/gl_objects.h"
+#include "backends/gl_program_cache.h"
 #include "core/device.h"
 
 #include <vector>
@@ -14,8 +15,11 @@ struct GlLinkedProgram {
     std::vector<UniformInfo> uniforms;
 };
 
-/// Errors: CV5001 and CV5002, at the author's file and line.
-Result<GlLinkedProgram> linkProgram(GlApi& gl, const ProgramDesc& desc);
+/// Takes a program from the cache, else compiles it and stores it there.
+///
+/// Errors: CV5001 and CV5002, at the author's file and line; CV6005, CV6009, CV6016.
+Result<GlLinkedProgram> makeProgram(GlApi& gl, const GlProgramCache& cache,
+                                    const ProgramDesc& desc);
 
 /// Sets a uniform of the current program; see Device::setUniform.
 void setUniformValues(const GlApi& gl, int location, GlslType type, int count, const void* data);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The GL device on a driver that runs out of memory or loses its context, at any call.
 #include "backends/gl_device.h"
+#include "tests/kept_programs.h"
 #include "tests/need.h"
 #include "tests/renderer_rig.h"
 #include "tests/watched_gl.h"
@@ -16,11 +17,11 @@ constexpr Extent kSize = {64, 32};
 
 /// What a host does from its first call on, a step at a time; a step that failed may be tried again.
 struct Host {
-    explicit Host(WatchedGl& on) : gl(on) {}
+    explicit Host(WatchedGl& on, GlDeviceOptions with = {}) : gl(on), options(std::move(with)) {}
 
     Status makeDevice()
     {
-        auto made = makeGlDevice(gl.loader());
+        auto made = makeGlDevice(gl.loader(), options);
         if (made) device = std::move(*made);
         return made.diagnostics();
     }
@@ -74,6 +75,7 @@ struct Host {
     using Step = Status (Host::*)();
 
     WatchedGl& gl;
+    GlDeviceOptions options;
     std::unique_ptr<Device> device;
     Frame frame;
     std::unique_ptr<Renderer> renderer;
@@ -133,11 +135,13 @@ TEST_CASE("A host on a driver without faults does all steps, and leaves no name 
 TEST_CASE("A context that is lost at any call ends in one CV6016, and no call of GL after it")
 {
     const Loss loss = GENERATE(Loss::for_ever, Loss::by_commands);
+    KeptPrograms kept;
+    const GlDeviceOptions options = GENERATE(false, true) ? kept.options() : GlDeviceOptions();
     std::set<std::size_t> failed;
     for (int n = 1;; n += 7) {  // of thousands of calls
         WatchedGl gl;
         gl.loseAt(n, loss);
-        auto host = std::make_unique<Host>(gl);
+        auto host = std::make_unique<Host>(gl, options);
         std::size_t step = 0;
         const Status status = failingStep(*host, step);
         if (status.ok()) break;

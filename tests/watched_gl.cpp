@@ -21,8 +21,8 @@ template <auto M>
 constexpr bool kTakesMemory =
     isAny<M, &GlApi::BufferData, &GlApi::CheckFramebufferStatus, &GlApi::CompileShader,
           &GlApi::CreateProgram, &GlApi::CreateShader, &GlApi::DrawArrays, &GlApi::DrawElements,
-          &GlApi::LinkProgram, &GlApi::ReadPixels, &GlApi::RenderbufferStorageMultisample,
-          &GlApi::TexStorage2D, &GlApi::TexSubImage2D>;
+          &GlApi::GetProgramBinary, &GlApi::LinkProgram, &GlApi::ProgramBinary, &GlApi::ReadPixels,
+          &GlApi::RenderbufferStorageMultisample, &GlApi::TexStorage2D, &GlApi::TexSubImage2D>;
 
 template <auto M>
 constexpr bool kCreates = isAny<M, &GlApi::CreateProgram, &GlApi::CreateShader>;
@@ -71,6 +71,8 @@ struct Hook<Member> {
                 return watched->takeReset();
             return Value();
         }
+        if constexpr (isAny<Member, &GlApi::CompileShader>) ++watched->compiles_;
+        if constexpr (isAny<Member, &GlApi::ProgramBinary>) ++watched->binaries_;
         if constexpr (kTakesMemory<Member>)
             if (watched->failsNow()) return refusal();
         watched->names_ += namesOf<Member>(arguments...);
@@ -92,6 +94,8 @@ namespace {
 // No GL at all. Names of all kinds are told apart.
 GLuint last_name = 0;
 std::set<GLuint> made;  // shaders that were compiled, programs that were linked
+FakeDriver driver;
+GLenum fake_error = GL_NO_ERROR;
 
 void GL_APIENTRY generate(GLsizei count, GLuint* names)
 {
@@ -107,6 +111,30 @@ void GL_APIENTRY tellMade(GLuint name, GLenum what, GLint* value)
 {
     const bool asked = what == GL_COMPILE_STATUS || what == GL_LINK_STATUS;
     *value = asked && made.count(name) ? GL_TRUE : 0;
+    if (what == GL_PROGRAM_BINARY_LENGTH) *value = sizeof(driver.build);
+}
+
+constexpr GLint kBinaryFormat = 0x1234;
+
+void GL_APIENTRY giveBinary(GLuint, GLsizei, GLsizei* length, GLenum* format, void* binary)
+{
+    *length = sizeof(driver.build);
+    *format = kBinaryFormat;
+    *static_cast<unsigned char*>(binary) = driver.build;
+}
+
+void GL_APIENTRY takeBinary(GLuint program, GLenum format, const void* binary, GLsizei length)
+{
+    const bool own = length == sizeof(driver.build) && format == kBinaryFormat &&
+                     *static_cast<const unsigned char*>(binary) == driver.build;
+    if (own) make(program);
+    else if (!driver.silent) fake_error = GL_INVALID_VALUE;
+}
+
+const GLubyte* GL_APIENTRY tellName(GLenum what)
+{
+    const char* name = what == GL_RENDERER ? driver.renderer : "OpenGL ES 3.2 of a test";
+    return reinterpret_cast<const GLubyte*>(name);
 }
 
 void GL_APIENTRY tellLimit(GLenum name, GLint* value)
@@ -117,6 +145,8 @@ void GL_APIENTRY tellLimit(GLenum name, GLint* value)
     if (name == GL_MAX_FRAGMENT_UNIFORM_VECTORS || name == GL_MAX_VERTEX_UNIFORM_VECTORS)
         *value = 256;
     if (name == GL_NUM_EXTENSIONS) *value = 0;
+    if (name == GL_NUM_PROGRAM_BINARY_FORMATS) *value = driver.binary_formats;
+    if (name == GL_PROGRAM_BINARY_FORMATS && driver.binary_formats > 0) *value = kBinaryFormat;
 }
 
 template <class Value, class... Arguments>
@@ -140,7 +170,10 @@ GlApi noGl()
     gl.DeleteShader = gl.DeleteProgram = [](GLuint name) { made.erase(name); };
     gl.GetShaderiv = gl.GetProgramiv = tellMade;
     gl.GetIntegerv = tellLimit;
-    gl.GetString = [](GLenum) { return reinterpret_cast<const GLubyte*>("OpenGL ES 3.2 of a test"); };
+    gl.GetProgramBinary = giveBinary;
+    gl.ProgramBinary = takeBinary;
+    gl.GetString = tellName;
+    gl.GetError = [] { return std::exchange(fake_error, GLenum(GL_NO_ERROR)); };
     gl.CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_COMPLETE; };
     gl.IsTexture = [](GLuint name) -> GLboolean { return name != 0; };
     return gl;
@@ -148,7 +181,12 @@ GlApi noGl()
 
 }  // namespace
 
-WatchedGl::WatchedGl() : below_(noGl()) { watched = this; }
+WatchedGl::WatchedGl(const FakeDriver& fake) : below_(noGl())
+{
+    driver = fake;
+    fake_error = GL_NO_ERROR;
+    watched = this;
+}
 
 WatchedGl::WatchedGl(const GlLoader& real) : below_(loadGlApi(real).value()), real_(real)
 {

@@ -14,11 +14,19 @@ enum class Loss {
     by_status,    ///< glGetGraphicsResetStatus says so once, and nothing else does.
 };
 
+/// Who no GL at all says that it is.
+struct FakeDriver {
+    const char* renderer = "a test";
+    int binary_formats = 1;     ///< Of program binaries; 0 for a driver without.
+    unsigned char build = 'a';  ///< Refuses the binaries of other builds,
+    bool silent = false;        ///< ... without an error.
+};
+
 /// One at a time. Whatever its loader gave must not be called after it died.
 class WatchedGl {
 public:
     /// No GL at all: hands out names, and every shader compiles.
-    WatchedGl();
+    explicit WatchedGl(const FakeDriver& driver = {});
 
     /// The functions of the current context.
     explicit WatchedGl(const GlLoader& real);
@@ -36,6 +44,8 @@ public:
 
     int calls() const { return calls_; }        ///< So far, lost or not.
     int attempts() const { return attempts_; }  ///< Of them those that take memory.
+    int compiles() const { return compiles_; }  ///< Calls of glCompileShader.
+    int binaries() const { return binaries_; }  ///< Calls of glProgramBinary.
     int names() const { return names_; }        ///< That live.
     bool errorPends() const { return pending_ != GL_NO_ERROR; }
 
@@ -51,6 +61,8 @@ private:
     GlLoader real_;
     int calls_ = 0;
     int attempts_ = 0;
+    int compiles_ = 0;
+    int binaries_ = 0;
     int names_ = 0;
     int fail_in_ = 0;
     int lose_in_ = 0;
