@@ -61,6 +61,27 @@ else
     check "a build that cannot choose a precision says so" grep -q CV6012 stderr.txt
 fi
 
+# Programs are kept in a folder, and then none is compiled; where the driver gives none it says so.
+cached=(render learnopengl "${small[@]}" --program-cache kept/programs)
+expect 0 'wrote' render learnopengl "${small[@]}" --out color=plain.png
+expect 0 '^0 of [0-9]+ programs|driver gives no program binaries' "${cached[@]}" --out color=cold.png
+if [[ -n $(ls kept/programs) ]]; then
+    check "the files are named by keys alone" test -z "$(ls -A kept/programs | grep -vxE '[0-9a-f]{16}')"
+    programs=$(ls kept/programs | wc -l)
+    expect 0 "^$programs of $programs programs" "${cached[@]}" --out color=warm.png
+    expect 0 "\"found\": $programs" "${cached[@]}" --out color=warm.png --json
+    expect_json
+    for file in kept/programs/*; do printf 'garbage' >"$file"; done
+    expect 0 "^0 of $programs programs" "${cached[@]}" --out color=garbage.png
+    expect 0 "^$programs of $programs programs" "${cached[@]}" --out color=mended.png
+    expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}" --program-cache kept/programs
+    check "another config adds its own" test "$(ls kept/programs | wc -l)" -gt "$programs"
+    for file in warm garbage mended; do check "$file programs draw the same" cmp -s plain.png "$file.png"; done
+fi
+check "keeping programs draws the same" cmp -s plain.png cold.png
+rm -rf kept && printf 'a file' >kept
+expect 4 "CV7007: 'kept/programs'" "${cached[@]}" --out color=never.png
+
 from_readme mine.json
 from_readme cross.json
 from_readme cross.frag

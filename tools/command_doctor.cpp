@@ -28,6 +28,7 @@ struct DoctorOptions {
     SceneOptions scene;
     std::string backend;
     std::string precision;
+    std::string program_cache;
     int frames = 2;
     bool json = false;
 };
@@ -41,6 +42,7 @@ struct Checkup {
     std::vector<TargetHealth> health;
     FrameFacts facts;
     std::string device;
+    Diagnostics warnings;  ///< Of the machine, not of the config.
 };
 
 /// Draws in memory that holds the garbage and reads back all that is watched.
@@ -94,7 +96,8 @@ void measureRadius(const Description& description, const Image& depth, const Cam
 Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
                         Description description, Progress& progress)
 {
-    const Result<OpenDevice> open = openDevice(options.backend, options.precision);
+    const Result<OpenDevice> open =
+        openDevice(options.backend, options.precision, options.program_cache);
     if (!open) return open.diagnostics();
     Checkup checkup;
     checkup.device = open->context->description();
@@ -127,6 +130,7 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
             measureRadius(description, (*drawn)[i], frame.camera, checkup.facts);
     }
     checkup.plan = std::move(*plan);
+    if (open->programs) checkup.warnings = open->programs->warnings();
     return checkup;
 }
 
@@ -186,12 +190,14 @@ int doctor(const DoctorOptions& options)
     if (!checkup) return report(checkup.diagnostics(), options.json);
     const Diagnostics found =
         diagnose(*description, checkup->plan, checkup->health, checkup->facts);
+    Diagnostics all = found;
+    append(all, checkup->warnings);
     if (options.json) {
-        printJson(*checkup, found);
+        printJson(*checkup, all);
     } else {
         printTable(*checkup, found);
         std::fflush(stdout);
-        report(found, false);
+        report(all, false);
     }
     return hasErrors(found) ? kExitDiffers : kExitOk;
 }
@@ -209,6 +215,7 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
     addConfigOptions(*command, options->config);
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
+    addProgramCacheOption(*command, options->program_cache);
     command->add_option("--frames", options->frames, "How many to draw before looking")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

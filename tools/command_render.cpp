@@ -25,7 +25,9 @@ struct Summary {
     int views = 1;
     long long triangles = 0;
     std::size_t passes = 0;
-    double ms = 0;  ///< Wall clock of the first frame, the wait for the GPU included.
+    double create_ms = 0;  ///< Wall clock of planning and compiling.
+    double ms = 0;         ///< Wall clock of the first frame, the wait for the GPU included.
+    const ProgramFolder* programs = nullptr;  ///< Null without --program-cache.
 };
 
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
@@ -35,6 +37,12 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
                  summary.triangles, summary.extent.width, summary.extent.height,
                  summary.views > 1 ? " an eye" : "");
     std::fprintf(stderr, "on %s\n", summary.device.c_str());
+    std::fprintf(stderr, "planned and compiled in %.1f ms (wall clock)\n", summary.create_ms);
+    if (const ProgramFolder* programs = summary.programs; programs && programs->asked() > 0)
+        std::fprintf(stderr, "%d of %d programs came from the cache\n", programs->found(),
+                     programs->asked());
+    else if (programs)
+        std::fputs("nothing is kept: the driver gives no program binaries\n", stderr);
     std::fprintf(stderr, "drawn in %.1f ms (wall clock, first frame)\n", summary.ms);
     for (const Picture& picture : pictures)
         std::fprintf(stderr, "wrote %s (%s)\n", picture.request.file.c_str(),
@@ -47,7 +55,7 @@ void printJson(const Summary& summary, const std::vector<Picture>& pictures,
     nlohmann::json files = nlohmann::json::array();
     for (const Picture& picture : pictures)
         files.push_back({{"name", picture.request.name}, {"file", picture.request.file}});
-    const nlohmann::json json = {
+    nlohmann::json json = {
         {"config", summary.config},
         {"scene", summary.scene},
         {"triangles", summary.triangles},
@@ -56,10 +64,14 @@ void printJson(const Summary& summary, const std::vector<Picture>& pictures,
         {"views", summary.views},
         {"passes", summary.passes},
         {"device", summary.device},
+        {"create_ms", summary.create_ms},
         {"first_frame_ms", summary.ms},
         {"files", files},
         {"diagnostics", nlohmann::json::parse(toJson(warnings))},
     };
+    if (summary.programs)
+        json["program_cache"] = {{"asked", summary.programs->asked()},
+                                 {"found", summary.programs->found()}};
     std::puts(json.dump(2).c_str());
 }
 
@@ -133,7 +145,7 @@ Summary summaryOf(const Session& session, const SceneView& view, double ms)
     const Renderer& renderer = *session.renderer;
     return {renderer.description().name, view.scene.name, session.open.context->description(),
             view.extent, renderer.plan().views, triangleCount(view.scene),
-            renderer.plan().passes.size(), ms};
+            renderer.plan().passes.size(), session.create_ms, ms, session.open.programs.get()};
 }
 
 int render(const RenderOptions& options)
@@ -170,6 +182,7 @@ int render(const RenderOptions& options)
     for (const Diagnostics* more : {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(),
                                     &written.diagnostics()})
         append(warnings, *more);
+    if (session->open.programs) append(warnings, session->open.programs->warnings());
     const Summary summary = summaryOf(*session, *view, *ms);
     if (options.json) {
         printJson(summary, *pictures, warnings);
@@ -194,6 +207,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addKeepOption(*command, options->keep);
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
+    addProgramCacheOption(*command, options->program_cache);
     command->add_option("--out", options->out,
                         "What to write where: an output, a debug view or a target (target.NAME where "
                         "an output has that name), to .png or .pfm; may be repeated")

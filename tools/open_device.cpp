@@ -10,19 +10,14 @@
 namespace crevice {
 namespace {
 
-Result<OpenDevice> makeDevice(std::unique_ptr<Context> context)
-{
-    Result<std::unique_ptr<Device>> device = makeGlDevice(context->loader());
-    if (!device) return device.diagnostics();
-    Diagnostics warnings = device.diagnostics();
-    return {OpenDevice{std::move(context), std::move(*device)}, std::move(warnings)};
-}
-
-Result<OpenDevice> openNamed(std::string_view backend)
+Result<OpenDevice> openNamed(std::string_view backend, const GlDeviceOptions& options)
 {
     Result<std::unique_ptr<Context>> context = makeContext(backend);
     if (!context) return context.diagnostics();
-    return makeDevice(std::move(*context));
+    Result<std::unique_ptr<Device>> device = makeGlDevice((*context)->loader(), options);
+    if (!device) return device.diagnostics();
+    Diagnostics warnings = device.diagnostics();
+    return {OpenDevice{std::move(*context), nullptr, std::move(*device)}, std::move(warnings)};
 }
 
 /// Both failed: EGL's error, with OSMesa's after it.
@@ -33,11 +28,11 @@ Diagnostics neither(const Diagnostics& egl, const Diagnostics& osmesa)
     return errors;
 }
 
-Result<OpenDevice> openFirst()
+Result<OpenDevice> openFirst(const GlDeviceOptions& options)
 {
-    Result<OpenDevice> egl = openNamed("egl");
+    Result<OpenDevice> egl = openNamed("egl", options);
     if (egl) return egl;
-    Result<OpenDevice> osmesa = openNamed("osmesa");
+    Result<OpenDevice> osmesa = openNamed("osmesa", options);
     if (!osmesa) return neither(egl.diagnostics(), osmesa.diagnostics());
     Diagnostic warning{Code::no_egl, "EGL cannot be used (" + egl.diagnostics().front().message +
                                          "); drawing with OSMesa instead"};
@@ -67,9 +62,26 @@ void addPrecisionOption(CLI::App& app, std::string& precision)
         ->check(CLI::IsMember({"full", "half"}));
 }
 
-Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision)
+void addProgramCacheOption(CLI::App& app, std::string& folder)
 {
-    Result<OpenDevice> open = backend.empty() ? openFirst() : openNamed(backend);
+    app.add_option("--program-cache", folder,
+                   "Keep linked programs there, so that the next run compiles none of them; default: nowhere")
+        ->type_name("FOLDER");
+}
+
+Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision,
+                              const std::string& program_folder)
+{
+    GlDeviceOptions options;
+    std::unique_ptr<ProgramFolder> programs;
+    if (!program_folder.empty()) {
+        Result<std::unique_ptr<ProgramFolder>> folder = ProgramFolder::open(program_folder);
+        if (!folder) return folder.diagnostics();
+        programs = std::move(*folder);
+        options.program_cache = programs->cache();
+    }
+    Result<OpenDevice> open = backend.empty() ? openFirst(options) : openNamed(backend, options);
+    if (open) open->programs = std::move(programs);
     if (!open || precision.empty()) return open;
     const Mediump mediump = precision == "half" ? Mediump::half : Mediump::full;
     Result<std::unique_ptr<Device>> device = makeMediumpDevice(std::move(open->device), mediump);

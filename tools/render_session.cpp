@@ -14,6 +14,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
 Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
 {
     Result<Image> image = readOutput(device, renderer, picture.source.output);
@@ -73,7 +78,8 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     const Result<std::vector<SceneCamera>> cameras =
         eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
     if (!cameras) return cameras.diagnostics();
-    Result<OpenDevice> open = openDevice(options.backend, options.precision);
+    Result<OpenDevice> open =
+        openDevice(options.backend, options.precision, options.program_cache);
     if (!open) return open.diagnostics();
     session.open = std::move(*open);
     Device& device = *session.open.device;
@@ -83,9 +89,11 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     session.scene = std::move(*scene);
     session.frame = makeFrame(*session.scene, *cameras, view.extent);
     progress.begin("compiling shaders");
+    const Clock::time_point start = Clock::now();
     Result<std::unique_ptr<Renderer>> created =
         Renderer::create(device, std::move(description), session.options, traitsOf(session.frame));
     if (!created) return created.diagnostics();
+    session.create_ms = millisecondsSince(start);
     session.renderer = std::move(*created);
     Diagnostics warnings = open.diagnostics();
     append(warnings, created.diagnostics());
@@ -100,7 +108,7 @@ Result<double> draw(const RenderOptions& options, Session& session, std::vector<
     const Status drawn = session.renderer->render(session.frame);
     if (!drawn) return drawn.diagnostics();
     device.finish();
-    const std::chrono::duration<double, std::milli> time = Clock::now() - start;
+    const double ms = millisecondsSince(start);
     for (int i = 1; i < options.frames; ++i)
         if (const Status again = session.renderer->render(session.frame); !again)
             return again.diagnostics();
@@ -108,7 +116,7 @@ Result<double> draw(const RenderOptions& options, Session& session, std::vector<
         const Status read = readPicture(device, *session.renderer, picture);
         if (!read) return read.diagnostics();
     }
-    return {time.count(), drawn.diagnostics()};
+    return {ms, drawn.diagnostics()};
 }
 
 Status writePictures(const std::vector<Picture>& pictures)

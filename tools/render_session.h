@@ -25,6 +25,7 @@ struct RenderOptions {
     StereoOptions stereo;
     std::string backend;
     std::string precision;
+    std::string program_cache;
     std::vector<std::string> out = {"color=color.png"};
     std::vector<std::string> keep;
     std::string save_patch;
@@ -55,6 +56,7 @@ struct Session {
     Frame frame;
     CompileOptions options;
     std::unique_ptr<Renderer> renderer;
+    double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
 };
 
 /// Uploads the scene and compiles the description, whose outputs of these names are kept.
