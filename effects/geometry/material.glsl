@@ -39,6 +39,13 @@ highp vec3 seenNormal(highp vec3 at, highp vec3 vertex_normal)
     highp vec3 across = dFdx(at);
     highp vec3 up = dFdy(at);
     highp vec3 plane = cross(across / max(length(across), 1e-30), up / max(length(up), 1e-30));
+    // Of a pixel at a horizon the neighbour may be extrapolated to behind the camera, which turns the product.
+#if CAMERA_ORTHOGRAPHIC
+    bool turned = plane.z < 0.0;
+#else
+    bool turned = dot(plane, at) > 0.0;
+#endif
+    if (turned) plane = -plane;
     if (dot(plane, plane) == 0.0) plane = vec3(0.0, 0.0, 1.0);
     highp float size = max(abs(vertex_normal.x), max(abs(vertex_normal.y), abs(vertex_normal.z)));
     highp vec3 n = size > 0.0 ? normalize(vertex_normal / size) : normalize(plane);
