@@ -102,7 +102,9 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
         const double bytes =
             pixels(target.extent) * formatInfo(target.format).bytes * state.traits.views;
         const std::string& name = state.description.targets[index].name;
-        left_out.push_back({"attachment " + name, "unread", "nobody reads it, nor is it worked out", bytes});
+        const char* reason =
+            target.wanted ? "nobody reads it" : "nobody reads it, nor is it worked out";
+        left_out.push_back({"attachment " + name, "unread", reason, bytes});
     }
 }
 

@@ -172,6 +172,8 @@ std::optional<Source> resolveTarget(const State& state, int target)
 
 void chooseLive(State& state)
 {
+    markNeeded(state);
+    for (Target& target : state.targets) target.wanted = target.textured;
     // Begin with every identity that holds and take back those that do not fit: what is left then
     // needs the least, and each round takes one back, so it ends.
     if (state.applies("identity"))

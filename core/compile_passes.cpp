@@ -54,13 +54,15 @@ private:
     Plan plan_;
 };
 
-// The pass's shader without the outputs that nobody reads.
+// The pass's shader without the outputs that nobody reads. Those that nobody reads by a param's value stay, so
+// that no such value compiles a shader.
 Shader Builder::shaderOf(const Pass& pass) const
 {
     Shader shader = state_.shaders[pass.shader];
     const std::vector<GlslOutput> outputs = shader.fragment.outputs;
     for (const GlslOutput& output : outputs)
-        if (!state_.targets[pass.color[output.location]].textured)
+        if (const Target& target = state_.targets[pass.color[output.location]];
+            !target.wanted && !target.textured)
             dropOutput(shader.fragment, output.name);
     return shader;
 }

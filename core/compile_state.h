@@ -58,6 +58,7 @@ struct Pass {
 struct Target {
     int writer = -1;          ///< The active pass that writes it.
     bool textured = false;    ///< It needs a texture.
+    bool wanted = false;      ///< It would with params of other values.
     bool remembered = false;  ///< Someone reads what it held last frame: it needs two.
     Format format = Format::none;
     Extent extent = {};

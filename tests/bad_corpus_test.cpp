@@ -33,7 +33,7 @@ TEST_CASE("Every config of the corpus is told its one mistake, where it is, and 
 TEST_CASE("What shipped modules do together is told in the config, with a note in the module")
 {
     const std::map<std::string, std::string> kModules = {
-        {"graph/two_modules_write", "effects/filter/bilateral.json:38:61"},
+        {"graph/two_modules_write", "effects/filter/bilateral.json:39:61"},
         {"graph/writer_deleted", "effects/lighting/deferred.json:42:33"},
         {"references/filter_missing", "effects/lighting/deferred.json:42:33"},
         {"references/target_deleted", "effects/ssao/hemisphere.json:57:57"}};

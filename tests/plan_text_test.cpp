@@ -63,7 +63,7 @@ generated
 imports
   things: draw_list
 left out
-  attachment albedo (unread): nobody reads it; saves 8.0 KiB
+  attachment albedo (unread): nobody reads it, nor is it worked out; saves 8.0 KiB
   pass glow (identity): strength is 0, so light_glow is 0.5; saves 2.0 KiB
   pass filter (condition): it needs soft true, and soft is false; saves 2.0 KiB
   pass debug (unread): no output asked for needs it; saves 10.0 KiB
