@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A whole bench on a real device: figures, pictures, a config that fails, and the same errors twice.
+#include "tools/ablation.h"
 #include "tools/bench_measure.h"
 
 #include "effects/catalog.h"
@@ -48,6 +49,36 @@ std::vector<BenchPoint> bench(const BenchOptions& options, const SourceSet& sour
 }
 
 }  // namespace
+
+TEST_CASE("An ablation times every rule in every situation, and a still frame is next to nothing")
+{
+    GlFixture gl;
+    BenchOptions options = smallOptions();
+    options.configs = {"gtao"};
+    const BenchPlan plan = need(planBench(options, shippedSources()));
+    const BenchTask& task = plan.tasks.at(0);
+    const std::vector<AblationRow> rows =
+        need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return false; }));
+    const std::size_t rules = std::size(kRules) + 2;  // all of them on, and none
+    REQUIRE(rows.size() == 5 * rules);
+    const auto of = [&](const std::string& situation, const std::string& rule) {
+        for (const AblationRow& row : rows)
+            if (row.situation == situation && row.rule == rule) return row;
+        FAIL("no row " << situation << ", " << rule);
+        return AblationRow();
+    };
+    for (const AblationRow& row : rows) {
+        INFO(row.situation << ' ' << row.rule);
+        CHECK(row.repeats == 3);
+        CHECK(row.ms.median > 0);
+        if (row.rule.empty()) CHECK(row.factor.median == 1.0);
+    }
+    CHECK(of("still", "").ms.median < 0.02 * of("still", "all").ms.median);
+    CHECK(of("moving light", "unchanged").factor.median > 1.3);
+    CHECK(of("off", "identity").factor.median > 1.3);
+    CHECK(of("off", "").left_out > of("moving camera", "").left_out);
+    CHECK(need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return true; })).empty());
+}
 
 TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a config that fails")
 {

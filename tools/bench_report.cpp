@@ -44,6 +44,14 @@ std::string dump(const json& value, int indent)
     return value.dump(indent, ' ', false, json::error_handler_t::replace);
 }
 
+json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRow>& ablation)
+{
+    json model = reportModel(points);
+    model["ablation"] = json::array();
+    for (const AblationRow& row : ablation) model["ablation"].push_back(json::parse(toJsonLine(row)));
+    return model;
+}
+
 std::string quoted(const json& value)
 {
     if (!value.is_string()) return dump(value, -1);
@@ -114,9 +122,10 @@ json flat(const json& value)
 
 }  // namespace
 
-std::string reportJson(const std::vector<BenchPoint>& points)
+std::string reportJson(const std::vector<BenchPoint>& points,
+                       const std::vector<AblationRow>& ablation)
 {
-    return dump(reportModel(points), 1) + "\n";
+    return dump(modelOf(points, ablation), 1) + "\n";
 }
 
 std::string reportCsv(const std::vector<BenchPoint>& points)
@@ -136,7 +145,8 @@ std::string reportCsv(const std::vector<BenchPoint>& points)
     return csv;
 }
 
-Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures)
+Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures,
+                               const std::vector<AblationRow>& ablation)
 {
     Pictures pictures;
     if (with_pictures) {
@@ -145,7 +155,7 @@ Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_
                  {point.ao_picture, point.truth_picture, point.difference_picture})
                 pictures.add(path);
     }
-    json model = reportModel(points);
+    json model = modelOf(points, ablation);
     model["pictures"] = pictures.take();
 
     return {pageWith(reportPage(), dump(model, -1)), std::move(pictures.warnings)};

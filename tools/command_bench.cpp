@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // crevice bench: error against run time of many configs, scenes, sizes and sample counts.
+#include "tools/ablation.h"
 #include "tools/bench_measure.h"
+#include "tools/builtin_scenes.h"
 #include "tools/cli_output.h"
 #include "tools/commands.h"
 #include "tools/long_run.h"
@@ -25,6 +27,7 @@ struct BenchCommand {
     std::string out = "bench";
     bool no_budget = false;
     bool list = false;
+    bool ablate = false;
 };
 
 int listTasks(const BenchPlan& plan)
@@ -94,6 +97,42 @@ int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceS
     return exitCodeOf(summary, plan);
 }
 
+/// Times the rules of every task, and prints a table of each.
+int ablateAll(const BenchCommand& command, const BenchPlan& plan, double time_budget)
+{
+    const Result<OpenDevice> open = openDevice(command.backend);
+    report(open.diagnostics(), false);
+    if (!open) return exitCodeOf(open.diagnostics());
+    Result<LineFile> file = LineFile::open(command.out + "/ablation.jsonl");
+    if (!file) return report(file.diagnostics(), false);
+    catchInterrupts();
+    Progress progress;
+    const double begin = clockSeconds();
+    int missing = 0;
+    int worst = exitCodeOf(plan.diagnostics);
+    for (const BenchTask& task : plan.tasks) {
+        if (time_budget > 0 && clockSeconds() - begin > time_budget) ++missing;
+        if (missing > 0 || interrupted()) continue;
+        const std::string title = pointTitle(task.point);
+        progress.begin("timing the rules of " + title);
+        const auto rows = task.point.failure.empty()
+                              ? ablate(*open->device, task, plan.views[task.view],
+                                       command.measure.repeats, interrupted)
+                              : Diagnostic{Code::usage, title + ": " + task.point.failure};
+        progress.wipe();
+        report(rows.diagnostics(), false);
+        if (!rows) worst = std::max(worst, exitCodeOf(rows.diagnostics()));
+        if (!rows || interrupted()) continue;
+        std::printf("%s, %s%s\n", title.c_str(), open->device->caps().name.c_str(),
+                    toText(*rows).c_str());
+        for (const AblationRow& row : *rows)
+            if (const Status written = file->append(toJsonLine(row)); !written)
+                return report(written.diagnostics(), false);
+    }
+    if (missing > 0) std::fprintf(stderr, "%d not begun, for time\n", missing);
+    return interrupted() ? kExitInterrupted : worst;
+}
+
 int bench(BenchCommand command)
 {
     const Result<Shard> shard = parseShard(command.shard);
@@ -105,6 +144,8 @@ int bench(BenchCommand command)
         if (!seconds) return report(seconds.diagnostics(), false);
         time_budget = *seconds;
     }
+    if (command.bench.scenes.empty())
+        command.bench.scenes = command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
     const CheckoutSources sources(command.checkout);
     const Result<BenchPlan> plan = planBench(command.bench, sources);
     if (!plan) return report(plan.diagnostics(), false);
@@ -114,7 +155,8 @@ int bench(BenchCommand command)
         std::fputs("there is no point to measure\n", stderr);
         return exitCodeOf(plan->diagnostics);
     }
-    return measureAll(command, *plan, sources, time_budget);
+    return command.ablate ? ablateAll(command, *plan, time_budget)
+                          : measureAll(command, *plan, sources, time_budget);
 }
 
 void addPointOptions(CLI::App& app, BenchCommand& command)
@@ -127,8 +169,8 @@ void addPointOptions(CLI::App& app, BenchCommand& command)
                               "A shipped config's name or a file; may be repeated. Default: all "
                               "shipped ones"));
     repeatable(app.add_option("--scene", bench.scenes,
-                              "A file or a built-in scene; may be repeated")
-                   ->capture_default_str());
+                              "A file or a built-in scene; may be repeated. Default: room, and all "
+                              "built-in ones for --ablate"));
     app.add_option("--size", bench.sizes, "Pixels; several as 480x270,960x540")
         ->type_name("WxH,...")
         ->delimiter(',')
@@ -179,6 +221,9 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     command->add_option("--effects", options->checkout,
                         "Read effects/ and configs/ below this folder before those embedded")
         ->type_name("FOLDER");
+    command->add_flag("--ablate", options->ablate,
+                      "Time frames with all rules that leave things out, without each and without "
+                      "any, into ablation.jsonl");
     command->add_flag("--list", options->list, "Print the points and stop");
     command->footer("Examples:\n"
                     "  crevice bench --config learnopengl --config thesis --samples 4,16,64\n"

@@ -21,12 +21,13 @@ struct ReportOptions {
 };
 
 Status writeReport(const ReportOptions& options, const std::vector<BenchPoint>& points,
-                   const std::string& page)
+                   const std::vector<AblationRow>& ablation, const std::string& page)
 {
     std::filesystem::path path = options.out;
     Status written = writeFile(path.string(), page);
     if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(points));
-    if (written) written = writeFile(path.replace_extension(".json").string(), reportJson(points));
+    if (written)
+        written = writeFile(path.replace_extension(".json").string(), reportJson(points, ablation));
     return written;
 }
 
@@ -42,9 +43,11 @@ int makeReport(const ReportOptions& options)
     const Result<std::vector<BenchPoint>> points = readBenchPoints(options.results);
     report(points.diagnostics(), false);
     if (!points) return exitCodeOf(points.diagnostics());
-    const Result<std::string> page = reportHtml(*points, !options.no_pictures);
+    const Result<std::vector<AblationRow>> ablation = readAblation(options.results);
+    if (!ablation) return report(ablation.diagnostics(), false);
+    const Result<std::string> page = reportHtml(*points, !options.no_pictures, *ablation);
     report(page.diagnostics(), false);
-    const Status written = writeReport(options, *points, *page);
+    const Status written = writeReport(options, *points, *ablation, *page);
     if (!written) return report(written.diagnostics(), false);
     std::printf("wrote %s (%zu points, %.1f MB), and a .csv and a .json beside it\n",
                 options.out.c_str(), points->size(), static_cast<double>(page->size()) / 1e6);

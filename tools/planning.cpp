@@ -8,6 +8,7 @@ DeviceCaps usualCaps()
 {
     DeviceCaps caps = minimumCaps();
     caps.name = "OpenGL ES 3.0 with float targets";
+    caps.max_texture_size = 8192;  // as GPUs with float targets have at least; the standard's 2048 is below 1080p
     for (const FormatInfo& info : allFormats()) {
         caps.renderable[static_cast<int>(info.format)] = true;
         caps.sample_counts[static_cast<int>(info.format)] = 1u << 1 | 1u << 3;

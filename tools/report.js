@@ -146,6 +146,7 @@ for (const advice of data.advice) {
   for (const views of scenes.values()) showScene(main, views, take);
   showCurves(main, advice.curves, "Across scenes");
 }
+showAblation(main, data.ablation);
 showMissing(main);
 if (points.length) showCommands(main);
 let width = innerWidth;

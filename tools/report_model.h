@@ -7,6 +7,7 @@
 //     advice    for each device, which configs to take over all of its scenes, by rising cost, and
 //               which do more harm than good
 //     failures  what has no figures, and why
+//     ablation  the rows of tools/ablation.h, added by tools/bench_report.cpp
 //
 // Points are named by their index in `points`.
 #pragma once

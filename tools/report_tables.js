@@ -133,3 +133,43 @@ function showTable(parent, view, select) {
     for (const [, text] of COLUMNS) add(row, "td", {class: "num"}, text(points[i]));
   }
 }
+
+// What each rule that leaves things out is worth: a table a config, scene and size.
+const FRAMES = {
+  "moving camera": "the camera moves", "moving light": "a light moves", still: "nothing moves",
+  off: "occlusion is off, the camera moves", "ao alone": "occlusion alone, the camera moves"
+};
+function showAblation(parent, rows) {
+  if (!rows.length) return;
+  add(parent, "h2", {id: "rules"}, "What is left out, and what that is worth");
+  add(parent, "p", {class: "soft"},
+    "Whole frames by the wall clock. Behind the time with all rules: how many times as long a " +
+      "frame takes without one of them, and without any.");
+  const groups = new Map();
+  for (const row of rows) {
+    const several = rows.some(r => r.scene === row.scene && r.camera !== row.camera);
+    const seen = several ? `${row.scene} from ${row.camera}` : row.scene;
+    const title = `${row.config}, ${seen}, ${row.width}×${row.height}, ${row.device}`;
+    groups.set(title, [...(groups.get(title) || []), row]);
+  }
+  for (const [title, group] of groups) showRules(parent, title, group);
+}
+function showRules(parent, title, rows) {
+  add(parent, "h3", {}, title);
+  const rules = [...new Set(rows.map(r => r.rule))].filter(rule => rule);
+  const table = add(add(parent, "div", {class: "card scroll"}), "table");
+  const head = add(add(table, "thead"), "tr");
+  add(head, "th", {}, "frame");
+  add(head, "th", {class: "num"}, "all rules, ms");
+  for (const rule of rules)
+    add(head, "th", {class: "num"}, rule === "all" ? "no rule" : `not ${rule}`);
+  const body = add(table, "tbody");
+  for (const situation of new Set(rows.map(r => r.situation))) {
+    const row = add(body, "tr"), of = rule =>
+      rows.find(r => r.situation === situation && r.rule === rule);
+    add(row, "td", {class: "label"}, FRAMES[situation] || situation);
+    add(row, "td", {class: "num"}, of("") ? three(of("").ms.median) : "");
+    for (const rule of rules)
+      add(row, "td", {class: "num"}, of(rule) ? times(of(rule).factor.median) : "");
+  }
+}
