@@ -10,6 +10,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 using namespace crevice;
 
 namespace {
@@ -272,6 +274,34 @@ TEST_CASE("A floor is seen from above up to its horizon, where the next pixel's 
                 for (int x = 0; x < normals.extent.width; ++x)
                     if (normals.at(x, y, 3) > 0.5f) CHECK(normals.at(x, y, 1) > 0.9f);
         }
+}
+
+TEST_CASE("A guard band leaves the lit picture in its place, deferred and forward")
+{
+    for (const char* lighting : {"blinn_phong", "forward"}) {
+        INFO(lighting);
+        const auto lit = [&](const char* guard) {
+            MemorySources mine;
+            mine.add("configs/guarded.json",
+                     std::string(R"({"format": 1, "extends": ["geometry/depth_normal", "ssao/gtao",
+                                 "filter/bilateral_normal", "lighting/)") +
+                         lighting + R"("], "params": {"guard": {"default": )" + guard + "}}}");
+            const LayeredSources sources({&mine, &shippedSources()});
+            PictureRequest request;
+            request.config = "guarded";
+            request.scene = "spheres";
+            request.extent = {160, 90};
+            request.output = "color";
+            request.sources = &sources;
+            return picture(request);
+        };
+        const Image without = lit("1");
+        const Image with = lit("1.4");
+        double sum = 0;
+        for (std::size_t i = 0; i < with.pixels.size(); ++i)
+            sum += std::abs(with.pixels[i] - without.pixels[i]);
+        CHECK(sum / static_cast<double>(with.pixels.size()) < 0.005);
+    }
 }
 
 TEST_CASE("Baked occlusion joins that of the screen by the lesser of both")
