@@ -8,11 +8,12 @@
 
 namespace crevice {
 
-const RuleInfo kRules[5] = {
+const RuleInfo kRules[6] = {
     {"unread", "passes, attachments and shader outputs that no output asked for needs"},
     {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
     {"idle", "what a param adds for the sake of targets that are not drawn: a guard band"},
     {"sharing", "a texture of its own for each target"},
+    {"outside", "in a frame, things whose bounds lie outside of what a pass shows"},
     {"unchanged", "passes of a frame whose input is the last frame's"},
 };
 

@@ -215,6 +215,10 @@ void Builder::addPass(int index)
     if (state_.traits.reversed_depth) result.state.depth_test = reversed(desc.state.depth_test);
     result.extent = extentOf(state_, pass);
     result.samples = samplesOf(state_, pass);
+    if (state_.applies("outside")) {
+        const ParamDesc* within = findNamed(description_.params, desc.draws_within_param.name);
+        result.draws_within = within ? within->value[0] : desc.draws_within;
+    }
     addInputs(pass, result);
     for (const int target : pass.color) result.color.push_back(attachment(pass, target, false));
     result.has_depth = pass.depth >= 0;

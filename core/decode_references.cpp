@@ -167,6 +167,7 @@ void Checker::checkPass(const PassDesc& pass)
             expect(gives.input, who + "reads", targets_);
         }
     }
+    expect(pass.draws_within_param, who + "draws within", params_);
     for (const KeepsConstantDesc& each : pass.keeps_constant)
         checkAttached(pass, each.output, "keeps constant");
     for (const InputDesc& each : pass.inputs) checkInput(pass, each);

@@ -204,6 +204,8 @@ struct PassDesc : Named {
     std::vector<BypassDesc> bypass = {};
     std::vector<IdentityDesc> identity = {};
     std::vector<KeepsConstantDesc> keeps_constant = {};
+    Reference draws_within_param = {};  ///< The param that gives `draws_within`; else empty.
+    float draws_within = 0.0f;          ///< View sizes; 0 is unknown.
     std::vector<InputDesc> inputs = {};
     std::vector<std::pair<Reference, Reference>> uniforms = {};  ///< GLSL name, value's name.
     StateDesc state = {};

@@ -259,6 +259,7 @@ void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const Cam
     bool mirrored = false;
     for (const DrawItem& item : frame.draws) {
         if (item.count == 0) continue;
+        if (pass.draws_within > 0.0f && isOutside(item, camera, pass.draws_within)) continue;
         if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
             mirrored = !mirrored;
             device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);

@@ -77,6 +77,7 @@ private:
         ProgramId program;
         StateDesc state;
         PassType type;
+        float draws_within;
         std::vector<TextureBinding> textures;
         std::vector<TextureBinding> material_textures;  // set for each draw
         std::vector<UniformBinding> uniforms;

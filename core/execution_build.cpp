@@ -198,6 +198,7 @@ Status Execution::createPasses(int view)
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
         prepared.type = pass.type;
+        prepared.draws_within = pass.draws_within;
         if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
             bindUniform(pass, uniform, view, prepared, errors);

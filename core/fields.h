@@ -212,6 +212,11 @@ void fields(V& v, PassDesc& p)
     v.field("bypass", p.bypass, "Which input stands in for an output when the pass is off.");
     v.field("identity", p.identity, "Values of params at which the outputs are known unrun.");
     v.field("keeps_constant", p.keeps_constant, "Outputs that are one constant, the background aside, where all that the sampler reads is.");
+    v.field("draws_within", NumberOrName<float>{p.draws_within, p.draws_within_param},
+            "How much a draw pass shows, in sizes of the view about its middle, or the param that says: things whose bounds lie outside are then not drawn. 0 where the shader moves vertices about.",
+            range(0, kLargestScale));
+    if (p.type != PassType::draw && v.has("draws_within"))
+        v.refuse("draws_within", Code::bad_enum, "a fullscreen pass draws no things");
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     v.field("uniforms", p.uniforms, "Uniforms whose names differ from what feeds them.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};

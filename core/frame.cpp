@@ -54,7 +54,8 @@ bool Material::operator==(const Material& other) const
 bool DrawItem::operator==(const DrawItem& other) const
 {
     return mesh.value == other.mesh.value && first == other.first && count == other.count &&
-           world_from_model == other.world_from_model && material == other.material;
+           world_from_model == other.world_from_model && material == other.material &&
+           bounds_center == other.bounds_center && bounds_radius == other.bounds_radius;
 }
 
 const Camera& cameraOf(const Frame& frame, std::size_t view)

@@ -84,6 +84,11 @@ struct DrawItem {
     glm::dmat4 world_from_model = glm::dmat4(1.0);
     int material = 0;  ///< Into Frame::materials.
 
+    /// A sphere around all that is drawn, in model space. Of an item that lies outside of what a pass shows
+    /// nothing is then drawn. A radius below 0 means that none is known.
+    glm::vec3 bounds_center = glm::vec3(0.0f);
+    float bounds_radius = -1.0f;
+
     bool operator==(const DrawItem& other) const;
 };
 

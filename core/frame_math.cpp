@@ -19,6 +19,9 @@ constexpr double kLeastVolume = 1e-14;
 // Least difference of a spot's cosines: its edge is then as sharp as a float shows.
 constexpr double kLeastConeRamp = 1e-4;
 
+/// How far a vertex in floats may lie from where it is, relative to its distance.
+constexpr double kFloatMargin = 1e-5;
+
 // As floats, which is what shaders get.
 template <typename T>
 bool finite(const T* values, int count)
@@ -117,6 +120,9 @@ Diagnostic whyNotDrawable(const Frame& frame, std::size_t index)
     if (!item.mesh) return bad(name + " has no mesh", "create one, or set its count to 0");
     if (!finite(item.world_from_model))
         return bad("the matrix of " + name + " is not finite", "leave it out with a count of 0");
+    if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius))
+        return bad("the bounds of " + name + " are not finite",
+                   "a radius below 0 means that none are known");
     return bad(name + " has material " + std::to_string(item.material) + ", and the frame has " +
                    std::to_string(frame.materials.size()) + " materials",
                "materials count from 0");
@@ -124,7 +130,8 @@ Diagnostic whyNotDrawable(const Frame& frame, std::size_t index)
 
 bool drawable(const Frame& frame, const DrawItem& item)
 {
-    return item.mesh && finite(item.world_from_model) && item.material >= 0 &&
+    return item.mesh && finite(item.world_from_model) && finite(item.bounds_center) &&
+           std::isfinite(item.bounds_radius) && item.material >= 0 &&
            static_cast<std::size_t>(item.material) < frame.materials.size();
 }
 
@@ -156,6 +163,29 @@ bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
     const bool item_mirrors = glm::determinant(glm::dmat3(item.world_from_model)) < 0.0;
     const bool view_mirrors = glm::determinant(glm::dmat3(camera.view_from_world)) < 0.0;
     return (item_mirrors != view_mirrors) != (upright < 0.0);
+}
+
+bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
+{
+    if (item.bounds_radius < 0.0f) return false;
+    const glm::dmat4 view_from_model = camera.view_from_world * item.world_from_model;
+    const glm::dmat3 axes(view_from_model);
+    const glm::dmat3 squares = glm::transpose(axes) * axes;
+    double stretch = 0;  // of lengths, squared: at most the largest row sum (Gershgorin)
+    for (int i = 0; i < 3; ++i)
+        stretch = std::max(stretch, std::abs(squares[i][0]) + std::abs(squares[i][1]) +
+                                        std::abs(squares[i][2]));
+    const glm::dvec4 center = view_from_model * glm::dvec4(item.bounds_center, 1.0);
+    // Shaders place vertices in floats.
+    const double radius = item.bounds_radius * std::sqrt(stretch) * (1 + kFloatMargin) +
+                          glm::length(glm::dvec3(center)) * kFloatMargin;
+    const glm::dmat4 rows = glm::transpose(camera.clip_from_view);
+    const glm::dvec4 planes[] = {rows[3] * wider + rows[0], rows[3] * wider - rows[0],
+                                 rows[3] * wider + rows[1], rows[3] * wider - rows[1],
+                                 rows[3] + rows[2],         rows[3] - rows[2]};
+    for (const glm::dvec4& plane : planes)
+        if (glm::dot(plane, center) < -radius * glm::length(glm::dvec3(plane))) return true;
+    return false;
 }
 
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)

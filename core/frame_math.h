@@ -37,6 +37,10 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix);
 /// Whether front faces of an item come out as back faces: it, the view or the projection mirrors.
 bool isMirrored(const DrawItem& item, const CameraMatrices& camera);
 
+/// Whether nothing of the item shows in a view `wider` times as wide and high as the camera's. Never true of
+/// one without bounds.
+bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider);
+
 /// A light in view space: (x, y, z, 1) of a point, (x, y, z, 0) towards a directional one.
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 

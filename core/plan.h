@@ -74,6 +74,7 @@ struct PlanPass {
     Extent extent;
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
+    float draws_within = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.
     double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
@@ -97,7 +98,7 @@ struct RuleInfo {
 };
 
 /// Those that may be switched off.
-extern const RuleInfo kRules[5];
+extern const RuleInfo kRules[6];
 
 /// One thing that the plan does not do.
 struct LeftOut {

@@ -103,11 +103,13 @@ bool changesPlan(const Description& description, const ParamDesc& param,
     for (const TargetDesc& target : description.targets)
         if (target.size.scale_param.name == param.name ||
             target.samples_param.name == param.name) return true;
-    for (const PassDesc& pass : description.passes)
+    for (const PassDesc& pass : description.passes) {
+        if (pass.draws_within_param.name == param.name) return true;
         for (const IdentityDesc& identity : pass.identity)
             if (identity.param.name == param.name &&
                 isAll(param.value, param.type, identity.at) != isAll(next, param.type, identity.at))
                 return true;
+    }
     return false;
 }
 

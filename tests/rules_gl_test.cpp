@@ -27,6 +27,7 @@ const std::function<void(Frame&, Renderer&)> kChanges[] = {
     [](Frame& frame, Renderer&) { frame.draws[0].world_from_model[3][1] += 0.1; },
     [](Frame& frame, Renderer&) { frame.materials[0].base_color.x = 0.25f; },
     [](Frame& frame, Renderer&) { frame.ambient_light = {0.5f, 1, 1}; },
+    [](Frame& frame, Renderer&) { frame.camera.view_from_world[3][0] -= 2; },  // things leave the view
 };
 
 /// A scene with its camera.

@@ -2,9 +2,42 @@
 // A scene's objects on a device, and frames of them.
 #include "tools/scene_upload.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace crevice {
+namespace {
+
+glm::vec3 pointOf(const Vertex& vertex)
+{
+    return {vertex.position[0], vertex.position[1], vertex.position[2]};
+}
+
+/// A sphere about the middle of the mesh's box.
+void setBounds(DrawItem& item, const MeshDesc& mesh)
+{
+    glm::vec3 low = pointOf(mesh.vertices.front());
+    glm::vec3 high = low;
+    for (const Vertex& vertex : mesh.vertices) {
+        low = glm::min(low, pointOf(vertex));
+        high = glm::max(high, pointOf(vertex));
+    }
+    const glm::vec3 center = low * 0.5f + high * 0.5f;
+    float farthest = 0.0f;
+    for (const Vertex& vertex : mesh.vertices) {
+        const float away = glm::length(pointOf(vertex) - center);
+        if (!std::isfinite(away)) return;  // no sphere holds such a mesh
+        farthest = std::max(farthest, away);
+    }
+    item.bounds_center = center;
+    item.bounds_radius = farthest;
+}
+
+}  // namespace
 
 Result<UploadedScene> UploadedScene::upload(Device& device, const Scene& scene)
 {
@@ -81,8 +114,10 @@ Status UploadedScene::uploadMeshes(const Scene& scene)
     for (const SceneInstance& instance : scene.instances) {
         if (!meshes_[instance.mesh]) continue;
         const auto count = static_cast<std::uint32_t>(scene.meshes[instance.mesh].indices.size());
-        frame_.draws.push_back(
-            {meshes_[instance.mesh], 0, count, instance.world_from_model, instance.material});
+        DrawItem item = {meshes_[instance.mesh], 0, count, instance.world_from_model,
+                         instance.material};
+        setBounds(item, scene.meshes[instance.mesh]);
+        frame_.draws.push_back(item);
     }
     return {};
 }
