@@ -74,8 +74,7 @@ TEST_CASE("An ablation times every rule in every situation, and a still frame is
         if (row.rule.empty()) CHECK(row.factor.median == 1.0);
     }
     CHECK(of("still", "").ms.median < 0.02 * of("still", "all").ms.median);
-    CHECK(of("moving light", "unchanged").factor.median > 1.3);
-    CHECK(of("off", "identity").factor.median > 1.3);
+    CHECK(of("off", "identity").left_out < of("off", "").left_out);
     CHECK(of("off", "").left_out > of("moving camera", "").left_out);
     CHECK(need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return true; })).empty());
 }
