@@ -114,11 +114,14 @@ int ablateAll(const BenchCommand& command, const BenchPlan& plan, double time_bu
         if (time_budget > 0 && clockSeconds() - begin > time_budget) ++missing;
         if (missing > 0 || interrupted()) continue;
         const std::string title = pointTitle(task.point);
+        if (!task.point.failure.empty()) {
+            std::fprintf(stderr, "failed: %s: %s\n", title.c_str(), task.point.failure.c_str());
+            worst = std::max(worst, static_cast<int>(kExitBadInput));
+            continue;
+        }
         progress.begin("timing the rules of " + title);
-        const auto rows = task.point.failure.empty()
-                              ? ablate(*open->device, task, plan.views[task.view],
-                                       command.measure.repeats, interrupted)
-                              : Diagnostic{Code::usage, title + ": " + task.point.failure};
+        const auto rows = ablate(*open->device, task, plan.views[task.view],
+                                 command.measure.repeats, interrupted);
         progress.wipe();
         report(rows.diagnostics(), false);
         if (!rows) worst = std::max(worst, exitCodeOf(rows.diagnostics()));
