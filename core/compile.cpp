@@ -238,14 +238,15 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     using namespace compiler;
     Result<Plan> whole = compileAsItIs(description, traits, caps, options);
     if (!whole || !applies(options, "idle")) return whole;
+    const auto idles = [&](const ParamDesc& param) { return isIdle(param, description, *whole); };
+    if (std::none_of(description.params.begin(), description.params.end(), idles)) return whole;
     Description lean = description;
     std::vector<LeftOut> idle;
     for (ParamDesc& param : lean.params) {
-        if (!isIdle(param, description, *whole)) continue;
+        if (!idles(param)) continue;
         idle.push_back({"param " + param.name, "idle", idleReason(param, description)});
         param.value[0] = static_cast<float>(param.min);
     }
-    if (idle.empty()) return whole;
     Result<Plan> plan = compileAsItIs(lean, traits, caps, options);
     if (!plan) return plan;
     idle.front().bytes = bytesMoved(*whole) - bytesMoved(*plan);
