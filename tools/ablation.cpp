@@ -25,10 +25,6 @@ using nlohmann::json;
 
 constexpr const char* kIntensity = "intensity";
 
-/// As in tools/bench_times.cpp: a turn is long enough to tell something.
-constexpr double kTurnMs = 40.0;
-constexpr std::size_t kTurnFrames = 64;
-
 struct Situation {
     const char* name;
     bool camera;  ///< Moves from frame to frame.
@@ -52,10 +48,10 @@ void advance(const Situation& situation, Frame& frame, double step)
     if (!frame.lights.empty()) frame.lights[0].position.x += step;
 }
 
-double millisecondsOf(Device& device, Renderer& renderer, const Frame& frame, Status& status)
+Result<double> millisecondsOf(Device& device, Renderer& renderer, const Frame& frame)
 {
     const auto begin = std::chrono::steady_clock::now();
-    status = renderer.render(frame);
+    if (const Status drawn = renderer.render(frame); !drawn) return drawn.diagnostics();
     device.finish();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     return took.count();
@@ -71,16 +67,15 @@ struct Contender {
 Status takeTurn(Device& device, const Situation& situation, Frame& frame, Contender& contender)
 {
     std::vector<double> frames;
-    double elapsed = 0;
     double step = 1e-3;
-    while (frames.empty() || (elapsed < kTurnMs && frames.size() < kTurnFrames)) {
+    const Status drawn = drawTurn([&]() -> Result<double> {
         advance(situation, frame, step);
         step = -step;
-        Status status;
-        frames.push_back(millisecondsOf(device, *contender.renderer, frame, status));
-        if (!status) return status;
-        elapsed += frames.back();
-    }
+        const Result<double> ms = millisecondsOf(device, *contender.renderer, frame);
+        if (ms) frames.push_back(*ms);
+        return ms;
+    });
+    if (!drawn) return drawn;
     contender.turns.push_back(timeFigures(std::move(frames)).median);
     return {};
 }

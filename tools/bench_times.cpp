@@ -76,17 +76,29 @@ bool isSettled(const TimeFigures& figures, std::size_t count)
     return spread <= kSettled * figures.median * std::sqrt(static_cast<double>(count));
 }
 
+Status drawTurn(const std::function<Result<double>()>& draw)
+{
+    double elapsed_ms = 0;
+    for (std::size_t frames = 0; frames == 0 || (elapsed_ms < kTurnMs && frames < kTurnFrames); ++frames) {
+        const Result<double> ms = draw();
+        if (!ms) return ms.diagnostics();
+        elapsed_ms += *ms;
+    }
+    return {};
+}
+
 Status TurnTaker::takeTurn()
 {
     std::vector<double> costs;
-    double elapsed_ms = 0;
-    while (costs.empty() || (elapsed_ms < kTurnMs && costs.size() < kTurnFrames)) {
+    const Status drawn = drawTurn([&]() -> Result<double> {
         Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
         if (!times) return times.diagnostics();
         costs.push_back(occlusionCost(renderer_->plan(), *times));
-        elapsed_ms += times->total_ms;
+        const double ms = times->total_ms;
         frames_.push_back(std::move(*times));
-    }
+        return ms;
+    });
+    if (!drawn) return drawn;
     costs_.push_back(timeFigures(std::move(costs)).median);
     return {};
 }
