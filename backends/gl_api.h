@@ -105,6 +105,7 @@ namespace crevice {
     X(ReadPixels, READPIXELS, true) \
     X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE, true) \
     X(SamplerParameteri, SAMPLERPARAMETERI, true) \
+    X(Scissor, SCISSOR, true) \
     X(ShaderSource, SHADERSOURCE, true) \
     X(TexStorage2D, TEXSTORAGE2D, true) \
     X(TexSubImage2D, TEXSUBIMAGE2D, true) \

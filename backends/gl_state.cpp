@@ -165,6 +165,7 @@ void GlState::save()
     gl_.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &s.pack_buffer);
     gl_.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &s.unpack_buffer);
     gl_.GetIntegerv(GL_VIEWPORT, s.viewport);
+    gl_.GetIntegerv(GL_SCISSOR_BOX, s.scissor);
     gl_.GetFloatv(GL_DEPTH_RANGE, s.depth_range);
     gl_.GetIntegerv(GL_DEPTH_FUNC, &s.depth_function);
     gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &s.depth_mask);
@@ -193,6 +194,7 @@ void GlState::restore()
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, s.pack_buffer);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, s.unpack_buffer);
     gl_.Viewport(s.viewport[0], s.viewport[1], s.viewport[2], s.viewport[3]);
+    gl_.Scissor(s.scissor[0], s.scissor[1], s.scissor[2], s.scissor[3]);
     gl_.DepthRangef(s.depth_range[0], s.depth_range[1]);
     gl_.DepthFunc(s.depth_function);
     gl_.DepthMask(s.depth_mask);

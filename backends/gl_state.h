@@ -9,7 +9,7 @@
 //                functions and equations, colour mask; dither, scissor test, stencil test, sample
 //                alpha to coverage, sample coverage, sample mask, sample shading
 //   depth        test, function, mask, range
-//   geometry     viewport, cull face test and mode, front face, polygon offset fill, rasterizer
+//   geometry     viewport, scissor box, cull face test and mode, front face, polygon offset fill, rasterizer
 //                discard, primitive restart with fixed index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
 //   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes,
@@ -69,6 +69,7 @@ private:
         GLint draw_framebuffer, read_framebuffer, renderbuffer, program, vertex_array, active_unit;
         GLint array_buffer, pack_buffer, unpack_buffer;
         GLint viewport[4];
+        GLint scissor[4];
         GLfloat depth_range[2];
         GLint depth_function, cull_mode, front_face;
         GLboolean depth_mask;

@@ -53,6 +53,8 @@ std::string passText(const PassInfo& pass)
             for (float value : pass.clear_color[i]) out << ' ' << value;
         out << ' ' << kStoreNames[static_cast<int>(pass.color_store[i])];
     }
+    if (pass.within_area)
+        out << " within " << pass.area.x << ' ' << pass.area.y << ' ' << pass.area.extent;
     if (!pass.has_depth) return out.str();
     out << " depth " << kLoadNames[static_cast<int>(pass.depth_load)];
     if (pass.depth_load == LoadOp::clear) out << ' ' << pass.clear_depth;

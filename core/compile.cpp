@@ -8,14 +8,18 @@
 
 namespace crevice {
 
-const RuleInfo kRules[6] = {
+const RuleInfo kRules[8] = {
     {"unread", "passes, attachments and shader outputs that no output asked for needs"},
     {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
     {"idle", "what a param adds for the sake of targets that are not drawn: a guard band"},
     {"sharing", "a texture of its own for each target"},
+    {"background", "pixels of a pass whose values are known undrawn, by a mask"},
     {"outside", "in a frame, things whose bounds lie outside of what a pass shows"},
+    {"bounds", "in a frame, pixels of a pass where the bounds of no thing lie"},
     {"unchanged", "passes of a frame whose input is the last frame's"},
 };
+
+bool isMasked(const PlanPass& pass) { return pass.has_depth && pass.depth.load == LoadOp::load; }
 
 namespace compiler {
 

@@ -43,7 +43,17 @@ void estimate(const Plan& plan, PlanPass& pass)
         const bool mixes = pass.state.blend != Blend::none && color.target >= 0;
         if (mixes) pass.bytes_read += count * texel(color.target) * pass.samples;
     }
-    if (pass.has_depth) write(pass.depth);
+    if (pass.has_depth && !isMasked(pass)) write(pass.depth);
+}
+
+// Of all that the pass writes.
+double texturesOf(const State& state, const Pass& pass)
+{
+    double bytes = 0;
+    for (const int target : writtenBy(pass))
+        bytes += sizeOf(state, target).width * static_cast<double>(sizeOf(state, target).height) *
+                 formatInfo(state.targets[target].format).bytes;
+    return bytes;
 }
 
 double bytesOf(const State& state, const Pass& pass)
@@ -85,16 +95,14 @@ std::string standInReason(const Pass& pass)
 
 void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left_out)
 {
-    const std::string what = "pass " + pass.desc->name;
-    if (!pass.active) {
-        left_out.push_back({what, "condition", pass.off_reason, bytesOf(state, pass)});
-    } else if (pass.identity) {
-        left_out.push_back({what, "identity", standInReason(pass), bytesOf(state, pass)});
-    } else if (pass.keeps_constant) {
-        left_out.push_back({what, "identity", constantReason(state, pass), bytesOf(state, pass)});
-    } else if (!pass.live) {
-        left_out.push_back({what, "unread", "no output asked for needs it", bytesOf(state, pass)});
-    }
+    const auto add = [&](const char* rule, const std::string& reason) {
+        left_out.push_back({"pass " + pass.desc->name, rule, reason, bytesOf(state, pass),
+                            texturesOf(state, pass)});
+    };
+    if (!pass.active) add("condition", pass.off_reason);
+    else if (pass.identity) add("identity", standInReason(pass));
+    else if (pass.keeps_constant) add("identity", constantReason(state, pass));
+    else if (!pass.live) add("unread", "no output asked for needs it");
     if (!pass.live) return;
     for (const int index : pass.color) {
         const Target& target = state.targets[index];
@@ -104,8 +112,21 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
         const std::string& name = state.description.targets[index].name;
         const char* reason =
             target.wanted ? "nobody reads it" : "nobody reads it, nor is it worked out";
-        left_out.push_back({"attachment " + name, "unread", reason, bytes});
+        left_out.push_back({"attachment " + name, "unread", reason, bytes, bytes});
     }
+}
+
+// "ssao, filter_x and filter_y": the passes of which something holds; empty where of none.
+template <class Test>
+std::string passesThat(const Plan& plan, Test&& holds)
+{
+    std::vector<std::string> names;
+    for (const PlanPass& pass : plan.passes)
+        if (holds(pass)) names.push_back(pass.name);
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
 }
 
 }  // namespace
@@ -123,6 +144,39 @@ void estimateBytes(Plan& plan)
 {
     for (PlanPass& pass : plan.passes) estimate(plan, pass);
     for (const PlanTexture& texture : plan.textures) plan.texture_bytes += textureBytes(texture);
+}
+
+std::vector<LeftOut> leftOutOfFrames(const Plan& plan)
+{
+    std::vector<LeftOut> left_out;
+    const auto add = [&](const std::string& what, const std::string& passes, const char* rule,
+                         const char* reason) {
+        if (!passes.empty()) left_out.push_back({what + passes, rule, reason, 0, 0, -1, true});
+    };
+    add("pixels of ", passesThat(plan, isMasked), "background",
+        "in a frame, those where their mask is 0: nothing was drawn there");
+    add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.bounded; }), "bounds",
+        "in a frame, those where the bounds of no thing lie");
+    add("things of ", passesThat(plan, [](const PlanPass& pass) { return pass.draws_within > 0; }),
+        "outside", "in a frame, those whose bounds lie outside of what is shown");
+    if (!plan.reruns)
+        add("", "passes", "unchanged", "in a frame, those whose input is that of the frame before");
+    return left_out;
+}
+
+LeftOut leftOutBySharing(const Plan& plan)
+{
+    double own = 0;
+    for (const PlanTarget& target : plan.targets) {
+        const auto once = [&](int index) {
+            return index < 0 ? 0 : textureBytes(plan.textures[index]);
+        };
+        own += once(target.texture) + once(target.history_texture) +
+               (target.drawn_texture == target.texture ? 0 : once(target.drawn_texture));
+    }
+    const std::string count = std::to_string(plan.textures.size());
+    return {"textures", "sharing", std::to_string(plan.targets.size()) + " targets share " + count, 0,
+            own - plan.texture_bytes};
 }
 
 std::vector<LeftOut> leftOut(const State& state)

@@ -57,6 +57,7 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
 // Where the config makes the pass read through this sampler.
 Reference placeOf(const Pass& pass, const Read& read)
 {
+    if (read.sampler.empty()) return pass.desc->drawn_where;
     if (!read.input) return {read.sampler, pass.desc->place, pass.desc->pointer};
     return read.input->from.empty() ? read.input->sampler : read.input->from;
 }

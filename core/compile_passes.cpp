@@ -3,7 +3,12 @@
 #include "core/compile_steps.h"
 #include "core/content_hash.h"
 
+#include "core/frame_values.h"
+#include "core/text.h"
+
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace crevice::compiler {
 
@@ -37,11 +42,15 @@ private:
     void addInputs(const Pass& pass, PlanPass& into);
     void addOutputs();
     PlanAttachment attachment(const Pass& pass, int target, bool depth) const;
+    void addMask(const Pass& pass, PlanPass& into) const;
+    void bound(PlanPass& pass) const;
+    bool showsThingsAlone(const PlanPass& pass) const;
     void describeStores();
     std::string storeReason(const PlanTarget& target, int index) const;
 
     Shader shaderOf(const Pass& pass) const;
     int program(const Pass& pass);
+    void countVariants(PlanProgram& program) const;
     int constant(float value);
     int planTarget(int target) const;
     std::string nameOf(int target) const { return description_.targets[target].name; }
@@ -76,7 +85,31 @@ int Builder::program(const Pass& pass)
     const ShaderDesc& desc = description_.shaders[pass.shader];
     plan_.programs.push_back(
         {key, desc.name, shader.vertex, shader.fragment, desc.place, desc.pointer});
+    countVariants(plan_.programs.back());
     return static_cast<int>(plan_.programs.size()) - 1;
+}
+
+void Builder::countVariants(PlanProgram& program) const
+{
+    std::set<std::string> used(program.vertex.defines_used.begin(), program.vertex.defines_used.end());
+    used.insert(program.fragment.defines_used.begin(), program.fragment.defines_used.end());
+    const auto vary = [&](const std::string& define, const std::string& name, double values) {
+        if (used.count(define) == 0 || values < 2) return;
+        program.varies_with.push_back(name);
+        program.variants *= values;
+    };
+    for (const FeatureDesc& each : description_.features)
+        vary(upperCase(each.name), each.name, static_cast<double>(each.values.size()));
+    for (const TraitInfo& each : kTraits)
+        vary(each.define, each.name, each.counted ? kMaxLights + 1 : 2);
+    for (const ParamDesc& each : description_.params) {
+        if (each.bind != Bind::define) continue;
+        const std::string define = upperCase(each.name);
+        if (each.type == ParamType::int_)
+            vary(define, each.name, std::floor(each.max) - std::ceil(each.min) + 1);
+        else if (used.count(define) > 0)
+            program.fractions.push_back(each.name);
+    }
 }
 
 int Builder::constant(float value)
@@ -126,6 +159,17 @@ Compare reversed(Compare test)
     }
 }
 
+bool readsMask(const Pass& pass)
+{
+    return std::any_of(pass.reads.begin(), pass.reads.end(),
+                       [](const Read& read) { return read.sampler.empty(); });
+}
+
+bool isBounded(const State& state, const Pass& pass)
+{
+    return pass.desc->bounded && state.applies("bounds");
+}
+
 PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) const
 {
     PlanAttachment result;
@@ -141,6 +185,7 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     // A fragment that fails a test or is thrown away leaves what was there.
     const bool keeps = desc.type == PassType::draw || state.blend != Blend::none ||
                        state.depth_test != Compare::always || (depth && !state.depth_write) ||
+                       readsMask(pass) || isBounded(state_, pass) ||
                        mentions(state_.shaders[pass.shader].fragment.text, "discard");
     if (!keeps) {
         result.reason = "every pixel is overwritten";
@@ -150,10 +195,11 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     if (depth) result.clear = {1, 1, 1, 1};
     for (const ClearDesc& clear : desc.clear)
         if (clear.target.name == result.name) result.clear = clear.value;
-    if (depth && state_.traits.reversed_depth)
+    if (depth && desc.type == PassType::draw && state_.traits.reversed_depth)
         for (float& value : result.clear) value = 1.0f - value;
     result.reason = desc.type == PassType::draw    ? "a draw does not cover every pixel"
                     : state.blend != Blend::none ? "the pass blends with what is there"
+                    : readsMask(pass) || isBounded(state_, pass) ? "the pass is not drawn everywhere"
                                                    : "the pass leaves pixels as they are";
     return result;
 }
@@ -223,9 +269,42 @@ void Builder::addPass(int index)
     for (const int target : pass.color) result.color.push_back(attachment(pass, target, false));
     result.has_depth = pass.depth >= 0;
     if (result.has_depth) result.depth = attachment(pass, pass.depth, true);
+    addMask(pass, result);
     for (const auto& [glsl, value] : desc.uniforms)
         if (glsl.name != value.name) result.renamed_uniforms.push_back({glsl.name, value.name});
     plan_.passes.push_back(std::move(result));
+}
+
+// The mask is tested against, and stays as it is.
+void Builder::addMask(const Pass& pass, PlanPass& into) const
+{
+    if (!readsMask(pass)) return;
+    into.has_depth = true;
+    into.depth.name = pass.desc->drawn_where.name;
+    into.depth.target = into.inputs.back().index;
+    into.depth.load = LoadOp::load;
+    into.depth.reason = "tested: the pass draws where it is not 0";
+}
+
+// Whether all that the pass reads comes from things of the draw list, as far as the frame's bounds tell.
+bool Builder::showsThingsAlone(const PlanPass& pass) const
+{
+    if (pass.type == PassType::draw) {
+        const PassDesc& desc = *findNamed(description_.passes, pass.name);
+        return desc.draws_within > 0.0f || !desc.draws_within_param.empty();
+    }
+    return std::all_of(pass.inputs.begin(), pass.inputs.end(), [this](const PlanInput& input) {
+        if (input.kind == InputKind::target)
+            return showsThingsAlone(plan_.passes[plan_.targets[input.index].first_pass]);
+        return input.kind != InputKind::imported && input.kind != InputKind::history;
+    });
+}
+
+void Builder::bound(PlanPass& pass) const
+{
+    const PassDesc& desc = *findNamed(description_.passes, pass.name);
+    pass.bounded = desc.bounded && state_.applies("bounds") && showsThingsAlone(pass);
+    if (pass.bounded) pass.shown_length = desc.shown_length.name;
 }
 
 // What is remembered lasts to the next frame, and so does an output.
@@ -272,7 +351,7 @@ std::string Builder::storeReason(const PlanTarget& target, int index) const
 void Builder::describeStores()
 {
     const auto describe = [this](PlanAttachment& attachment) {
-        if (attachment.target < 0) return;
+        if (attachment.target < 0 || attachment.load == LoadOp::load) return;
         const PlanTarget& target = plan_.targets[attachment.target];
         if (target.last_pass == target.first_pass) attachment.store = StoreOp::discard;
         attachment.reason += "; " + storeReason(target, attachment.target);
@@ -292,11 +371,15 @@ Plan Builder::build()
     addTargets();
     for (const int index : state_.order)
         if (state_.passes[index].live) addPass(index);
+    for (PlanPass& pass : plan_.passes) bound(pass);
     addOutputs();
     shareTextures(state_, plan_);
     describeStores();
     estimateBytes(plan_);
     plan_.left_out = leftOut(state_);
+    if (const LeftOut sharing = leftOutBySharing(plan_); sharing.texture_bytes > 0)
+        plan_.left_out.push_back(sharing);
+    for (LeftOut& each : leftOutOfFrames(plan_)) plan_.left_out.push_back(std::move(each));
     return std::move(plan_);
 }
 

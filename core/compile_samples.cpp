@@ -6,13 +6,6 @@ namespace crevice::compiler {
 
 namespace {
 
-int askedOf(const State& state, int target)
-{
-    const TargetDesc& desc = state.description.targets[target];
-    const ParamDesc* param = findNamed(state.description.params, desc.samples_param.name);
-    return param ? static_cast<int>(param->value[0]) : desc.samples;
-}
-
 std::string text(int samples)
 {
     return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
@@ -20,15 +13,15 @@ std::string text(int samples)
 
 bool agree(State& state, const Pass& pass, const std::vector<int>& written)
 {
-    const int asked = askedOf(state, written.front());
+    const int asked = askedSamples(state, written.front());
     for (const int index : written) {
-        if (askedOf(state, index) == asked) continue;
+        if (askedSamples(state, index) == asked) continue;
         const auto& targets = state.description.targets;
         Diagnostic& error =
             report(state, Code::attachment_samples,
                    "pass '" + pass.desc->name + "' writes targets of different samples: '" +
                        targets[written.front()].name + "' has " + text(asked) + " a pixel, '" +
-                       targets[index].name + "' has " + text(askedOf(state, index)),
+                       targets[index].name + "' has " + text(askedSamples(state, index)),
                    referenceTo(pass, targets[index].name));
         for (const int each : {written.front(), index})
             error.notes.push_back({targets[each].place, "'" + targets[each].name + "' is here"});
@@ -51,7 +44,7 @@ int nearestCount(std::uint32_t counts, int asked)
 
 void choose(State& state, const Pass& pass, const std::vector<int>& written)
 {
-    const int asked = askedOf(state, written.front());
+    const int asked = askedSamples(state, written.front());
     if (asked == 1) return;
     std::uint32_t counts = ~0u;
     std::string formats;
@@ -71,6 +64,13 @@ void choose(State& state, const Pass& pass, const std::vector<int>& written)
 }
 
 }  // namespace
+
+int askedSamples(const State& state, int target)
+{
+    const TargetDesc& desc = state.description.targets[target];
+    const ParamDesc* param = findNamed(state.description.params, desc.samples_param.name);
+    return param ? static_cast<int>(param->value[0]) : desc.samples;
+}
 
 void chooseSamples(State& state)
 {

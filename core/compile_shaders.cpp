@@ -165,6 +165,19 @@ void readPass(State& state, Pass& pass)
     checkLimits(state, pass, shader);
 }
 
+// The mask of a pass is one more thing that it reads, where some pass draws it and it fits.
+void readMask(State& state, Pass& pass)
+{
+    const int mask = indexOf(state.description.targets, pass.desc->drawn_where.name);
+    if (mask < 0 || !state.applies("background")) return;
+    const std::vector<int> own = writtenBy(pass);
+    const bool fits = !own.empty() && sizeOf(state, mask) == sizeOf(state, own.front()) &&
+                      askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;
+    const auto draws_it = [&](const Pass& each) { return each.active && each.depth == mask; };
+    if (fits && std::any_of(state.passes.begin(), state.passes.end(), draws_it))
+        pass.reads.push_back({{}, {}, nullptr, {InputKind::target, mask}});
+}
+
 }  // namespace
 
 std::string stepDefine(const std::string& texture) { return upperCase(texture) + "_STEP"; }
@@ -173,6 +186,8 @@ void readShaders(State& state)
 {
     for (Pass& pass : state.passes)
         if (pass.active && pass.shader >= 0) readPass(state, pass);
+    for (Pass& pass : state.passes)
+        if (pass.active) readMask(state, pass);
 }
 
 }  // namespace crevice::compiler

@@ -25,7 +25,7 @@ struct Source {
 
 /// A sampler of a pass.
 struct Read {
-    std::string sampler;
+    std::string sampler;  ///< Empty for what `drawn_where` names.
     Place declared = {};               ///< In the GLSL.
     const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
     Source named = {};                 ///< What the name stands for before passes are left out.

@@ -59,12 +59,16 @@ std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
 
 // compile_textures.cpp
+/// How large the target is, in pixels.
+Extent sizeOf(const State& state, int target);
 void chooseExtents(State& state);
 void checkFormats(State& state);
 /// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
 void shareTextures(const State& state, Plan& plan);
 
 // compile_samples.cpp
+/// Samples of a pixel that the config asks for.
+int askedSamples(const State& state, int target);
 void chooseSamples(State& state);
 
 // compile_lint.cpp
@@ -77,6 +81,10 @@ double textureBytes(const PlanTexture& texture);
 /// Fills in the bytes of each pass and of the textures.
 void estimateBytes(Plan& plan);
 std::vector<LeftOut> leftOut(const State& state);
+/// What frames may leave out. Requires all else of the plan.
+std::vector<LeftOut> leftOutOfFrames(const Plan& plan);
+/// Textures that targets share; saves nothing where none do. Requires the bytes of textures.
+LeftOut leftOutBySharing(const Plan& plan);
 
 // compile_passes.cpp
 Plan buildPlan(const State& state);

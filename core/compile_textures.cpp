@@ -108,6 +108,7 @@ void checkAttachments(State& state, const Pass& pass)
 {
     for (const Reference& color : pass.desc->color) checkKind(state, color, false);
     if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
+    if (!pass.desc->drawn_where.empty()) checkKind(state, pass.desc->drawn_where, true);
     const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
     const int count = static_cast<int>(pass.desc->color.size());
     if (count <= limit) return;
@@ -197,6 +198,11 @@ private:
 
 }  // namespace
 
+Extent sizeOf(const State& state, int target)
+{
+    return followedExtent(state, state.description.targets[target].size);
+}
+
 void chooseExtents(State& state)
 {
     const int limit = state.caps.max_texture_size;
@@ -210,8 +216,10 @@ void chooseExtents(State& state)
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         Target& target = state.targets[i];
         const TargetDesc& desc = state.description.targets[i];
-        target.extent = followedExtent(state, desc.size);
+        target.extent = sizeOf(state, static_cast<int>(i));
         if (!fits || !target.textured || within(target.extent, limit)) continue;
+        const int followed = indexOf(state.description.targets, desc.size.of.name);
+        if (followed >= 0 && !within(sizeOf(state, followed), limit)) continue;  // told there
         report(state, Code::too_big_for_device,
                "target '" + desc.name + "' would be " + text(target.extent) +
                    ", and the device's textures end at " + std::to_string(limit) + "x" +

@@ -60,6 +60,7 @@ private:
     void checkWrites(const PassDesc& pass);
     void checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb);
     void checkClear(const PassDesc& pass, const ClearDesc& clear);
+    void checkUndrawn(const PassDesc& pass);
     void checkTerm(const PassDesc& pass, const Condition::Term& term);
     void checkInput(const PassDesc& pass, const InputDesc& input);
 
@@ -155,6 +156,7 @@ void Checker::checkPass(const PassDesc& pass)
     expect(pass.shader, who + "runs", shaders_);
     checkWrites(pass);
     for (const ClearDesc& each : pass.clear) checkClear(pass, each);
+    checkUndrawn(pass);
     for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
     for (const BypassDesc& each : pass.bypass) {
         checkAttached(pass, each.output, "bypasses");
@@ -218,6 +220,32 @@ void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
     else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
         atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]")
             .help = "write 1, which is far away";
+}
+
+// What a pass is not drawn everywhere for, and that it says what is elsewhere.
+void Checker::checkUndrawn(const PassDesc& pass)
+{
+    const std::string who = "pass '" + pass.name + "' ";
+    expect(pass.drawn_where, who + "is drawn where", targets_);
+    expect(pass.shown_length, who + "shows the length", params_);
+    const ParamDesc* length = findNamed(description_.params, pass.shown_length.name);
+    if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
+        report_.at(pass.shown_length, Code::reference_missing,
+                   who + "shows the length '" + length->name + "', which is not a float")
+            .help = "name a param of type float, in scene units";
+    if ((pass.drawn_where.empty() && !pass.bounded) || report_.errorWithin(pass.pointer)) return;
+    std::vector<Reference> written = pass.color;
+    if (pass.bounded && !pass.depth.empty()) written.push_back(pass.depth);
+    for (const Reference& target : written) {
+        const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
+        if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
+        report_.at(target, Code::missing_key,
+                   who + "is not drawn everywhere, and its `clear` does not say what '" + target.name +
+                       "' is elsewhere")
+            .help = "add to the pass: \"clear\": {\"" + target.name +
+                    "\": 1}, or what its shader writes where nothing is seen";
+        if (isModule(target.place)) report_.causedBy(ownPlace(target.place));
+    }
 }
 
 void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)

@@ -65,7 +65,7 @@ void UseChecker::collectPass(const PassDesc& pass)
     for (const Condition::Term& each : pass.when.terms) used_.insert(each.subject.name);
     for (const BypassDesc& each : pass.bypass) used_.insert(each.input.name);
     for (const IdentityDesc& each : pass.identity) used_.insert(each.param.name);
-    used_.insert(pass.draws_within_param.name);
+    used_.insert({pass.draws_within_param.name, pass.drawn_where.name, pass.shown_length.name});
     for (const InputDesc& each : pass.inputs) used_.insert(each.from.name);
     for (const auto& renamed : pass.uniforms) used_.insert(renamed.second.name);
 }

@@ -101,8 +101,9 @@ struct SizeDesc {
     Place place = {};            ///< Of the value that was set last.
 };
 
-/// What surfaces are found by in a target of a colour format; those of a depth format hold window depth.
-enum class Holds { other, view_position, view_depth };
+/// What surfaces are found by in a target of a colour format; those of a depth format hold window depth, but
+/// for masks: 0 and 1, for `drawn_where`.
+enum class Holds { other, view_position, view_depth, mask };
 
 struct TargetDesc : Named {
     std::vector<Format> formats;  ///< Preference list: the first one that the device renders to and
@@ -206,6 +207,10 @@ struct PassDesc : Named {
     std::vector<KeepsConstantDesc> keeps_constant = {};
     Reference draws_within_param = {};  ///< The param that gives `draws_within`; else empty.
     float draws_within = 0.0f;          ///< View sizes; 0 is unknown.
+    Reference drawn_where = {};         ///< A depth target: the pass draws where that holds more than a
+                                        ///< half; elsewhere stands what `clear` says.
+    bool bounded = false;               ///< That stands also where no thing lies on the screen ...
+    Reference shown_length = {};        ///< ... or at which this param, a length, is below a pixel.
     std::vector<InputDesc> inputs = {};
     std::vector<std::pair<Reference, Reference>> uniforms = {};  ///< GLSL name, value's name.
     StateDesc state = {};

@@ -126,6 +126,12 @@ constexpr int kMaxColorAttachments = 8;
 /// Timers that a frame may run; more than any shipped config has passes.
 constexpr int kMaxTimers = 64;
 
+/// Pixels of a picture; (x, y) is the lower left one.
+struct PixelArea {
+    int x = 0, y = 0;
+    Extent extent = {};
+};
+
 /// How a pass begins and ends: its framebuffer and what happens to each attachment.
 struct PassInfo {
     const char* label = "";
@@ -139,6 +145,8 @@ struct PassInfo {
     LoadOp depth_load = LoadOp::discard;
     StoreOp depth_store = StoreOp::discard;
     float clear_depth = 1.0f;
+    bool within_area = false;  ///< Draws change `area` alone; loads are of everything.
+    PixelArea area = {};
 };
 
 /// The host's own framebuffer and the rectangle to fill in it, in pixels from the lower left.

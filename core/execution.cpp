@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace crevice {
 namespace {
@@ -165,6 +166,7 @@ void Execution::setView(const Frame& frame, const PreparedView& view)
 {
     values_.setFrame(frame, view.camera);
     values_.setHistory(view.before, view.camera);
+    things_.reset();
 }
 
 /// Whether things, materials or what they hold are others than in the last frame.
@@ -243,15 +245,35 @@ void Execution::clearHistory(const PreparedPass& pass)
 void Execution::runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
 {
     values_.setViewport(pass.info.extent);
-    device_.beginPass(pass.info);
-    device_.setProgram(pass.program, pass.state);
-    setTextures(pass.textures);
-    setUniforms(pass.uniforms);
-    if (pass.type == PassType::draw)
-        runDraws(pass, frame, camera);
-    else
-        device_.drawFullscreen();
+    PassInfo info = pass.info;
+    info.within_area = pass.bounded;
+    if (pass.bounded) info.area = areaOf(pass, frame, camera);
+    device_.beginPass(info);
+    if (!pass.bounded || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
+        device_.setProgram(pass.program, pass.state);
+        setTextures(pass.textures);
+        setUniforms(pass.uniforms);
+        if (pass.type == PassType::draw)
+            runDraws(pass, frame, camera);
+        else
+            device_.drawFullscreen();
+    }
     device_.endPass();
+}
+
+/// Where a bounded pass is drawn.
+PixelArea Execution::areaOf(const PreparedPass& pass, const Frame& frame,
+                            const CameraMatrices& camera)
+{
+    const Extent& extent = pass.info.extent;
+    if (pass.shown_length) {
+        float length = 0;
+        std::memcpy(&length, values_.data(pass.shown_length->offset), sizeof length);
+        return pixelsOf(areaOfThings(frame.draws, camera, extent, length), extent);
+    }
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    if (!things_) things_ = areaOfThings(frame.draws, camera, extent, kAny);
+    return pixelsOf(*things_, extent);
 }
 
 void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)

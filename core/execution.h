@@ -12,6 +12,7 @@
 #include "core/value_table.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace crevice {
@@ -78,6 +79,8 @@ private:
         StateDesc state;
         PassType type;
         float draws_within;
+        bool bounded;
+        const Value* shown_length;  // null where there is none
         std::vector<TextureBinding> textures;
         std::vector<TextureBinding> material_textures;  // set for each draw
         std::vector<UniformBinding> uniforms;
@@ -146,6 +149,7 @@ private:
     Status checkImports(const Frame& frame) const;
     void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
+    PixelArea areaOf(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
 
@@ -155,6 +159,7 @@ private:
     PassCache cache_;
     std::vector<char> changed_;  // by run, for cache_
     DrawnList drawn_;
+    std::optional<ViewArea> things_;  // of the present view, once a pass has asked
     bool swapped_ = false;    // whether histories and their targets have changed places
     bool remembers_ = false;  // whether histories hold anything
     std::vector<std::string> compiled_;

@@ -197,8 +197,12 @@ Status Execution::createPasses(int view)
         prepared.info = passInfo(pass);
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
+        // The triangle lies at a half of a mask's range.
+        if (isMasked(pass)) prepared.state.depth_test = Compare::less;
         prepared.type = pass.type;
         prepared.draws_within = pass.draws_within;
+        prepared.bounded = pass.bounded;
+        prepared.shown_length = pass.shown_length.empty() ? nullptr : values_.find(pass.shown_length);
         if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
             bindUniform(pass, uniform, view, prepared, errors);

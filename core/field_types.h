@@ -40,7 +40,7 @@ inline Spellings spellings(ParamType) { return {"float", "int", "vec2", "vec3", 
 inline Spellings spellings(Bind) { return {"uniform", "define"}; }
 inline Spellings spellings(FeatureType) { return {"bool", "enum"}; }
 inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights", "texture"}; }
-inline Spellings spellings(Holds) { return {"other", "view_position", "view_depth"}; }
+inline Spellings spellings(Holds) { return {"other", "view_position", "view_depth", "mask"}; }
 inline Spellings spellings(PassType) { return {"draw", "fullscreen"}; }
 inline Spellings spellings(Cull) { return {"none", "back", "front"}; }
 inline Spellings spellings(Blend) { return {"none", "alpha", "add", "multiply"}; }

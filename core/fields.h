@@ -108,7 +108,7 @@ void fields(V& v, TargetDesc& t)
             required());
     v.field("holds", t.holds,
             "What surfaces are found by here, so that its format is chosen to resolve the radius; "
-            "depth formats hold window depth without it.");
+            "depth formats hold window depth without it, or a mask.");
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
     v.field("mips", t.mips, "Mip levels; 0 means down to 1x1.", range(0, 16));
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
@@ -217,6 +217,20 @@ void fields(V& v, PassDesc& p)
             range(0, kLargestScale));
     if (p.type != PassType::draw && v.has("draws_within"))
         v.refuse("draws_within", Code::bad_enum, "a fullscreen pass draws no things");
+    v.field("drawn_where", p.drawn_where,
+            "A depth target of 0 and 1: where it is 0, outputs are what `clear` says, undrawn. They must be what the shader would write. One of another size than theirs is not used.");
+    if (p.type == PassType::draw)
+        v.refuse("drawn_where", Code::bad_enum, "a draw pass has a depth test of its own");
+    else if (!p.depth.empty())
+        v.refuse("drawn_where", Code::bad_enum, "the pass writes depth");
+    v.field("bounded", p.bounded,
+            "Where nothing of the draw list is seen, outputs are what `clear` says, so that the pass is drawn within the bounds of things alone. It must cover the view, without a guard band.");
+    v.field("shown_length", p.shown_length,
+            "A param in scene units: a bounded pass leaves out things so far away that this is less than a pixel there.");
+    if (p.type == PassType::draw)
+        v.refuse("bounded", Code::bad_enum, "a draw pass draws things alone");
+    if (!p.bounded && !v.has("bounded"))
+        v.refuse("shown_length", Code::bad_enum, "the pass is not bounded");
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     v.field("uniforms", p.uniforms, "Uniforms whose names differ from what feeds them.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};

@@ -85,7 +85,8 @@ struct DrawItem {
     int material = 0;  ///< Into Frame::materials.
 
     /// A sphere around all that is drawn, in model space. Of an item that lies outside of what a pass shows
-    /// nothing is then drawn. A radius below 0 means that none is known.
+    /// nothing is then drawn, and occlusion is worked out within what spheres cover. A radius below 0 means that
+    /// none is known.
     glm::vec3 bounds_center = glm::vec3(0.0f);
     float bounds_radius = -1.0f;
 

@@ -41,6 +41,19 @@ bool isMirrored(const DrawItem& item, const CameraMatrices& camera);
 /// one without bounds.
 bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider);
 
+/// A part of a view in shares of its width and height, from the lower left; empty where right < left.
+struct ViewArea {
+    double left = 0, bottom = 0, right = 1, top = 1;
+};
+
+/// The part in which things can show: those at which a `length` in scene units comes to a pixel of a view of
+/// `extent`, or all where it is infinite. All of the view where that is not known, without bounds say.
+ViewArea areaOfThings(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
+                      const Extent& extent, double length);
+
+/// The pixels of a picture of the view that the area touches.
+PixelArea pixelsOf(const ViewArea& area, const Extent& extent);
+
 /// A light in view space: (x, y, z, 1) of a point, (x, y, z, 0) towards a directional one.
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 

@@ -25,7 +25,8 @@ PassCache::PassCache(const Plan& plan)
         }
         for (const PlanAttachment& color : pass.color)
             if (color.target >= 0) node.writes.push_back(color.target);
-        if (pass.has_depth && pass.depth.target >= 0) node.writes.push_back(pass.depth.target);
+        if (pass.has_depth && pass.depth.target >= 0 && !isMasked(pass))
+            node.writes.push_back(pass.depth.target);
         node.remembers = node.remembers ||
                          std::any_of(node.writes.begin(), node.writes.end(), remembered);
     }

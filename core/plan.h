@@ -43,7 +43,7 @@ struct PlanTarget {
 enum class InputKind { target, history, generated, imported, material, constant };
 
 struct PlanInput {
-    std::string sampler;  ///< GLSL name.
+    std::string sampler;  ///< GLSL name; empty for what the pass is `drawn_where`.
     InputKind kind = InputKind::target;
     int index = -1;  ///< Into targets (of history too), generated, imports, constants, maps.
     SamplerDesc sampling;
@@ -70,16 +70,21 @@ struct PlanPass {
     int program = -1;  ///< Into Plan::programs.
     std::vector<PlanAttachment> color;
     bool has_depth = false;
-    PlanAttachment depth;
+    PlanAttachment depth;     ///< Written; or only tested, where its load is LoadOp::load.
     Extent extent;
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
     float draws_within = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
+    bool bounded = false;    ///< It is drawn within the bounds of the frame's things alone ...
+    std::string shown_length = {};  ///< ... and of those at which this param comes to a pixel; may be empty.
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.
     double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
     double bytes_written = 0;  ///< An estimate a frame.
 };
+
+/// Whether the pass is tested against a mask (`drawn_where`): its depth attachment is read, not written.
+bool isMasked(const PlanPass& pass);
 
 /// A program: the same key means the same text, compiled once.
 struct PlanProgram {
@@ -89,6 +94,9 @@ struct PlanProgram {
     GlslStage fragment;
     Place place;         ///< Of the shader in the config.
     std::string pointer;
+    std::vector<std::string> varies_with = {};  ///< Features, traits and whole-number defines in its text.
+    double variants = 1;                        ///< How many texts their values make, for each value ...
+    std::vector<std::string> fractions = {};    ///< ... of these defines, which are no whole numbers.
 };
 
 /// A rule by which plans and frames leave out what changes no picture.
@@ -98,7 +106,7 @@ struct RuleInfo {
 };
 
 /// Those that may be switched off.
-extern const RuleInfo kRules[6];
+extern const RuleInfo kRules[8];
 
 /// One thing that the plan does not do.
 struct LeftOut {
@@ -106,6 +114,9 @@ struct LeftOut {
     std::string rule;    ///< Of kRules; or "condition", which is meaning and cannot be switched off.
     std::string reason;  ///< One sentence.
     double bytes = 0;    ///< Estimated bytes a frame that are not moved.
+    double texture_bytes = 0;  ///< Of textures that are not there.
+    double ms = -1;            ///< What a pass takes where it runs, once someone has measured that.
+    bool by_frame = false;     ///< What is left out, and what that saves, depends on the frame.
 };
 
 struct PlanConstant {

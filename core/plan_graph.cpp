@@ -74,7 +74,7 @@ void addPass(const Plan& plan, const PlanPass& pass, Graph& graph)
         graph.edges.emplace_back(id, graph.add(targetNode(plan, attachment.target)));
     };
     for (const PlanAttachment& color : pass.color) write(color);
-    if (pass.has_depth) write(pass.depth);
+    if (pass.has_depth && !isMasked(pass)) write(pass.depth);
 }
 
 Graph graphOf(const Plan& plan)

@@ -82,6 +82,8 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"program\": " + json(pass.program) + ", \"extent\": " + json(pass.extent) +
            ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
+           ",\n      \"bounded\": " + (pass.bounded ? "true" : "false") + ", \"shown_length\": " +
+           (pass.shown_length.empty() ? "null" : json(pass.shown_length)) +
            ",\n      \"state\": " + stateJson(pass.state) +
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
            ",\n      \"uniforms\": " + list(pass.renamed_uniforms, uniformJson, indent) +
@@ -113,7 +115,10 @@ std::string textureJson(const PlanTexture& texture)
 
 std::string programJson(const PlanProgram& program)
 {
-    return "{\"label\": " + json(program.label) + ", \"key\": " + json(program.key) + "}";
+    const auto name = [](const std::string& each) { return json(each); };
+    return "{\"label\": " + json(program.label) + ", \"key\": " + json(program.key) +
+           ", \"varies_with\": " + list(program.varies_with, name) + ", \"variants\": " +
+           bytesJson(program.variants) + ", \"fractions\": " + list(program.fractions, name) + "}";
 }
 
 std::string generatedJson(const GeneratedDesc& each)
@@ -139,7 +144,10 @@ std::string outputJson(const Plan& plan, const PlanOutput& output)
 std::string leftOutJson(const LeftOut& each)
 {
     return "{\"what\": " + json(each.what) + ", \"rule\": " + json(each.rule) + ", \"reason\": " +
-           json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) + "}";
+           json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) + ", \"texture_bytes\": " +
+           bytesJson(each.texture_bytes) + ", \"ms\": " +
+           (each.ms >= 0 ? shortest(static_cast<float>(each.ms)) : "null") + ", \"by_frame\": " +
+           (each.by_frame ? "true" : "false") + "}";
 }
 
 }  // namespace

@@ -99,8 +99,9 @@ std::string samplingText(const SamplerDesc& sampling)
 
 std::string readText(const Plan& plan, const PlanInput& input)
 {
-    std::string text = "    reads   " + input.sampler;
     const std::string source = sourceName(plan, input);
+    if (input.sampler.empty()) return "    drawn   where " + source + " is not 0\n";
+    std::string text = "    reads   " + input.sampler;
     if (input.kind == InputKind::material) return text + " of the material\n";
     text += input.kind == InputKind::target && source == input.sampler
                 ? ""
@@ -139,8 +140,12 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
+    if (pass.bounded)
+        text += "    drawn   within the bounds of things" +
+                (pass.shown_length.empty() ? "" : " at which " + pass.shown_length + " is a pixel or more") +
+                "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
-    if (pass.has_depth) text += writeText(plan, pass.depth, true);
+    if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
     return text;
 }
 
@@ -157,6 +162,40 @@ std::string textureText(const Plan& plan, std::size_t index)
         text += separator + target;
         separator = ", then ";
     }
+    return text + "\n";
+}
+
+std::string programText(const PlanProgram& program)
+{
+    const auto listed = [](const std::vector<std::string>& names) {
+        std::string text;
+        for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+        return text;
+    };
+    std::string text = "  " + program.label + ": 1 of " +
+                       counted(static_cast<std::size_t>(program.variants), "variant");
+    if (!program.fractions.empty()) text += " for each " + listed(program.fractions);
+    if (!program.varies_with.empty()) text += ", by " + listed(program.varies_with);
+    return text + "\n";
+}
+
+// By integers, since printf follows the locale.
+std::string millisecondsText(double ms)
+{
+    const long long hundredths = std::llround(ms * 100);
+    const std::string rest = std::to_string(hundredths % 100);
+    return std::to_string(hundredths / 100) + "." + (rest.size() < 2 ? "0" : "") + rest + " ms";
+}
+
+std::string leftOutText(const LeftOut& each)
+{
+    std::string text = "  " + each.what + " (" + each.rule + "): " + each.reason;
+    if (each.by_frame) return text + "\n";
+    const bool stored = each.texture_bytes > 0;
+    text += "; saves ";
+    if (each.bytes > 0 || !stored) text += bytesText(each.bytes) + " a frame" + (stored ? ", " : "");
+    if (stored) text += bytesText(each.texture_bytes) + " of textures";
+    if (each.ms >= 0) text += ", " + millisecondsText(each.ms);
     return text + "\n";
 }
 
@@ -179,6 +218,8 @@ std::string toText(const Plan& plan)
                        ", " + counted(textureCount(plan), "texture") + ", " +
                        bytesText(plan.texture_bytes) + "\npasses\n";
     for (const PlanPass& pass : plan.passes) text += passText(plan, pass);
+    text += "programs\n";
+    for (const PlanProgram& program : plan.programs) text += programText(program);
     text += "textures\n";
     for (std::size_t i = 0; i < plan.textures.size(); ++i) text += textureText(plan, i);
     std::string formats;
@@ -196,9 +237,7 @@ std::string toText(const Plan& plan)
         text += "  " + each.name + ": " + table::word(each.type) +
                 (each.optional ? ", optional\n" : "\n");
     if (!plan.left_out.empty()) text += "left out\n";
-    for (const LeftOut& each : plan.left_out)
-        text += "  " + each.what + " (" + each.rule + "): " + each.reason + "; saves " +
-                bytesText(each.bytes) + "\n";
+    for (const LeftOut& each : plan.left_out) text += leftOutText(each);
     return text;
 }
 

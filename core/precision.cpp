@@ -107,6 +107,7 @@ double formatStep(Format format, double value)
 double viewStep(const SceneTraits& traits, const StoredSurface& stored, double distance)
 {
     const FormatInfo& info = formatInfo(stored.format);
+    if (stored.holds == Holds::mask) return 0;
     if (info.format_class != FormatClass::depth) {
         if (stored.holds == Holds::other) return 0;
         return std::max(formatStep(stored.format, distance), isHalf(info) ? kLeastHalf : 0.0);

@@ -109,7 +109,7 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
     CHECK(point.budget_failure.empty());
     CHECK(point.error_without_ao > 0.01);
     CHECK(point.repeats >= 3);
-    REQUIRE(point.passes.size() == 3);
+    REQUIRE(point.passes.size() == 4);
     CHECK(point.passes[0].name == "geometry");
     CHECK(point.total.median > 0.0);
     CHECK(point.total.q1 <= point.total.q3);

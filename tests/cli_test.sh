@@ -83,7 +83,7 @@ expect_json
 expect 1 'CV2102' explain gtao --why passes.ssao.inputs.deep
 expect 0 'from learnopengl 960x540 to gtao 960x540' explain --diff learnopengl gtao
 expect 0 'define SAMPLES: 64 -> 8' explain --diff learnopengl --set samples=8
-expect 0 'passes: 4 -> 4$' explain learnopengl --diff
+expect 0 'passes: 5 -> 5$' explain learnopengl --diff
 expect 0 '"texture_bytes"' explain --diff learnopengl gtao --format json
 expect_json
 expect 2 'CV8001.*--diff' explain learnopengl gtao

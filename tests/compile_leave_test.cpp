@@ -399,7 +399,7 @@ TEST_CASE("An attachment that nobody reads gets no texture, and is listed with i
           std::string::npos);
     CHECK(attachmentOf(kept, "albedo")->target >= 0);
     CHECK(attachmentOf(kept, "albedo")->store == StoreOp::discard);
-    CHECK(kept.left_out.empty());
+    CHECK_FALSE(leftOut(kept, "attachment albedo"));
 }
 
 TEST_CASE("Passes that nobody needs run when the unread rule is switched off")
@@ -435,4 +435,88 @@ TEST_CASE("A stand-in must hold the kind of values that it replaces")
         sketch.targets = {{"ao", R"({"format": ["r8"], "size": {"scale": 0.5}})"}};
         CHECK(passNames(planOf(describe(sketch))) == "ssao, light");
     }
+}
+
+namespace {
+
+// draw -> mask -> ao, where ao is drawn where the mask says.
+Sketch masked(const std::string& mask_keys = "", const std::string& ao_keys = "")
+{
+    return {{R"(things: -> normal | "type": "draw", "draws_within": 1)",
+             R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})" + mask_keys,
+             R"(ao: normal -> ao | "drawn_where": "mask", "clear": {"ao": 1})" + ao_keys,
+             "light: ao -> lit"},
+            {{"color", "lit"}},
+            {{"mask", R"({"format": ["depth16"], "holds": "mask", "size": {"of": "ao"}})"}},
+            R"("imports": {"scene": {"type": "draw_list"}},
+               "features": {"soft": {"type": "bool", "default": false}})"};
+}
+
+}  // namespace
+
+TEST_CASE("A pass that is drawn where a mask says is tested against it, and cleared to what is elsewhere")
+{
+    const Plan plan = planOf(describe(masked()));
+    CHECK(passNames(plan) == "things, mask, ao, light");
+    const PlanPass& ao = plan.passes[2];
+    REQUIRE(ao.has_depth);
+    CHECK(ao.depth.name == "mask");
+    CHECK(ao.depth.load == LoadOp::load);
+    CHECK(ao.depth.store == StoreOp::store);
+    CHECK_FALSE(ao.state.depth_write);
+    CHECK(ao.color[0].load == LoadOp::clear);
+    CHECK(ao.color[0].clear[0] == 1.0f);
+    const PlanTarget& mask = plan.targets[ao.depth.target];
+    CHECK(mask.first_pass == 1);
+    CHECK(mask.last_pass == 2);
+}
+
+TEST_CASE("A mask is left out with its rule, where its pass is off, and where it does not fit")
+{
+    const auto drawnWhole = [](const Plan& plan) {
+        return passNames(plan) == "things, ao, light" && !plan.passes[1].has_depth &&
+               plan.passes[1].color[0].load == LoadOp::discard;
+    };
+    CHECK(drawnWhole(planOf(describe(masked()), {}, keeping("background"))));
+    CHECK(drawnWhole(planOf(describe(masked(R"(, "when": {"soft": true})")))));
+    Sketch smaller = masked();
+    smaller.targets["mask"] = R"({"format": ["depth16"], "size": {"scale": 0.5}})";
+    CHECK(drawnWhole(planOf(describe(smaller))));
+    Sketch finer = masked();
+    finer.targets["mask"] = R"({"format": ["depth16"], "samples": 4})";
+    CHECK(drawnWhole(planOf(describe(finer))));
+}
+
+TEST_CASE("A mask must be a depth target of another pass")
+{
+    Sketch color = masked();
+    color.passes[2] = R"(ao: normal -> ao | "drawn_where": "normal", "clear": {"ao": 1})";
+    color.passes.erase(color.passes.begin() + 1);
+    color.targets.erase("mask");
+    CHECK(onlyError(describe(color)).code == Code::attachment_kind);
+}
+
+TEST_CASE("A bounded pass is drawn within things where all that it reads comes from them")
+{
+    const auto bounded = [](const Sketch& sketch, const std::string& kept = "none") {
+        const CompileOptions options = kept == "none" ? sized() : keeping(kept);
+        const Plan plan = planOf(describe(sketch), {}, options);
+        const PlanPass* pass = findNamed(plan.passes, "ao");
+        CHECK((pass->color[0].load == LoadOp::clear || kept == "all"));
+        return pass->bounded;
+    };
+    const Sketch sketch = masked("", R"(, "bounded": true)");
+    CHECK(bounded(sketch));
+    CHECK_FALSE(bounded(sketch, "bounds"));
+    CHECK_FALSE(bounded(sketch, "all"));
+    CHECK_FALSE(bounded(masked()));
+
+    Sketch moved = sketch;  // a vertex shader may put things anywhere
+    moved.passes[0] = R"(things: -> normal | "type": "draw")";
+    CHECK_FALSE(bounded(moved));
+    Sketch hosts = sketch;
+    hosts.passes[0] = "things: host -> normal";
+    hosts.extra = R"("imports": {"host": {"type": "texture"}},
+                     "features": {"soft": {"type": "bool", "default": false}})";
+    CHECK_FALSE(bounded(hosts));
 }

@@ -83,6 +83,72 @@ TEST_CASE("Nothing that has a point in the view is outside, however it is placed
     CHECK(shown > 500);
 }
 
+TEST_CASE("What shows of a thing lies in the area of things, and the area of what is far is small")
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> around(-1.0f, 1.0f);
+    const auto vector = [&] { return glm::vec3(around(random), around(random), around(random)); };
+    const Extent extent = {160, 90};
+    int shown = 0;
+    int small = 0;
+    for (const View& view : kViews) {
+        INFO(view.name);
+        Camera camera;
+        camera.clip_from_view = view.clip_from_view;
+        const CameraMatrices matrices = cameraMatrices(camera);
+        const glm::mat4 clip_from_world(matrices.clip_from_view * matrices.view_from_world);
+        for (int i = 0; i < 500; ++i) {
+            DrawItem item;
+            item.count = 3;
+            item.bounds_radius = 0.5f * std::abs(around(random));
+            item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(12.0f * vector()));
+            const PixelArea area = pixelsOf(
+                areaOfThings({item}, matrices, extent, std::numeric_limits<double>::infinity()), extent);
+            const Extent all = area.extent;
+            small += all.width > 0 && all.width * all.height < extent.width * extent.height / 20;
+            for (int k = 0; k < 40; ++k) {
+                const glm::vec3 on = glm::normalize(vector() + 1e-4f) * item.bounds_radius;
+                const glm::vec3 point = glm::vec3(item.world_from_model[3]) + on;
+                if (!shows(clip_from_world, point, 1.0f)) continue;
+                ++shown;
+                const glm::vec4 clip = clip_from_world * glm::vec4(point, 1);
+                const float x = (clip.x / clip.w * 0.5f + 0.5f) * extent.width;
+                const float y = (clip.y / clip.w * 0.5f + 0.5f) * extent.height;
+                CHECK((x >= area.x && x <= area.x + all.width));
+                CHECK((y >= area.y && y <= area.y + all.height));
+            }
+        }
+    }
+    CHECK(shown > 3000);
+    CHECK(small > 200);
+}
+
+TEST_CASE("The area of things is all of the view where one has no bounds, and none where none is drawn")
+{
+    Camera camera;
+    camera.clip_from_view = glm::perspective(0.8f, 1.0f, 0.1f, 50.0f);
+    const CameraMatrices matrices = cameraMatrices(camera);
+    const Extent extent = {100, 100};
+    const auto pixels = [&](const std::vector<DrawItem>& draws, double length) {
+        const Extent all = pixelsOf(areaOfThings(draws, matrices, extent, length), extent).extent;
+        return all.width * all.height;
+    };
+    const double any = std::numeric_limits<double>::infinity();
+    DrawItem item;
+    item.count = 3;
+    item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -20));
+    CHECK(pixels({}, any) == 0);
+    CHECK(pixels({item}, any) == 10000);
+    item.bounds_radius = 1;
+    CHECK(pixels({item}, any) > 0);
+    CHECK(pixels({item}, any) < 400);
+    // A pixel is 20 * 2 * tan(0.4) / 100 = 0.169 units there, and a little less at the near end.
+    CHECK(pixels({item}, 0.18) == pixels({item}, any));
+    CHECK(pixels({item}, 0.15) == 0);
+    item.count = 0;
+    CHECK(pixels({item}, any) == 0);
+}
+
 TEST_CASE("An item without bounds is never outside, and one that wider views show is not outside of those")
 {
     Camera camera;
@@ -126,4 +192,40 @@ TEST_CASE("A frame draws what lies in the view, and all of it with the rule off"
     };
     CHECK(drawn({}) == 1);
     CHECK(drawn({"outside"}) == 2);
+}
+
+TEST_CASE("With nothing in view occlusion and its filters are cleared and not drawn")
+{
+    RecordingDevice device;
+    const MeshId mesh =
+        device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
+    Frame frame;
+    frame.camera.clip_from_view = glm::perspective(0.8f, 2.0f, 0.1f, 50.0f);
+    frame.materials.resize(1);
+    DrawItem item = {mesh, 0, 6, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -5)), 0};
+    item.bounds_radius = 1;
+    frame.draws = {item};
+    const auto drawn = [&](double x, const std::vector<std::string>& keep) {
+        frame.draws[0].world_from_model[3][0] = x;
+        CompileOptions options;
+        options.extent = {64, 32};
+        options.keep = keep;
+        const auto renderer = need(
+            Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
+        device.clearLog();
+        need(renderer->render(frame));
+        std::string passes;
+        std::string pass;
+        std::istringstream lines(device.log());
+        for (std::string line; std::getline(lines, line);) {
+            if (line.rfind("beginPass ", 0) == 0) pass = line.substr(10, line.find(' ', 10) - 10);
+            if (line.rfind("drawFullscreen", 0) == 0) passes += (passes.empty() ? "" : " ") + pass;
+        }
+        return passes;
+    };
+    const std::string all = "receivers ssao filter_x filter_y lighting";
+    CHECK(drawn(0, {}) == all);
+    CHECK(drawn(100, {}) == "lighting");
+    CHECK(drawn(100, {"bounds"}) == all);
+    CHECK(device.misuse().empty());
 }

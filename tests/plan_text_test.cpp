@@ -50,6 +50,10 @@ passes
     reads   visible from target ao (linear, clamp)
     reads   light_glow from constant 0.5
     writes  color: rgba8 texture 3, discard, store (every pixel is overwritten; read by output color)
+programs
+  geometry: 1 of 1 variant
+  ssao: 1 of 1 variant
+  light: 1 of 1 variant
 textures
   0: rgba16f 64x32, 16.0 KiB: normal
   1: depth24 64x32, 8.0 KiB: depth
@@ -63,10 +67,11 @@ generated
 imports
   things: draw_list
 left out
-  attachment albedo (unread): nobody reads it, nor is it worked out; saves 8.0 KiB
-  pass glow (identity): strength is 0, so light_glow is 0.5; saves 2.0 KiB
-  pass filter (condition): it needs soft true, and soft is false; saves 2.0 KiB
-  pass debug (unread): no output asked for needs it; saves 10.0 KiB
+  attachment albedo (unread): nobody reads it, nor is it worked out; saves 8.0 KiB a frame, 8.0 KiB of textures
+  pass glow (identity): strength is 0, so light_glow is 0.5; saves 2.0 KiB a frame, 2.0 KiB of textures
+  pass filter (condition): it needs soft true, and soft is false; saves 2.0 KiB a frame, 2.0 KiB of textures
+  pass debug (unread): no output asked for needs it; saves 10.0 KiB a frame, 2.0 KiB of textures
+  passes (unchanged): in a frame, those whose input is that of the frame before
 )");
 }
 
@@ -111,7 +116,8 @@ TEST_CASE("The JSON of a plan is JSON and tells the same")
     CHECK(json->find("textures")->items()[3].find("mips")->number() == 2);
     CHECK(json->find("programs")->items()[0].find("key")->text() == plan.programs[0].key);
     CHECK(json->find("outputs")->items()[0].find("target")->text() == "ao");
-    CHECK(json->find("left_out")->items().size() == 4);
+    CHECK(json->find("left_out")->items().size() == 5);
+    CHECK(json->find("left_out")->items()[4].find("by_frame")->boolean());
     CHECK(json->find("texture_bytes")->number() == plan.texture_bytes);
 }
 

@@ -32,10 +32,11 @@ const std::function<void(Frame&, Renderer&)> kChanges[] = {
 
 /// A scene with its camera.
 struct Stage {
-    Stage(Device& device, const char* name) : scene(need(loadScene(name)))
+    Stage(Device& device, const char* name, const char* camera_text = "")
+        : scene(need(loadScene(name)))
     {
         uploaded = need(UploadedScene::upload(device, scene));
-        camera = need(chooseCamera(scene, uploaded->bounds(), "",
+        camera = need(chooseCamera(scene, uploaded->bounds(), camera_text,
                                    double(kExtent.width) / kExtent.height));
     }
     Frame frame() const { return makeFrame(*uploaded, camera, kExtent); }
@@ -160,6 +161,29 @@ TEST_CASE("What an identity gives is what its pass would have drawn, and so on d
             checkSame(gl, *lean, *full, namesOf(description.outputs));
             CHECK(lean->plan().passes.size() < full->plan().passes.size());
             if (param == "intensity") CHECK(lean->plan().passes.size() <= 2);  // things and light
+        }
+    }
+}
+
+TEST_CASE("Masks and bounds change no pixel: half a background, things off the middle, far away, none at all")
+{
+    GlFixture gl;
+    for (const char* camera : {"eye=0,1.5,4;at=0,2.3,0", "eye=0,40,90;at=20,0,0", "eye=0,400,900;at=0,0,0",
+                               "eye=4,3,4;at=0,1,0;ortho=7;shift=0.2,0.1", "eye=0,2,9;at=0,4,20"}) {
+        const Stage stage(*gl.device, "spheres", camera);
+        const Frame frame = stage.frame();
+        for (const std::string& config : configNames(shippedSources())) {
+            INFO(camera << ' ' << config);
+            const Description description = descriptionOf({config, ""});
+            const auto full =
+                need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
+            need(full->render(frame));
+            for (const char* kept : {"idle", "background", "bounds"}) {
+                const auto lean =
+                    need(Renderer::create(*gl.device, description, keeping({kept}), traitsOf(frame)));
+                need(lean->render(frame));
+                checkSame(gl, *lean, *full, namesOf(description.outputs));
+            }
         }
     }
 }

@@ -65,6 +65,9 @@ passes
   grade: fullscreen 64x32, program grade, 8.0 KiB read, 2.0 KiB written
     reads   color (nearest, clamp)
     writes  graded: r8 texture 3, discard, store (every pixel is overwritten; read by output out)
+programs
+  paint: 1 of 1 variant
+  grade: 1 of 1 variant
 textures
   0: rgba8 64x32, 4 samples, 32.0 KiB: color
   1: rgba8 64x32, 8.0 KiB: color
@@ -72,6 +75,8 @@ textures
   3: r8 64x32, 2.0 KiB: graded
 outputs
   out: target graded
+left out
+  passes (unchanged): in a frame, those whose input is that of the frame before
 )");
     CHECK(toJson(plan).find("\"samples\": 4") != std::string::npos);
     CHECK(toDot(plan).find("64x32, 4 samples") != std::string::npos);

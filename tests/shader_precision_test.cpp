@@ -72,7 +72,7 @@ TEST_CASE("What reads depth or 32-bit floats in a shipped config has a highp sam
         REQUIRE(plan.ok());
         for (const PlanPass& pass : plan->passes)
             for (const PlanInput& input : pass.inputs) {
-                if (!isWide(*plan, input)) continue;
+                if (input.sampler.empty() || !isWide(*plan, input)) continue;
                 INFO(options.config << " " << options.variant << ", pass " << pass.name << ", "
                                     << input.sampler);
                 CHECK(precisionOf(plan->programs[pass.program].fragment.text, input.sampler) == "highp");

@@ -145,7 +145,8 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
     for (const PlanInput& input : pass ? pass->inputs : std::vector<PlanInput>{}) {
         if (input.kind != InputKind::target) continue;
         const TargetHealth* from = healthOf(health, plan.targets[input.index].name);
-        if (from && from->constant && from != &target) return rootOf(plan, health, *from);
+        const bool drawn = input.sampler.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
+        if (from && from->constant && from != &target && !drawn) return rootOf(plan, health, *from);
     }
     return target;
 }

@@ -17,7 +17,7 @@ std::vector<WatchedTarget> watchAll(const Plan& plan, Description& description)
             if (source) watched.push_back({attachment.name, pass.name, source->output});
         };
         for (const PlanAttachment& color : pass.color) watch(color);
-        if (pass.has_depth) watch(pass.depth);
+        if (pass.has_depth && !isMasked(pass)) watch(pass.depth);
     }
     return watched;
 }

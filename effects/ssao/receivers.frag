@@ -1,0 +1,18 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// Which pixels an estimator has to look at.
+//
+//   surface  interface: point in view space
+//   depth    1 where something was drawn; 0 in the background
+precision highp float;  // positions
+
+#define SURFACE_WITHOUT_NORMAL
+#include <surface>
+
+in vec2 uv;
+
+void main()
+{
+    vec3 point;
+    gl_FragDepth = pointAt(uv, point) ? 1.0 : 0.0;
+}
