@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // crevice explain: the plan of a config, what it leaves out and why, and where a value came from.
+#include "tools/bench_times.h"
 #include "tools/cli_output.h"
 #include "tools/commands.h"
 #include "tools/config_options.h"
@@ -29,6 +30,7 @@ struct ExplainOptions {
     std::string backend;
     std::vector<std::string> outputs;
     std::vector<std::string> keep;
+    bool measure = false;
     std::string why;
     std::string format = "text";
     int views = 1;
@@ -77,6 +79,39 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
     return compile(*description, *traits, *caps, compile_options);
 }
 
+/// Draws the scene with nothing left out and notes what each pass takes that the plan leaves out: the median
+/// of some frames.
+Status measureLeftOut(const ExplainOptions& options, const SourceSet& sources, Plan& plan)
+{
+    constexpr std::size_t kFrames = 7;
+    const Result<OpenDevice> open = openDevice(options.backend);
+    if (!open) return open.diagnostics();
+    Device& device = *open->device;
+    const Result<SceneView> view = loadSceneView(options.scene);
+    if (!view) return view.diagnostics();
+    const Result<UploadedScene> scene = UploadedScene::upload(device, view->scene);
+    if (!scene) return scene.diagnostics();
+    const Frame frame = makeFrame(*scene, view->camera, view->extent);
+    const Result<Description> description = loadDescription(options.config, sources);
+    if (!description) return description.diagnostics();
+    CompileOptions all;
+    all.extent = view->extent;
+    all.keep = {"all"};
+    const auto renderer = Renderer::create(device, *description, all, traitsOf(frame));
+    if (!renderer) return renderer.diagnostics();
+    std::vector<std::vector<double>> ms((*renderer)->plan().passes.size());
+    for (std::size_t i = 0; i < kFrames; ++i) {
+        const Result<FrameTimes> times = timeFrame(**renderer, frame);
+        if (!times) return times.diagnostics();
+        for (std::size_t pass = 0; pass < ms.size(); ++pass) ms[pass].push_back(times->pass_ms[pass]);
+    }
+    for (LeftOut& each : plan.left_out)
+        for (std::size_t pass = 0; pass < ms.size(); ++pass)
+            if (each.what == "pass " + (*renderer)->plan().passes[pass].name)
+                each.ms = timeFigures(ms[pass]).median;
+    return {};
+}
+
 int explainValue(const ExplainOptions& options, const SourceSet& sources)
 {
     const bool json = options.format == "json";
@@ -119,6 +154,8 @@ int explainDiff(const ExplainOptions& options, const SourceSet& sources)
 std::string misuse(const ExplainOptions& options)
 {
     if (options.configs.size() > 1 && !options.diff) return "two configs need --diff";
+    if (options.measure && (options.diff || !options.why.empty() || options.scene.scene.empty()))
+        return "--measure explains the plan for a --scene";
     if (!options.diff) return {};
     if (!options.why.empty()) return "--why explains one config, --diff compares two";
     if (options.format != "text" && options.format != "json") return "--diff prints text or json";
@@ -133,8 +170,11 @@ int explain(ExplainOptions& options)
     const CheckoutSources sources(options.config.checkout);
     if (!options.why.empty()) return explainValue(options, sources);
     if (options.diff) return explainDiff(options, sources);
-    const Result<Plan> plan = makePlan(options, sources);
+    Result<Plan> plan = makePlan(options, sources);
     if (!plan) return report(plan.diagnostics(), options.format == "json");
+    if (options.measure)
+        if (const Status status = measureLeftOut(options, sources, *plan); !status)
+            return report(status.diagnostics(), options.format == "json");
     report(plan.diagnostics(), false);
     const std::string text = options.format == "json"      ? toJson(*plan)
                              : options.format == "dot"     ? toDot(*plan)
@@ -169,6 +209,9 @@ void addExplainCommand(CLI::App& app, int& exit_code)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addKeepOption(*command, options->keep);
+    command->add_flag("--measure", options->measure,
+                      "Draw --scene on --backend with nothing left out, and tell what each pass that is left "
+                      "out takes there");
     command->add_option("--views", options->views,
                         "Plan for frames of that many views, 2 for stereo")
         ->check(CLI::Range(1, 64))
@@ -182,7 +225,8 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     command->footer("Examples:\n"
                     "  crevice explain learnopengl\n"
                     "  crevice explain learnopengl --set intensity=0 --output ao\n"
-                    "  crevice explain my.json --why radius\n"
+                    "  crevice explain gtao --set intensity=0 --scene room --measure\n"
+                  "  crevice explain my.json --why radius\n"
                     "  crevice explain --diff learnopengl gtao\n"
                     "  crevice explain --diff gtao --set slices=1\n"
                     "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
