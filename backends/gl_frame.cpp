@@ -98,6 +98,7 @@ void GlDevice::beginPass(const PassInfo& pass)
     state_.unmask();
     invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
     clear(gl_, pass);
+    if (pass.at_depth >= 0.0f) gl_.DepthRangef(pass.at_depth, pass.at_depth);
     if (!pass.within_area) return;
     state_.setEnabled(GL_SCISSOR_TEST, true);
     gl_.Scissor(pass.area.x, pass.area.y, pass.area.extent.width, pass.area.extent.height);
@@ -127,6 +128,7 @@ void GlDevice::resolve(const FramebufferSlot& framebuffer)
 void GlDevice::endPass()
 {
     if (pass_.within_area) state_.setEnabled(GL_SCISSOR_TEST, false);
+    if (pass_.at_depth >= 0.0f) gl_.DepthRangef(0.0f, 1.0f);
     const FramebufferSlot& framebuffer = framebuffers_.at(pass_.framebuffer.value);
     if (framebuffer.resolved.name() != 0) resolve(framebuffer);
     invalidate(gl_, pass_, pass_.color_store, pass_.depth_store, StoreOp::discard);

@@ -55,6 +55,7 @@ std::string passText(const PassInfo& pass)
     }
     if (pass.within_area)
         out << " within " << pass.area.x << ' ' << pass.area.y << ' ' << pass.area.extent;
+    if (pass.at_depth >= 0) out << " at depth " << pass.at_depth;
     if (!pass.has_depth) return out.str();
     out << " depth " << kLoadNames[static_cast<int>(pass.depth_load)];
     if (pass.depth_load == LoadOp::clear) out << ' ' << pass.clear_depth;

@@ -8,17 +8,6 @@
 
 namespace crevice {
 
-const RuleInfo kRules[8] = {
-    {"unread", "passes, attachments and shader outputs that no output asked for needs"},
-    {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
-    {"idle", "what a param adds for the sake of targets that are not drawn: a guard band"},
-    {"sharing", "a texture of its own for each target"},
-    {"background", "pixels of a pass whose values are known undrawn, by a mask"},
-    {"outside", "in a frame, things whose bounds lie outside of what a pass shows"},
-    {"bounds", "in a frame, pixels of a pass where the bounds of no thing lie"},
-    {"unchanged", "passes of a frame whose input is the last frame's"},
-};
-
 bool isMasked(const PlanPass& pass) { return pass.has_depth && pass.depth.load == LoadOp::load; }
 
 namespace compiler {
@@ -55,8 +44,8 @@ void checkExtent(State& state)
 
 void checkRules(State& state)
 {
-    std::vector<std::string> names = {"all"};
-    for (const RuleInfo& rule : kRules) names.push_back(rule.name);
+    std::vector<std::string> names = ruleNames();
+    names.push_back("all");
     for (const std::string& rule : state.options.keep) {
         if (std::find(names.begin(), names.end(), rule) != names.end()) continue;
         report(state, Code::bad_enum, "'" + rule + "' is no rule that can be switched off", Place{})
@@ -240,6 +229,15 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
                      const DeviceCaps& caps, const CompileOptions& options)
 {
     using namespace compiler;
+    const auto isOff = [&](const FeatureDesc& each) {
+        return each.value != 0 && !each.rule.empty() && !applies(options, each.rule);
+    };
+    if (std::any_of(description.features.begin(), description.features.end(), isOff)) {
+        Description full = description;
+        for (FeatureDesc& each : full.features)
+            if (isOff(each)) each.value = 0;
+        return compile(full, traits, caps, options);
+    }
     Result<Plan> whole = compileAsItIs(description, traits, caps, options);
     if (!whole || !applies(options, "idle")) return whole;
     const auto idles = [&](const ParamDesc& param) { return isIdle(param, description, *whole); };

@@ -283,7 +283,9 @@ void Builder::addMask(const Pass& pass, PlanPass& into) const
     into.depth.name = pass.desc->drawn_where.name;
     into.depth.target = into.inputs.back().index;
     into.depth.load = LoadOp::load;
-    into.depth.reason = "tested: the pass draws where it is not 0";
+    into.depth.reason = "tested: the pass is drawn where it is more than " +
+                        shortest(pass.desc->drawn_above);
+    into.drawn_above = pass.desc->drawn_above;
 }
 
 // Whether all that the pass reads comes from things of the draw list, as far as the frame's bounds tell.

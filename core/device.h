@@ -145,6 +145,7 @@ struct PassInfo {
     LoadOp depth_load = LoadOp::discard;
     StoreOp depth_store = StoreOp::discard;
     float clear_depth = 1.0f;
+    float at_depth = -1.0f;    ///< Window depth of all that is drawn; below 0 it has its own.
     bool within_area = false;  ///< Draws change `area` alone; loads are of everything.
     PixelArea area = {};
 };

@@ -197,8 +197,10 @@ Status Execution::createPasses(int view)
         prepared.info = passInfo(pass);
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
-        // The triangle lies at a half of a mask's range.
-        if (isMasked(pass)) prepared.state.depth_test = Compare::less;
+        if (isMasked(pass)) {
+            prepared.info.at_depth = pass.drawn_above;
+            prepared.state.depth_test = Compare::less;
+        }
         prepared.type = pass.type;
         prepared.draws_within = pass.draws_within;
         prepared.bounded = pass.bounded;

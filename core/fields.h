@@ -16,6 +16,7 @@
 
 #include "core/field_types.h"
 #include "core/generators.h"
+#include "core/rules.h"
 
 #include <algorithm>
 
@@ -64,6 +65,8 @@ void fields(V& v, FeatureDesc& f)
     const std::vector<std::string> anything;
     v.field("default", Choice{f.value, torn ? anything : f.values, f.boolean && !torn},
             "The value unless overridden; false, or the first word, when absent.");
+    v.field("rule", OneOf{f.rule, ruleNames()},
+            "The rule that leaves things out by this: where it is switched off, the value is false, or the first word.");
 }
 
 template <class V>
@@ -218,7 +221,10 @@ void fields(V& v, PassDesc& p)
     if (p.type != PassType::draw && v.has("draws_within"))
         v.refuse("draws_within", Code::bad_enum, "a fullscreen pass draws no things");
     v.field("drawn_where", p.drawn_where,
-            "A depth target of 0 and 1: where it is 0, outputs are what `clear` says, undrawn. They must be what the shader would write. One of another size than theirs is not used.");
+            "A mask, in a depth format: where it is no more than `drawn_above`, outputs are what `clear` says, undrawn. They must be what the shader would write. A mask of another size than theirs is not used.");
+    v.field("drawn_above", p.drawn_above, "What the mask must be more than.", range(0, 1));
+    if (p.drawn_where.empty())
+        v.refuse("drawn_above", Code::bad_enum, "the pass has no `drawn_where`");
     if (p.type == PassType::draw)
         v.refuse("drawn_where", Code::bad_enum, "a draw pass has a depth test of its own");
     else if (!p.depth.empty())

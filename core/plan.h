@@ -9,6 +9,7 @@
 #include "core/device.h"
 #include "core/frame.h"
 #include "core/glsl.h"
+#include "core/rules.h"
 
 #include <string>
 #include <vector>
@@ -75,6 +76,7 @@ struct PlanPass {
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
     float draws_within = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
+    float drawn_above = 0;   ///< Of what its mask holds, where it has one.
     bool bounded = false;    ///< It is drawn within the bounds of the frame's things alone ...
     std::string shown_length = {};  ///< ... and of those at which this param comes to a pixel; may be empty.
     std::vector<PlanInput> inputs;
@@ -98,15 +100,6 @@ struct PlanProgram {
     double variants = 1;                        ///< How many texts their values make, for each value ...
     std::vector<std::string> fractions = {};    ///< ... of these defines, which are no whole numbers.
 };
-
-/// A rule by which plans and frames leave out what changes no picture.
-struct RuleInfo {
-    const char* name;     ///< As CompileOptions::keep and LeftOut::rule have it.
-    const char* meaning;  ///< What it leaves out.
-};
-
-/// Those that may be switched off.
-extern const RuleInfo kRules[8];
 
 /// One thing that the plan does not do.
 struct LeftOut {

@@ -97,10 +97,10 @@ std::string samplingText(const SamplerDesc& sampling)
     return table::word(sampling.filter) + ", " + table::word(sampling.wrap);
 }
 
-std::string readText(const Plan& plan, const PlanInput& input)
+std::string readText(const Plan& plan, const PlanPass& pass, const PlanInput& input)
 {
     const std::string source = sourceName(plan, input);
-    if (input.sampler.empty()) return "    drawn   where " + source + " is not 0\n";
+    if (input.sampler.empty()) return "    drawn   where " + source + " is more than " + shortest(pass.drawn_above) + "\n";
     std::string text = "    reads   " + input.sampler;
     if (input.kind == InputKind::material) return text + " of the material\n";
     text += input.kind == InputKind::target && source == input.sampler
@@ -139,7 +139,7 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
-    for (const PlanInput& input : pass.inputs) text += readText(plan, input);
+    for (const PlanInput& input : pass.inputs) text += readText(plan, pass, input);
     if (pass.bounded)
         text += "    drawn   within the bounds of things" +
                 (pass.shown_length.empty() ? "" : " at which " + pass.shown_length + " is a pixel or more") +

@@ -29,6 +29,7 @@ set(public_headers
   core/load.h
   core/merge.h
   core/plan.h
+  core/rules.h
   core/renderer.h
   core/result.h
   core/source.h
