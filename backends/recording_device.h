@@ -140,7 +140,7 @@ private:
     int uniformAt(int location, const char* caller);
     void checkAttachments(const FramebufferDesc& desc);
     static bool uses(const FramebufferDesc& desc, std::uint32_t texture);
-    void loadAttachment(TextureId id, LoadOp load);
+    void loadAttachment(TextureId id, LoadOp load, StoreOp store);
     void checkDraw(const char* caller);
     std::string label(std::uint32_t object) const;
     const UniformInfo* uniformOf(const Record& call) const;

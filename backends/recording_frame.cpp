@@ -51,11 +51,14 @@ bool RecordingDevice::uses(const FramebufferDesc& desc, std::uint32_t texture)
     return is(desc.depth) || is(desc.resolve_depth) || any(desc.color) || any(desc.resolve_color);
 }
 
-void RecordingDevice::loadAttachment(TextureId id, LoadOp load)
+void RecordingDevice::loadAttachment(TextureId id, LoadOp load, StoreOp store)
 {
     Object* texture = id ? find(id, "beginPass") : nullptr;
     if (!texture) return;
-    if (texture->texture.extent != pass_.extent)
+    const Extent extent = texture->texture.extent;
+    const bool scratch = load == LoadOp::clear && store == StoreOp::discard &&
+                         extent.width >= pass_.extent.width && extent.height >= pass_.extent.height;
+    if (extent != pass_.extent && !scratch)
         blame("pass '" + std::string(pass_.label) + "' has another size than texture '" +
               texture->label + "'");
     if (load == LoadOp::load && !texture->defined)
@@ -85,8 +88,8 @@ void RecordingDevice::beginPass(const PassInfo& pass)
         pass.has_depth != static_cast<bool>(desc.depth))
         blame("pass '" + std::string(pass.label) + "' has other attachments than its framebuffer");
     const int count = std::min(pass.color_count, static_cast<int>(desc.color.size()));
-    for (int i = 0; i < count; ++i) loadAttachment(desc.color[i], pass.color_load[i]);
-    loadAttachment(desc.depth, pass.depth_load);
+    for (int i = 0; i < count; ++i) loadAttachment(desc.color[i], pass.color_load[i], pass.color_store[i]);
+    loadAttachment(desc.depth, pass.depth_load, pass.depth_store);
 }
 
 void RecordingDevice::endPass()

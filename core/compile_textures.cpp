@@ -178,19 +178,39 @@ public:
     // One that is free by `first_pass`, or a new one.
     int take(const PlanTexture& wanted, int first_pass, int last_pass)
     {
-        for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
-            PlanTexture& each = textures_[i];
-            if (busy_until_[i] >= first_pass || each.format != wanted.format ||
-                each.extent != wanted.extent || each.mips != wanted.mips ||
-                each.samples != wanted.samples) continue;
-            each.targets.push_back(wanted.targets.front());
-            busy_until_[i] = last_pass;
-            return static_cast<int>(i);
-        }
-        return add(wanted, last_pass);
+        int slot = find(wanted, first_pass, [&](const Extent& each) { return each == wanted.extent; });
+        return slot < 0 ? add(wanted, last_pass) : use(slot, wanted, last_pass);
+    }
+
+    // For what a pass draws into and nobody reads: a part of a larger one will do as well.
+    int takeScratch(const PlanTexture& wanted, int pass)
+    {
+        const int slot = find(wanted, pass, [&](const Extent& each) {
+            return each.width >= wanted.extent.width && each.height >= wanted.extent.height;
+        });
+        return slot < 0 ? add(wanted, pass) : use(slot, wanted, pass);
     }
 
 private:
+    template <class Fits>
+    int find(const PlanTexture& wanted, int first_pass, Fits&& fits) const
+    {
+        for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
+            const PlanTexture& each = textures_[i];
+            if (busy_until_[i] < first_pass && each.format == wanted.format && fits(each.extent) &&
+                each.mips == wanted.mips && each.samples == wanted.samples)
+                return static_cast<int>(i);
+        }
+        return -1;
+    }
+
+    int use(int slot, const PlanTexture& wanted, int last_pass)
+    {
+        textures_[slot].targets.push_back(wanted.targets.front());
+        busy_until_[slot] = last_pass;
+        return slot;
+    }
+
     std::vector<PlanTexture>& textures_;
     std::vector<int> busy_until_;
     bool share_;
@@ -259,6 +279,11 @@ void shareTextures(const State& state, Plan& plan)
             target.texture = target.drawn_texture = slots.add(texture, kForever);
             texture.targets = {historyName(desc)};
             target.history_texture = slots.add(texture, kForever);
+            continue;
+        }
+        const bool depth = formatInfo(found.format).format_class == FormatClass::depth;
+        if (depth && target.last_pass == target.first_pass) {
+            target.texture = target.drawn_texture = slots.takeScratch(texture, target.first_pass);
             continue;
         }
         const bool resolved = found.samples > 1 && target.last_pass > target.first_pass;

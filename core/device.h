@@ -69,7 +69,7 @@ struct TextureDesc {
 struct FramebufferDesc {
     std::string label = {};
     std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
-    TextureId depth = {};
+    TextureId depth = {};  ///< May be larger than a pass that clears it first and keeps nothing of it.
 
     /// Where the above have several samples: what those whose StoreOp is store are resolved into as
     /// a pass ends; colour to the mean, depth to one sample. The samples themselves do not stay.

@@ -290,3 +290,28 @@ TEST_CASE("In graphs of every shape no two live targets share a texture and read
             }
     }
 }
+
+TEST_CASE("Depth that nobody reads may be a part of a larger texture that is free, and no other target")
+{
+    const auto plan = [](const char* scratch, const char* output) {
+        return planOf(describe(Sketch{
+            {R"(first: -> a | "type": "draw", "depth": "wide")", "middle: wide a -> b",
+             std::string(R"(last: b -> lit | "type": "draw", "depth": ")") + scratch + "\""},
+            {{"color", output}},
+            {{"wide", R"({"format": ["depth24"], "size": {"scale": 1.5}})"},
+             {"a", R"({"format": ["r8"], "size": {"scale": 1.5}})"},
+             {"near", R"({"format": ["depth24"]})"},
+             {"other", R"({"format": ["depth16"]})"}},
+            R"("imports": {"scene": {"type": "draw_list"}})"}));
+    };
+    const Plan shared = plan("near", "lit");
+    const PlanAttachment* scratch = attachmentOf(shared, "near");
+    CHECK(shared.targets[scratch->target].texture ==
+          shared.targets[attachmentOf(shared, "wide")->target].texture);
+    CHECK(scratch->store == StoreOp::discard);
+    const Plan formats = plan("other", "lit");
+    CHECK(formats.targets[attachmentOf(formats, "other")->target].texture !=
+          formats.targets[attachmentOf(formats, "wide")->target].texture);
+    CHECK(shared.targets[attachmentOf(shared, "lit")->target].texture !=
+          shared.targets[attachmentOf(shared, "a")->target].texture);
+}
