@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much a neighbour counts: less the farther it lies off the pixel's tangent plane and the more its
-// normal turns. A plane is filtered alike however it lies to the camera.
+// How much a neighbour counts: less the farther it lies off the pixel's tangent plane and, with FILTER_NORMALS,
+// the more its normal turns. A plane is filtered alike however it lies to the camera.
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 
 #define WIDEST_NORMAL 1
@@ -8,13 +8,17 @@
 
 uniform highp float radius;
 uniform highp float depth_cut;
+#if FILTER_NORMALS
 uniform highp float normal_cut;
+#endif
 
 // A pixel's point, and its tangent plane and normal divided by the cuts.
 struct Here {
     highp vec3 point;
     highp vec3 plane;
+#if FILTER_NORMALS
     highp vec3 normal;
+#endif
     highp float whole;  // weight of what lies in the plane, less that of a parallel normal
 };
 
@@ -26,8 +30,11 @@ bool hereAt(highp vec2 at, out Here here)
     highp float cut = depth_cut * radius;
     highp float per_length = 1.0 / max(cut, 1e-30);
     here.plane = normal_here * per_length;
+    here.whole = cut * per_length;
+#if FILTER_NORMALS
     here.normal = normal_here / normal_cut;
-    here.whole = cut * per_length - 1.0 / normal_cut;
+    here.whole -= 1.0 / normal_cut;
+#endif
     return known;
 }
 
@@ -37,6 +44,9 @@ highp float nearnessOf(highp vec2 at, Here here)
     highp vec3 point;
     bool known = pointAt(at, point);
     highp float off = abs(dot(point - here.point, here.plane));
-    highp float weight = here.whole - off + dot(normalAt(at), here.normal);
+    highp float weight = here.whole - off;
+#if FILTER_NORMALS
+    weight += dot(normalAt(at), here.normal);
+#endif
     return known ? clamp(weight, 0.0, 1.0) : 0.0;
 }
