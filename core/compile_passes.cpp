@@ -43,8 +43,7 @@ private:
     void addOutputs();
     PlanAttachment attachment(const Pass& pass, int target, bool depth) const;
     void addMask(const Pass& pass, PlanPass& into) const;
-    void bound(PlanPass& pass) const;
-    bool showsThingsAlone(const PlanPass& pass) const;
+    void boundPasses();
     void describeStores();
     std::string storeReason(const PlanTarget& target, int index) const;
 
@@ -275,10 +274,11 @@ void Builder::addPass(int index)
     plan_.passes.push_back(std::move(result));
 }
 
-// The mask is tested against, and stays as it is.
+// The mask is tested against, and stays as it is. Where a constant stands in for it the pass is drawn everywhere.
 void Builder::addMask(const Pass& pass, PlanPass& into) const
 {
     if (!readsMask(pass)) return;
+    if (into.inputs.back().kind != InputKind::target) return into.inputs.pop_back();
     into.has_depth = true;
     into.depth.name = pass.desc->drawn_where.name;
     into.depth.target = into.inputs.back().index;
@@ -288,25 +288,24 @@ void Builder::addMask(const Pass& pass, PlanPass& into) const
     into.drawn_above = pass.desc->drawn_above;
 }
 
-// Whether all that the pass reads comes from things of the draw list, as far as the frame's bounds tell.
-bool Builder::showsThingsAlone(const PlanPass& pass) const
+// Those of which all that they read comes from things of the draw list, as far as a frame's bounds tell. Passes come
+// after what they read.
+void Builder::boundPasses()
 {
-    if (pass.type == PassType::draw) {
-        const PassDesc& desc = *findNamed(description_.passes, pass.name);
-        return desc.draws_within > 0.0f || !desc.draws_within_param.empty();
-    }
-    return std::all_of(pass.inputs.begin(), pass.inputs.end(), [this](const PlanInput& input) {
+    std::vector<bool> shows_things;
+    const auto fromThings = [&](const PlanInput& input) {
         if (input.kind == InputKind::target)
-            return showsThingsAlone(plan_.passes[plan_.targets[input.index].first_pass]);
+            return bool(shows_things[plan_.targets[input.index].first_pass]);
         return input.kind != InputKind::imported && input.kind != InputKind::history;
-    });
-}
-
-void Builder::bound(PlanPass& pass) const
-{
-    const PassDesc& desc = *findNamed(description_.passes, pass.name);
-    pass.bounded = desc.bounded && state_.applies("bounds") && showsThingsAlone(pass);
-    if (pass.bounded) pass.shown_length = desc.shown_length.name;
+    };
+    for (PlanPass& pass : plan_.passes) {
+        const PassDesc& desc = *findNamed(description_.passes, pass.name);
+        const bool draws = pass.type == PassType::draw;
+        shows_things.push_back(draws ? desc.draws_within > 0.0f || !desc.draws_within_param.empty()
+                                     : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromThings));
+        pass.bounded = desc.bounded && state_.applies("bounds") && shows_things.back();
+        if (pass.bounded) pass.shown_length = desc.shown_length.name;
+    }
 }
 
 // What is remembered lasts to the next frame, and so does an output.
@@ -373,7 +372,7 @@ Plan Builder::build()
     addTargets();
     for (const int index : state_.order)
         if (state_.passes[index].live) addPass(index);
-    for (PlanPass& pass : plan_.passes) bound(pass);
+    boundPasses();
     addOutputs();
     shareTextures(state_, plan_);
     describeStores();

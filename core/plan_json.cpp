@@ -82,7 +82,8 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"program\": " + json(pass.program) + ", \"extent\": " + json(pass.extent) +
            ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
-           ",\n      \"bounded\": " + (pass.bounded ? "true" : "false") + ", \"shown_length\": " +
+           ",\n      \"drawn_above\": " + (isMasked(pass) ? json(pass.drawn_above) : "null") +
+           ", \"bounded\": " + (pass.bounded ? "true" : "false") + ", \"shown_length\": " +
            (pass.shown_length.empty() ? "null" : json(pass.shown_length)) +
            ",\n      \"state\": " + stateJson(pass.state) +
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +

@@ -487,6 +487,30 @@ TEST_CASE("A mask is left out with its rule, where its pass is off, and where it
     CHECK(drawnWhole(planOf(describe(finer))));
 }
 
+TEST_CASE("A pass whose mask is a constant is drawn everywhere")
+{
+    Sketch sketch = masked(R"(, "identity": {"fill": {"at": 0, "gives": {"mask": 1}}})");
+    sketch.extra += R"(, "params": {"fill": {"default": 0}})";
+    const Plan plan = planOf(describe(sketch));
+    CHECK(passNames(plan) == "things, ao, light");
+    CHECK_FALSE(plan.passes[1].has_depth);
+    CHECK(plan.passes[1].inputs.size() == 1);
+}
+
+TEST_CASE("A long chain of passes that each read twice what is before is planned at once")
+{
+    Sketch sketch;
+    sketch.passes = {R"(pass_0: -> t_0 | "type": "draw", "draws_within": 1)"};
+    for (int i = 1; i < 40; ++i) {
+        const std::string now = std::to_string(i), before = "t_" + std::to_string(i - 1);
+        sketch.passes.push_back("pass_" + now + ": " + before + " again -> t_" + now + R"( | "bounded": true,
+            "clear": {"t_)" + now + R"(": 0}, "inputs": {"again": ")" + before + "\"}");
+    }
+    sketch.outputs = {{"out", "t_39"}};
+    sketch.extra = R"("imports": {"scene": {"type": "draw_list"}})";
+    CHECK(planOf(describe(sketch)).passes.back().bounded);
+}
+
 TEST_CASE("A mask must be a depth target of another pass")
 {
     Sketch color = masked();
