@@ -10,7 +10,7 @@ source "$here/bench_results.sh"
 
 # A tree of its own, and a crevice whose bench gives out what `measure` was told.
 mkdir tools
-cp -- "$script" tools/guard_bench.sh
+cp -- "$script" "$(dirname -- "$script")/built_crevice.sh" tools/
 cat >crevice <<EOF
 #!/usr/bin/env bash
 [[ \$1 == bench ]] || exec "$real" "\$@"

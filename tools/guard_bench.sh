@@ -22,10 +22,7 @@ case ${1:-} in
     *) echo "usage: tools/guard_bench.sh [--errors-only | --update]" >&2; exit 2 ;;
 esac
 
-if [[ -z ${CREVICE:-} ]]; then
-    cmake --preset release && cmake --build --preset release --target crevice
-    CREVICE=build/release/tools/crevice
-fi
+source tools/built_crevice.sh
 fresh=$(mktemp -d)
 trap 'rm -rf -- "$fresh"' EXIT
 

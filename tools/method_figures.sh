@@ -16,10 +16,7 @@ results=()
 for folder in "$@"; do results+=("$(realpath -- "$folder")"); done
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-if [[ -z ${CREVICE:-} ]]; then
-    cmake --preset release && cmake --build --preset release --target crevice
-    CREVICE=build/release/tools/crevice
-fi
+source tools/built_crevice.sh
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 if ((${#results[@]} == 0)); then

@@ -16,10 +16,7 @@ case ${1:-} in
     --check) check=true ;;
     *) echo "usage: tools/pictures.sh [--check]" >&2; exit 2 ;;
 esac
-if [[ -z ${CREVICE:-} ]]; then
-    cmake --preset release && cmake --build --preset release --target crevice
-    CREVICE=build/release/tools/crevice
-fi
+source tools/built_crevice.sh
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 mkdir "$work/pictures"

@@ -9,10 +9,7 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 page=docs/precision.md
 
-if [[ -z ${CREVICE:-} ]]; then
-    cmake --preset release && cmake --build --preset release --target crevice
-    CREVICE=build/release/tools/crevice
-fi
+source tools/built_crevice.sh
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 

@@ -10,10 +10,7 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 page=docs/program_cache.md
 runs=15
 
-if [[ -z ${CREVICE:-} ]]; then
-    cmake --preset release && cmake --build --preset release --target crevice
-    CREVICE=build/release/tools/crevice
-fi
+source tools/built_crevice.sh
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 
