@@ -88,6 +88,19 @@ TEST_CASE("A texture larger than the device holds is refused")
         CHECK(error.code == Code::too_big_for_device);
         CHECK(error.pointer == "/targets/x");
     }
+    SECTION("once where another target follows its size, and there where it has none itself")
+    {
+        const char* const big = R"({"format": ["r8"], "size": {"scale": 4}})";
+        const char* const follows = R"({"format": ["r8"], "size": {"of": "big"}})";
+        const auto error = [&](const std::vector<std::string>& passes) {
+            return onlyError(describe(Sketch{passes, {{"out", "x"}}, {{"big", big}, {"x", follows}}}),
+                             {}, ampleCaps(), sized(1000, 16));
+        };
+        CHECK(error({"first: -> big", "last: big -> x"}).pointer == "/targets/big");
+        const Diagnostic alone = error({"first: -> big", "last: -> x"});
+        CHECK(alone.code == Code::too_big_for_device);
+        CHECK(alone.pointer == "/targets/x");
+    }
     SECTION("even when the size is absurd")
     {
         CHECK(onlyError(describe(oneTarget(R"({"format": ["r8"], "size": {"scale": 4}})")), {},
