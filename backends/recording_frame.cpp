@@ -56,7 +56,8 @@ void RecordingDevice::loadAttachment(TextureId id, LoadOp load, StoreOp store)
     Object* texture = id ? find(id, "beginPass") : nullptr;
     if (!texture) return;
     const Extent extent = texture->texture.extent;
-    const bool scratch = load == LoadOp::clear && store == StoreOp::discard &&
+    const bool scratch = formatInfo(texture->texture.format).format_class == FormatClass::depth &&
+                         load == LoadOp::clear && store == StoreOp::discard &&
                          extent.width >= pass_.extent.width && extent.height >= pass_.extent.height;
     if (extent != pass_.extent && !scratch)
         blame("pass '" + std::string(pass_.label) + "' has another size than texture '" +
