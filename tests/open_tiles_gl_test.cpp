@@ -86,6 +86,21 @@ TEST_CASE("Open tiles leave out no occlusion that could be told, from wherever a
     }
 }
 
+TEST_CASE("Open tiles draw views of a few pixels, where a cell is one texel and no plane fits it")
+{
+    for (const Extent extent : {Extent{1, 1}, Extent{2, 1}, Extent{1, 40}, Extent{5, 3}}) {
+        INFO(extent.width << 'x' << extent.height);
+        PictureRequest request;
+        request.scene = "corner";
+        request.extent = extent;
+        request.target = "cells";
+        const Image cells = drawn(kEstimators[0], request, true);
+        for (const float value : cells.pixels) CHECK(std::isfinite(value));
+        request.target = "ao";
+        CHECK(mostApart(drawn(kEstimators[0], request, true), drawn(kEstimators[0], request, false)) <= kStep);
+    }
+}
+
 TEST_CASE("Most of an even floor is open, and nothing is where the rule is off")
 {
     for (const Estimator& estimator : kEstimators) {

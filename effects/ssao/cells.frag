@@ -43,7 +43,9 @@ void main()
     seenAt(last, high_right);
     vec3 across = 0.5 * (low_right - low_left + high_right - high_left);
     vec3 along = 0.5 * (high_left - low_left + high_right - low_right);
-    vec2 slope = vec2(across.z, along.z) / vec2(across.x, along.y);
+    vec2 apart = vec2(across.x, along.y);
+    bool spans = apart.x != 0.0 && apart.y != 0.0;  // not of one texel
+    vec2 slope = spans ? vec2(across.z, along.z) / apart : vec2(0.0);
     vec3 mean = 0.25 * (low_left + low_right + high_left + high_right);
     vec2 middle_ray = rayAt(0.5 * (first + last));
     float middle = mean.z + dot(slope, middle_ray - mean.xy);

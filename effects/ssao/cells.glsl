@@ -16,16 +16,6 @@ struct Cell {
 
 const highp float kMixed = 6e4;  // fits a half
 
-highp vec2 rayAt(highp vec2 uv)
-{
-    highp vec3 ray = (view_from_window * vec4(uv, 0.0, 1.0)).xyz;
-#if CAMERA_ORTHOGRAPHIC
-    return ray.xy;
-#else
-    return ray.xy / -ray.z;
-#endif
-}
-
 highp vec2 rayOf(highp vec3 point)
 {
 #if CAMERA_ORTHOGRAPHIC
@@ -33,6 +23,11 @@ highp vec2 rayOf(highp vec3 point)
 #else
     return point.xy / -point.z;
 #endif
+}
+
+highp vec2 rayAt(highp vec2 uv)
+{
+    return rayOf((view_from_window * vec4(uv, 0.0, 1.0)).xyz);
 }
 
 highp float nearnessOf(highp float z)
