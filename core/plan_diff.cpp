@@ -76,13 +76,19 @@ Part partOf(const Plan& plan, const PlanPass& pass)
     addStage(facts, "vertex", program.vertex);
     addStage(facts, "fragment", program.fragment);
     addDefines(facts, program);
-    for (const PlanInput& input : pass.inputs)
-        facts.push_back({"input " + input.sampler, inputText(plan, input)});
+    for (const PlanInput& input : pass.inputs) {
+        if (input.sampler.empty())
+            facts.push_back({"drawn where", sourceName(plan, input) + " > " + shortest(pass.drawn_above)});
+        else
+            facts.push_back({"input " + input.sampler, inputText(plan, input)});
+    }
+    if (pass.type == PassType::fullscreen) facts.push_back({"drawn within", boundsText(pass)});
     for (const PlanUniform& uniform : pass.renamed_uniforms)
         facts.push_back({"uniform " + uniform.glsl, uniform.value});
     for (const PlanAttachment& color : pass.color)
         facts.push_back({"writes " + color.name, attachmentText(color)});
-    if (pass.has_depth) facts.push_back({"writes " + pass.depth.name, attachmentText(pass.depth)});
+    if (pass.has_depth && !isMasked(pass))
+        facts.push_back({"writes " + pass.depth.name, attachmentText(pass.depth)});
     facts.insert(facts.end(), {{"depth_test", table::word(pass.state.depth_test)},
                                {"depth_write", yesNo(pass.state.depth_write)},
                                {"cull", table::word(pass.state.cull)},

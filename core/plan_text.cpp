@@ -73,6 +73,13 @@ std::string bytesText(double bytes)
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + units[unit];
 }
 
+std::string boundsText(const PlanPass& pass)
+{
+    if (!pass.bounded) return "everything";
+    return "the bounds of things" +
+           (pass.shown_length.empty() ? "" : " at which " + pass.shown_length + " is a pixel or more");
+}
+
 const PlanTexture& textureOf(const Plan& plan, int target)
 {
     return plan.textures[plan.targets[target].texture];
@@ -140,10 +147,7 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, pass, input);
-    if (pass.bounded)
-        text += "    drawn   within the bounds of things" +
-                (pass.shown_length.empty() ? "" : " at which " + pass.shown_length + " is a pixel or more") +
-                "\n";
+    if (pass.bounded) text += "    drawn   within " + boundsText(pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
     return text;

@@ -109,3 +109,27 @@ TEST_CASE("Defines, inputs and what a sampler reads are told by their names")
     CHECK(json.find(R"({"name": "define TAPS", "before": "4", "after": "8"})") !=
           std::string::npos);
 }
+
+TEST_CASE("A diff tells by what mask and within what a pass is drawn, and no write of the mask")
+{
+    const auto drawn = [](const std::string& keys) {
+        return planOf(describe(Sketch{
+            {R"(things: -> normal | "type": "draw", "draws_within": 1)",
+             R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})",
+             R"(ao: normal -> ao | "drawn_where": "mask", "clear": {"ao": 1})" + keys},
+            {{"ao", "ao"}},
+            {{"mask", R"({"format": ["depth16"], "holds": "mask"})"}},
+            R"("imports": {"scene": {"type": "draw_list"}})"}));
+    };
+    const PlanDiff diff = diffPlans(drawn(""), drawn(R"(, "drawn_above": 0.5, "bounded": true)"));
+    const PlanChange* ao = changeOf(diff, "passes", "ao");
+    CHECK(property(ao, "drawn where") == "mask > 0 -> mask > 0.5");
+    CHECK(property(ao, "drawn within") == "everything -> the bounds of things");
+    CHECK(property(ao, "writes mask") == "");
+    const PlanDiff kept = diffPlans(drawn(""), planOf(describe(Sketch{
+        {R"(things: -> normal | "type": "draw", "draws_within": 1)", "ao: normal -> ao"},
+        {{"ao", "ao"}}, {}, R"("imports": {"scene": {"type": "draw_list"}})"})));
+    const std::string text = toText(kept);
+    CHECK(text.find("writes mask") == text.npos);
+    CHECK(text.find("input  =") == text.npos);
+}
