@@ -22,13 +22,6 @@ std::string programKey(const Shader& shader)
     return key.hex();
 }
 
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 // Fills one Plan from the state; its steps run in the order in which they stand here.
 class Builder {
 public:

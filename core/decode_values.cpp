@@ -105,9 +105,7 @@ std::string asObject(const Node& node, const std::vector<std::string>& keys)
     for (const std::string& key : string ? kOfStrings : kOfNumbers)
         if (isScalar(node) && std::find(keys.begin(), keys.end(), key) != keys.end())
             return "write {\"" + key + "\": " + brief(node) + "}";
-    std::string all;
-    for (const std::string& key : keys) all += (all.empty() ? "" : ", ") + key;
-    return "write an object with some of the keys " + all;
+    return "write an object with some of the keys " + joined(keys);
 }
 
 bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted)

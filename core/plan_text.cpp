@@ -171,15 +171,10 @@ std::string textureText(const Plan& plan, std::size_t index)
 
 std::string programText(const PlanProgram& program)
 {
-    const auto listed = [](const std::vector<std::string>& names) {
-        std::string text;
-        for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-        return text;
-    };
     std::string text = "  " + program.label + ": 1 of " +
                        counted(static_cast<std::size_t>(program.variants), "variant");
-    if (!program.fractions.empty()) text += " for each " + listed(program.fractions);
-    if (!program.varies_with.empty()) text += ", by " + listed(program.varies_with);
+    if (!program.fractions.empty()) text += " for each " + joined(program.fractions);
+    if (!program.varies_with.empty()) text += ", by " + joined(program.varies_with);
     return text + "\n";
 }
 

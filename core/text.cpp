@@ -110,6 +110,16 @@ std::string upperCase(std::string_view text)
     return upper;
 }
 
+std::string joined(const std::vector<std::string>& words, std::string_view separator)
+{
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += separator;
+        text += word;
+    }
+    return text;
+}
+
 std::string shortest(float value)
 {
     char buffer[32];

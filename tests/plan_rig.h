@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/plan.h"
+#include "core/text.h"
 #include "tests/test_config.h"
 
 #include <map>
@@ -29,13 +30,6 @@ inline std::vector<std::string> words(const std::string& text)
     std::vector<std::string> result;
     for (std::string word; stream >> word;) result.push_back(word);
     return result;
-}
-
-inline std::string joined(const std::vector<std::string>& list)
-{
-    std::string text;
-    for (const std::string& each : list) text += (text.empty() ? "" : ", ") + each;
-    return text;
 }
 
 inline Description describe(const Sketch& sketch)

@@ -2,6 +2,8 @@
 // The choice between measured configs.
 #include "tools/bench_choice.h"
 
+#include "core/text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,13 +19,6 @@ Diagnostic scopeError(std::string message, std::string help)
     Diagnostic error{Code::usage, std::move(message)};
     error.help = std::move(help);
     return error;
-}
-
-std::string joined(const std::vector<std::string>& words, const char* separator)
-{
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-    return text;
 }
 
 Result<std::string> chooseDevice(const std::vector<BenchPoint>& points, const std::string& part)
@@ -51,7 +46,7 @@ std::string missingScope(const std::vector<ResultView>& views)
         const std::string name = view.scene + " at " + extentName(view.extent);
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    return "the results hold: " + joined(names, ", ");
+    return "the results hold: " + joined(names);
 }
 
 /// A candidate while its views are gathered.

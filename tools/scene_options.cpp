@@ -2,6 +2,7 @@
 // The arguments that say which scene is seen and from where.
 #include "tools/scene_options.h"
 
+#include "core/text.h"
 #include "tools/builtin_scenes.h"
 #include "tools/camera_framing.h"
 
@@ -13,10 +14,8 @@ namespace crevice {
 
 void addSceneOptions(CLI::App& app, SceneOptions& options)
 {
-    std::string names;
-    for (const std::string& name : builtinSceneNames()) names += (names.empty() ? "" : ", ") + name;
     app.add_option("--scene", options.scene,
-                   "A file (glTF 2.0, OBJ, 3DS, ...) or a built-in scene: " + names)
+                   "A file (glTF 2.0, OBJ, 3DS, ...) or a built-in scene: " + joined(builtinSceneNames()))
         ->type_name("FILE|NAME")
         ->capture_default_str();
     app.add_option("--size", options.size, "Pixels of the picture")
