@@ -116,6 +116,16 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
     }
 }
 
+// Whether the text of a pass that runs hangs on the feature.
+bool isMentioned(const State& state, const FeatureDesc& feature)
+{
+    return std::any_of(state.passes.begin(), state.passes.end(), [&](const Pass& pass) {
+        if (!pass.live || pass.shader < 0) return false;
+        const std::vector<std::string>& used = state.shaders[pass.shader].fragment.defines_used;
+        return std::count(used.begin(), used.end(), upperCase(feature.name)) > 0;
+    });
+}
+
 // "ssao, filter_x and filter_y": the passes of which something holds; empty where of none.
 template <class Test>
 std::string passesThat(const Plan& plan, Test&& holds)
@@ -154,7 +164,7 @@ std::vector<LeftOut> leftOutOfFrames(const Plan& plan)
         if (!passes.empty()) left_out.push_back({what + passes, rule, reason, 0, 0, -1, true});
     };
     add("pixels of ", passesThat(plan, isMasked), "background",
-        "in a frame, those where their mask is 0: nothing was drawn there");
+        "in a frame, those that their mask leaves out");
     add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.bounded; }), "bounds",
         "in a frame, those where the bounds of no thing lie");
     add("things of ", passesThat(plan, [](const PlanPass& pass) { return pass.draws_within > 0; }),
@@ -169,7 +179,10 @@ LeftOut leftOutBySharing(const Plan& plan)
     double own = 0;
     for (const PlanTarget& target : plan.targets) {
         const auto once = [&](int index) {
-            return index < 0 ? 0 : textureBytes(plan.textures[index]);
+            if (index < 0) return 0.0;
+            PlanTexture alone = plan.textures[index];
+            alone.extent = plan.passes[target.first_pass].extent;  // it may have a part of a larger one
+            return textureBytes(alone);
         };
         own += once(target.texture) + once(target.history_texture) +
                (target.drawn_texture == target.texture ? 0 : once(target.drawn_texture));
@@ -190,6 +203,10 @@ std::vector<LeftOut> leftOut(const State& state)
             left_out.push_back({"history " + desc.name, "unread", "no pass reads " + historyName(desc),
                                 0});
     }
+    for (const FeatureDesc& each : state.description.features)
+        if (each.value != 0 && !each.rule.empty() && isMentioned(state, each))
+            left_out.push_back({"pixels, by feature " + each.name, each.rule,
+                                "in a frame, those that are known undrawn by it", 0, 0, -1, true});
     return left_out;
 }
 
