@@ -2,6 +2,7 @@
 // Things outside the view: never one of which a part could show, and most that are far from it.
 #include "core/frame_math.h"
 #include "core/renderer.h"
+#include "core/text.h"
 
 #include "effects/catalog.h"
 #include "tests/catch.h"
@@ -10,6 +11,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <random>
 #include <sstream>
 
@@ -164,20 +166,26 @@ TEST_CASE("An item without bounds is never outside, and one that wider views sho
     CHECK_FALSE(isOutside(item, matrices, 1.4));
 }
 
-TEST_CASE("A frame draws what lies in the view, and all of it with the rule off")
-{
-    RecordingDevice device;
-    const MeshId mesh =
-        device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
-    Frame frame;
-    frame.camera.clip_from_view = glm::perspective(0.8f, 2.0f, 0.1f, 50.0f);
-    frame.materials.resize(1);
-    for (const double x : {0.0, 100.0}) {
-        DrawItem item = {mesh, 0, 6, glm::translate(glm::dmat4(1), glm::dvec3(x, 0, -5)), 0};
-        item.bounds_radius = 1;
-        frame.draws.push_back(item);
+namespace {
+
+/// Cubes of which each lies at some x, drawn through gtao on a recording device.
+struct Cubes {
+    explicit Cubes(const std::vector<double>& places)
+    {
+        const MeshId mesh =
+            device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
+        frame.camera.clip_from_view = glm::perspective(0.8f, 2.0f, 0.1f, 50.0f);
+        frame.materials.resize(1);
+        for (const double x : places) {
+            DrawItem item = {mesh, 0, 6, glm::translate(glm::dmat4(1), glm::dvec3(x, 0, -5)), 0};
+            item.bounds_radius = 1;
+            frame.draws.push_back(item);
+        }
     }
-    const auto drawn = [&](const std::vector<std::string>& keep) {
+
+    /// The calls of a frame, with these rules off.
+    std::vector<std::string> calls(const std::vector<std::string>& keep)
+    {
         CompileOptions options;
         options.extent = {64, 32};
         options.keep = keep;
@@ -185,10 +193,24 @@ TEST_CASE("A frame draws what lies in the view, and all of it with the rule off"
             Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
         device.clearLog();
         need(renderer->render(frame));
-        int count = 0;
-        std::istringstream lines(device.log());
-        for (std::string line; std::getline(lines, line);) count += line == "draw mesh 'cube' 0..6";
-        return count;
+        std::vector<std::string> lines;
+        std::istringstream log(device.log());
+        for (std::string line; std::getline(log, line);) lines.push_back(line);
+        return lines;
+    }
+
+    RecordingDevice device;
+    Frame frame;
+};
+
+}  // namespace
+
+TEST_CASE("A frame draws what lies in the view, and all of it with the rule off")
+{
+    Cubes cubes({0, 100});
+    const auto drawn = [&](const std::vector<std::string>& keep) {
+        const std::vector<std::string> calls = cubes.calls(keep);
+        return std::count(calls.begin(), calls.end(), "draw mesh 'cube' 0..6");
     };
     CHECK(drawn({}) == 1);
     CHECK(drawn({"outside"}) == 2);
@@ -196,36 +218,19 @@ TEST_CASE("A frame draws what lies in the view, and all of it with the rule off"
 
 TEST_CASE("With nothing in view occlusion and its filters are cleared and not drawn")
 {
-    RecordingDevice device;
-    const MeshId mesh =
-        device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
-    Frame frame;
-    frame.camera.clip_from_view = glm::perspective(0.8f, 2.0f, 0.1f, 50.0f);
-    frame.materials.resize(1);
-    DrawItem item = {mesh, 0, 6, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -5)), 0};
-    item.bounds_radius = 1;
-    frame.draws = {item};
-    const auto drawn = [&](double x, const std::vector<std::string>& keep) {
-        frame.draws[0].world_from_model[3][0] = x;
-        CompileOptions options;
-        options.extent = {64, 32};
-        options.keep = keep;
-        const auto renderer = need(
-            Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
-        device.clearLog();
-        need(renderer->render(frame));
-        std::string passes;
+    const auto drawn = [](double x, const std::vector<std::string>& keep) {
+        Cubes cubes({x});
+        std::vector<std::string> passes;
         std::string pass;
-        std::istringstream lines(device.log());
-        for (std::string line; std::getline(lines, line);) {
-            if (line.rfind("beginPass ", 0) == 0) pass = line.substr(10, line.find(' ', 10) - 10);
-            if (line.rfind("drawFullscreen", 0) == 0) passes += (passes.empty() ? "" : " ") + pass;
+        for (const std::string& call : cubes.calls(keep)) {
+            if (startsWith(call, "beginPass ")) pass = call.substr(10, call.find(' ', 10) - 10);
+            if (startsWith(call, "drawFullscreen")) passes.push_back(pass);
         }
-        return passes;
+        CHECK(cubes.device.misuse().empty());
+        return joined(passes, " ");
     };
     const std::string all = "receivers ssao filter_x filter_y lighting";
     CHECK(drawn(0, {}) == all);
     CHECK(drawn(100, {}) == "lighting");
     CHECK(drawn(100, {"bounds"}) == all);
-    CHECK(device.misuse().empty());
 }
