@@ -178,7 +178,7 @@ public:
     // One that is free by `first_pass`, or a new one.
     int take(const PlanTexture& wanted, int first_pass, int last_pass)
     {
-        int slot = find(wanted, first_pass, [&](const Extent& each) { return each == wanted.extent; });
+        const int slot = find(wanted, first_pass, [&](const Extent& each) { return each == wanted.extent; });
         return slot < 0 ? add(wanted, last_pass) : use(slot, wanted, last_pass);
     }
 

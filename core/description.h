@@ -65,7 +65,7 @@ struct FeatureDesc : Named {
     std::vector<std::string> values;  ///< "false", "true" for a bool.
     bool boolean = false;
     int value = 0;  ///< Index of the default.
-    std::string rule = {};  ///< Of kRules, core/plan.h: with that off the value is the first one.
+    std::string rule = {};  ///< Of kRules, core/rules.h: with that off the value is the first one.
 };
 
 enum class ImportType { camera, draw_list, lights, texture };

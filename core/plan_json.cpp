@@ -83,7 +83,7 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
            ",\n      \"drawn_above\": " + (isMasked(pass) ? json(pass.drawn_above) : "null") +
-           ", \"bounded\": " + (pass.bounded ? "true" : "false") + ", \"shown_length\": " +
+           ", \"bounded\": " + json(pass.bounded) + ", \"shown_length\": " +
            (pass.shown_length.empty() ? "null" : json(pass.shown_length)) +
            ",\n      \"state\": " + stateJson(pass.state) +
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
@@ -147,8 +147,8 @@ std::string leftOutJson(const LeftOut& each)
     return "{\"what\": " + json(each.what) + ", \"rule\": " + json(each.rule) + ", \"reason\": " +
            json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) + ", \"texture_bytes\": " +
            bytesJson(each.texture_bytes) + ", \"ms\": " +
-           (each.ms >= 0 ? shortest(static_cast<float>(each.ms)) : "null") + ", \"by_frame\": " +
-           (each.by_frame ? "true" : "false") + "}";
+           (each.ms >= 0 ? json(static_cast<float>(each.ms)) : "null") + ", \"by_frame\": " +
+           json(each.by_frame) + "}";
 }
 
 }  // namespace

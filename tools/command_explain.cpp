@@ -226,7 +226,7 @@ void addExplainCommand(CLI::App& app, int& exit_code)
                     "  crevice explain learnopengl\n"
                     "  crevice explain learnopengl --set intensity=0 --output ao\n"
                     "  crevice explain gtao --set intensity=0 --scene room --measure\n"
-                  "  crevice explain my.json --why radius\n"
+                    "  crevice explain my.json --why radius\n"
                     "  crevice explain --diff learnopengl gtao\n"
                     "  crevice explain --diff gtao --set slices=1\n"
                     "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
