@@ -123,6 +123,7 @@ Result<Plan> compileAsItIs(const Description& description, const SceneTraits& tr
     lint(state);
     lintPrecision(state);
     dropRepeats(state);
+    if (!hasErrors(state.diagnostics)) fusePasses(state);
     if (!hasErrors(state.diagnostics))
         state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
                                  description.unused.end());

@@ -9,6 +9,7 @@
 //   compile_live        what is needed, and what stands in for what is not
 //   compile_textures    sizes, formats, shared slots; with compile_samples for multisampling
 //   compile_lint        what would draw nothing good
+//   compile_fusion      passes that become one
 //   compile_passes      the plan itself; with compile_costs for the bytes and what is left out
 #pragma once
 
@@ -41,6 +42,8 @@ bool mentions(std::string_view text, std::string_view word);
 // compile_uniforms.cpp
 void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform);
 void checkLimits(State& state, const Pass& pass, const Shader& shader);
+/// Uniform vectors that a stage takes: one for each scalar, vector, array element and column of a matrix.
+int vectorsOf(const GlslStage& stage);
 /// Offsets or pixels, from the param where one is named.
 int generatedCount(const Description& description, const GeneratedDesc& generated);
 /// Whether the pass, as it will run, uses this.
@@ -74,6 +77,10 @@ void chooseSamples(State& state);
 // compile_lint.cpp
 /// CV2211 and the warning CV2212.
 void lint(State& state);
+
+// compile_fusion.cpp
+/// Requires all else but the plan.
+void fusePasses(State& state);
 
 // compile_costs.cpp
 /// Of all mip levels and copies.

@@ -57,19 +57,6 @@ std::vector<std::string> valueNames(const Description& description, const PassDe
     return names;
 }
 
-// Uniform vectors that a stage takes: one for each scalar, vector and array element.
-int vectorsOf(const GlslStage& stage)
-{
-    int vectors = 0;
-    for (const GlslUniform& uniform : stage.uniforms) {
-        if (isSampler(uniform.type)) continue;
-        const GlslType type = uniform.type;
-        const int each = type == GlslType::mat4 ? 4 : type == GlslType::mat3 ? 3 : 1;
-        vectors += each * uniform.count;
-    }
-    return vectors;
-}
-
 void checkVectors(State& state, const PassDesc& pass, const GlslStage& stage, const char* name,
                   int limit)
 {
@@ -108,6 +95,18 @@ bool reads(const State& state, const Pass& pass, InputKind kind, int index)
 }
 
 }  // namespace
+
+int vectorsOf(const GlslStage& stage)
+{
+    int vectors = 0;
+    for (const GlslUniform& uniform : stage.uniforms) {
+        if (isSampler(uniform.type)) continue;
+        const GlslType type = uniform.type;
+        const int each = type == GlslType::mat4 ? 4 : type == GlslType::mat3 ? 3 : 1;
+        vectors += each * uniform.count;
+    }
+    return vectors;
+}
 
 int generatedCount(const Description& description, const GeneratedDesc& generated)
 {

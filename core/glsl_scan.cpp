@@ -17,11 +17,6 @@ constexpr std::string_view kQualifiers[] = {
     "precise", "sample", "patch",  "highp",     "mediump",  "lowp",     "readonly", "writeonly",
     "shared",  "buffer", "coherent", "volatile", "restrict"};
 
-bool isQualifier(std::string_view word)
-{
-    return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);
-}
-
 struct Qualifiers {
     bool uniform = false;
     bool output = false;
@@ -195,6 +190,11 @@ std::optional<OutputLine> outputLine(std::string_view line, std::string_view nam
 }
 
 }  // namespace
+
+bool isQualifier(std::string_view word)
+{
+    return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);
+}
 
 void dropOutput(GlslStage& stage, const std::string& name)
 {

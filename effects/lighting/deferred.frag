@@ -4,7 +4,7 @@
 //
 //   surface      interface: point and normal in view space
 //   albedo       linear colour; alpha is the strength of the highlight
-//   visibility   1 open .. 0 blocked
+//   visibility   1 open .. 0 blocked; highp, so that a pass that only joins or bends it may be fused
 //   indirect_filtered  with INDIRECT: linear colour that the surface gets from its occluders
 //   bent_normal  with SPECULAR_OCCLUSION_BENT: mean open direction, view space, n * 0.5 + 0.5
 //   color        sRGB, ready to show; alpha 0 in a transparent background
@@ -12,7 +12,7 @@
 precision highp float;  // positions
 
 #if DISPLAY == DISPLAY_AO_ONLY
-uniform mediump sampler2D visibility;
+uniform highp sampler2D visibility;
 #else
 #if SCENE_LIGHTS == 0
 #define SURFACE_WITHOUT_NORMAL
@@ -27,7 +27,7 @@ uniform mediump sampler2D albedo;
 uniform vec3 background_color;
 #endif
 #if DISPLAY == DISPLAY_LIT
-uniform mediump sampler2D visibility;
+uniform highp sampler2D visibility;
 #if INDIRECT
 uniform mediump sampler2D indirect_filtered;
 #endif
