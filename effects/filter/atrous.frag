@@ -1,7 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// One level of an edge-avoiding wavelet: 3x3 taps STEP pixels apart, that stop at edges in depth and in
-// normals.
+// One level of an edge-avoiding wavelet: 3x3 taps STEP pixels apart, that stop at steps and edges.
 //
 //   surface      interface: point and normal in view space
 //   ao           what is filtered

@@ -1,6 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// One direction of a separable mean over four pixels that stops at edges in depth and in normals.
+// One direction of a separable mean over four pixels that stops at steps and edges.
 //
 //   surface      interface: point and normal in view space
 //   ao           what is filtered

@@ -1,7 +1,7 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// One direction of a mean over four pixels of light that stops at edges in depth and in normals: what
-// filter/bilateral_normal does to occlusion.
+// One direction of a mean over four pixels of light that stops at steps and edges: what filter/bilateral_normal
+// does to occlusion.
 //
 //   surface            interface: point and normal in view space
 //   indirect           linear colour

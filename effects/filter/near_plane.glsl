@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How much a neighbour counts: less the farther it lies off the pixel's tangent plane and, with FILTER_NORMALS,
-// the more its normal turns. A plane is filtered alike however it lies to the camera.
+// How much a neighbour counts: less the farther it lies off the pixel's tangent plane, both by itself and as a slope,
+// so that neither a step nor an edge is smoothed over. A plane is filtered alike however it lies to the camera.
+//
+// What is across an edge lies on a slope about half as steep as the normals turn, and needs no normal of its own.
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 
 #define WIDEST_NORMAL 1
@@ -8,33 +10,26 @@
 
 uniform highp float radius;
 uniform highp float depth_cut;
-#if FILTER_NORMALS
-uniform highp float normal_cut;
-#endif
+uniform highp float slope_cut;
 
-// A pixel's point, and its tangent plane and normal divided by the cuts.
+// A pixel's point, its tangent plane, and what that is to its neighbours.
 struct Here {
     highp vec3 point;
-    highp vec3 plane;
-#if FILTER_NORMALS
     highp vec3 normal;
-#endif
-    highp float whole;  // weight of what lies in the plane, less that of a parallel normal
+    highp float per_length;  // one over the distance at which nothing counts
+    highp float whole;       // weight of what lies in the plane
+    highp float step;        // that its own surface may be off by, as it is stored
 };
 
 // False in the background, where nothing is to be filtered.
 bool hereAt(highp vec2 at, out Here here)
 {
     bool known = pointAt(at, here.point);
-    highp vec3 normal_here = normalAt(at);
+    here.normal = normalAt(at);
     highp float cut = depth_cut * radius;
-    highp float per_length = 1.0 / max(cut, 1e-30);
-    here.plane = normal_here * per_length;
-    here.whole = cut * per_length;
-#if FILTER_NORMALS
-    here.normal = normal_here / normal_cut;
-    here.whole -= 1.0 / normal_cut;
-#endif
+    here.per_length = 1.0 / max(cut, 1e-30);
+    here.whole = cut * here.per_length;
+    here.step = 4.0 * offSurface(here.point, here.normal, 0.0);  // either point and, rebuilt from such, the normal
     return known;
 }
 
@@ -43,10 +38,9 @@ highp float nearnessOf(highp vec2 at, Here here)
 {
     highp vec3 point;
     bool known = pointAt(at, point);
-    highp float off = abs(dot(point - here.point, here.plane));
-    highp float weight = here.whole - off;
-#if FILTER_NORMALS
-    weight += dot(normalAt(at), here.normal);
-#endif
+    highp vec3 way = point - here.point;
+    highp float off = abs(dot(way, here.normal));
+    highp float slope = max(off - here.step, 0.0) * inversesqrt(max(dot(way, way), 1e-30));
+    highp float weight = here.whole - off * here.per_length - slope / slope_cut;
     return known ? clamp(weight, 0.0, 1.0) : 0.0;
 }

@@ -1,7 +1,7 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
 // Full-size occlusion from that of fewer pixels: the mean of the four nearest by how near they lie on the
-// screen, to the pixel's tangent plane and to its normal.
+// screen and to the pixel's tangent plane.
 //
 //   surface      interface: point and normal in view space, at full size
 //   ao_low       occlusion at a lower resolution, each pixel that of the surface at its uv

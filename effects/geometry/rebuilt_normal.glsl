@@ -13,8 +13,8 @@
 #include "common/texel.glsl"
 #include "common/view_space.glsl"
 
-// How far apart texels are at most, in texels. What rebuilds a normal a tap keeps to neighbours, and says
-// WIDEST_NORMAL 1 before it includes this: loops over strides within loops over taps take drivers minutes to compile.
+// How far apart texels are at most, in texels. What allows for normals that lean keeps to neighbours and is quicker: it
+// says WIDEST_NORMAL 1 before it includes this.
 #ifndef WIDEST_NORMAL
 #define WIDEST_NORMAL 64
 #endif
