@@ -32,34 +32,51 @@ struct Reading {
     int read = -1;
 };
 
-// The one reading of the target; none where there are more, or an output or the next frame wants it too.
+bool isTarget(const std::optional<Source>& source, int target)
+{
+    return source && source->kind == InputKind::target && source->index == target;
+}
+
+// Whether the pass runs, or would with params of other values.
+bool mayRun(const State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    const auto wanted = [&](int target) { return state.targets[target].wanted; };
+    return pass.live ||
+           (pass.active && pass.fused_into < 0 && std::any_of(written.begin(), written.end(), wanted));
+}
+
+// The one reading of the target; none where there may be more, or an output or the next frame wants it too. A param
+// must not decide, for it would compile shaders.
 std::optional<Reading> onlyReading(const State& state, int target)
 {
     if (state.targets[target].remembered) return std::nullopt;
     for (const int output : state.outputs) {
         const std::string& name = state.description.outputs[output].target.name;
-        const std::optional<Source> source = resolveTarget(state, indexOf(state.description.targets, name));
-        if (source && source->kind == InputKind::target && source->index == target) return std::nullopt;
+        if (isTarget(resolveTarget(state, indexOf(state.description.targets, name)), target)) return std::nullopt;
     }
     std::optional<Reading> found;
     for (const int index : state.order) {
         const Pass& pass = state.passes[index];
-        for (std::size_t i = 0; pass.live && i < pass.reads.size(); ++i) {
-            const std::optional<Source> source = resolve(state, pass.reads[i].named);
-            if (!source || source->kind != InputKind::target || source->index != target) continue;
-            if (found) return std::nullopt;
+        for (std::size_t i = 0; mayRun(state, pass) && i < pass.reads.size(); ++i) {
+            const Source& named = pass.reads[i].named;
+            const bool direct = isTarget(named, target);
+            if (!direct && !isTarget(resolve(state, named), target)) continue;
+            if (found || !direct || !pass.live) return std::nullopt;
             found = Reading{index, static_cast<int>(i)};
         }
     }
     return found;
 }
 
+// Whether it is a fullscreen pass with nothing about it but its shader, whatever values params have.
 bool isPlain(const State& state, const Pass& pass)
 {
     const PassDesc& desc = *pass.desc;
     return pass.live && pass.shader >= 0 && desc.type == PassType::fullscreen &&
            desc.state.blend == Blend::none && desc.state.depth_test == Compare::always &&
-           desc.state.cull == Cull::none && pass.depth < 0 && samplesOf(state, pass) == 1;
+           desc.state.cull == Cull::none && pass.depth < 0 && samplesOf(state, pass) == 1 &&
+           desc.identity.empty() && desc.keeps_constant.empty();
 }
 
 bool isMasked(const Pass& pass)

@@ -134,6 +134,28 @@ TEST_CASE("Where passes differ in what surrounds their shaders they stay two")
     CHECK(names("", {{"bent", R"({"format": ["r8"], "samples": 4})"}}) == all);
 }
 
+TEST_CASE("No param's value decides: it would compile shaders")
+{
+    const auto names = [](const std::string& bend, const std::string& side, float strength) {
+        return passNames(planOf(chain({{"ssao", {}, "ao", kBlended}, {"bend", {"ao"}, "bent", bend},
+                                       {"side", {"bent"}, "more", side}, {"light", {"bent", "more"}, "lit"}},
+                                      kColor, {},
+                                      R"("params": {"strength": {"default": )" + shortest(strength) + "}}")));
+    };
+    const std::string known = R"("identity": {"strength": {"at": 0, "gives": {"more": 1}}})";
+    CHECK(names("", known, 1) == "ssao, bend, side, light");
+    CHECK(names("", known, 0) == "ssao, bend, light");  // side might read it again
+
+    const std::string passes = R"("identity": {"strength": {"at": 0, "gives": {"bent": "ao"}}})";
+    const auto alone = [&](float strength) {
+        return passNames(planOf(chain({{"ssao", {}, "ao"}, {"bend", {"ao"}, "bent", passes}, {"light", {"bent"}, "lit"}},
+                                      kColor, {},
+                                      R"("params": {"strength": {"default": )" + shortest(strength) + "}}")));
+    };
+    CHECK(alone(1) == "ssao, bend, light");
+    CHECK(alone(0) == "ssao, light");
+}
+
 TEST_CASE("A uniform that the reader takes from elsewhere keeps two passes")
 {
     const std::string uniform = "uniform float power;\n";
