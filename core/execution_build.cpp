@@ -3,6 +3,7 @@
 #include "core/execution.h"
 
 #include "core/generators.h"
+#include "core/glsl_scan.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,12 +19,6 @@ bool uses(const Plan& plan, InputKind kind)
         for (const PlanInput& input : pass.inputs)
             if (input.kind == kind) return true;
     return false;
-}
-
-bool declares(const GlslStage& stage, std::string_view uniform)
-{
-    return std::any_of(stage.uniforms.begin(), stage.uniforms.end(),
-                       [&](const GlslUniform& each) { return each.name == uniform; });
 }
 
 const PlanInput* inputOf(const PlanPass& pass, std::string_view sampler)

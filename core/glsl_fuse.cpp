@@ -300,12 +300,6 @@ std::string Fusion::text() const
     return printer.text();
 }
 
-bool declares(const std::vector<GlslUniform>& uniforms, const std::string& name)
-{
-    return std::any_of(uniforms.begin(), uniforms.end(),
-                       [&](const GlslUniform& each) { return each.name == name; });
-}
-
 }  // namespace
 
 std::optional<GlslStage> fuse(const GlslStage& writer, const GlslStage& reader, const GlslSeam& seam)
@@ -321,7 +315,7 @@ std::optional<GlslStage> fuse(const GlslStage& writer, const GlslStage& reader, 
     fused.files.insert(fused.files.end(), reader.files.begin(), reader.files.end());
     fused.uniforms = writer.uniforms;
     for (const GlslUniform& each : reader.uniforms)
-        if (each.name != seam.sampler && !declares(writer.uniforms, each.name)) fused.uniforms.push_back(each);
+        if (each.name != seam.sampler && !declares(writer, each.name)) fused.uniforms.push_back(each);
     fused.outputs = reader.outputs;
     std::set_union(writer.defines_used.begin(), writer.defines_used.end(), reader.defines_used.begin(),
                    reader.defines_used.end(), std::back_inserter(fused.defines_used));
