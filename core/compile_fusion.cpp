@@ -7,6 +7,7 @@
 #include "core/compile_steps.h"
 
 #include "core/glsl_fuse.h"
+#include "core/glsl_scan.h"
 
 #include <algorithm>
 
@@ -79,12 +80,6 @@ bool isPlain(const State& state, const Pass& pass)
            desc.identity.empty() && desc.keeps_constant.empty();
 }
 
-bool isMasked(const Pass& pass)
-{
-    return std::any_of(pass.reads.begin(), pass.reads.end(),
-                       [](const Read& read) { return read.sampler.empty(); });
-}
-
 bool hasLevels(const State& state, const Read& read)
 {
     const std::optional<Source> source = resolve(state, read.named);
@@ -97,22 +92,18 @@ bool mayWrite(const State& state, const Pass& pass)
 {
     const auto levels = [&](const Read& read) { return hasLevels(state, read); };
     return isPlain(state, pass) && pass.color.size() == 1 && state.targets[pass.color.front()].textured &&
-           state.description.targets[pass.color.front()].mips == 1 && !isMasked(pass) && !pass.desc->bounded &&
+           state.description.targets[pass.color.front()].mips == 1 && !readsMask(pass) && !pass.desc->bounded &&
            pass.desc->uniforms.empty() && std::none_of(pass.reads.begin(), pass.reads.end(), levels);
 }
 
 bool sampleAlike(const State& state, const Read& a, const Read& b)
 {
-    const auto filter = [](const Read& read) {
-        return read.input && read.input->has_filter ? read.input->filter : Filter::nearest;
-    };
-    const auto wrap = [](const Read& read) {
-        return read.input && read.input->has_wrap ? read.input->wrap : Wrap::clamp;
-    };
+    const SamplerDesc first = samplingOf(a);
+    const SamplerDesc second = samplingOf(b);
     const std::optional<Source> from = resolve(state, a.named);
     const std::optional<Source> to = resolve(state, b.named);
     return from && to && from->kind == to->kind && from->index == to->index && from->value == to->value &&
-           filter(a) == filter(b) && wrap(a) == wrap(b);
+           first.filter == second.filter && first.wrap == second.wrap;
 }
 
 // What the reader reads once it does the writer's work too; nothing where one sampler would have two textures.
@@ -136,17 +127,15 @@ std::optional<std::vector<Read>> joinedReads(const State& state, const Pass& wri
 bool renamesAny(const Pass& reader, const GlslStage& writer)
 {
     const auto& renames = reader.desc->uniforms;
-    return std::any_of(renames.begin(), renames.end(), [&](const auto& rename) {
-        return std::any_of(writer.uniforms.begin(), writer.uniforms.end(),
-                           [&](const GlslUniform& each) { return each.name == rename.first.name; });
-    });
+    return std::any_of(renames.begin(), renames.end(),
+                       [&](const auto& rename) { return declares(writer, rename.first.name); });
 }
 
 // Whether the reader, as far as its surroundings tell, samples the very pixel that the writer draws.
 bool meet(const State& state, const Pass& writer, const Pass& reader, const Read& seam)
 {
-    const bool linear = seam.input && seam.input->has_filter && seam.input->filter != Filter::nearest;
-    return isPlain(state, reader) && !linear && extentOf(state, writer) == extentOf(state, reader) &&
+    return isPlain(state, reader) && samplingOf(seam).filter == Filter::nearest &&
+           extentOf(state, writer) == extentOf(state, reader) &&
            state.shaders[writer.shader].vertex.text == state.shaders[reader.shader].vertex.text &&
            !renamesAny(reader, state.shaders[writer.shader].fragment);
 }

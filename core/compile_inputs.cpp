@@ -174,4 +174,20 @@ void checkRenames(State& state, const Pass& pass)
         checkMentioned(state, pass, each.sampler, each.sampler, "keeps constant what sampler");
 }
 
+SamplerDesc samplingOf(const Read& read)
+{
+    const bool material = read.named.kind == InputKind::material;
+    const bool tiled = material || read.named.kind == InputKind::generated;
+    SamplerDesc sampling = {material ? Filter::linear : Filter::nearest, tiled ? Wrap::repeat : Wrap::clamp};
+    if (read.input && read.input->has_filter) sampling.filter = read.input->filter;
+    if (read.input && read.input->has_wrap) sampling.wrap = read.input->wrap;
+    return sampling;
+}
+
+bool readsMask(const Pass& pass)
+{
+    return std::any_of(pass.reads.begin(), pass.reads.end(),
+                       [](const Read& read) { return read.sampler.empty(); });
+}
+
 }  // namespace crevice::compiler

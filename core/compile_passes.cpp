@@ -160,12 +160,6 @@ Compare reversed(Compare test)
     }
 }
 
-bool readsMask(const Pass& pass)
-{
-    return std::any_of(pass.reads.begin(), pass.reads.end(),
-                       [](const Read& read) { return read.sampler.empty(); });
-}
-
 bool isBounded(const State& state, const Pass& pass)
 {
     return pass.desc->bounded && state.applies("bounds");
@@ -224,13 +218,7 @@ void Builder::addInputs(const Pass& pass, PlanPass& into)
 {
     for (const Read& read : pass.reads) {
         const Source source = *resolve(state_, read.named);
-        PlanInput input{read.sampler, source.kind, -1, {}};
-        const bool material = read.named.kind == InputKind::material;
-        const bool tiled = material || read.named.kind == InputKind::generated;
-        input.sampling = {material ? Filter::linear : Filter::nearest,
-                          tiled ? Wrap::repeat : Wrap::clamp};
-        if (read.input && read.input->has_filter) input.sampling.filter = read.input->filter;
-        if (read.input && read.input->has_wrap) input.sampling.wrap = read.input->wrap;
+        PlanInput input{read.sampler, source.kind, -1, samplingOf(read)};
         switch (source.kind) {
         case InputKind::target:
             input.index = planTarget(source.index);

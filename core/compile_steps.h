@@ -36,6 +36,10 @@ void readShaders(State& state);
 // compile_inputs.cpp
 void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
 void checkRenames(State& state, const Pass& pass);
+/// As the config says, or as is usual for what the name stands for.
+SamplerDesc samplingOf(const Read& read);
+/// Whether a mask of its own says where the pass is drawn.
+bool readsMask(const Pass& pass);
 /// True when `word` stands in the text as a word of its own.
 bool mentions(std::string_view text, std::string_view word);
 

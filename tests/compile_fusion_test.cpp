@@ -168,6 +168,20 @@ TEST_CASE("A uniform that the reader takes from elsewhere keeps two passes")
     CHECK(plan(R"("uniforms": {"power": "gain"})") == "bend, light");
 }
 
+TEST_CASE("One texture that the two sample differently keeps two passes, by default or by what they say")
+{
+    const auto names = [](const std::string& bend, const std::string& light) {
+        return passNames(planOf(chain({{"bend", {"noise"}, "bent", bend}, {"light", {"noise", "bent"}, "lit", light}},
+                                      kColor, {},
+                                      R"("generated": {"noise": {"generator": "rotation_noise", "count": 4}})")));
+    };
+    const std::string clamped = R"("inputs": {"noise": {"wrap": "clamp"}})";  // repeats otherwise
+    CHECK(names("", "") == "light");
+    CHECK(names(clamped, clamped) == "light");
+    CHECK(names("", clamped) == "bend, light");
+    CHECK(names(clamped, "") == "bend, light");
+}
+
 TEST_CASE("More textures than a device takes keep two passes")
 {
     DeviceCaps caps = ampleCaps();
