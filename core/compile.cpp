@@ -2,6 +2,7 @@
 // Compiling: the steps in their order, and what they share.
 #include "core/compile_steps.h"
 
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // Estimates of bytes, and the list of what is left out with what that saves.
 #include "core/compile_steps.h"
 
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "core/content_hash.h"
 
 #include "core/frame_values.h"
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // Formats by how finely they store what surfaces are found by, and a warning where none serves.
 #include "core/compile_steps.h"
 
+#include "core/numbers.h"
 #include "core/precision.h"
 #include "core/text.h"
 

@@ -3,10 +3,10 @@
 #include "core/compile_steps.h"
 
 #include "core/frame_values.h"
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 namespace crevice::compiler {
@@ -41,10 +41,8 @@ void addTraits(GlslDefines& defines, const SceneTraits& traits)
 // How finely a format tells values apart, as GLSL.
 std::string stepsOf(Format format)
 {
-    char text[64];
-    std::snprintf(text, sizeof text, "vec2(%.3e, %.3e)", formatInfo(format).absolute_step,
-                  formatInfo(format).relative_step);
-    return text;
+    const FormatInfo& info = formatInfo(format);
+    return "vec2(" + scientific(info.absolute_step, 3) + ", " + scientific(info.relative_step, 3) + ")";
 }
 
 void addSteps(GlslDefines& defines, const State& state)

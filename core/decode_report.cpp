@@ -2,10 +2,10 @@
 // Cursors into a document, and errors put into its order.
 #include "core/decode_report.h"
 
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace crevice::table {
 
@@ -168,9 +168,7 @@ bool isExtension(std::string_view key)
 
 std::string numberText(double number)
 {
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.10g", number);
-    return text;
+    return significant(number, 10);
 }
 
 }  // namespace crevice::table

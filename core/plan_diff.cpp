@@ -3,6 +3,7 @@
 #include "core/plan_diff.h"
 
 #include "core/field_types.h"
+#include "core/numbers.h"
 #include "core/plan_names.h"
 #include "core/text.h"
 

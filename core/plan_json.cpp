@@ -2,6 +2,7 @@
 // Plans as JSON for programs: the same facts as the text, and the keys of the programs.
 #include "core/compile_steps.h"
 #include "core/field_types.h"
+#include "core/numbers.h"
 #include "core/plan_names.h"
 #include "core/text.h"
 

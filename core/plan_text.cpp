@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plans as text for people. Nothing in it changes with the wording of a shader, so that tests can
 // keep it.
+#include "core/numbers.h"
 #include "core/plan_names.h"
 
 #include "core/compile_steps.h"
@@ -62,7 +63,6 @@ std::string samplesText(int samples)
     return samples == 1 ? "" : ", " + std::to_string(samples) + " samples";
 }
 
-// By integers, since printf follows the locale.
 std::string bytesText(double bytes)
 {
     const char* const units[] = {" KiB", " MiB", " GiB", " TiB"};
@@ -178,7 +178,6 @@ std::string programText(const PlanProgram& program)
     return text + "\n";
 }
 
-// By integers, since printf follows the locale.
 std::string millisecondsText(double ms)
 {
     const long long hundredths = std::llround(ms * 100);

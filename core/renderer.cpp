@@ -3,13 +3,13 @@
 #include "core/renderer.h"
 
 #include "core/execution.h"
+#include "core/numbers.h"
 #include "core/precision.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace crevice {
 namespace {
@@ -23,19 +23,12 @@ Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what
     return error;
 }
 
+std::string numberText(double value) { return significant(value, 6); }
+
 std::string rangeText(const ParamDesc& param)
 {
-    std::ostringstream text;
-    text << '[' << param.min << ", " << param.max << ']';
-    if (!param.unit.empty()) text << ' ' << param.unit;
-    return text.str();
-}
-
-std::string numberText(float value)
-{
-    std::ostringstream text;
-    text << value;
-    return text.str();
+    return "[" + numberText(param.min) + ", " + numberText(param.max) + "]" +
+           (param.unit.empty() ? "" : " " + param.unit);
 }
 
 bool wholeInt(float value)

@@ -21,21 +21,10 @@ bool isRelative(std::string_view path)
     return startsWith(path, "./") || startsWith(path, "../");
 }
 
-std::vector<std::string_view> splitPath(std::string_view path)
-{
-    std::vector<std::string_view> parts;
-    for (std::size_t begin = 0; begin <= path.size();) {
-        const std::size_t end = std::min(path.find('/', begin), path.size());
-        parts.push_back(path.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return parts;
-}
-
 // True for a path as SourceSet promises it: no root, no empty part, no "." and no "..".
 bool isInside(std::string_view path)
 {
-    for (const std::string_view part : splitPath(path))
+    for (const std::string_view part : split(path, '/'))
         if (part.empty() || part == "." || part == "..") return false;
     return true;
 }
@@ -155,9 +144,9 @@ std::string resolvePath(std::string_view from, std::string_view path)
 {
     if (!isRelative(path)) return std::string(path);
     const bool on_disk = startsWith(from, "/") || isRelative(from);
-    std::vector<std::string_view> parts = splitPath(from);
+    std::vector<std::string_view> parts = split(from, '/');
     parts.pop_back();
-    for (const std::string_view part : splitPath(path)) {
+    for (const std::string_view part : split(path, '/')) {
         if (part == "." || part.empty()) continue;
         const bool climbs = part == "..";
         const bool at_root = parts.empty() || parts.back().empty() || parts.back() == "." ||

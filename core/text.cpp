@@ -3,7 +3,6 @@
 #include "core/text.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace crevice {
 
@@ -110,6 +109,17 @@ std::string upperCase(std::string_view text)
     return upper;
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
 std::string joined(const std::vector<std::string>& words, std::string_view separator)
 {
     std::string text;
@@ -118,12 +128,6 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
         text += word;
     }
     return text;
-}
-
-std::string shortest(float value)
-{
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
 std::string memberPointer(std::string_view parent, std::string_view key)

@@ -24,11 +24,11 @@ std::string_view lineOf(std::string_view text, int line);
 /// ASCII letters in upper case: a param `blur_size` is the define BLUR_SIZE.
 std::string upperCase(std::string_view text);
 
+/// What lies between the separators, from left to right; parts may be empty.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// The words with `separator` between them.
 std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
-
-/// The fewest digits that read back as the same float, whatever the locale: "0.5", "1", "1e-09".
-std::string shortest(float value);
 
 /// `text` as a JSON string in double quotes. Bytes that are not UTF-8 become U+FFFD.
 std::string jsonString(std::string_view text);

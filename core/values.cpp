@@ -2,6 +2,7 @@
 // Values that differ, as a patch.
 #include "core/values.h"
 
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 // Passes that a plan makes one, and those that it must not.
 #include "tests/plan_rig.h"
 
+#include "core/numbers.h"
+
 using namespace crevice;
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a plan says of formats that are too coarse for camera and radius, and which it chooses.
 #include "core/load.h"
+#include "core/numbers.h"
 #include "core/text.h"
 #include "effects/catalog.h"
 #include "tests/renderer_rig.h"

@@ -4,6 +4,7 @@
 
 #include "tests/need.h"
 
+#include "core/description.h"
 #include "core/load.h"
 #include "effects/catalog.h"
 

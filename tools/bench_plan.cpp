@@ -9,6 +9,7 @@
 
 #include "core/content_hash.h"
 #include "core/load.h"
+#include "core/numbers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -23,13 +24,6 @@ Diagnostic usageError(std::string message, std::string help)
     Diagnostic error{Code::usage, std::move(message)};
     error.help = std::move(help);
     return error;
-}
-
-std::string shortest(double value)
-{
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof(text), value);
-    return {text, end.ptr};
 }
 
 class Planner {
@@ -248,13 +242,11 @@ Result<Shard> parseShard(const std::string& text)
 
 Result<double> parseDuration(const std::string& text)
 {
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number);
-    const std::string unit(read.ptr, end);
+    std::string_view unit = text;
+    const double number = takeNumber(unit).value_or(0.0);
     const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
     const double seconds = number * factor;
-    if (read.ec == std::errc() && seconds > 0.0 && std::isfinite(seconds)) return seconds;
+    if (seconds > 0.0 && std::isfinite(seconds)) return seconds;
     return usageError("'" + text + "' is not a length of time above 0",
                       "write --time-budget 90s, 5m or 1.5h");
 }

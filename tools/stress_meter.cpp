@@ -3,6 +3,7 @@
 #include "tools/stress_meter.h"
 
 #include "core/content_hash.h"
+#include "core/numbers.h"
 #include "tools/bench_samples.h"
 #include "tools/garbage_device.h"
 #include "tools/image_metrics.h"
@@ -21,13 +22,6 @@ namespace {
 
 constexpr float kGarbage = 0.8713f;  // where a format holds no NaN
 constexpr int kTruthRays = 64;       // a pixel: an error of context needs no more
-
-std::string shortest(double value)
-{
-    char buffer[40];
-    std::snprintf(buffer, sizeof(buffer), "%.9g", value);
-    return buffer;
-}
 
 std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
@@ -142,7 +136,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     if (!shot.geometry.empty() && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
     if (const char* what = missingFrom(*base, shot)) ready.absent = what;
     if (findNamed(base->params, "radius"))
-        config.overrides.push_back("radius=" + shortest(shot.radius));
+        config.overrides.push_back("radius=" + significant(shot.radius, 9));
     for (const std::string& setting : shot.settings) {
         if (!findNamed(base->params, nameIn(setting)))
             ready.absent = "no param '" + nameIn(setting) + "'";
