@@ -146,6 +146,7 @@ private:
     const UniformInfo* uniformOf(const Record& call) const;
     std::vector<float> values(const Record& call) const;
     std::string uniformText(const Record& call) const;
+    std::string presentText(const Record& call) const;
     std::string createdText(const Object& object) const;
     std::string arguments(const Record& call) const;
 

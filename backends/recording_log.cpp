@@ -2,10 +2,11 @@
 // The recording device's log as text; nothing is formatted before somebody asks for it.
 #include "backends/recording_device.h"
 
+#include "core/numbers.h"
+
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <sstream>
 
 namespace crevice {
 namespace {
@@ -38,29 +39,51 @@ bool isInteger(GlslType type)
     }
 }
 
-std::ostream& operator<<(std::ostream& out, Extent extent)
+// Line with a space before each.
+class Line {
+public:
+    Line& add(std::string_view word)
+    {
+        text_ += ' ';
+        text_ += word;
+        return *this;
+    }
+    Line& add(float number) { return add(significant(number, 6)); }
+    Line& add(Extent extent)
+    {
+        return add(std::to_string(extent.width) + "x" + std::to_string(extent.height));
+    }
+    template <class Integer>
+    Line& addInteger(Integer number) { return add(std::to_string(number)); }
+
+    std::string text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+void addLoad(Line& line, LoadOp load, const float* clear, int channels)
 {
-    return out << extent.width << 'x' << extent.height;
+    line.add(kLoadNames[static_cast<int>(load)]);
+    for (int i = 0; i < channels && load == LoadOp::clear; ++i) line.add(clear[i]);
 }
 
 std::string passText(const PassInfo& pass)
 {
-    std::ostringstream out;
-    out << ' ' << pass.label << ' ' << pass.extent;
+    Line line;
+    line.add(pass.label).add(pass.extent);
     for (int i = 0; i < pass.color_count; ++i) {
-        out << " color" << i << ' ' << kLoadNames[static_cast<int>(pass.color_load[i])];
-        if (pass.color_load[i] == LoadOp::clear)
-            for (float value : pass.clear_color[i]) out << ' ' << value;
-        out << ' ' << kStoreNames[static_cast<int>(pass.color_store[i])];
+        line.add("color" + std::to_string(i));
+        addLoad(line, pass.color_load[i], pass.clear_color[i], 4);
+        line.add(kStoreNames[static_cast<int>(pass.color_store[i])]);
     }
     if (pass.within_area)
-        out << " within " << pass.area.x << ' ' << pass.area.y << ' ' << pass.area.extent;
-    if (pass.at_depth >= 0) out << " at depth " << pass.at_depth;
-    if (!pass.has_depth) return out.str();
-    out << " depth " << kLoadNames[static_cast<int>(pass.depth_load)];
-    if (pass.depth_load == LoadOp::clear) out << ' ' << pass.clear_depth;
-    out << ' ' << kStoreNames[static_cast<int>(pass.depth_store)];
-    return out.str();
+        line.add("within").addInteger(pass.area.x).addInteger(pass.area.y).add(pass.area.extent);
+    if (pass.at_depth >= 0) line.add("at depth").add(pass.at_depth);
+    if (!pass.has_depth) return line.text();
+    line.add("depth");
+    addLoad(line, pass.depth_load, &pass.clear_depth, 1);
+    return line.add(kStoreNames[static_cast<int>(pass.depth_store)]).text();
 }
 
 std::string stateText(const std::uint32_t* words)
@@ -129,77 +152,77 @@ std::vector<float> RecordingDevice::values(const Record& call) const
 
 std::string RecordingDevice::uniformText(const Record& call) const
 {
-    std::ostringstream out;
     const std::vector<float> all = values(call);
     const std::uint32_t count = words_[call.words + 2];
     const UniformInfo* uniform = uniformOf(call);
-    out << ' ' << (uniform ? uniform->name : "nothing");
-    if (count > 1) out << '[' << count << ']';
-    for (std::size_t i = 0; i < std::min(all.size(), kValuesShown); ++i) out << ' ' << all[i];
-    if (all.size() > kValuesShown) out << " ...";
-    return out.str();
+    Line line;
+    line.add((uniform ? uniform->name : "nothing") +
+              (count > 1 ? "[" + std::to_string(count) + "]" : ""));
+    for (std::size_t i = 0; i < std::min(all.size(), kValuesShown); ++i) line.add(all[i]);
+    return line.text() + (all.size() > kValuesShown ? " ..." : "");
 }
 
 std::string RecordingDevice::createdText(const Object& object) const
 {
-    std::ostringstream out;
+    Line line;
     if (object.kind == ObjectId::Kind::texture)
-        out << ' ' << formatInfo(object.texture.format).name << ' ' << object.texture.extent;
+        line.add(formatInfo(object.texture.format).name).add(object.texture.extent);
     if (object.kind == ObjectId::Kind::texture && object.texture.samples > 1)
-        out << ' ' << object.texture.samples << " samples";
-    if (object.kind == ObjectId::Kind::mesh) out << ' ' << object.index_count << " indices";
+        line.addInteger(object.texture.samples).add("samples");
+    if (object.kind == ObjectId::Kind::mesh) line.addInteger(object.index_count).add("indices");
     if (object.kind == ObjectId::Kind::framebuffer) {
-        for (TextureId id : object.framebuffer.color) out << " color " << label(id.value);
-        if (object.framebuffer.depth) out << " depth " << label(object.framebuffer.depth.value);
+        for (TextureId id : object.framebuffer.color) line.add("color").add(label(id.value));
+        if (object.framebuffer.depth) line.add("depth").add(label(object.framebuffer.depth.value));
         for (TextureId id : object.framebuffer.resolve_color)
-            if (id) out << " resolve " << label(id.value);
+            if (id) line.add("resolve").add(label(id.value));
         if (object.framebuffer.resolve_depth)
-            out << " resolve depth " << label(object.framebuffer.resolve_depth.value);
+            line.add("resolve depth").add(label(object.framebuffer.resolve_depth.value));
     }
-    return out.str();
+    return line.text();
+}
+
+std::string RecordingDevice::presentText(const Record& call) const
+{
+    const std::uint32_t* at = words_.data() + call.words;
+    const Extent extent = {static_cast<int>(at[3]), static_cast<int>(at[4])};
+    const std::string corner = std::to_string(static_cast<std::int32_t>(at[1])) + "," +
+                               std::to_string(static_cast<std::int32_t>(at[2]));
+    Line line;
+    line.add(label(call.object)).add("-> framebuffer").addInteger(at[0]).add(extent);
+    return line.add("at").add(corner).text();
 }
 
 std::string RecordingDevice::arguments(const Record& call) const
 {
-    const std::uint32_t* words = words_.data() + call.words;
+    const std::uint32_t* at = words_.data() + call.words;
     const std::string object = label(call.object);
-    std::ostringstream out;
+    Line line;
     switch (call.call) {
     case Call::create_texture: case Call::create_framebuffer: case Call::create_program:
     case Call::create_mesh: case Call::adopt_texture:
-        out << ' ' << object << createdText(objects_.at(call.object));
-        break;
+        return line.add(object).text() + createdText(objects_.at(call.object));
     case Call::destroy:
-        out << ' ' << kKindNames[static_cast<int>(objects_.at(call.object).kind)] << ' ' << object;
-        break;
-    case Call::write_texture: case Call::read_texture:
-        out << ' ' << object;
-        break;
-    case Call::begin_pass: return passText(passes_[words[0]]);
-    case Call::set_program: return ' ' + object + stateText(words);
+        return line.add(kKindNames[static_cast<int>(objects_.at(call.object).kind)])
+            .add(object)
+            .text();
+    case Call::write_texture: case Call::read_texture: return line.add(object).text();
+    case Call::begin_pass: return passText(passes_[at[0]]);
+    case Call::set_program: return line.add(object).text() + stateText(at);
     case Call::set_texture: {
         const UniformInfo* uniform = uniformOf(call);
-        out << ' ' << (uniform ? uniform->name : "nothing") << " unit " << words[1]
-            << " <- texture " << object << ' ' << kFilterNames[words[2]] << ' '
-            << kWrapNames[words[3]];
-        break;
+        line.add(uniform ? uniform->name : "nothing").add("unit").addInteger(at[1]);
+        return line.add("<- texture").add(object).add(kFilterNames[at[2]]).add(kWrapNames[at[3]]).text();
     }
     case Call::set_uniform: return uniformText(call);
     case Call::draw:
-        out << " mesh " << object << ' ' << words[0] << ".." << words[0] + words[1];
-        break;
-    case Call::present:
-        out << ' ' << object << " -> framebuffer " << words[0] << ' ' << words[3] << 'x'
-            << words[4] << " at " << static_cast<std::int32_t>(words[1]) << ','
-            << static_cast<std::int32_t>(words[2]);
-        break;
-    case Call::begin_timer: case Call::read_timer:
-        out << ' ' << words[0];
-        break;
+        return line.add("mesh").add(object).text() + " " + std::to_string(at[0]) + ".." +
+               std::to_string(at[0] + at[1]);
+    case Call::present: return presentText(call);
+    case Call::begin_timer: case Call::read_timer: return line.addInteger(at[0]).text();
     case Call::begin_frame: case Call::end_frame: case Call::end_pass: case Call::draw_fullscreen:
     case Call::finish: case Call::end_timer: break;
     }
-    return out.str();
+    return {};
 }
 
 }  // namespace crevice
