@@ -104,6 +104,19 @@ std::vector<std::string> graphicsNames(const std::string& text)
                    R"re((?=\s*\(|\b))re", 0);
 }
 
+/// What formats or parses numbers by the host's locale: floats in printf and scanf, strtod and its kin,
+/// string streams.
+std::vector<std::string> numbersByLocale(const std::string& text)
+{
+    const std::string code = codeOf(text, true);
+    std::vector<std::string> found =
+        matches(code, R"re(\b(?:strto(?:f|d|ld)|atof|sto(?:f|d|ld)|set(?:locale|precision))\s*\()re", 0);
+    for (const char* pattern : {R"re("[^"\n]*%[-+#0-9.*]*l?[aAeEfFgG][^"\n]*")re",
+                                R"re(\b[io]?stringstream\b|\bstd::c(?:out|err)\b)re"})
+        for (std::string& match : matches(code, pattern, 0)) found.push_back(std::move(match));
+    return found;
+}
+
 std::string firstLines(const std::string& text, int count)
 {
     std::size_t end = 0;
@@ -155,6 +168,26 @@ TEST_CASE("graphics headers are included in backends alone")
         for (const std::string& header :
              graphicsHeaders(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
             FAIL_CHECK(path.string() << " includes " << header);
+    }
+}
+
+TEST_CASE("the number check finds what a locale changes")
+{
+    CHECK(numbersByLocale("printf(\"%5.2f ms\", ms);").size() == 1);
+    CHECK(numbersByLocale("snprintf(text, 9, \"vec2(%.3e\", x);").size() == 1);
+    CHECK(numbersByLocale("sscanf(text, \"%d %lf\", &n, &x);").size() == 1);
+    CHECK(numbersByLocale("std::strtod(text, nullptr); std::stof(text);").size() == 2);
+    CHECK(numbersByLocale("std::ostringstream out;").size() == 1);
+    CHECK(numbersByLocale("printf(\"%d of %-5s, %04x, 100 %% of\", n, text, bits);").empty());
+    CHECK(numbersByLocale("// printf(\"%f\")\nrestored(text);").empty());
+}
+
+TEST_CASE("numbers are formatted and parsed in core/numbers alone")
+{
+    for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
+        if (!isCpp(path)) continue;
+        for (const std::string& found : numbersByLocale(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+            FAIL_CHECK(path.string() << " has " << found << ": use core/numbers.h, which knows no locale");
     }
 }
 

@@ -2,6 +2,7 @@
 // Situations, turns, and the table.
 #include "tools/ablation.h"
 
+#include "core/numbers.h"
 #include "core/renderer.h"
 #include "tools/bench_times.h"
 #include "tools/bench_views.h"
@@ -244,16 +245,16 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, c
 std::string toText(const std::vector<AblationRow>& rows)
 {
     std::string text;
-    char cell[64];
     for (const AblationRow& row : rows) {
         if (row.rule.empty()) {
-            std::snprintf(cell, sizeof cell, "\n%-14s %9.3f ms;", row.situation.c_str(), row.ms.median);
+            char cell[64];
+            std::snprintf(cell, sizeof cell, "\n%-14s %9s ms;", row.situation.c_str(),
+                          fixed(row.ms.median, 3).c_str());
             text += cell;
             continue;
         }
         const std::string without = row.rule == "all" ? "none of them" : "not " + row.rule;
-        std::snprintf(cell, sizeof cell, "  %s x%.3g", without.c_str(), row.factor.median);
-        text += cell;
+        text += "  " + without + " x" + significant(row.factor.median, 3);
     }
     return text + "\n";
 }

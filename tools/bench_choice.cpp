@@ -2,12 +2,11 @@
 // The choice between measured configs.
 #include "tools/bench_choice.h"
 
+#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -119,13 +118,6 @@ private:
     double without_ao_ = 0;
 };
 
-std::string format(const char* pattern, double value)
-{
-    char text[64];
-    std::snprintf(text, sizeof(text), pattern, value);
-    return text;
-}
-
 /// Tells of what was measured in the scope, but with another radius or size than the rest.
 void addOtherwiseMeasured(const std::vector<BenchPoint>& points,
                           const std::vector<ResultView>& in_scope, Candidates& candidates)
@@ -138,7 +130,7 @@ void addOtherwiseMeasured(const std::vector<BenchPoint>& points,
             const std::string label = pointLabel(points[i]);
             if (known.insert(label).second)
                 candidates.left_out.push_back(label + ": measured at " + extentName(view.extent) +
-                                              format(" and radius %g alone", view.radius));
+                                              " and radius " + significant(view.radius, 6) + " alone");
         }
 }
 
@@ -178,11 +170,9 @@ Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const C
 
 Result<ChoiceLimit> parseBudget(const std::string& text)
 {
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number);
-    const std::string unit(read.ptr, end);
-    if (read.ec == std::errc() && number > 0.0 && std::isfinite(number)) {
+    std::string_view unit = text;
+    const double number = takeNumber(unit).value_or(0.0);
+    if (number > 0.0 && std::isfinite(number)) {
         if (unit.empty() || unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
         if (unit == "us") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number / 1000.0};
         if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::floor_ratio, number};
@@ -203,12 +193,13 @@ double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 
 std::string limitText(ChoiceLimit limit)
 {
+    const std::string most = significant(limit.most, 6);
     switch (limit.kind) {
-    case ChoiceLimit::Kind::time_ms: return format("at most %g ms", limit.most);
-    case ChoiceLimit::Kind::floor_ratio: return format("at most %g times the floor", limit.most);
+    case ChoiceLimit::Kind::time_ms: return "at most " + most + " ms";
+    case ChoiceLimit::Kind::floor_ratio: return "at most " + most + " times the floor";
     case ChoiceLimit::Kind::error: break;
     }
-    return format("an error of at most %g", limit.most);
+    return "an error of at most " + most;
 }
 
 Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
@@ -232,9 +223,9 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
                              limitText(limit)};
         if (!beyond.empty())
             error.help = "the nearest is " + list[beyond[0]].label + ": " +
-                         format("%.3g ms, ", list[beyond[0]].ms) +
-                         format("%.3g times the floor, ", list[beyond[0]].ratio) +
-                         format("error %.4f", list[beyond[0]].error);
+                         significant(list[beyond[0]].ms, 3) + " ms, " +
+                         significant(list[beyond[0]].ratio, 3) + " times the floor, " +
+                         "error " + fixed(list[beyond[0]].error, 4);
         return error;
     }
     return Choice{within.front(), {within.begin() + 1, within.end()}, std::move(beyond)};

@@ -4,6 +4,8 @@
 
 #include "tools/cli_output.h"
 
+#include "core/numbers.h"
+
 #include <cmath>
 #include <utility>
 
@@ -91,10 +93,8 @@ private:
         std::string line = "[" + std::to_string(done) + "/" + std::to_string(todo_.size()) + "] " +
                            pointTitle(point) + ": ";
         if (point.failure.empty()) {
-            char figures[64];
-            std::snprintf(figures, sizeof(figures), "rmse %.4f, %.2f ms, %.2f x floor",
-                          point.error.rmse, point.total.median, point.ratio_floor);
-            line += figures;
+            line += "rmse " + fixed(point.error.rmse, 4) + ", " + fixed(point.total.median, 2) +
+                    " ms, " + fixed(point.ratio_floor, 2) + " x floor";
         } else {
             line += "failed: " + point.failure;
         }

@@ -4,12 +4,13 @@
 
 #include "tools/mesh_shapes.h"
 
+#include "core/text.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace crevice {
 
@@ -91,8 +92,8 @@ std::vector<std::filesystem::path> modelFolders()
     std::vector<std::filesystem::path> folders;
     if (const char* models = std::getenv("CREVICE_MODELS")) folders.emplace_back(models);
     const char* data = std::getenv("XDG_DATA_DIRS");
-    std::istringstream list(std::string(data ? data : "") + ":/usr/local/share:/usr/share");
-    for (std::string folder; std::getline(list, folder, ':');)
+    const std::string list = std::string(data ? data : "") + ":/usr/local/share:/usr/share";
+    for (const std::string_view folder : split(list, ':'))
         if (!folder.empty()) folders.push_back(std::filesystem::path(folder) / "glmark2/models");
     return folders;
 }

@@ -2,12 +2,14 @@
 // Framing a scene, and reading a camera from the command line.
 #include "tools/camera_framing.h"
 
+#include "core/numbers.h"
+#include "core/text.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
+#include <optional>
 
 namespace crevice {
 
@@ -82,21 +84,21 @@ Diagnostic impossible(const std::string& what, const std::string& help)
 // Reads `count` numbers with commas between them.
 Status readNumbers(const std::string& key, const std::string& text, int count, double* numbers)
 {
-    const char* at = text.c_str();
+    std::string_view rest = text;
     for (int k = 0; k < count; ++k) {
-        char* end = nullptr;
-        numbers[k] = std::strtod(at, &end);
-        const char wanted = k + 1 < count ? ',' : '\0';
-        if (end == at || *end != wanted)
+        const std::optional<double> number = takeNumber(rest);
+        const bool last = k + 1 == count;
+        if (!number || (last ? !rest.empty() : rest.substr(0, 1) != ","))
             return unreadable("the camera's " + key + " '" + text + "' is not " +
                               (count == 1   ? "a number"
                                : count == 2 ? "two numbers joined by a comma"
                                             : "three numbers joined by commas"));
+        if (!last) rest.remove_prefix(1);
+        numbers[k] = *number;
         if (!std::isfinite(numbers[k]))
             return impossible(Code::not_finite,
                               "the camera's " + key + " '" + text + "' is not finite",
                               "write plain numbers");
-        at = end + 1;
     }
     return {};
 }
@@ -127,9 +129,9 @@ Status readEntry(const std::string& key, const std::string& value, CameraText& c
 
 Status readCameraText(const std::string& text, CameraText& camera)
 {
-    std::istringstream entries(text);
-    for (std::string entry; std::getline(entries, entry, ';');) {
-        if (entry.empty()) continue;
+    for (const std::string_view part : split(text, ';')) {
+        if (part.empty()) continue;
+        const std::string entry(part);
         const std::size_t equals = entry.find('=');
         if (equals == std::string::npos)
             return unreadable("the camera's part '" + entry + "' is not name=value");

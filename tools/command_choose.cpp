@@ -5,6 +5,8 @@
 #include "tools/commands.h"
 #include "tools/scene_options.h"
 
+#include "core/numbers.h"
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -78,8 +80,9 @@ void printOthers(const Answer& answer, const char* title, const std::vector<std:
     std::printf("%s\n", title);
     for (std::size_t i = 0; i < others.size() && i < kOthersShown; ++i) {
         const Candidate& other = answer.candidates.list[others[i]];
-        std::printf("  %-44s error %.4f   %8.3f ms  %7.1f x floor\n", other.label.c_str(),
-                    other.error, other.ms, other.ratio);
+        std::printf("  %-44s error %s   %8s ms  %7s x floor\n", other.label.c_str(),
+                    fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
+                    fixed(other.ratio, 1).c_str());
     }
     if (others.size() > kOthersShown)
         std::printf("  and %zu more\n", others.size() - kOthersShown);
@@ -91,10 +94,11 @@ void printAnswer(const Answer& answer)
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
     std::printf("%s\n", best.label.c_str());
-    std::printf("  error %.4f (%s); adds %.3f ms a frame (%s), %.1f times a depth copy\n",
-                best.error, best.worst_view.c_str(), best.ms, best.slowest_view.c_str(),
-                best.ratio);
-    std::printf("  without ambient occlusion the error is %.4f\n", all.error_without_ao);
+    std::printf("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
+                fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
+                best.slowest_view.c_str(), fixed(best.ratio, 1).c_str());
+    std::printf("  without ambient occlusion the error is %s\n",
+                fixed(all.error_without_ao, 4).c_str());
     std::printf("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
                 all.views.size(), all.views.size() > 1 ? "scenes" : "scene",
                 extentName(all.views[0].extent).c_str(), all.device.c_str());

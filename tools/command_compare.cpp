@@ -6,6 +6,8 @@
 #include "tools/image_metrics.h"
 #include "tools/output_request.h"
 
+#include "core/numbers.h"
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -94,14 +96,16 @@ std::vector<std::string> brokenLimits(const CompareOptions& options, const Image
 void printFigures(const ImageDifference& figures, double threshold,
                   const std::vector<std::string>& broken)
 {
-    std::printf("rmse      %.6f\n", figures.rmse);
-    std::printf("bias      %+.6f\n", figures.bias);
-    std::printf("p99       %.6f\n", figures.p99);
-    std::printf("max       %.6f\n", figures.max);
-    std::printf("rmse_fit  %.6f at power %.3f\n", figures.rmse_fit, figures.power_fit);
-    std::printf("psnr      %.2f dB\n", figures.psnr_db);
-    std::printf("bad       %.4f %% of pixels are off by more than %g\n",
-                figures.bad_fraction * 100.0, threshold);
+    std::printf("rmse      %s\n", fixed(figures.rmse, 6).c_str());
+    std::printf("bias      %s%s\n", std::signbit(figures.bias) ? "" : "+",
+                fixed(figures.bias, 6).c_str());
+    std::printf("p99       %s\n", fixed(figures.p99, 6).c_str());
+    std::printf("max       %s\n", fixed(figures.max, 6).c_str());
+    std::printf("rmse_fit  %s at power %s\n", fixed(figures.rmse_fit, 6).c_str(),
+                fixed(figures.power_fit, 3).c_str());
+    std::printf("psnr      %s dB\n", fixed(figures.psnr_db, 2).c_str());
+    std::printf("bad       %s %% of pixels are off by more than %s\n",
+                fixed(figures.bad_fraction * 100.0, 4).c_str(), significant(threshold, 6).c_str());
     std::printf("pixels    %lld, and %lld masked, %lld not finite\n", figures.pixels, figures.masked,
                 figures.non_finite);
     for (const std::string& sentence : broken) std::fprintf(stderr, "%s\n", sentence.c_str());

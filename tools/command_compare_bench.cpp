@@ -4,6 +4,8 @@
 #include "tools/commands.h"
 #include "tools/compare_bench.h"
 
+#include "core/numbers.h"
+
 #include <CLI/CLI.hpp>
 
 #include <memory>
@@ -22,9 +24,10 @@ struct CompareBenchOptions {
 void printChanges(const char* title, const std::vector<BenchChange>& changes)
 {
     for (const BenchChange& change : changes)
-        std::printf("%s: %s: %s was %.7g and is %.7g (at most %.7g is the same)\n", title,
-                    change.point.c_str(), change.figure.c_str(), change.before, change.now,
-                    change.limit);
+        std::printf("%s: %s: %s was %s and is %s (at most %s is the same)\n", title,
+                    change.point.c_str(), change.figure.c_str(),
+                    significant(change.before, 7).c_str(), significant(change.now, 7).c_str(),
+                    significant(change.limit, 7).c_str());
 }
 
 int printComparison(const BenchComparison& comparison)

@@ -12,6 +12,7 @@
 #include "tools/watched_targets.h"
 
 #include "core/frame_math.h"
+#include "core/numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -148,7 +149,8 @@ void printTable(const Checkup& checkup, const Diagnostics& found)
         std::printf("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(),
                     stateOf(each).c_str());
         for (int i = 0; i < each.channels && each.minimum[i] <= each.maximum[i]; ++i)
-            std::printf(" %.4g..%.4g", each.minimum[i], each.maximum[i]);
+            std::printf(" %s..%s", significant(each.minimum[i], 4).c_str(),
+                        significant(each.maximum[i], 4).c_str());
         std::putchar('\n');
     }
     if (found.empty()) std::puts("nothing is wrong");

@@ -7,6 +7,7 @@
 #include "tools/watched_files.h"
 
 #include "core/load.h"
+#include "core/numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,13 +38,15 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
                  summary.triangles, summary.extent.width, summary.extent.height,
                  summary.views > 1 ? " an eye" : "");
     std::fprintf(stderr, "on %s\n", summary.device.c_str());
-    std::fprintf(stderr, "planned and compiled in %.1f ms (wall clock)\n", summary.create_ms);
+    std::fprintf(stderr, "planned and compiled in %s ms (wall clock)\n",
+                 fixed(summary.create_ms, 1).c_str());
     if (const ProgramFolder* programs = summary.programs; programs && programs->asked() > 0)
         std::fprintf(stderr, "%d of %d programs came from the cache\n", programs->found(),
                      programs->asked());
     else if (programs)
         std::fputs("nothing is kept: the driver gives no program binaries\n", stderr);
-    std::fprintf(stderr, "drawn in %.1f ms (wall clock, first frame)\n", summary.ms);
+    std::fprintf(stderr, "drawn in %s ms (wall clock, first frame)\n",
+                 fixed(summary.ms, 1).c_str());
     for (const Picture& picture : pictures)
         std::fprintf(stderr, "wrote %s (%s)\n", picture.request.file.c_str(),
                      picture.request.name.c_str());
@@ -134,7 +137,7 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
                                       : description.diagnostics();
         report(description.diagnostics(), false);
         if (description) report(ms.diagnostics(), false);
-        if (ms) std::fprintf(stderr, "drawn again in %.1f ms\n", *ms);
+        if (ms) std::fprintf(stderr, "drawn again in %s ms\n", fixed(*ms, 1).c_str());
         else std::fputs("the last pictures stay\n", stderr);
     }
     return kExitOk;

@@ -6,6 +6,8 @@
 #include "tools/image_file.h"
 #include "tools/output_request.h"
 
+#include "core/numbers.h"
+
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -49,8 +51,8 @@ int makeReport(const ReportOptions& options)
     report(page.diagnostics(), false);
     const Status written = writeReport(options, *points, *ablation, *page);
     if (!written) return report(written.diagnostics(), false);
-    std::printf("wrote %s (%zu points, %.1f MB), and a .csv and a .json beside it\n",
-                options.out.c_str(), points->size(), static_cast<double>(page->size()) / 1e6);
+    std::printf("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
+                options.out.c_str(), points->size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
     return kExitOk;
 }
 

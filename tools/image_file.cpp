@@ -2,6 +2,8 @@
 // PNG through stb, PFM by hand, and writing that never leaves half a file.
 #include "tools/image_file.h"
 
+#include "core/numbers.h"
+
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
@@ -116,13 +118,17 @@ bool isPfm(std::string_view bytes)
 
 bool readHeader(std::string_view bytes, PfmHeader& header)
 {
-    const std::string head(bytes.substr(0, 128));
-    const int read = std::sscanf(head.c_str() + 2, "%d %d %lf%n", &header.width, &header.height,
-                                 &header.scale, &header.size);
-    header.channels = head[1] == 'F' ? 3 : 1;
-    header.size += 3;  // "PF" and the white space after the scale
-    return read == 3 && header.width > 0 && header.height > 0 && header.scale != 0.0 &&
-           std::isfinite(header.scale);
+    std::string_view rest = bytes.substr(2, 126);
+    double numbers[3] = {};
+    for (double& number : numbers) number = takeNumber(rest).value_or(0.0);
+    const auto isSide = [](double n) { return n >= 1 && n <= 1e9 && n == std::floor(n); };
+    if (!isSide(numbers[0]) || !isSide(numbers[1]) || !std::isfinite(numbers[2])) return false;
+    header.width = static_cast<int>(numbers[0]);
+    header.height = static_cast<int>(numbers[1]);
+    header.scale = numbers[2];
+    header.channels = bytes[1] == 'F' ? 3 : 1;
+    header.size = static_cast<int>(rest.data() - bytes.data()) + 1;  // white space after the scale
+    return header.scale != 0.0;
 }
 
 Result<Image> decodePfm(std::string_view bytes, const std::string& name)

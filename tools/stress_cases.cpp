@@ -3,10 +3,10 @@
 #include "tools/stress_case_lists.h"
 
 #include "core/content_hash.h"
+#include "core/numbers.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace crevice {
 namespace {
@@ -45,11 +45,7 @@ void addVector(ContentHash& hash, const Vector& vector)
 std::vector<StressStep> steps(std::initializer_list<double> values)
 {
     std::vector<StressStep> all;
-    for (const double value : values) {
-        char label[32];
-        std::snprintf(label, sizeof(label), "%.6g", value);
-        all.push_back({value, label});
-    }
+    for (const double value : values) all.push_back({value, significant(value, 6)});
     return all;
 }
 

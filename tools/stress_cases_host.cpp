@@ -4,6 +4,8 @@
 #include "tools/stress_case_lists.h"
 #include "tools/stress_geometry.h"
 
+#include "core/numbers.h"
+
 #include <glm/matrix.hpp>
 
 #include <cmath>
@@ -73,7 +75,7 @@ StressShot hostEncoding(double kind, Extent size)
     }
     const double far = std::pow(10, kind);
     shot.geometry = kHostLogGeometry;
-    shot.settings = {"log_far=" + std::to_string(far)};
+    shot.settings = {"log_far=" + fixed(far, 6)};
     shot.host = storedBy(drawn, [far](double z, bool seen) {
         return seen ? std::log1p(z) / std::log1p(far) : 1;
     });

@@ -2,8 +2,9 @@
 // What the figures of a stress case mean.
 #include "tools/stress_record.h"
 
+#include "core/numbers.h"
+
 #include <algorithm>
-#include <cstdio>
 
 namespace crevice {
 namespace {
@@ -17,9 +18,7 @@ constexpr double kChangePerStep = 0.25;
 
 std::string number(double value)
 {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%.4g", value);
-    return buffer;
+    return significant(value, 4);
 }
 
 Verdict breaks(std::string why) { return {Outcome::breaks, std::move(why)}; }

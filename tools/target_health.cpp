@@ -2,20 +2,18 @@
 // The doctor's examination and its diagnosis.
 #include "tools/target_health.h"
 
+#include "core/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 
 namespace crevice {
 namespace {
 
 std::string number(double value)
 {
-    std::ostringstream text;
-    text.precision(4);
-    text << value;
-    return text.str();
+    return significant(value, 4);
 }
 
 const TargetHealth* healthOf(const std::vector<TargetHealth>& all, const std::string& target)

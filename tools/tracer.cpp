@@ -4,6 +4,8 @@
 
 #include "tools/embree_scene.h"
 
+#include "core/numbers.h"
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -187,7 +189,7 @@ bool invertible(const glm::dmat4& matrix)
 Status checkOptions(const Camera& camera, Extent extent, const TraceOptions& options)
 {
     if (!(options.radius >= 0.0) || !std::isfinite(options.radius))
-        return Diagnostic{Code::out_of_range, "the radius " + std::to_string(options.radius) +
+        return Diagnostic{Code::out_of_range, "the radius " + significant(options.radius, 6) +
                                                   " is not a finite length of at least 0"};
     if (options.rays < 1 || options.rays > kMaxTraceRays)
         return Diagnostic{Code::out_of_range, std::to_string(options.rays) +
