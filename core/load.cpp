@@ -99,6 +99,25 @@ Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer,
             found.place, std::move(pointer), {}, std::move(help)};
 }
 
+// True for an override of the top key, or of something below it.
+bool changes(const std::string& override, const std::string& key)
+{
+    const std::size_t end = key.size() + 1;
+    return startsWith(override, "/" + key) && end < override.size() &&
+           (override[end] == '=' || override[end] == '/');
+}
+
+// Variants are taken out of each file, so one that is still there was laid over the config.
+void checkVariantsGone(const Node& document, Diagnostics& errors)
+{
+    for (const Member& member : document.members())
+        if (member.key == "variants")
+            errors.push_back({Code::unknown_key,
+                              "found 'variants' in a variant or an override", member.key_place,
+                              "/variants", {},
+                              "write them into a file, and choose one by its name"});
+}
+
 // Where a file was asked for: nowhere for the config itself.
 struct Asked {
     Place place = {};
@@ -108,7 +127,8 @@ struct Asked {
 // Reads a config's files, each once and each after all that it extends.
 class FileLoader {
 public:
-    explicit FileLoader(const SourceSet& sources) : sources_(sources) {}
+    FileLoader(const SourceSet& sources, const LoadRequest& request)
+        : sources_(sources), request_(request) {}
 
     void load(const SourceRef& found, const Asked& asked);
     void checkClashes();
@@ -122,6 +142,11 @@ private:
         std::string identity;
         std::string name;
     };
+    // What a file extends, and where that is written.
+    struct Extends {
+        std::optional<Node> list;
+        std::string pointer;
+    };
     // Of a file that has been read; in the order of `bodies`.
     struct Read {
         std::string identity;
@@ -130,14 +155,15 @@ private:
     };
 
     bool mayOpen(const Opened& file, const Asked& asked);
-    Result<SourceRef> findExtended(const SourceText& from, const Node& entry,
-                                   const std::string& pointer) const;
-    void loadExtended(const SourceRef& source, const Node& list);
+    Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
+    Extends takeExtends(Node& document);
+    void loadExtended(const Extends& extends);
     void checkFormat(const Node& document);
     void checkKeys(const Node& document);
     void takeVariants(Node& document);
 
     const SourceSet& sources_;
+    const LoadRequest& request_;
     std::vector<Opened> open_;  // from the config to the file being read
     std::set<std::string> done_;
     std::vector<Read> read_;
@@ -172,10 +198,11 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
         checkFormat(*document);
         checkKeys(*document);
         takeMember(*document, "$schema");  // by which editors find what checks the file
-        open_.push_back(file);
-        if (const auto list = takeMember(*document, "extends")) loadExtended(source, *list);
-        open_.pop_back();
+        const Extends extends = takeExtends(*document);
         takeVariants(*document);
+        open_.push_back(file);
+        loadExtended(extends);
+        open_.pop_back();
         bodies.push_back(std::move(*document));
         read_.push_back({file.identity, file.name, asked});
     }
@@ -251,9 +278,9 @@ bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
     return false;
 }
 
-Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& entry,
-                                           const std::string& pointer) const
+Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string& pointer) const
 {
+    const SourceText& from = *entry.place.source;
     const std::string& name = entry.text();
     Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
                        entry.place, pointer};
@@ -265,10 +292,10 @@ Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& e
         if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
         return missing;
     }
-    const bool shipped = !from.path.empty();
+    const bool shipped = !from.path.empty() && !isRelative(from.path);
     const bool rooted = startsWith(from.name, "/") || isRelative(from.name);
     const std::string path =
-        resolvePath(shipped ? from.path : rooted ? from.name : "./" + from.name, name);
+        resolvePath(!from.path.empty() ? from.path : rooted ? from.name : "./" + from.name, name);
     if (path.empty())
         return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
                           entry.place, pointer, {}, "name a module, such as 'ssao/hemisphere'"};
@@ -280,23 +307,47 @@ Result<SourceRef> FileLoader::findExtended(const SourceText& from, const Node& e
     return missing;
 }
 
-void FileLoader::loadExtended(const SourceRef& source, const Node& list)
+// The file's own list, or that of the chosen variant in the file; in the config itself with the
+// overrides of the list.
+FileLoader::Extends FileLoader::takeExtends(Node& document)
 {
+    Extends extends = {takeMember(document, "extends"), "/extends"};
+    const Node* named = document.find("variants");
+    const Node* variant = named ? named->find(request_.variant) : nullptr;
+    if (variant && variant->find("extends")) {
+        extends.list = *variant->find("extends");
+        extends.pointer = memberPointer("/variants", request_.variant) + "/extends";
+    }
+    if (!open_.empty()) return extends;
+    Node holder;
+    holder.kind = Node::Kind::object;
+    if (extends.list) holder.change().members.push_back({"extends", {}, std::move(*extends.list)});
+    for (const std::string& text : request_.overrides)
+        if (changes(text, "extends")) append(errors, applyOverride(holder, text).diagnostics());
+    extends.list = takeMember(holder, "extends");
+    return extends;
+}
+
+void FileLoader::loadExtended(const Extends& extends)
+{
+    if (!extends.list) return;
+    const Node& list = *extends.list;
     if (list.kind != Node::Kind::array) {
-        errors.push_back(wrongType(list, "a list of names", "/extends",
+        errors.push_back(wrongType(list, "a list of names", extends.pointer,
                                    list.kind == Node::Kind::string
                                        ? "put it in brackets: [" + jsonString(list.text()) + "]"
                                        : "write [\"folder/module\", ...]"));
         return;
     }
     for (const Node& entry : list.items()) {
-        const std::string pointer = "/extends/" + std::to_string(&entry - list.items().data());
+        const std::string pointer =
+            extends.pointer + "/" + std::to_string(&entry - list.items().data());
         if (entry.kind != Node::Kind::string) {
             errors.push_back(wrongType(entry, "a name", pointer,
                                        "write the name of a module or config in double quotes"));
             continue;
         }
-        const Result<SourceRef> found = findExtended(*source, entry, pointer);
+        const Result<SourceRef> found = findExtended(entry, pointer);
         if (!found) {
             append(errors, found.diagnostics());
             continue;
@@ -356,6 +407,7 @@ void FileLoader::takeVariants(Node& document)
         errors.push_back(wrongType(*taken, "an object of variants", "/variants",
                                    "write {\"name\": {what to change}, ...}"));
     for (Member& variant : taken->change().members) {
+        takeMember(variant.value, "extends");
         if (variant.value.kind == Node::Kind::object)
             variants.push_back(std::move(variant));
         else
@@ -392,7 +444,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
 {
     const Result<SourceRef> config = findConfig(sources, request.config);
     if (!config) return config.diagnostics();
-    FileLoader files(sources);
+    FileLoader files(sources, request);
     files.load(*config, {});
     if (files.errors.empty()) files.checkClashes();
     if (!files.errors.empty()) return files.errors;  // merging what is not whole adds false errors
@@ -408,7 +460,8 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
         document.change().origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
-        append(errors, applyOverride(document, text).diagnostics());
+        if (!changes(text, "extends")) append(errors, applyOverride(document, text).diagnostics());
+    checkVariantsGone(document, errors);
     if (!errors.empty()) return errors;
     return document;
 }
@@ -417,7 +470,8 @@ std::vector<std::string> variantNames(const SourceSet& sources, const std::strin
 {
     const Result<SourceRef> source = findConfig(sources, config);
     if (!source) return {};
-    FileLoader files(sources);
+    const LoadRequest request{config};
+    FileLoader files(sources, request);
     files.load(*source, {});
     return namesOf(files.variants);
 }

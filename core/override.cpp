@@ -6,6 +6,8 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 
 namespace crevice {
 
@@ -29,6 +31,60 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
     return unknown;
 }
 
+// Makes the patch that sets what stands at the keys. A list is patched as a whole, so on the way
+// through one its other items are copied.
+struct PatchMaker {
+    const std::vector<std::string>& keys;
+    const Place& place;
+    Diagnostics& errors;
+
+    // The patch of `base`, which is null where nothing is yet, by the keys from `at` on.
+    Node patch(const Node* base, std::size_t at, Node value)
+    {
+        if (at == keys.size()) return value;
+        if (base && base->kind == Node::Kind::array) return listWith(*base, at, std::move(value));
+        Node object;
+        object.kind = Node::Kind::object;
+        object.place = place;
+        Node below = patch(base ? base->find(keys[at]) : nullptr, at + 1, std::move(value));
+        object.change().members.push_back({keys[at], place, std::move(below)});
+        return object;
+    }
+
+    Node listWith(Node list, std::size_t at, Node value)
+    {
+        std::vector<Node>& items = list.change().items;
+        std::size_t index = 0;
+        const char* const end = keys[at].data() + keys[at].size();
+        const auto read = std::from_chars(keys[at].data(), end, index);
+        if (read.ec != std::errc() || read.ptr != end || index > items.size()) {
+            noItem(items.size(), at);
+            return list;
+        }
+        list.place = place;
+        const auto item = items.begin() + static_cast<std::ptrdiff_t>(index);
+        const bool there = index < items.size();
+        Node changed = patch(there ? &*item : nullptr, at + 1, std::move(value));
+        if (!there) items.push_back(std::move(changed));
+        else if (changed.kind == Node::Kind::null) items.erase(item);
+        else if (at + 1 == keys.size()) *item = std::move(changed);
+        else mergePatch(*item, changed, errors);
+        return list;
+    }
+
+    void noItem(std::size_t count, std::size_t at)
+    {
+        std::string pointer;
+        for (std::size_t i = 0; i <= at; ++i) pointer = memberPointer(pointer, keys[i]);
+        Diagnostic error{Code::merge_missing, "found no item '" + keys[at] + "' in a list of " +
+                         std::to_string(count), place, std::move(pointer)};
+        error.help = count == 0 ? "write 0 to add an item"
+                                : "items are counted from 0 to " + std::to_string(count - 1) + "; write " +
+                                      std::to_string(count) + " to add one";
+        errors.push_back(std::move(error));
+    }
+};
+
 }  // namespace
 
 Status applyOverride(Node& document, const std::string& text)
@@ -50,16 +106,9 @@ Status applyOverride(Node& document, const std::string& text)
     Result<Node> value = parseValue(source);
     source->text = text;
     if (!value) return value.diagnostics();
-    Node patch = std::move(*value);
-    for (auto key = keys->rbegin(); key != keys->rend(); ++key) {
-        Node object;
-        object.kind = Node::Kind::object;
-        object.place = place;
-        object.change().members.push_back({*key, place, std::move(patch)});
-        patch = std::move(object);
-    }
     Diagnostics errors;
-    mergePatch(document, patch, errors);
+    const Node patch = PatchMaker{*keys, place, errors}.patch(&document, 0, std::move(*value));
+    if (errors.empty()) mergePatch(document, patch, errors);
     return errors;
 }
 

@@ -215,7 +215,9 @@ std::string schemaJson(const SourceSet& sources)
         definitions[key] = value;
         keys[key] = reference(key);
     }
-    definitions["patch"] = table::objectForm(keys);
+    Json of_patch = keys;
+    of_patch["extends"] = extendsForm(sources);
+    definitions["patch"] = table::objectForm(of_patch);
     definitions["patch"]["description"] = "A patch over all else: only what differs.";
 
     Json own = fileProperties(sources);
