@@ -18,7 +18,7 @@ std::string valueOf(const State& state, const std::string& subject)
 {
     if (const TraitInfo* trait = findTrait(subject)) {
         const int value = trait->value(state.traits);
-        return trait->counted ? std::to_string(value) : boolText(value != 0);
+        return trait->count ? std::to_string(value) : boolText(value != 0);
     }
     const FeatureDesc* feature = findNamed(state.description.features, subject);
     return feature ? feature->values[feature->value] : "unknown";
@@ -30,7 +30,7 @@ bool termHolds(const State& state, const Condition::Term& term)
     const TraitInfo* trait = findTrait(term.subject.name);
     for (const std::string& wanted : term.values) {
         if (wanted == value) return true;
-        if (trait && trait->counted && wanted == boolText(value != "0")) return true;
+        if (trait && trait->count && wanted == boolText(value != "0")) return true;
     }
     return false;
 }

@@ -103,7 +103,7 @@ void Builder::countVariants(PlanProgram& program) const
     for (const FeatureDesc& each : description_.features)
         vary(upperCase(each.name), each.name, static_cast<double>(each.values.size()));
     for (const TraitInfo& each : kTraits)
-        vary(each.define, each.name, each.counted ? kMaxLights + 1 : 2);
+        vary(each.define, each.name, each.count ? kMaxLights + 1 : 2);
     for (const ParamDesc& each : description_.params) {
         if (each.bind != Bind::define) continue;
         const std::string define = upperCase(each.name);

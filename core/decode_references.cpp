@@ -263,13 +263,13 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
         locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
     for (std::size_t i = 0; i < term.values.size(); ++i) {
         const std::string& value = term.values[i];
-        if (contains(allowed, value) || (trait && trait->counted && isCount(value))) continue;
+        if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
         const std::string item = list ? "/" + std::to_string(i) : "";
         atPointer(term.subject.pointer + item, Code::feature_value,
                   "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
                       "', which it never is")
             .help = suggestName(value, allowed, "values") +
-                    (trait && trait->counted ? ", or a number" : "");
+                    (trait && trait->count ? ", or a number" : "");
     }
 }
 

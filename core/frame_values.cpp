@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace crevice {
 namespace {
@@ -42,23 +43,15 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
 };
 
 const TraitInfo kTraits[9] = {
-    {"scene.lights", "SCENE_LIGHTS",
-     [](const SceneTraits& traits) { return std::min(traits.lights, kMaxLights); }, true},
-    {"scene.alpha_tested", "SCENE_ALPHA_TESTED",
-     [](const SceneTraits& traits) { return int(traits.alpha_tested); }, false},
-    {"scene.specular", "SCENE_SPECULAR",
-     [](const SceneTraits& traits) { return int(traits.specular); }, false},
-    {"scene.textured", "SCENE_TEXTURED",
-     [](const SceneTraits& traits) { return int(traits.textured); }, false},
-    {"camera.orthographic", "CAMERA_ORTHOGRAPHIC",
-     [](const SceneTraits& traits) { return int(traits.orthographic); }, false},
-    {"camera.reversed_depth", "CAMERA_REVERSED_DEPTH",
-     [](const SceneTraits& traits) { return int(traits.reversed_depth); }, false},
-    {"camera.views", "CAMERA_VIEWS", [](const SceneTraits& traits) { return traits.views; }, true},
-    {"scene.normal_mapped", "SCENE_NORMAL_MAPPED",
-     [](const SceneTraits& traits) { return int(traits.normal_mapped); }, false},
-    {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION",
-     [](const SceneTraits& traits) { return int(traits.baked_occlusion); }, false},
+    {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
+    {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
+    {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
+    {"scene.textured", "SCENE_TEXTURED", &SceneTraits::textured},
+    {"camera.orthographic", "CAMERA_ORTHOGRAPHIC", &SceneTraits::orthographic},
+    {"camera.reversed_depth", "CAMERA_REVERSED_DEPTH", &SceneTraits::reversed_depth},
+    {"camera.views", "CAMERA_VIEWS", nullptr, &SceneTraits::views, std::numeric_limits<int>::max()},
+    {"scene.normal_mapped", "SCENE_NORMAL_MAPPED", &SceneTraits::normal_mapped},
+    {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION", &SceneTraits::baked_occlusion},
 };
 
 const MaterialMapInfo kMaterialMaps[3] = {

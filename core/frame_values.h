@@ -7,6 +7,7 @@
 
 #include "core/frame.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -33,12 +34,21 @@ extern const FrameValueInfo kFrameValues[frame_value_count];
 /// The value of that name, or null.
 const FrameValueInfo* findFrameValue(std::string_view name);
 
-/// A fact about the scene that conditions and shaders may depend on.
+/// A fact about the scene that conditions and shaders may depend on: a flag, or a count of at most `most`,
+/// of which true means at least one.
 struct TraitInfo {
     const char* name;    ///< In conditions.
     const char* define;  ///< In GLSL, where it is `value`.
-    int (*value)(const SceneTraits& traits);
-    bool counted;  ///< A number, of which true means at least one; else 0 or 1.
+    bool SceneTraits::*flag = nullptr;
+    int SceneTraits::*count = nullptr;
+    int most = 1;
+
+    int value(const SceneTraits& traits) const { return flag ? traits.*flag : std::min(traits.*count, most); }
+    void set(SceneTraits& traits, int value) const
+    {
+        if (flag) traits.*flag = value != 0;
+        else traits.*count = value;
+    }
 };
 
 extern const TraitInfo kTraits[9];

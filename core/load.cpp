@@ -118,6 +118,16 @@ void checkVariantsGone(const Node& document, Diagnostics& errors)
                               "write them into a file, and choose one by its name"});
 }
 
+// A name that a file, a variant or an override deletes and nothing gives anew.
+void checkNamed(const Node& document, Diagnostics& errors)
+{
+    if (document.find("name")) return;
+    for (const Member& deleted : document.deleted())
+        if (deleted.key == "name")
+            errors.push_back(wrongType(deleted.value, "a name", "/name",
+                                       "write a name, or leave the key out to keep that of 'extends'"));
+}
+
 // Where a file was asked for: nowhere for the config itself.
 struct Asked {
     Place place = {};
@@ -462,6 +472,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     for (const std::string& text : request.overrides)
         if (!changes(text, "extends")) append(errors, applyOverride(document, text).diagnostics());
     checkVariantsGone(document, errors);
+    checkNamed(document, errors);
     if (!errors.empty()) return errors;
     return document;
 }

@@ -215,6 +215,19 @@ TEST_CASE("every file says that its format is 1")
     CHECK(placeName(failure(sources, {"base"}).place) == "filter/box.json:1:1");
 }
 
+TEST_CASE("a name cannot be deleted")
+{
+    const Diagnostic error = failureOf(file(R"("extends": ["base"], "name": null)"));
+    CHECK(error.code == Code::wrong_type);
+    CHECK(error.pointer == "/name");
+    CHECK(error.place.line == 1);
+    MemorySources sources = smallCatalog();
+    sources.add("configs/var.json", file(R"("name": "var", "variants": {"x": {"name": null}})"));
+    CHECK(failure(sources, {"var", "x"}).code == Code::wrong_type);
+    CHECK(failure(sources, {"base", "", {"/name=null"}}).code == Code::wrong_type);
+    CHECK(loadConfig(sources, {"base", "", {"/name=null", "/name=mine"}}));
+}
+
 TEST_CASE("the errors of all files are reported together")
 {
     MemorySources sources = smallCatalog();

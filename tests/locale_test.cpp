@@ -21,7 +21,7 @@ std::string planned(const Subject& subject)
 {
     CompileOptions options;
     options.extent = {960, 540};
-    const Plan plan = need(compile(descriptionOf(subject), fullTraits(), usualCaps(), options));
+    const Plan plan = need(compile(descriptionOf(subject), usualTraits(), usualCaps(), options));
     std::string text = toText(plan) + toJson(plan);
     for (const PlanProgram& program : plan.programs)
         for (const GlslStage* stage : {&program.vertex, &program.fragment}) text += stage->text;

@@ -73,8 +73,8 @@ TEST_CASE("Shipped configs with the least and the most of every count fit every 
             INFO(subject.config << " " << subject.variant << (most ? " most" : " least"));
             const Description description = withCounts(descriptionOf(subject), most);
             const CompileOptions options = {{64, 36}};
-            need(compile(description, fullTraits(), generousCaps(), options));
-            need(compile(description, fullTraits(), usualCaps(), options));
+            need(compile(description, usualTraits(), generousCaps(), options));
+            need(compile(description, usualTraits(), usualCaps(), options));
         }
     }
 }

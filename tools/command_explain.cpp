@@ -39,7 +39,7 @@ struct ExplainOptions {
 /// What the scene has; everything when none was named.
 Result<SceneTraits> sceneTraits(const SceneOptions& options)
 {
-    if (options.scene.empty()) return fullTraits();
+    if (options.scene.empty()) return usualTraits();
     const Result<SceneView> view = loadSceneView(options);
     if (!view) return view.diagnostics();
     RecordingDevice device;

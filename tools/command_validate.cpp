@@ -33,11 +33,11 @@ struct Checked {
 std::vector<Checked> check(ConfigOptions options, const SourceSet& sources)
 {
     std::vector<Checked> checked = {
-        {options.config, options.variant, planWithoutDevice(options, sources)}};
+        {options.config, options.variant, planForEveryScene(options, sources)}};
     if (!options.variant.empty() || !checked[0].plan) return checked;
     for (const std::string& variant : variantNames(sources, options.config)) {
         options.variant = variant;
-        checked.push_back({options.config, variant, planWithoutDevice(options, sources)});
+        checked.push_back({options.config, variant, planForEveryScene(options, sources)});
     }
     return checked;
 }

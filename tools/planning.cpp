@@ -2,6 +2,11 @@
 // Planning without a device.
 #include "tools/planning.h"
 
+#include "core/frame_values.h"
+#include "core/text.h"
+
+#include <algorithm>
+
 namespace crevice {
 
 DeviceCaps usualCaps()
@@ -16,7 +21,7 @@ DeviceCaps usualCaps()
     return caps;
 }
 
-SceneTraits fullTraits()
+SceneTraits usualTraits()
 {
     SceneTraits traits;
     traits.lights = 1;
@@ -26,13 +31,70 @@ SceneTraits fullTraits()
     return traits;
 }
 
+namespace {
+
+struct Setting {
+    std::string what;  // "scene.lights 0"
+    SceneTraits traits;
+};
+
+std::vector<Setting> otherSettings()
+{
+    std::vector<Setting> settings;
+    Setting full = {"everything that a scene can have", usualTraits()};
+    for (const TraitInfo& trait : kTraits) {
+        const int usual = trait.value(usualTraits());
+        if (startsWith(trait.name, "scene.")) trait.set(full.traits, 1);
+        for (const int value : {0, 1, 2}) {
+            if (value == usual || value > trait.most) continue;
+            settings.push_back({std::string(trait.name) + " " + std::to_string(value), usualTraits()});
+            trait.set(settings.back().traits, value);
+        }
+    }
+    settings.push_back(full);
+    return settings;
+}
+
+Result<Plan> planFor(const Description& description, const SceneTraits& traits)
+{
+    CompileOptions options;
+    options.extent = {960, 540};
+    return compile(description, traits, usualCaps(), options);
+}
+
+bool isSame(const Diagnostic& a, const Diagnostic& b)
+{
+    return a.code == b.code && a.pointer == b.pointer && a.message == b.message;
+}
+
+}  // namespace
+
+Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Description> description = loadDescription(options, sources);
+    if (!description) return description.diagnostics();
+    Result<Plan> plan = planFor(*description, usualTraits());
+    Diagnostics errors = plan ? Diagnostics() : plan.diagnostics();
+    for (const Setting& setting : otherSettings()) {
+        const Result<Plan> other = planFor(*description, setting.traits);
+        if (other) continue;
+        for (Diagnostic error : other.diagnostics()) {
+            const auto same = [&](const Diagnostic& each) { return isSame(each, error); };
+            if (error.severity != Severity::error || std::any_of(errors.begin(), errors.end(), same))
+                continue;
+            error.notes.push_back({{}, "found with " + setting.what});
+            errors.push_back(std::move(error));
+        }
+    }
+    if (!errors.empty()) return errors;
+    return plan;
+}
+
 Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources)
 {
     const Result<Description> description = loadDescription(options, sources);
     if (!description) return description.diagnostics();
-    CompileOptions compile_options;
-    compile_options.extent = {960, 540};
-    return compile(*description, fullTraits(), usualCaps(), compile_options);
+    return planFor(*description, usualTraits());
 }
 
 }  // namespace crevice

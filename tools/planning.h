@@ -10,11 +10,16 @@ namespace crevice {
 /// What every OpenGL ES 3.0 device has, and float targets.
 DeviceCaps usualCaps();
 
-/// A scene that has one of everything, so that no pass is left out for want of it.
-SceneTraits fullTraits();
+/// What a scene usually has: a light, textures, alpha tests, highlights.
+SceneTraits usualTraits();
 
-/// Loads a config and plans it at 960x540 on `usualCaps` for `fullTraits`.
+/// Loads a config and plans it at 960x540 on `usualCaps` for `usualTraits`.
 /// Errors: those of loadDescription and compile; warnings come with the plan.
 Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources);
+
+/// The same plan, once the config plans for every other scene and camera too: with each trait changed from
+/// `usualTraits`, and with all that a scene can have.
+/// Errors: also those of the other plans, each with a note that says where it was found.
+Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources);
 
 }  // namespace crevice
