@@ -49,7 +49,7 @@ enum class Code : int {
     no_outputs = 2205,          ///< Nothing is asked for.
     attachment_size = 2206,     ///< Attachments of one pass differ in size.
     attachment_kind = 2207,     ///< A depth format as colour, or a colour format as depth.
-    bypass_class = 2208,        ///< A bypass or identity stands in for a target of another class.
+    bypass_class = 2208,        ///< A bypass has depth stand in for colour, or the reverse.
     output_missing = 2209,      ///< An output that the config does not export was asked for.
     attachment_samples = 2210,  ///< Attachments of one pass differ in samples.
     cannot_filter = 2211,       ///< A linear read of a format that no device filters.

@@ -2,6 +2,8 @@
 // What is needed: which passes some output hangs on, and what stands in for those that do not run.
 #include "core/compile_steps.h"
 
+#include "core/numbers.h"
+
 #include <algorithm>
 
 namespace crevice::compiler {
@@ -53,13 +55,33 @@ bool holds(const Description& description, const IdentityDesc& identity)
                        [&](float value) { return value == identity.at; });
 }
 
+// Whether a texture of `by` reads as one of `replaced` would that a pass has copied it into.
+bool storedAlike(const State& state, int replaced, int by)
+{
+    const FormatInfo& wanted = formatInfo(state.targets[replaced].format);
+    const FormatInfo& given = formatInfo(state.targets[by].format);
+    return given.format_class == wanted.format_class && given.channels >= wanted.channels &&
+           given.absolute_step == wanted.absolute_step && given.relative_step == wanted.relative_step;
+}
+
+// The first target that the identity gives for one of another format; null where there is none.
+const IdentityDesc::Gives* givenOtherwise(const State& state, const IdentityDesc& identity)
+{
+    for (const IdentityDesc::Gives& each : identity.gives) {
+        const int replaced = indexOf(state.description.targets, each.output.name);
+        const int by = indexOf(state.description.targets, each.input.name);
+        if (!each.constant && replaced >= 0 && by >= 0 && !storedAlike(state, replaced, by)) return &each;
+    }
+    return nullptr;
+}
+
 // The next identity of the pass, after its present one, whose param has its value.
 const IdentityDesc* nextIdentity(const State& state, const Pass& pass)
 {
     const std::vector<IdentityDesc>& all = pass.desc->identity;
     std::size_t i = pass.identity ? pass.identity - all.data() + 1 : 0;
     for (; i < all.size(); ++i)
-        if (holds(state.description, all[i])) return &all[i];
+        if (holds(state.description, all[i]) && !givenOtherwise(state, all[i])) return &all[i];
     return nullptr;
 }
 
@@ -168,6 +190,21 @@ std::optional<Source> resolve(const State& state, const Source& source)
 std::optional<Source> resolveTarget(const State& state, int target)
 {
     return resolve(state, {InputKind::target, target});
+}
+
+std::vector<std::string> droppedIdentities(const State& state, const Pass& pass)
+{
+    std::vector<std::string> dropped;
+    const auto named = [&](const std::string& target) {
+        const Format format = state.targets[indexOf(state.description.targets, target)].format;
+        return target + " (" + formatInfo(format).name + ")";
+    };
+    for (const IdentityDesc& each : pass.desc->identity)
+        if (const IdentityDesc::Gives* gives = givenOtherwise(state, each))
+            dropped.push_back("runs also where " + each.param.name + " is " + shortest(each.at) + ": " +
+                              named(gives->input.name) + " is not stored as " +
+                              named(gives->output.name) + " is");
+    return dropped;
 }
 
 void chooseLive(State& state)

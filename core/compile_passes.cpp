@@ -262,6 +262,7 @@ void Builder::addPass(int index)
     addMask(pass, result);
     for (const auto& [glsl, value] : desc.uniforms)
         if (glsl.name != value.name) result.renamed_uniforms.push_back({glsl.name, value.name});
+    result.notes = droppedIdentities(state_, pass);
     plan_.passes.push_back(std::move(result));
 }
 

@@ -60,6 +60,9 @@ void orderPasses(State& state);
 
 // compile_live.cpp
 void chooseLive(State& state);
+
+/// What `identity` says of the pass and formats do not allow, each a sentence without its subject.
+std::vector<std::string> droppedIdentities(const State& state, const Pass& pass);
 /// What a reader gets, with inactive passes and those that an identity replaces looked through;
 /// nothing when no active pass is behind it.
 std::optional<Source> resolve(const State& state, const Source& source);

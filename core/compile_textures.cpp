@@ -41,9 +41,9 @@ int mipsOf(const TargetDesc& desc, const Extent& extent)
     return desc.mips == 0 ? full : std::min(desc.mips, full);
 }
 
-FormatClass classOf(const TargetDesc& target)
+bool isDepth(const TargetDesc& target)
 {
-    return formatInfo(target.formats.front()).format_class;
+    return formatInfo(target.formats.front()).format_class == FormatClass::depth;
 }
 
 // ---- sizes
@@ -122,12 +122,12 @@ void checkStandIn(State& state, const Reference& output, const Reference& input)
 {
     const TargetDesc* replaced = findNamed(state.description.targets, output.name);
     const TargetDesc* by = findNamed(state.description.targets, input.name);
-    if (!replaced || !by || classOf(*replaced) == classOf(*by)) return;
+    if (!replaced || !by || isDepth(*replaced) == isDepth(*by)) return;
     report(state, Code::bypass_class,
            "'" + input.name + "' (" + formatInfo(by->formats.front()).name +
                ") cannot stand in for '" + output.name + "' (" +
                formatInfo(replaced->formats.front()).name +
-               "): they hold different kinds of values",
+               "): one holds depth and the other colour",
            input).help = "give both targets formats of one kind";
 }
 
@@ -258,9 +258,6 @@ void checkFormats(State& state)
         if (pass.active) checkAttachments(state, pass);
         for (const BypassDesc& bypass : pass.desc->bypass)
             checkStandIn(state, bypass.output, bypass.input);
-        for (const IdentityDesc& identity : pass.desc->identity)
-            for (const IdentityDesc::Gives& gives : identity.gives)
-                if (!gives.constant) checkStandIn(state, gives.output, gives.input);
     }
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const Target& target = state.targets[i];

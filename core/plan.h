@@ -81,6 +81,7 @@ struct PlanPass {
     std::string shown_length = {};  ///< ... and of those at which this param comes to a pixel; may be empty.
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.
+    std::vector<std::string> notes;  ///< What could have been left out and is not: "runs also where ...".
     double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
     double bytes_written = 0;  ///< An estimate a frame.
 };

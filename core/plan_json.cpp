@@ -90,7 +90,9 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
            ",\n      \"uniforms\": " + list(pass.renamed_uniforms, uniformJson, indent) +
            ",\n      \"color\": " + list(pass.color, attachment, indent) +
-           ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") + "}";
+           ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") +
+           ",\n      \"notes\": " + list(pass.notes, [](const std::string& note) { return json(note); }) +
+           "}";
 }
 
 std::string targetJson(const PlanTarget& target)

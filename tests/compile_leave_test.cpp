@@ -409,27 +409,42 @@ TEST_CASE("Passes that nobody needs run when the unread rule is switched off")
     CHECK(passNames(planOf(description, {}, keeping("unread"))) == "used, unused, end");
 }
 
+TEST_CASE("An identity is dropped with a note where the formats do not store the same values")
+{
+    for (const char* format : {"r16f", "rgb10_a2"}) {
+        INFO(format);
+        Sketch sketch = withIdentities("1", "0");
+        CHECK(passNames(planOf(describe(sketch))) == "ssao, light");
+        sketch.targets = {{"ao", R"({"format": [")" + std::string(format) + "\"]}"}};
+        const Plan plan = planOf(describe(sketch));
+        CHECK(passNames(plan) == "ssao, filter, light");
+        REQUIRE(plan.passes[1].notes.size() == 1);
+        CHECK(plan.passes[1].notes[0] == "runs also where blur is 0: ao (" + std::string(format) +
+                                             ") is not stored as smooth (r8) is");
+        CHECK(toText(plan).find("    note    runs also where blur is 0") != std::string::npos);
+        CHECK(toJson(plan).find("runs also where blur is 0") != std::string::npos);
+    }
+}
+
 TEST_CASE("A stand-in must hold the kind of values that it replaces")
 {
-    const std::map<std::string, std::string> targets = {{"ao", R"({"format": ["r16f"]})"}};
-    SECTION("by bypass")
+    SECTION("depth is no colour")
     {
         Sketch sketch = filtered(R"("bypass": {"smooth": "ao"})");
-        sketch.targets = targets;
-        const Diagnostic error = onlyError(describe(sketch));
-        CHECK(error.code == Code::bypass_class);
-        CHECK(error.pointer == "/passes/filter/bypass/smooth");
-        CHECK(textAt(error.place) == "\"ao\"");
+        sketch.targets = {{"smooth", R"({"format": ["depth24"]})"}};
+        const Diagnostics errors = tryCompile(describe(sketch)).diagnostics();
+        REQUIRE(errors.size() == 2);  // the first: depth is no colour attachment
+        CHECK(errors[1].code == Code::bypass_class);
+        CHECK(errors[1].pointer == "/passes/filter/bypass/smooth");
+        CHECK(textAt(errors[1].place) == "\"ao\"");
     }
-    SECTION("by identity, whatever the param's value")
+    SECTION("floats stand in for bytes where a pass is switched off")
     {
-        Sketch sketch = withIdentities("1", "2");
-        sketch.targets = targets;
-        const Diagnostic error = onlyError(describe(sketch));
-        CHECK(error.code == Code::bypass_class);
-        CHECK(error.pointer == "/passes/filter/identity/blur/gives/smooth");
+        Sketch sketch = filtered(R"("when": {"soft": true}, "bypass": {"smooth": "ao"})", kSoft);
+        sketch.targets = {{"ao", R"({"format": ["r16f"]})"}};
+        CHECK(passNames(planOf(describe(sketch))) == "ssao, light");
     }
-    SECTION("but may differ in size")
+    SECTION("sizes may differ")
     {
         Sketch sketch = withIdentities("1", "0");
         sketch.targets = {{"ao", R"({"format": ["r8"], "size": {"scale": 0.5}})"}};
