@@ -127,9 +127,6 @@ TEST_CASE("Bent normals are refused on an estimator that has none")
         else if (estimator.targets.size() > 1) CHECK(hasErrors(refusal(modules)));
         else checkRefused(modules, Code::output_mismatch, "'bent_normal'");
     }
-    checkRefused({"geometry/depth_normal", "ssao/gtao", "filter/box", "lighting/blinn_phong"},
-                 Code::uniform_unbound, "'bent_normal'",
-                 R"(, "features": {"specular_occlusion": {"default": "bent"}})");
 }
 
 TEST_CASE("Layers behind the first one need a draw list, and a depth to follow")

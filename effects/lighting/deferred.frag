@@ -6,7 +6,7 @@
 //   albedo       linear colour; alpha is the strength of the highlight
 //   visibility   1 open .. 0 blocked; highp, so that a pass that only joins or bends it may be fused
 //   indirect_filtered  with INDIRECT: linear colour that the surface gets from its occluders
-//   bent_normal  with SPECULAR_OCCLUSION_BENT: mean open direction, view space, n * 0.5 + 0.5
+//   bent_normal  with SPECULAR_OCCLUSION_BENT, where there is one: mean open direction, view space, n * 0.5 + 0.5
 //   color        sRGB, ready to show; alpha 0 in a transparent background
 //   DISPLAY      the lit picture with occlusion, without, or the occlusion alone
 precision highp float;  // positions
@@ -26,6 +26,9 @@ uniform mediump sampler2D albedo;
 #if BACKGROUND == BACKGROUND_COLOR
 uniform vec3 background_color;
 #endif
+#ifndef INDIRECT  // the switch of filter/indirect, which a config may lack
+#define INDIRECT 0
+#endif
 #if DISPLAY == DISPLAY_LIT
 uniform highp sampler2D visibility;
 #if INDIRECT
@@ -34,7 +37,7 @@ uniform mediump sampler2D indirect_filtered;
 #if HIGHLIGHTS && SPECULAR_OCCLUSION != SPECULAR_OCCLUSION_NONE
 #define GLOSS_OCCLUDED
 #include "lighting/caps.glsl"
-#if SPECULAR_OCCLUSION == SPECULAR_OCCLUSION_BENT
+#if SPECULAR_OCCLUSION == SPECULAR_OCCLUSION_BENT && defined BENT_NORMAL_STEP  // there is such a target
 uniform mediump sampler2D bent_normal;
 #endif
 #endif
@@ -51,8 +54,11 @@ float glossOpenAt(Surface s, float open)
 #if SPECULAR_OCCLUSION == SPECULAR_OCCLUSION_AO
     return glossOpen(open, clamp(dot(s.normal, to_eye), 0.0, 1.0), specular_power);
 #else
-    vec3 bent = texture(bent_normal, uv).xyz * 2.0 - 1.0;
+    vec3 bent = s.normal;
+#ifdef BENT_NORMAL_STEP
+    bent = texture(bent_normal, uv).xyz * 2.0 - 1.0;
     bent /= max(length(bent), 1e-6);
+#endif
     return glossOpen(open, bent, s.normal, reflect(-to_eye, s.normal), specular_power);
 #endif
 }

@@ -19,6 +19,14 @@ precision highp int;    // all 32 bits of a mask: mediump has 16
 #include "ssao/march.glsl"
 #include "ssao/occlusion_curve.glsl"
 
+// Switches of geometry/back_faces and geometry/second_layer, which a config may lack.
+#ifndef BACK_FACES
+#define BACK_FACES 0
+#endif
+#ifndef SECOND_LAYER
+#define SECOND_LAYER 0
+#endif
+
 uniform float thickness;
 uniform float bridge;
 
