@@ -112,6 +112,12 @@ expect 2 'stereo' render learnopengl --scene plane --convergence 2
 expect 2 'CV8001.*orthographic' render learnopengl --scene plane --camera 'eye=0,1,3;ortho=2' --stereo 1
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
+printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply  # Assimp never returns from it
+expect 1 'CV7002.*longer than 1 s' render learnopengl --scene cut.ply --import-time 1
+expect 1 'CV7002.*longer than 1 s' bench --scene cut.ply --import-time 1 --out cut
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
+expect 1 'help: .*--any-format' explain learnopengl --scene triangle.off
+expect 0 'plan' explain learnopengl --scene triangle.off --any-format
 expect 4 'CV7007' render learnopengl --scene plane --out color=nowhere/a.png
 expect 2 'CV8001.*json' render learnopengl --save-patch patch.txt
 expect 2 'CV8001.*extend' render mine.json --save-patch ./mine.json

@@ -33,6 +33,7 @@ Result<double> parseDuration(const std::string& text);
 struct BenchOptions {
     std::vector<std::string> configs = {};  ///< Empty: every shipped config.
     std::vector<std::string> scenes = {};
+    ImportOptions import = {};  ///< Of those that are files.
     std::vector<std::string> sizes = {"960x540"};
     std::vector<double> radii = {};  ///< Scene units; empty: each config's own.
     std::vector<int> samples = {};   ///< Empty: each config's own.

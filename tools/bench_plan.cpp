@@ -80,7 +80,7 @@ void Planner::tell(const Diagnostics& diagnostics)
 
 void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
 {
-    Result<Scene> loaded = loadScene(name);
+    Result<Scene> loaded = loadScene(name, options_.import);
     tell(loaded.diagnostics());
     std::shared_ptr<const Scene> scene;
     if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));

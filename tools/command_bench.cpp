@@ -8,6 +8,7 @@
 #include "tools/long_run.h"
 #include "tools/open_device.h"
 #include "tools/reference_cache.h"
+#include "tools/scene_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -174,6 +175,7 @@ void addPointOptions(CLI::App& app, BenchCommand& command)
     repeatable(app.add_option("--scene", bench.scenes,
                               "A file or a built-in scene; may be repeated. Default: room, and all "
                               "built-in ones for --ablate"));
+    addImportOptions(app, bench.import);
     app.add_option("--size", bench.sizes, "Pixels; several as 480x270,960x540")
         ->type_name("WxH,...")
         ->delimiter(',')

@@ -137,14 +137,14 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
     return glm::translate(glm::dmat4(1.0), clip_shift) * centered;
 }
 
-Result<Scene> loadScene(const std::string& name_or_file)
+Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& options)
 {
     const auto& names = builtinSceneNames();
     if (std::find(names.begin(), names.end(), name_or_file) != names.end())
         return builtinScene(name_or_file);
     std::error_code error;
     if (!std::filesystem::exists(name_or_file, error)) return sceneMissing(name_or_file);
-    Result<Scene> scene = importScene(name_or_file);
+    Result<Scene> scene = importScene(name_or_file, options);
     if (scene && scene->lights.empty()) scene->lights.push_back(defaultLight());
     return scene;
 }

@@ -98,14 +98,22 @@ struct Scene {
 /// `bounds` with a hair to spare; a near distance is then at least a thousandth of the far one.
 glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& bounds);
 
-/// A built-in scene or a file that Assimp reads: glTF 2.0, OBJ, 3DS, PLY, STL ... A name without a
+/// What reading a file may do.
+struct ImportOptions {
+    bool any_format = false;  ///< Every format that Assimp knows, and not glTF 2.0, OBJ, PLY, STL and 3DS alone.
+    double time_s = 0;        ///< At most; 0 leaves 10 s and another for each MiB of the file.
+    std::vector<std::string> roots = {};  ///< Folders beside the file's own, files below which it may name.
+};
+
+/// A built-in scene or a file: glTF 2.0, OBJ, PLY, STL, 3DS. A name without a
 /// folder and an extension is a built-in one. What is left out (broken triangles, textures that
 /// cannot be read) is told in warnings. A file without lights gets one, so that it can be seen.
 ///
-/// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it.
-Result<Scene> loadScene(const std::string& name_or_file);
+/// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it, CV6009 no memory.
+Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& options = {});
 
-/// The file alone; what `loadScene` does for paths. No default light, no look at built-in names.
-Result<Scene> importScene(const std::string& path);
+/// The file alone; what `loadScene` does for paths. No default light, no look at built-in names. The file is
+/// read in a process of its own, so that one that crashes its reader, or keeps it for ever, is an error.
+Result<Scene> importScene(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace crevice

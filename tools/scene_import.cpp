@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
-#include "tools/scene.h"
+#include "tools/scene_import.h"
 
+#include "core/text.h"
 #include "tools/mesh_normals.h"
+#include "tools/scene_folder.h"
 #include "tools/scene_materials.h"
 #include "tools/scene_views.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <filesystem>
 
 namespace crevice {
@@ -31,6 +37,18 @@ constexpr float kMaxCoordinate = 1e18f;
 // Normals and shared vertices are our own work: Assimp's takes minutes for a million triangles.
 constexpr unsigned kPostProcess =
     aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent;
+
+// Without the dot, as Assimp writes them. Its readers of other formats are older and less tried.
+constexpr std::string_view kDefaultFormats[] = {"gltf", "glb", "obj", "ply", "stl", "3ds"};
+
+// What Assimp says of a file may quote all of it.
+constexpr std::size_t kLongestReason = 300;  // bytes
+
+bool isDefaultExtension(std::string_view extension)
+{
+    return std::find(std::begin(kDefaultFormats), std::end(kDefaultFormats), extension) !=
+           std::end(kDefaultFormats);
+}
 
 glm::dmat4 matrixFrom(const aiMatrix4x4& m)  // Assimp's has rows, ours columns
 {
@@ -51,7 +69,8 @@ bool usable(const aiMesh& mesh, const aiFace& face)
     });
 }
 
-// Removes the faces that no later step could bear; returns how many.
+// Removes the faces that no later step could bear; returns how many. Assimp cuts polygons where a mesh says
+// that it has some, and asserts that it does.
 unsigned dropBrokenFaces(aiMesh& mesh)
 {
     unsigned kept = 0;
@@ -62,6 +81,9 @@ unsigned dropBrokenFaces(aiMesh& mesh)
     }
     const unsigned dropped = mesh.mNumFaces - kept;
     mesh.mNumFaces = kept;
+    mesh.mPrimitiveTypes = kept == 0 ? aiPrimitiveType_TRIANGLE : 0;  // Assimp refuses a mesh of none
+    for (unsigned index = 0; index < kept; ++index)
+        mesh.mPrimitiveTypes |= AI_PRIMITIVE_TYPE_FOR_N_INDICES(mesh.mFaces[index].mNumIndices);
     return dropped;
 }
 
@@ -137,15 +159,6 @@ NodePlaces importNodes(const aiScene& from, Scene& scene)
     return places;
 }
 
-Diagnostic broken(const std::string& path, const std::string& reason)
-{
-    Diagnostic error = {Code::scene_broken, "the scene '" + path + "' cannot be read: " + reason};
-    while (!error.message.empty() && (error.message.back() == '.' || error.message.back() == '\n'))
-        error.message.pop_back();
-    error.help = "scenes are glTF 2.0 (.gltf, .glb), OBJ, 3DS, PLY, STL, or what else Assimp reads";
-    return error;
-}
-
 Diagnostic noTriangle(const std::string& path, unsigned dropped)
 {
     Diagnostic error = {Code::scene_empty, "the scene '" + path + "' has no triangle"};
@@ -163,11 +176,12 @@ bool hasSurface(const aiScene& scene)
     return false;
 }
 
-Scene sceneFrom(const aiScene& from, const std::string& path, Diagnostics& warnings)
+Scene sceneFrom(const aiScene& from, const std::string& path, SceneFolder& folder,
+                Diagnostics& warnings)
 {
     Scene scene;
     scene.name = std::filesystem::path(path).stem().string();
-    importMaterials(from, path, scene, warnings);
+    importMaterials(from, path, folder, scene, warnings);
     const double crease = isGltf(path) ? kGltfCreaseDegrees : kCreaseDegrees;
     for (unsigned index = 0; index < from.mNumMeshes; ++index)
         scene.meshes.push_back(meshFrom(*from.mMeshes[index], crease));
@@ -177,15 +191,79 @@ Scene sceneFrom(const aiScene& from, const std::string& path, Diagnostics& warni
     return scene;
 }
 
-Result<Scene> readScene(const std::string& path)
+// Opens what the scene's folder allows, and nothing for writing.
+class SceneFiles : public Assimp::DefaultIOSystem {
+public:
+    explicit SceneFiles(SceneFolder& folder) : folder_(folder) {}
+
+    bool Exists(const char* file) const override { return folder_.allows(file); }
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
+        const bool opens = reads && !folder_.refuses(file) && folder_.allows(file);
+        return opens ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+
+private:
+    SceneFolder& folder_;
+};
+
+// A file is otherwise read by whichever reader knows its first bytes, whatever its name.
+void keepDefaultFormats(Assimp::Importer& importer)
 {
-    Assimp::Importer importer;
+    for (std::size_t index = importer.GetImporterCount(); index-- > 0;) {
+        const std::string extensions = importer.GetImporterInfo(index)->mFileExtensions;
+        if (!isDefaultExtension(extensions.substr(0, extensions.find(' '))))
+            importer.UnregisterLoader(importer.GetImporter(index));
+    }
+}
+
+void configure(Assimp::Importer& importer, const ImportOptions& options, SceneFolder& folder)
+{
+    if (!options.any_format) keepDefaultFormats(importer);
+    importer.SetIOHandler(new SceneFiles(folder));  // which it deletes
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
                                     aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS);
-    if (!importer.ReadFile(path, 0)) return broken(path, importer.GetErrorString());
+}
+
+// Why there is no scene; throws where that is for want of memory.
+Diagnostic failureOf(const Assimp::Importer& importer, const std::string& path,
+                     const SceneFolder& folder)
+{
+    try {
+        if (importer.GetException()) std::rethrow_exception(importer.GetException());
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (...) {  // its text is the importer's
+    }
+    Diagnostic error = brokenScene(path, importer.GetErrorString());
+    if (folder.refusedAny()) {
+        error.notes.push_back({{}, folder.warning().message});
+        error.help = folder.warning().help;
+    }
+    return error;
+}
+
+Diagnostic leftOutFaces(const std::string& path, unsigned dropped)
+{
+    Diagnostic warning = {Code::not_finite, "the scene '" + path + "' has " +
+                                                std::to_string(dropped) +
+                                                " faces with vertices that are not finite"};
+    warning.help = "they are left out";
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options,
+                           Diagnostics warnings)
+{
+    SceneFolder folder(path, options.roots);
+    Assimp::Importer importer;
+    configure(importer, options, folder);
+    if (!importer.ReadFile(path, 0)) return failureOf(importer, path, folder);
 
     // Before Assimp cuts polygons, since it compares coordinates.
     unsigned dropped = 0;
@@ -194,37 +272,39 @@ Result<Scene> readScene(const std::string& path)
         dropped += dropBrokenFaces(*read->mMeshes[index]);
     if (!hasSurface(*read)) return noTriangle(path, dropped);
     const aiScene* const scene = importer.ApplyPostProcessing(kPostProcess);
-    if (!scene) return broken(path, importer.GetErrorString());
+    if (!scene) return failureOf(importer, path, folder);
 
-    Diagnostics warnings;
-    if (dropped > 0) {
-        Diagnostic warning = {Code::not_finite, "the scene '" + path + "' has " +
-                                                    std::to_string(dropped) +
-                                                    " faces with vertices that are not finite"};
-        warning.help = "they are left out";
-        warning.severity = Severity::warning;
-        warnings.push_back(warning);
-    }
-    Scene result = sceneFrom(*scene, path, warnings);
+    if (dropped > 0) warnings.push_back(leftOutFaces(path, dropped));
+    Scene result = sceneFrom(*scene, path, folder, warnings);
+    if (folder.refusedAny()) warnings.push_back(folder.warning());
     if (result.instances.empty() || result.bounds().empty()) return noTriangle(path, dropped);
     return {std::move(result), std::move(warnings)};
 }
 
 }  // namespace
 
-Result<Scene> importScene(const std::string& path)
+const char* const kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
+
+bool isDefaultFormat(const std::string& path)
 {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error))
-        return Diagnostic{Code::scene_missing, "the scene file '" + path + "' does not exist"};
-    if (!std::filesystem::is_regular_file(path, error)) return broken(path, "it is not a file");
-    try {
-        return readScene(path);
-    } catch (const std::bad_alloc&) {
-        return Diagnostic{Code::out_of_memory, "the scene '" + path + "' does not fit into memory"};
-    } catch (const std::exception& fault) {
-        return broken(path, fault.what());
-    }
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return !extension.empty() && isDefaultExtension(std::string_view(extension).substr(1));
+}
+
+Diagnostic brokenScene(const std::string& path, const std::string& reason)
+{
+    Diagnostic error = {Code::scene_broken, "the scene '" + path + "' cannot be read: " +
+                                                std::string(utf8Prefix(reason, kLongestReason))};
+    while (!error.message.empty() && (error.message.back() == '.' || error.message.back() == '\n'))
+        error.message.pop_back();
+    error.help = kSceneFormats;
+    return error;
+}
+
+Result<Scene> readScene(const std::string& path, const ImportOptions& options)
+{
+    return readByAssimp(path, options, {});
 }
 
 }  // namespace crevice

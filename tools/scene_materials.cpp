@@ -3,6 +3,7 @@
 #include "tools/scene_materials.h"
 
 #include "tools/image_file.h"
+#include "tools/scene_folder.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <new>
+#include <optional>
 #include <utility>
 
 namespace crevice {
@@ -21,6 +24,9 @@ namespace {
 
 // Exponents above it are mirrors, which a single highlight cannot show.
 constexpr float kMaxShininess = 1000.0f;
+
+// Of an image file. A picture of 8192 x 8192 pixels that nothing compresses takes 256 MiB.
+constexpr std::uintmax_t kMaxTextureBytes = 512u << 20;
 
 // IEC 61966-2-1.
 float linearFromSrgb(float value)
@@ -62,18 +68,22 @@ std::string percentDecoded(const std::string& text)
     return decoded;
 }
 
-// Exporters write paths of their own machine: what follows the last slash is tried as well.
-std::string textureFile(const std::string& scene_path, std::string name)
+// Exporters write paths of their own machine: what follows the last slash is tried as well. Nothing where
+// the only such file is one that the folder does not open.
+std::optional<std::string> textureFile(const std::string& scene_path, SceneFolder& allowed,
+                                       std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::filesystem::path folder = std::filesystem::path(scene_path).parent_path();
-    for (const std::string& spelling : {name, percentDecoded(name)}) {
-        const std::filesystem::path path = spelling;
-        for (const auto& candidate : {folder / path, folder / path.filename()}) {
-            std::error_code error;
-            if (std::filesystem::is_regular_file(candidate, error)) return candidate.string();
-        }
-    }
+    std::vector<std::filesystem::path> candidates;
+    for (const std::string& spelling : {name, percentDecoded(name)})
+        for (const std::filesystem::path& path :
+             {std::filesystem::path(spelling), std::filesystem::path(spelling).filename()})
+            candidates.push_back(folder / path);
+    for (const auto& candidate : candidates)
+        if (allowed.allows(candidate)) return candidate.string();
+    for (const auto& candidate : candidates)
+        if (allowed.refuses(candidate)) return std::nullopt;
     return (folder / name).string();
 }
 
@@ -93,11 +103,28 @@ Image imageFromTexels(const aiTexture& texture)
     return image;
 }
 
-Result<Image> readTexture(const aiScene& from, const std::string& scene_path,
-                          const std::string& name)
+Result<Image> readImageFile(const std::string& file)
+{
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        return Diagnostic{Code::image_broken, "the image '" + file + "' is not a regular file"};
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (!error && size > kMaxTextureBytes)
+        return Diagnostic{Code::image_broken, "the image '" + file + "' is larger than 512 MiB"};
+    return readImage(file);
+}
+
+// Nothing where the file is not one to open.
+std::optional<Result<Image>> readTexture(const aiScene& from, const std::string& scene_path,
+                                         SceneFolder& folder, const std::string& name)
 {
     const aiTexture* embedded = from.GetEmbeddedTexture(name.c_str());
-    if (!embedded) return readImage(textureFile(scene_path, name));
+    if (!embedded) {
+        const std::optional<std::string> file = textureFile(scene_path, folder, name);
+        if (!file) return std::nullopt;
+        return readImageFile(*file);
+    }
     if (embedded->mHeight > 0) return imageFromTexels(*embedded);
     const std::string_view bytes(reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
     return decodeImage(bytes, scene_path + " (embedded texture " + name + ")");
@@ -106,8 +133,9 @@ Result<Image> readTexture(const aiScene& from, const std::string& scene_path,
 // Reads each texture once, whichever materials use it.
 class TextureImport {
 public:
-    TextureImport(const aiScene& from, const std::string& path, Scene& scene, Diagnostics& warnings)
-        : from_(from), path_(path), scene_(scene), warnings_(warnings) {}
+    TextureImport(const aiScene& from, const std::string& path, SceneFolder& folder, Scene& scene,
+                  Diagnostics& warnings)
+        : from_(from), path_(path), folder_(folder), scene_(scene), warnings_(warnings) {}
 
     /// Index of the material's base-colour texture; -1 when it has none that can be read.
     int baseColor(const aiMaterial& material)
@@ -136,20 +164,28 @@ private:
 
     int read(const std::string& name, Encoding encoding)
     {
-        const Result<Image> image = readTexture(from_, path_, name);
-        if (!image) {
-            Diagnostic warning = image.diagnostics().front();
-            warning.severity = Severity::warning;
-            warning.help = "the material goes without the texture";
-            warnings_.push_back(warning);
-            return kNone;
+        try {
+            const std::optional<Result<Image>> image = readTexture(from_, path_, folder_, name);
+            if (!image) return kNone;
+            if (!*image) return leaveOut(image->diagnostics().front());
+            scene_.textures.push_back({name, linearRgba(**image, encoding)});
+            return static_cast<int>(scene_.textures.size()) - 1;
+        } catch (const std::bad_alloc&) {
+            return leaveOut({Code::image_broken, "the image '" + name + "' does not fit into memory"});
         }
-        scene_.textures.push_back({name, linearRgba(*image, encoding)});
-        return static_cast<int>(scene_.textures.size()) - 1;
+    }
+
+    int leaveOut(Diagnostic warning)
+    {
+        warning.severity = Severity::warning;
+        warning.help = "the material goes without the texture";
+        warnings_.push_back(std::move(warning));
+        return kNone;
     }
 
     const aiScene& from_;
     const std::string& path_;
+    SceneFolder& folder_;
     Scene& scene_;
     Diagnostics& warnings_;
     std::map<std::pair<std::string, Encoding>, int> indices_;
@@ -213,10 +249,10 @@ void importSurfaceMaps(const aiMaterial& from, TextureImport& textures, SceneMat
 
 }  // namespace
 
-void importMaterials(const aiScene& from, const std::string& path, Scene& scene,
-                     Diagnostics& warnings)
+void importMaterials(const aiScene& from, const std::string& path, SceneFolder& folder,
+                     Scene& scene, Diagnostics& warnings)
 {
-    TextureImport textures(from, path, scene, warnings);
+    TextureImport textures(from, path, folder, scene, warnings);
     for (unsigned index = 0; index < from.mNumMaterials; ++index) {
         SceneMaterial material = materialFrom(*from.mMaterials[index]);
         material.base_color_texture = textures.baseColor(*from.mMaterials[index]);

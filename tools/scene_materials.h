@@ -8,10 +8,12 @@ struct aiScene;
 
 namespace crevice {
 
+class SceneFolder;
+
 /// Appends a material for each of `from`'s, in its order, and the base-colour textures that they
 /// use, each once. `path` is the scene file's: textures are looked for beside it. One that is
-/// missing or broken is left out, with a warning CV7005.
-void importMaterials(const aiScene& from, const std::string& path, Scene& scene,
-                     Diagnostics& warnings);
+/// missing or broken is left out, with a warning CV7005; one that `folder` does not open, without.
+void importMaterials(const aiScene& from, const std::string& path, SceneFolder& folder,
+                     Scene& scene, Diagnostics& warnings);
 
 }  // namespace crevice

@@ -12,10 +12,26 @@
 
 namespace crevice {
 
+void addImportOptions(CLI::App& app, ImportOptions& options)
+{
+    app.add_flag("--any-format", options.any_format,
+                 "Read a scene in any format that Assimp knows; most of its readers are little tried");
+    app.add_option("--import-time", options.time_s,
+                   "How long reading the scene may take. Default: 10, and 1 for each MiB of the file")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(1, 86400));
+    app.add_option("--scene-root", options.roots,
+                   "A folder from which the scene may read images and buffers, beside its own; may be "
+                   "repeated")
+        ->type_name("FOLDER")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void addSceneOptions(CLI::App& app, SceneOptions& options)
 {
     app.add_option("--scene", options.scene,
-                   "A file (glTF 2.0, OBJ, 3DS, ...) or a built-in scene: " + joined(builtinSceneNames()))
+                   "A file (glTF 2.0, OBJ, PLY, STL, 3DS) or a built-in scene: " + joined(builtinSceneNames()))
         ->type_name("FILE|NAME")
         ->capture_default_str();
     app.add_option("--size", options.size, "Pixels of the picture")
@@ -26,6 +42,7 @@ void addSceneOptions(CLI::App& app, SceneOptions& options)
                    ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
                    ";near=D ;far=D. Default: the scene's first camera, or one that frames it")
         ->type_name("CAMERA");
+    addImportOptions(app, options.import);
 }
 
 Result<Extent> parseSize(const std::string& text)
@@ -49,7 +66,7 @@ Result<SceneView> loadSceneView(const SceneOptions& options)
 {
     const Result<Extent> extent = parseSize(options.size);
     if (!extent) return extent.diagnostics();
-    Result<Scene> scene = loadScene(options.scene);
+    Result<Scene> scene = loadScene(options.scene, options.import);
     if (!scene) return scene.diagnostics();
     const Bounds bounds = scene->bounds();
     const double aspect = static_cast<double>(extent->width) / extent->height;

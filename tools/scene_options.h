@@ -17,7 +17,11 @@ struct SceneOptions {
     std::string scene = "room";    ///< --scene: a built-in name or a file.
     std::string size = "960x540";  ///< --size
     std::string camera;            ///< --camera, as tools/camera_framing.h reads it.
+    ImportOptions import = {};     ///< --any-format, --import-time, --scene-root
 };
+
+/// What reading a scene's file may do.
+void addImportOptions(CLI::App& app, ImportOptions& options);
 
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 

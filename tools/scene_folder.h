@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Which files a scene may name: regular ones below its own folder, or below one that was allowed.
+#pragma once
+
+#include "core/diagnostic.h"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+class SceneFolder {
+public:
+    SceneFolder(const std::string& scene, const std::vector<std::string>& roots);
+
+    /// The scene itself, or a regular file that lies, after symlinks, below one of the folders.
+    bool allows(const std::filesystem::path& file) const;
+
+    /// Whether there is such a file elsewhere; it is kept for `warning` then.
+    bool refuses(const std::filesystem::path& file);
+
+    bool refusedAny() const { return !refused_.empty(); }
+
+    /// CV1204, which names what was refused. Requires refusedAny().
+    Diagnostic warning() const;
+
+private:
+    bool isBelow(const std::filesystem::path& file) const;
+
+    std::string scene_;
+    std::vector<std::filesystem::path> roots_;
+    std::set<std::string> refused_;
+};
+
+}  // namespace crevice
