@@ -111,6 +111,7 @@ enum class Code : int {
     cannot_write = 7007,    ///< A file or folder that cannot be written.
     nothing_seen = 7008,    ///< A camera that sees no surface.
     results_broken = 7009,  ///< Bench results that cannot be read.
+    scene_features = 7010,  ///< A scene file that uses what is not drawn (a warning).
 
     // what a frame's targets hold (crevice doctor)
     target_not_finite = 9001,  ///< A pass writes what is not a number or is infinite.

@@ -194,6 +194,7 @@ int doctor(const DoctorOptions& options)
         diagnose(*description, checkup->plan, checkup->health, checkup->facts);
     Diagnostics all = found;
     append(all, checkup->warnings);
+    append(all, view.diagnostics());
     if (options.json) {
         printJson(*checkup, all);
     } else {

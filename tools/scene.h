@@ -107,7 +107,8 @@ struct ImportOptions {
 
 /// A built-in scene or a file: glTF 2.0, OBJ, PLY, STL, 3DS. A name without a
 /// folder and an extension is a built-in one. What is left out (broken triangles, textures that
-/// cannot be read) is told in warnings. A file without lights gets one, so that it can be seen.
+/// cannot be read, what glTF has and crevice does not draw) is told in warnings. A file without lights
+/// gets one, so that it can be seen.
 ///
 /// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it, CV6009 no memory.
 Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& options = {});

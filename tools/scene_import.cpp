@@ -3,6 +3,7 @@
 #include "tools/scene_import.h"
 
 #include "core/text.h"
+#include "tools/gltf_check.h"
 #include "tools/mesh_normals.h"
 #include "tools/scene_folder.h"
 #include "tools/scene_materials.h"
@@ -304,7 +305,10 @@ Diagnostic brokenScene(const std::string& path, const std::string& reason)
 
 Result<Scene> readScene(const std::string& path, const ImportOptions& options)
 {
-    return readByAssimp(path, options, {});
+    if (!isGltf(path)) return readByAssimp(path, options, {});
+    const Status checked = checkGltf(path, options.any_format);
+    if (!checked) return checked.diagnostics();
+    return readByAssimp(path, options, checked.diagnostics());
 }
 
 }  // namespace crevice
