@@ -37,6 +37,36 @@ expect 1 'CV7006|CV7005' compare open.pfm "$readme"
 expect 0 'wrote' reference --scene corner --size 96x64 --radius 0 --rays 1 --out one.pfm
 expect 0 'rmse' compare open.pfm one.pfm --max-abs 0
 
+expect 0 'CV9003: the ambient occlusion is 1 everywhere' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm
+expect 0 'intensity is 0' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm --json
+expect_json
+
+# What shows no ambient occlusion is told with the radius to take, which then shows some.
+for scale in 0.001 1000; do
+    awk -v k=$scale '{ if ($1 == "v") print "v", $2 * k, $3 * k, $4 * k; else print }' >scaled.obj <<'EOF'
+v -2 0 -2
+v 2 0 -2
+v 2 0 2
+v -2 0 2
+v -2 3 -2
+v 2 3 -2
+f 4 3 2 1
+f 1 2 6 5
+EOF
+    scaled=(--scene scaled.obj --size 96x64 --backend "$backend")
+    for config in learnopengl gtao mobile; do
+        expect 0 'warning CV4001: radius .* at the median depth' render "$config" "${scaled[@]}" --out color=lit.png
+        radius=$(sed -n 's/.*try --set \(radius=.*\)/\1/p' stderr.txt)
+        expect 0 'wrote' render "$config" "${scaled[@]}" --out ao=ao.pfm --set "$radius"
+        check "$config at scale $scale has no more to say" eval '! grep -q warning stderr.txt'
+        expect 5 'over' compare ao.pfm open.pfm --max-rmse 0.005
+    done
+done
+expect 0 'warning CV7008: the camera sees no surface' render gtao "${small[@]}" \
+    --camera 'eye=0,1,100;at=0,1,200' --out color=lit.png
+expect 0 'wrote' render gtao "${small[@]}" --out color=lit.png
+check "a picture that shows it has nothing to say" eval '! grep -q warning stderr.txt'
+
 # What was set is saved as a config of its own, which draws the same picture.
 mkdir -p saved
 expect 0 'wrote' render thesis "${small[@]}" --variant lambert --set radius=0.8 --set power=1 \

@@ -4,6 +4,7 @@
 #include "tools/commands.h"
 #include "tools/render_session.h"
 #include "tools/save_patch.h"
+#include "tools/view_check.h"
 #include "tools/watched_files.h"
 
 #include "core/load.h"
@@ -12,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -151,6 +153,18 @@ Summary summaryOf(const Session& session, const SceneView& view, double ms)
             renderer.plan().passes.size(), session.create_ms, ms, session.open.programs.get()};
 }
 
+/// Whether the picture shows ambient occlusion; of two eyes, the left one's.
+Diagnostics checkPicture(const Session& session, const SceneView& view,
+                         const std::vector<Picture>& pictures)
+{
+    const auto ao = std::find_if(pictures.begin(), pictures.end(), [](const Picture& picture) {
+        return picture.source.output == "ao";
+    });
+    const Renderer& renderer = *session.renderer;
+    return checkView(renderer.description(), renderer.plan(), view.scene, session.frame.camera,
+                     ao == pictures.end() ? nullptr : &ao->image);
+}
+
 int render(const RenderOptions& options)
 {
     Result<std::vector<Picture>> pictures = readRequests(options.out);
@@ -185,6 +199,7 @@ int render(const RenderOptions& options)
     for (const Diagnostics* more : {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(),
                                     &written.diagnostics()})
         append(warnings, *more);
+    append(warnings, checkPicture(*session, *view, *pictures));
     if (session->open.programs) append(warnings, session->open.programs->warnings());
     const Summary summary = summaryOf(*session, *view, *ms);
     if (options.json) {
