@@ -107,7 +107,7 @@ TEST_CASE("a format that is not asked for is not tried, whatever the file is cal
     const std::string named = folder.write("a.off", off);
     CHECK(onlyError(importScene(named)).help.find("--any-format") != std::string::npos);
     CHECK(importScene(named, any).ok());
-    const std::string disguised = folder.write("off.stl", off);
+    const std::string disguised = folder.write("off.glb", off);
     CHECK_FALSE(importScene(disguised).ok());
 }
 
