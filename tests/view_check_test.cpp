@@ -56,7 +56,7 @@ Diagnostics saidOf(const Scene& scene, const std::string& set, const Image* ao =
     REQUIRE(description.ok());
     CompileOptions options;
     options.extent = kExtent;
-    const auto plan = compile(*description, fullTraits(), usualCaps(), options);
+    const auto plan = compile(*description, usualTraits(), usualCaps(), options);
     REQUIRE(plan.ok());
     const SceneCamera camera = frameScene(scene, double(kExtent.width) / kExtent.height);
     return checkView(*description, *plan, scene, cameraOf(scene, camera), ao);

@@ -2,6 +2,7 @@
 // Distances in view by a small rasteriser, and the warnings that follow.
 #include "tools/view_check.h"
 
+#include "core/numbers.h"
 #include "core/precision.h"
 #include "core/text.h"
 #include "tools/camera_framing.h"
