@@ -92,10 +92,12 @@ namespace crevice {
     X(GetString, GETSTRING, true) \
     X(GetStringi, GETSTRINGI, true) \
     X(GetUniformLocation, GETUNIFORMLOCATION, true) \
+    X(GetVertexAttribiv, GETVERTEXATTRIBIV, true) \
     X(InvalidateFramebuffer, INVALIDATEFRAMEBUFFER, false) \
     X(IsEnabled, ISENABLED, true) \
     X(IsEnabledi, ISENABLEDI, false) \
     X(IsTexture, ISTEXTURE, true) \
+    X(IsVertexArray, ISVERTEXARRAY, true) \
     X(LinkProgram, LINKPROGRAM, true) \
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PixelStorei, PIXELSTOREI, true) \
@@ -122,6 +124,7 @@ namespace crevice {
     X(UniformMatrix3fv, UNIFORMMATRIX3FV, true) \
     X(UniformMatrix4fv, UNIFORMMATRIX4FV, true) \
     X(UseProgram, USEPROGRAM, true) \
+    X(VertexAttribDivisor, VERTEXATTRIBDIVISOR, true) \
     X(VertexAttribPointer, VERTEXATTRIBPOINTER, true) \
     X(Viewport, VIEWPORT, true)
 

@@ -7,13 +7,65 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 
 namespace crevice {
 
+GlDevice::~GlDevice()
+{
+    if (!isCurrent()) abandon();
+}
+
+void GlDevice::markContext()
+{
+    static std::atomic<GLint> devices{0};
+    mark_divisor_ = ++devices;
+    mark_ = GlVertexArray::make(gl_);
+    gl_.BindVertexArray(mark_.name());
+    gl_.VertexAttribDivisor(0, static_cast<GLuint>(mark_divisor_));
+    gl_.BindVertexArray(0);
+}
+
+bool GlDevice::isCurrent() const
+{
+    if (!gl_.IsVertexArray(mark_.name())) return false;
+    GLint bound = 0, divisor = 0;
+    gl_.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
+    gl_.BindVertexArray(mark_.name());
+    gl_.GetVertexAttribiv(0, GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &divisor);
+    gl_.BindVertexArray(static_cast<GLuint>(bound));
+    return divisor == mark_divisor_;
+}
+
+Status GlDevice::checkCurrent()
+{
+    if (isCurrent()) {
+        deleteRetired();
+        return {};
+    }
+    noticeReset(gl_);
+    const Status status = takeErrors(gl_, "the device");
+    if (tellsLoss(status.diagnostics())) return status;
+    const bool none = !gl_.GetString(GL_VERSION);
+    return failure(Code::gl_version,
+                   none ? "no GL context is current on this thread"
+                        : "another GL context is current on this thread than the device's",
+                   "make the device's context current before calling the device or its renderers");
+}
+
+void GlDevice::deleteRetired()
+{
+    framebuffers_.deleteRetired();
+    textures_.deleteRetired();
+    meshes_.deleteRetired();
+    programs_.deleteRetired();
+}
+
 Status GlDevice::prepare(const ProgramCache& program_cache)
 {
     Scope scope(*this);
+    markContext();
     state_.bindTexture(0, 0, 0);  // so that unit 0 is put back
     caps_ = readCaps(gl_, info_);
     program_cache_ = GlProgramCache(gl_, program_cache);
@@ -50,6 +102,7 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
                            "x" + std::to_string(desc.extent.height) +
                            " pixels; this device holds " + std::to_string(limit) + " a side",
                        "render at a smaller size");
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
     if (desc.samples > 1) return createMultisampled(desc);
     Scope scope(*this);
     auto texture = GlTexture::make(gl_);
@@ -81,6 +134,7 @@ Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
 
 Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
 {
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
     dropHostErrors();
     if (!gl_.IsTexture(native_name)) {
         if (Status status = takeErrors(gl_, "adoptTexture", desc.label.c_str()); !status)
@@ -132,6 +186,24 @@ Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
     return {};
 }
 
+namespace {
+
+Status checkAttachments(const Device& device, const FramebufferDesc& desc)
+{
+    std::vector<TextureId> all = desc.color;
+    all.insert(all.end(), desc.resolve_color.begin(), desc.resolve_color.end());
+    all.insert(all.end(), {desc.depth, desc.resolve_depth});
+    for (const TextureId id : all)
+        if (id && !device.info(id).exists)
+            return failure(Code::bad_input,
+                           "framebuffer '" + desc.label + "' names texture " +
+                               std::to_string(id.value) + ", which is none of this device",
+                           "take an id that this device gave and that is not destroyed yet");
+    return {};
+}
+
+}  // namespace
+
 Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
 {
     const auto count = static_cast<int>(desc.color.size());
@@ -141,8 +213,10 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
                            " colour attachments; this device has " +
                            std::to_string(caps_.max_color_attachments),
                        "write fewer targets in one pass");
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
     Scope scope(*this);
     FramebufferSlot slot;
+    if (Status status = checkAttachments(*this, desc); !status) return status.diagnostics();
     if (Status status = fill(slot.drawn, desc.label, desc.color, desc.depth); !status)
         return status.diagnostics();
     const auto& colors = desc.resolve_color;
@@ -156,6 +230,7 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
 
 Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 {
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
     dropHostErrors();
     Result<GlLinkedProgram> program = makeProgram(gl_, program_cache_, desc);
     if (!program) return program.diagnostics();
@@ -165,8 +240,10 @@ Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
 {
     if (Status status = checkMesh(desc); !status) return status.diagnostics();
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
     Scope scope(*this);
-    MeshSlot mesh{GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_)};
+    MeshSlot mesh{GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_),
+                  static_cast<std::uint32_t>(desc.indices.size())};
     gl_.BindVertexArray(mesh.vertex_array.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
     gl_.BufferData(GL_ARRAY_BUFFER, desc.vertices.size() * sizeof(Vertex), desc.vertices.data(),
@@ -188,18 +265,37 @@ Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
     return MeshId{meshes_.add(std::move(mesh))};
 }
 
+ObjectInfo GlDevice::info(ObjectId id) const
+{
+    switch (id.kind) {
+    case ObjectId::Kind::texture:
+        if (const TextureSlot* texture = textures_.find(id.value))
+            return {true, texture->renderbuffer.name() != 0 ? 0 : texture->name, texture->samples, 0};
+        return {};
+    case ObjectId::Kind::mesh:
+        if (const MeshSlot* mesh = meshes_.find(id.value)) return {true, 0, 1, mesh->index_count};
+        return {};
+    case ObjectId::Kind::program: return {programs_.find(id.value) != nullptr};
+    case ObjectId::Kind::framebuffer: return {framebuffers_.find(id.value) != nullptr};
+    }
+    return {};
+}
+
 void GlDevice::destroy(ObjectId id)
 {
     switch (id.kind) {
-    case ObjectId::Kind::texture: return textures_.remove(id.value);
-    case ObjectId::Kind::mesh: return meshes_.remove(id.value);
-    case ObjectId::Kind::program: return programs_.remove(id.value);
-    case ObjectId::Kind::framebuffer: return framebuffers_.remove(id.value);
+    case ObjectId::Kind::texture: textures_.retire(id.value); break;
+    case ObjectId::Kind::mesh: meshes_.retire(id.value); break;
+    case ObjectId::Kind::program: programs_.retire(id.value); break;
+    case ObjectId::Kind::framebuffer: framebuffers_.retire(id.value); break;
     }
+    if (isCurrent()) deleteRetired();  // else before the next call that finds the context
 }
 
 Status GlDevice::writeTexture(TextureId id, const Image& image)
 {
+    if (Status status = checkCurrent(); !status) return status;
+    if (Status status = checkReadable(*this, id); !status) return status;
     const TextureSlot& texture = textures_.at(id.value);
     if (image.extent != texture.extent)
         return failure(Code::bad_input, "an image differs in size from the texture that it is for",
@@ -215,6 +311,8 @@ Status GlDevice::writeTexture(TextureId id, const Image& image)
 
 Result<Image> GlDevice::readTexture(TextureId id)
 {
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
+    if (Status status = checkReadable(*this, id); !status) return status.diagnostics();
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
     const GLuint nearest = sampler({Filter::nearest, Wrap::clamp}, texture.format);

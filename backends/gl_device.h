@@ -44,8 +44,8 @@ struct GlDeviceOptions {
     /// queries a frame; the host must then set all state that it relies on.
     bool restore_state = true;
 
-    /// Asks for errors after each pass, and whether the context is lost once a frame. Off saves what
-    /// can be a wait for a driver's own thread.
+    /// Asks for errors after each pass, and once a frame whether the context is lost, or is not the one
+    /// that is current. Off saves what can be a wait for a driver's own thread.
     bool check_errors = true;
 
     /// Pretends a bare OpenGL ES 3.0 without extensions: for testing what falls back.
@@ -57,6 +57,11 @@ struct GlDeviceOptions {
 
 /// A device in the current context. That context must be current for every call of the device, its
 /// destructor included, until a call of it or of its renderers gives CV6016: the context is lost.
+/// Where none is current, or another, calls give CV6004 and leave the device as it is: make the
+/// context current and call again. What is destroyed meanwhile is deleted with the next call that
+/// finds the context; names that a device destroyed so leaves go with its context. That is known by
+/// GL calls that do nothing without a context, as they do in Mesa and libglvnd; of another driver make
+/// sure yourself, since it may crash in them.
 /// From then on the device calls no GL; every further call that can fail gives CV6016, and the device
 /// and all that was made on it may be destroyed at any time, whatever context is current. It asks
 /// glGetGraphicsResetStatus, which tells of a reset once: a host that asks too may hear nothing.

@@ -18,6 +18,9 @@ public:
     {
     }
 
+    /// Deletes nothing in another context than its own, nor where none is current.
+    ~GlDevice() override;
+
     /// Reads what the context can do and makes the device's own objects.
     Status prepare(const ProgramCache& program_cache);
 
@@ -27,7 +30,7 @@ public:
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
     Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
-    int samples(TextureId id) const override { return textures_.at(id.value).samples; }
+    ObjectInfo info(ObjectId id) const override;
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
     Result<Image> readTexture(TextureId id) override;
@@ -35,7 +38,7 @@ public:
     {
         return programs_.at(id.value).uniforms;
     }
-    void beginFrame() override;
+    Status beginFrame() override;
     Status endFrame() override;
     void beginPass(const PassInfo& pass) override;
     void endPass() override;
@@ -47,7 +50,7 @@ public:
     }
     void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
     void drawFullscreen() override;
-    void present(TextureId id, const HostFramebuffer& host) override;
+    Status present(TextureId id, const HostFramebuffer& host) override;
     void finish() override { gl_.Finish(); }
     void abandon() { crevice::abandon(gl_); }
     bool beginTimer(int slot) override { return timers_.begin(gl_, slot); }
@@ -75,6 +78,7 @@ private:
         GlVertexArray vertex_array;
         GlBuffer vertices;
         GlBuffer indices;
+        std::uint32_t index_count = 0;
     };
 
     /// Brackets a call that may come outside of a frame.
@@ -91,6 +95,17 @@ private:
     private:
         GlState& state_;
     };
+
+    /// Makes what `isCurrent` knows the context by.
+    void markContext();
+    bool isCurrent() const;
+
+    /// Before all that the host calls. Errors: CV6004 where no context is current, or another than the
+    /// device's; CV6016 where it is lost.
+    Status checkCurrent();
+
+    /// Deletes what was destroyed. Requires that the context is current.
+    void deleteRetired();
 
     /// The sampler object; nearest where the format takes no filter.
     GLuint sampler(const SamplerDesc& desc, Format format) const;
@@ -114,6 +129,8 @@ private:
     bool check_errors_;
     GlState state_;
     DeviceCaps caps_;
+    GlVertexArray mark_;  // contexts do not share vertex arrays, and no other device's has its divisor
+    GLint mark_divisor_ = 0;
     GlProgramCache program_cache_;
     GlCopier copier_;
     GlSampler samplers_[2][2];

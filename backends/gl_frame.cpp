@@ -75,10 +75,14 @@ void GlDevice::noteErrors(const char* what, const char* label)
     errors_.insert(errors_.end(), status.diagnostics().begin(), status.diagnostics().end());
 }
 
-void GlDevice::beginFrame()
+Status GlDevice::beginFrame()
 {
-    if (check_errors_) dropHostErrors();
+    if (check_errors_) {
+        if (Status status = checkCurrent(); !status) return status;
+        dropHostErrors();
+    }
     state_.enter();
+    return {};
 }
 
 Status GlDevice::endFrame()
@@ -167,14 +171,16 @@ void GlDevice::drawFullscreen()
     copier_.drawTriangle(gl_);
 }
 
-void GlDevice::present(TextureId id, const HostFramebuffer& host)
+Status GlDevice::present(TextureId id, const HostFramebuffer& host)
 {
+    if (Status status = check_errors_ ? checkCurrent() : Status(); !status) return status;
+    if (Status status = checkReadable(*this, id); !status) return status;
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host.name);
     gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
     copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format));
-    noteErrors("present");
+    return check_errors_ ? takeErrors(gl_, "present") : Status();
 }
 
 }  // namespace crevice

@@ -84,19 +84,30 @@ public:
 
     const T& at(std::uint32_t id) const
     {
-        assert(id > 0 && id <= slots_.size() && slots_[id - 1]);
+        assert(find(id));
         return *slots_[id - 1];
     }
 
-    /// Ignores zero.
-    void remove(std::uint32_t id)
+    /// Null for an id that is none.
+    const T* find(std::uint32_t id) const
     {
-        assert(id <= slots_.size());
-        if (id > 0) slots_[id - 1].reset();
+        return id > 0 && id <= slots_.size() && slots_[id - 1] ? &*slots_[id - 1] : nullptr;
     }
+
+    /// Frees the id, and keeps what was behind it for `deleteRetired`. Ignores an id that is none.
+    void retire(std::uint32_t id)
+    {
+        if (!find(id)) return;
+        retired_.push_back(std::move(*slots_[id - 1]));
+        slots_[id - 1].reset();
+    }
+
+    /// Requires that the objects' context is current.
+    void deleteRetired() { retired_.clear(); }
 
 private:
     std::deque<std::optional<T>> slots_;
+    std::deque<T> retired_;
 };
 
 }  // namespace crevice

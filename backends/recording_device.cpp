@@ -81,14 +81,19 @@ void RecordingDevice::record(Call call, std::uint32_t object, Words words)
 
 void RecordingDevice::blame(std::string what) { misuse_.push_back(std::move(what)); }
 
-/// Counts an attempt; when it is the one to fail, or the context is lost, says so.
+Status RecordingDevice::checkContext(const std::string& what) const
+{
+    if (lost_) return Diagnostic{Code::context_lost, "the context of " + what + " is lost"};
+    if (!current_) return Diagnostic{Code::gl_version, "the context of " + what + " is not current"};
+    return {};
+}
+
+/// Counts an attempt; when it is the one to fail, or the context is not there, says so.
 bool RecordingDevice::failsNow(Diagnostics& errors, const std::string& what)
 {
     ++attempts_;
-    if (lost_) {
-        errors.push_back({Code::context_lost, "the context of " + what + " is lost"});
-        return true;
-    }
+    errors = checkContext(what).diagnostics();
+    if (!errors.empty()) return true;
     if (fail_in_ == 0 || --fail_in_ != 0) return false;
     errors.push_back({Code::out_of_memory, "no memory is left for " + what});
     return true;
@@ -131,12 +136,13 @@ Result<TextureId> RecordingDevice::createTexture(const TextureDesc& desc)
     return TextureId{add(std::move(object), Call::create_texture)};
 }
 
-Result<TextureId> RecordingDevice::adoptTexture(std::uint32_t, const TextureDesc& desc)
+Result<TextureId> RecordingDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
 {
     Diagnostics errors;
     if (failsNow(errors, "texture '" + desc.label + "'")) return errors;
     Object object{ObjectId::Kind::texture, desc.label};
     object.texture = desc;
+    object.native_name = native_name;
     object.defined = true;
     return TextureId{add(std::move(object), Call::adopt_texture)};
 }
@@ -192,10 +198,14 @@ Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
     return MeshId{add(std::move(object), Call::create_mesh)};
 }
 
-int RecordingDevice::samples(TextureId id) const
+ObjectInfo RecordingDevice::info(ObjectId id) const
 {
     const Object* object = objectOf(id.value);
-    return object ? object->texture.samples : 1;
+    if (!object || !object->alive || object->kind != id.kind) return {};
+    const bool texture = id.kind == ObjectId::Kind::texture;
+    const std::uint32_t own_name = texture ? id.value : 0;
+    return {true, object->native_name ? object->native_name : own_name, object->texture.samples,
+            object->index_count};
 }
 
 void RecordingDevice::destroy(ObjectId id)
@@ -217,7 +227,7 @@ void RecordingDevice::destroy(ObjectId id)
 Status RecordingDevice::writeTexture(TextureId id, const Image& image)
 {
     Object* object = find(id, "writeTexture");
-    if (!object) return {};
+    if (!object) return checkReadable(*this, id);
     Diagnostics errors;
     if (failsNow(errors, "the content of texture '" + object->label + "'")) return errors;
     if (in_pass_) blame("texture '" + object->label + "' is written inside a pass");
@@ -232,9 +242,9 @@ Status RecordingDevice::writeTexture(TextureId id, const Image& image)
 Result<Image> RecordingDevice::readTexture(TextureId id)
 {
     Object* object = find(id, "readTexture");
-    if (!object) return Image{};
-    Diagnostics errors;
-    if (lost_ && failsNow(errors, "texture '" + object->label + "'")) return errors;
+    if (Status status = checkReadable(*this, id); !status) return status.diagnostics();
+    if (Status status = checkContext("texture '" + object->label + "'"); !status)
+        return status.diagnostics();
     if (!object->defined) blame("texture '" + object->label + "' is read, with undefined content");
     record(Call::read_texture, id.value);
     if (object->image.channels > 0) return object->image;

@@ -54,6 +54,10 @@ public:
     /// Loses the context: from now on all that can fail does so, with CV6016.
     void loseContext() { lost_ = true; }
 
+    /// Takes the context from the thread, or gives it back: until then all that can fail does so, with
+    /// CV6004.
+    void setCurrent(bool current) { current_ = current; }
+
     /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
     /// read as void, and none at all takes the timers away.
     void setTimers(std::vector<double> times_ms) { timers_ms_ = std::move(times_ms); }
@@ -75,7 +79,10 @@ public:
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
     Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
-    int samples(TextureId id) const override;
+
+    /// The native name of a texture that was not adopted is its id.
+    ObjectInfo info(ObjectId id) const override;
+
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
 
@@ -85,7 +92,7 @@ public:
     /// Every uniform that the program's stages declare, in the order of the text.
     const std::vector<UniformInfo>& uniforms(ProgramId id) const override;
 
-    void beginFrame() override;
+    Status beginFrame() override;
     Status endFrame() override;
     void beginPass(const PassInfo& pass) override;
     void endPass() override;
@@ -94,7 +101,7 @@ public:
     void setUniform(int location, GlslType type, int count, const void* data) override;
     void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
     void drawFullscreen() override;
-    void present(TextureId id, const HostFramebuffer& host) override;
+    Status present(TextureId id, const HostFramebuffer& host) override;
     void finish() override;
     bool beginTimer(int slot) override;
     void endTimer() override;
@@ -121,6 +128,7 @@ private:
         std::string label;
         bool alive = true;
         TextureDesc texture = {};
+        std::uint32_t native_name = 0;
         bool defined = false;  // something is in the texture
         Image image = {};
         FramebufferDesc framebuffer = {};
@@ -133,6 +141,7 @@ private:
 
     void record(Call call, std::uint32_t object = 0, Words words = {});
     void blame(std::string what);
+    Status checkContext(const std::string& what) const;
     bool failsNow(Diagnostics& errors, const std::string& what);
     std::uint32_t add(Object object, Call call);
     const Object* objectOf(std::uint32_t id) const;
@@ -170,6 +179,7 @@ private:
     bool in_timer_ = false;
     bool frame_fails_ = false;
     bool lost_ = false;
+    bool current_ = true;
     int fail_in_ = 0;
     int attempts_ = 0;
 };

@@ -23,11 +23,13 @@ int uniformWords(GlslType type)
 
 }  // namespace
 
-void RecordingDevice::beginFrame()
+Status RecordingDevice::beginFrame()
 {
+    if (Status status = checkContext("the frame"); !status) return status;
     if (in_frame_) blame("beginFrame inside a frame");
     in_frame_ = true;
     record(Call::begin_frame);
+    return {};
 }
 
 Status RecordingDevice::endFrame()
@@ -214,8 +216,9 @@ void RecordingDevice::drawFullscreen()
     checkDraw("drawFullscreen");
 }
 
-void RecordingDevice::present(TextureId id, const HostFramebuffer& host)
+Status RecordingDevice::present(TextureId id, const HostFramebuffer& host)
 {
+    if (Status status = checkContext("the host's framebuffer"); !status) return status;
     record(Call::present, id.value,
            {host.name, static_cast<std::uint32_t>(host.x), static_cast<std::uint32_t>(host.y),
             static_cast<std::uint32_t>(host.extent.width),
@@ -224,6 +227,7 @@ void RecordingDevice::present(TextureId id, const HostFramebuffer& host)
     const Object* texture = find(id, "present");
     if (texture && !texture->defined)
         blame("texture '" + texture->label + "' is presented, with undefined content");
+    return checkReadable(*this, id);
 }
 
 void RecordingDevice::finish() { record(Call::finish); }

@@ -87,7 +87,7 @@ enum class Code : int {
     no_egl = 6001,             ///< No EGL library, display or configuration.
     no_osmesa = 6002,          ///< No OSMesa library or context.
     gl_function = 6003,        ///< A GL function that must be there is not.
-    gl_version = 6004,         ///< A context older than OpenGL ES 3.0.
+    gl_version = 6004,         ///< No context, another than the device's, or one older than OpenGL ES 3.0.
     gl_error = 6005,           ///< The driver reported an error.
     no_format = 6006,          ///< No format of a preference list can be rendered to.
     too_big_for_device = 6007, ///< A texture or mesh larger than the device holds.

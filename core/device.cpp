@@ -18,6 +18,22 @@ DeviceCaps minimumCaps()
     return caps;
 }
 
+Status checkReadable(const Device& device, TextureId id)
+{
+    const ObjectInfo info = device.info(id);
+    if (info.exists && info.samples == 1) return {};
+    const std::string name = "texture " + std::to_string(id.value);
+    if (!info.exists) {
+        Diagnostic error{Code::bad_input, name + " is none of this device"};
+        error.help = "take an id that this device gave and that is not destroyed yet";
+        return error;
+    }
+    Diagnostic error{Code::bad_input, name + " has " + std::to_string(info.samples) +
+                                          " samples a pixel, and only one can be read or written"};
+    error.help = "resolve it to a texture of one sample";
+    return error;
+}
+
 Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint64_t indices)
 {
     constexpr std::uint64_t kVertices = kMaxMeshBytes / sizeof(Vertex);

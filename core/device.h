@@ -105,6 +105,14 @@ Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint
 /// Errors: those of `checkMeshSize`; CV6011 for an index past the last vertex.
 Status checkMesh(const MeshDesc& mesh);
 
+/// What a device knows of one of its objects. Of an id that it does not have, `exists` is false.
+struct ObjectInfo {
+    bool exists = false;
+    std::uint32_t native_name = 0;  ///< Of a texture, see Device::nativeName.
+    int samples = 1;                ///< A pixel of a texture.
+    std::uint32_t index_count = 0;  ///< Of a mesh.
+};
+
 /// A uniform that a linked program really has.
 struct UniformInfo {
     std::string name;  ///< Without "[0]".
@@ -157,7 +165,9 @@ struct HostFramebuffer {
     Extent extent = {};
 };
 
-/// One context's worth of graphics. Every function must be called with that context current.
+/// One context's worth of graphics. Every function must be called with that context current. Where it
+/// is not, functions that return a Status or Result say so with CV6004 and change nothing. An id that
+/// the device does not have is an error CV6011.
 class Device {
 public:
     virtual ~Device() = default;
@@ -165,36 +175,45 @@ public:
     virtual const DeviceCaps& caps() const = 0;
 
     /// Creates an object; the caller owns it and gives it to `destroy`.
-    /// Errors: CV6005, CV6007, CV6009, CV6016; CV5001 and CV5002 for programs, CV6011 for meshes. A
-    /// texture's content is undefined.
+    /// Errors: CV6004, CV6005, CV6007, CV6009, CV6016; CV5001 and CV5002 for programs, CV6011 for meshes.
+    /// A texture's content is undefined.
     virtual Result<TextureId> createTexture(const TextureDesc& desc) = 0;
     virtual Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) = 0;
     virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
     virtual Result<MeshId> createMesh(const MeshDesc& desc) = 0;
 
     /// Wraps a texture that the host owns; `destroy` forgets it and leaves it alive.
-    /// Errors: CV6011; CV6014 for samples that the device cannot read.
+    /// Errors: CV6004; CV6011; CV6014 for samples that the device cannot read.
     virtual Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) = 0;
 
-    /// Samples of a pixel of a texture.
-    virtual int samples(TextureId id) const = 0;
+    /// What is known of an object of any kind, or that there is none.
+    virtual ObjectInfo info(ObjectId id) const = 0;
 
-    /// Destroys one object of any kind. A null id is ignored.
+    /// The API's own name of a texture, for a host's own shaders: with the GL device a name for
+    /// glBindTexture(GL_TEXTURE_2D, name), or GL_TEXTURE_2D_MULTISAMPLE if it was adopted with samples.
+    /// 0 of an id that the device does not have, and of samples that are drawn into and never read.
+    ///
+    std::uint32_t nativeName(TextureId id) const { return info(id).native_name; }
+
+    /// Destroys one object of any kind. A null id, and one that the device does not have, is ignored.
     virtual void destroy(ObjectId id) = 0;
 
     /// Replaces level 0 of a texture; channels are converted to the texture's format.
+    /// Errors: CV6004, CV6005, CV6009, CV6011, CV6016.
     virtual Status writeTexture(TextureId id, const Image& image) = 0;
 
     /// Reads level 0 as floats: what the GPU holds, depth included. Slow; waits for the GPU.
+    /// Errors: those of writeTexture.
     virtual Result<Image> readTexture(TextureId id) = 0;
 
-    /// The active uniforms, without built-ins.
+    /// The active uniforms, without built-ins. Requires a program of the device.
     virtual const std::vector<UniformInfo>& uniforms(ProgramId id) const = 0;
 
     /// Brackets all drawing of a frame: keeps the host's state and puts it back.
+    /// beginFrame returns CV6004 or CV6016 where nothing can be drawn; no endFrame must follow then.
     /// endFrame returns CV6005 with the pass's name when the driver reported an error, CV6009 when
     /// memory ran out, and CV6016 when the context is lost: then the device is of no more use.
-    virtual void beginFrame() = 0;
+    virtual Status beginFrame() = 0;
     virtual Status endFrame() = 0;
 
     virtual void beginPass(const PassInfo& pass) = 0;
@@ -215,7 +234,8 @@ public:
     virtual void drawFullscreen() = 0;
 
     /// Copies a colour texture into the host's framebuffer, scaled to its rectangle.
-    virtual void present(TextureId id, const HostFramebuffer& host) = 0;
+    /// Errors: those of writeTexture.
+    virtual Status present(TextureId id, const HostFramebuffer& host) = 0;
 
     /// Waits until everything issued is done.
     virtual void finish() = 0;
@@ -231,5 +251,9 @@ public:
     /// are forgotten when the first timer after a readTimer begins.
     virtual double readTimer(int slot) = 0;
 };
+
+/// Whether the device has that texture, with one sample a pixel, so that it can be read and copied.
+/// Errors: CV6011.
+Status checkReadable(const Device& device, TextureId id);
 
 }  // namespace crevice

@@ -47,6 +47,16 @@ Diagnostic missing(const ImportDesc& import)
     return error;
 }
 
+Diagnostic unknownTexture(const ImportDesc& import, TextureId id)
+{
+    Diagnostic error{Code::bad_input, "the frame's texture '" + import.name + "' is texture " +
+                                          std::to_string(id.value) + ", which is none of this device"};
+    error.place = import.place;
+    error.pointer = import.pointer;
+    error.help = "take an id that adoptTexture or createTexture gave and that is not destroyed yet";
+    return error;
+}
+
 Diagnostic otherSamples(const ImportDesc& import, const char* pass, int samples)
 {
     const std::string found = samples == 1 ? "one sample" : std::to_string(samples) + " samples";
@@ -73,9 +83,10 @@ Status Execution::checkImports(const Frame& frame) const
                 if (binding.import < 0) continue;
                 const ImportDesc& import = plan_.imports[binding.import];
                 const ImportedTexture* found = findTexture(frame, view, import.name);
-                const int samples = found ? device_.samples(found->texture) : 1;
-                if (binding.multisampled != (samples > 1))
-                    return otherSamples(import, pass.info.label, samples);
+                const ObjectInfo info = device_.info(found ? found->texture : black_.id());
+                if (!info.exists) return unknownTexture(import, found->texture);
+                if (binding.multisampled != (info.samples > 1))
+                    return otherSamples(import, pass.info.label, info.samples);
             }
         }
     }
@@ -106,15 +117,16 @@ Status Execution::setImports(const Frame& frame)
 
 Status Execution::run(const Frame& frame)
 {
+    if (Status status = device_.beginFrame(); !status) return status;
     const std::vector<char>& runs = begin(frame);
-    beginDrawing();
+    clearNewHistories();
     std::size_t run = 0;
     for (const PreparedView& view : views_) {
         setView(frame, view);
         for (const PreparedPass& pass : view.passes)
-            if (runs[run++]) runPass(pass, frame, view.camera);
+            if (runs[run++]) runPass(pass, view.camera);
     }
-    return end();
+    return end(frame);
 }
 
 /// Takes the frame's values, and says which passes must run: by view and pass.
@@ -138,9 +150,8 @@ const std::vector<char>& Execution::begin(const Frame& frame)
     return cache_.choose(changed_);
 }
 
-void Execution::beginDrawing()
+void Execution::clearNewHistories()
 {
-    device_.beginFrame();
     if (!remembers_) clearHistories();
     remembers_ = true;
 }
@@ -172,12 +183,32 @@ void Execution::setView(const Frame& frame, const PreparedView& view)
 /// Whether things, materials or what they hold are others than in the last frame.
 bool Execution::takeDraws(const Frame& frame)
 {
-    if (frame.draws == drawn_.draws && frame.materials == drawn_.materials &&
-        frame.revision == drawn_.revision) return false;
-    drawn_.draws = frame.draws;
-    drawn_.materials = frame.materials;
+    const DrawItem no_draw;
+    const Material no_material;
+    bool changed = frame.revision != drawn_.revision;
     drawn_.revision = frame.revision;
-    return true;
+    const auto take = [&changed](const auto& item, auto& taken) {
+        if (taken == item) return;
+        taken = item;
+        changed = true;
+    };
+    changed = changed || frame.draws.size() != drawn_.draws.size();
+    drawn_.draws.resize(frame.draws.size());
+    drawn_.left_out = false;
+    for (std::size_t i = 0; i < frame.draws.size(); ++i) {
+        const DrawItem& item = frame.draws[i];
+        const bool drawn = item.count > 0 && isDrawable(frame, item, device_);
+        drawn_.left_out = drawn_.left_out || (item.count > 0 && !drawn);
+        take(drawn ? item : no_draw, drawn_.draws[i]);
+    }
+    changed = changed || frame.materials.size() != drawn_.materials.size();
+    drawn_.materials.resize(frame.materials.size());
+    for (std::size_t i = 0; i < frame.materials.size(); ++i)
+        take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
+    drawn_.left_out = drawn_.left_out || !isFinite(frame.ambient_light) ||
+                      !std::all_of(frame.lights.begin(), frame.lights.end(),
+                                   [](const Light& light) { return isFinite(light); });
+    return changed;
 }
 
 /// Whether the pass's values are others than when it ran last.
@@ -196,12 +227,13 @@ bool Execution::takeUniforms(PreparedPass& pass)
     return changed;
 }
 
-Status Execution::end()
+Status Execution::end(const Frame& frame)
 {
     Status status = device_.endFrame();
     for (PreparedView& view : views_) view.history.valid = status.ok();
     if (!status) cache_.clear();
-    return status;
+    if (!drawn_.left_out || !status) return status;
+    return warnLeftOut(frame, device_);
 }
 
 // What was written last frame is now read, and the other way round.
@@ -242,19 +274,19 @@ void Execution::clearHistory(const PreparedPass& pass)
     device_.endPass();
 }
 
-void Execution::runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
+void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
 {
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
     info.within_area = pass.bounded;
-    if (pass.bounded) info.area = areaOf(pass, frame, camera);
+    if (pass.bounded) info.area = areaOf(pass, camera);
     device_.beginPass(info);
     if (!pass.bounded || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
         setTextures(pass.textures);
         setUniforms(pass.uniforms);
         if (pass.type == PassType::draw)
-            runDraws(pass, frame, camera);
+            runDraws(pass, camera);
         else
             device_.drawFullscreen();
     }
@@ -262,24 +294,23 @@ void Execution::runPass(const PreparedPass& pass, const Frame& frame, const Came
 }
 
 /// Where a bounded pass is drawn.
-PixelArea Execution::areaOf(const PreparedPass& pass, const Frame& frame,
-                            const CameraMatrices& camera)
+PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& camera)
 {
     const Extent& extent = pass.info.extent;
     if (pass.shown_length) {
         float length = 0;
         std::memcpy(&length, values_.data(pass.shown_length->offset), sizeof length);
-        return pixelsOf(areaOfThings(frame.draws, camera, extent, length), extent);
+        return pixelsOf(areaOfThings(drawn_.draws, camera, extent, length), extent);
     }
     constexpr double kAny = std::numeric_limits<double>::infinity();
-    if (!things_) things_ = areaOfThings(frame.draws, camera, extent, kAny);
+    if (!things_) things_ = areaOfThings(drawn_.draws, camera, extent, kAny);
     return pixelsOf(*things_, extent);
 }
 
-void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera)
+void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
 {
     bool mirrored = false;
-    for (const DrawItem& item : frame.draws) {
+    for (const DrawItem& item : drawn_.draws) {
         if (item.count == 0) continue;
         if (pass.draws_within > 0.0f && isOutside(item, camera, pass.draws_within)) continue;
         if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
@@ -287,7 +318,7 @@ void Execution::runDraws(const PreparedPass& pass, const Frame& frame, const Cam
             device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);
             setTextures(pass.textures);
         }
-        const Material& material = frame.materials[item.material];
+        const Material& material = drawn_.materials[item.material];
         values_.setDraw(item, material, camera);
         setUniforms(pass.draw_uniforms);
         for (const TextureBinding& binding : pass.material_textures) {

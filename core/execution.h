@@ -33,11 +33,12 @@ public:
                                                      Plan plan, const Execution* previous);
 
     /// Takes the host's textures for the plan's imports. Requires a frame of the plan's views.
-    /// Errors: CV6010; then nothing changed.
+    /// Errors: CV6010, CV6011; then nothing changed.
     Status setImports(const Frame& frame);
 
     /// Draws what has changed of the plan since the last frame. Requires that `checkFrame` had
-    /// nothing against the frame and that its imports were set. Errors: CV6005, CV6009, CV6016.
+    /// nothing against the frame and that its imports were set. What cannot be drawn of it is left out
+    /// with a warning CV6011. Errors: CV6004 and then nothing changed, CV6005, CV6009, CV6016.
     Status run(const Frame& frame);
 
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
@@ -98,11 +99,12 @@ private:
         std::vector<PreparedPass> passes;  // the plan's
     };
 
-    // What draw passes drew last.
+    // What draw passes drew last; nothing in the place of what cannot be drawn.
     struct DrawnList {
         std::vector<DrawItem> draws;
         std::vector<Material> materials;
         std::uint64_t revision = 0;
+        bool left_out = false;  // something of the frame
     };
 
     Execution(Device& device, const Description& description, Plan plan);
@@ -130,26 +132,26 @@ private:
     TextureId historyTexture(int target, int view, bool swapped) const;
 
     // execution_timed.cpp
-    TimingMethod timePass(const PreparedPass& pass, int slot, const Frame& frame,
-                          const CameraMatrices& camera, double& clock_ms);
+    TimingMethod timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
+                          double& clock_ms);
     int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
     void readTimers(FrameTimes& times);
 
     // execution.cpp
     const std::vector<char>& begin(const Frame& frame);
     bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
-    void beginDrawing();
+    void clearNewHistories();
     void setView(const Frame& frame, const PreparedView& view);
-    Status end();
+    Status end(const Frame& frame);
     bool takeDraws(const Frame& frame);
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistories();
     void clearHistory(const PreparedPass& pass);
     Status checkImports(const Frame& frame) const;
-    void runPass(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
-    void runDraws(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
-    PixelArea areaOf(const PreparedPass& pass, const Frame& frame, const CameraMatrices& camera);
+    void runPass(const PreparedPass& pass, const CameraMatrices& camera);
+    void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
+    PixelArea areaOf(const PreparedPass& pass, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
 

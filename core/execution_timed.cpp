@@ -22,35 +22,37 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
     times.pass_ms.resize(plan_.passes.size());
     device_.finish();
     const Clock::time_point start = Clock::now();
+    if (Status status = device_.beginFrame(); !status) return status.diagnostics();
     cache_.clear();
     begin(frame);
-    beginDrawing();
+    clearNewHistories();
     int slot = 0;
     for (const PreparedView& view : views_) {
         setView(frame, view);
         for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
             times.method =
-                timePass(view.passes[i], slot++, frame, view.camera, times.pass_ms[i]);
+                timePass(view.passes[i], slot++, view.camera, times.pass_ms[i]);
     }
-    if (Status status = end(); !status) return status.diagnostics();
+    const Status status = end(frame);
+    if (!status) return status.diagnostics();
     device_.finish();
     times.total_ms = millisecondsSince(start);
     if (times.method == TimingMethod::gpu_timer) readTimers(times);
-    return times;
+    return {std::move(times), status.diagnostics()};
 }
 
 /// The method is the same for every pass: the device's answer is, and so is the count of passes.
 /// Adds to `clock_ms`; with the GPU's timer that stays as it is.
-TimingMethod Execution::timePass(const PreparedPass& pass, int slot, const Frame& frame,
-                                 const CameraMatrices& camera, double& clock_ms)
+TimingMethod Execution::timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
+                                 double& clock_ms)
 {
     if (runCount() <= kMaxTimers && device_.beginTimer(slot)) {
-        runPass(pass, frame, camera);
+        runPass(pass, camera);
         device_.endTimer();
         return TimingMethod::gpu_timer;
     }
     const Clock::time_point begin = Clock::now();
-    runPass(pass, frame, camera);
+    runPass(pass, camera);
     device_.finish();
     clock_ms += millisecondsSince(begin);
     return TimingMethod::wall_clock;

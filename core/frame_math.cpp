@@ -2,6 +2,8 @@
 // Checks of a frame and the matrices made of it.
 #include "core/frame_math.h"
 
+#include "core/frame_values.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -36,20 +38,6 @@ bool finite(const glm::mat<4, 4, T>& matrix) { return finite(&matrix[0][0], 16);
 
 template <typename T>
 bool finite(const glm::vec<3, T>& vector) { return finite(&vector[0], 3); }
-
-bool finite(const Material& material)
-{
-    const float numbers[] = {material.shininess, material.alpha_cutoff, material.normal_scale,
-                             material.occlusion_strength};
-    return finite(&material.base_color[0], 4) && finite(material.specular) && finite(numbers, 4);
-}
-
-bool finite(const Light& light)
-{
-    return finite(light.position) && finite(light.direction) && finite(light.color) &&
-           finite(light.attenuation) && std::isfinite(light.inner_angle_rad) &&
-           std::isfinite(light.outer_angle_rad);
-}
 
 glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
 {
@@ -113,26 +101,81 @@ Status checkViews(const Frame& frame)
     return {};
 }
 
-Diagnostic whyNotDrawable(const Frame& frame, std::size_t index)
+/// Why an item cannot be drawn.
+struct Fault {
+    enum Kind {
+        none, no_mesh, unknown_mesh, past_indices, matrix, bounds, no_material, material,
+        unknown_map, sampled_map,
+    } kind = none;
+    const MaterialMapInfo* map = nullptr;
+};
+
+Fault faultOf(const Frame& frame, const DrawItem& item, const Device& device)
 {
-    const DrawItem& item = frame.draws[index];
-    const std::string name = "draw " + std::to_string(index);
-    if (!item.mesh) return bad(name + " has no mesh", "create one, or set its count to 0");
-    if (!finite(item.world_from_model))
-        return bad("the matrix of " + name + " is not finite", "leave it out with a count of 0");
-    if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius))
-        return bad("the bounds of " + name + " are not finite",
-                   "a radius below 0 means that none are known");
-    return bad(name + " has material " + std::to_string(item.material) + ", and the frame has " +
-                   std::to_string(frame.materials.size()) + " materials",
-               "materials count from 0");
+    if (!item.mesh) return {Fault::no_mesh};
+    const ObjectInfo mesh = device.info(item.mesh);
+    if (!mesh.exists) return {Fault::unknown_mesh};
+    if (std::uint64_t{item.first} + item.count > mesh.index_count) return {Fault::past_indices};
+    if (!finite(item.world_from_model)) return {Fault::matrix};
+    if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius)) return {Fault::bounds};
+    if (item.material < 0 || static_cast<std::size_t>(item.material) >= frame.materials.size())
+        return {Fault::no_material};
+    const Material& material = frame.materials[item.material];
+    if (!isFinite(material)) return {Fault::material};
+    for (const MaterialMapInfo& map : kMaterialMaps) {
+        const TextureId id = material.*map.texture;
+        if (!id) continue;
+        const ObjectInfo texture = device.info(id);
+        if (!texture.exists) return {Fault::unknown_map, &map};
+        if (texture.samples != 1) return {Fault::sampled_map, &map};
+    }
+    return {};
 }
 
-bool drawable(const Frame& frame, const DrawItem& item)
+std::string reasonOf(const Fault& fault, const Frame& frame, const DrawItem& item)
 {
-    return item.mesh && finite(item.world_from_model) && finite(item.bounds_center) &&
-           std::isfinite(item.bounds_radius) && item.material >= 0 &&
-           static_cast<std::size_t>(item.material) < frame.materials.size();
+    const std::string mesh = "mesh " + std::to_string(item.mesh.value);
+    const std::string material = "material " + std::to_string(item.material);
+    const auto map = [&] {
+        return material + " has texture " +
+               std::to_string((frame.materials[item.material].*fault.map->texture).value) + " as " +
+               fault.map->name;
+    };
+    switch (fault.kind) {
+    case Fault::no_mesh: return "it has no mesh";
+    case Fault::unknown_mesh: return mesh + " is none of this device";
+    case Fault::past_indices: return mesh + " has fewer indices than it draws";
+    case Fault::matrix: return "its matrix is not finite";
+    case Fault::bounds: return "its bounds are not finite";
+    case Fault::no_material:
+        return "it has " + material + ", and the frame has " +
+               std::to_string(frame.materials.size()) + " materials";
+    case Fault::material: return material + " is not finite";
+    case Fault::unknown_map: return map() + ", which is none of this device";
+    case Fault::sampled_map: return map() + ", which has several samples a pixel";
+    case Fault::none: break;
+    }
+    return "";
+}
+
+const char* wayOutOf(Fault::Kind fault)
+{
+    switch (fault) {
+    case Fault::matrix: case Fault::material:
+        return "look for a division by zero where it is made";
+    case Fault::bounds: return "a radius below 0 means that none are known";
+    case Fault::no_material: return "materials count from 0";
+    case Fault::sampled_map: return "resolve it to a texture of one sample";
+    case Fault::past_indices: return "first and count are indices, not triangles";
+    default: return "take an id that this device gave and that is not destroyed yet, or set its count to 0";
+    }
+}
+
+Diagnostic leftOut(const std::string& what, std::string help)
+{
+    Diagnostic warning = bad(what, std::move(help));
+    warning.severity = Severity::warning;
+    return warning;
 }
 
 }  // namespace
@@ -285,21 +328,54 @@ glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world)
     return glm::vec4(towardsLight(light, view_from_world) * scale, -outer * scale);
 }
 
-Status checkFrame(const Frame& frame)
+Status checkFrame(const Frame& frame) { return checkViews(frame); }
+
+bool isFinite(const glm::vec3& vector) { return finite(vector); }
+
+bool isFinite(const Material& material)
 {
-    if (Status status = checkViews(frame); !status) return status;
-    for (std::size_t i = 0; i < frame.draws.size(); ++i)
-        if (frame.draws[i].count > 0 && !drawable(frame, frame.draws[i])) 
-            return whyNotDrawable(frame, i);
-    for (std::size_t i = 0; i < frame.materials.size(); ++i)
-        if (!finite(frame.materials[i]))
-            return bad("material " + std::to_string(i) + " is not finite",
-                       "look for a division by zero where it is made");
-    for (std::size_t i = 0; i < frame.lights.size(); ++i)
-        if (!finite(frame.lights[i]))
-            return bad("light " + std::to_string(i) + " is not finite", "leave it out of the list");
-    if (!finite(frame.ambient_light)) return bad("ambient_light is not finite", "0 is no light");
-    return {};
+    const float numbers[] = {material.shininess, material.alpha_cutoff, material.normal_scale,
+                             material.occlusion_strength};
+    return finite(&material.base_color[0], 4) && finite(material.specular) && finite(numbers, 4);
+}
+
+bool isFinite(const Light& light)
+{
+    return finite(light.position) && finite(light.direction) && finite(light.color) &&
+           finite(light.attenuation) && std::isfinite(light.inner_angle_rad) &&
+           std::isfinite(light.outer_angle_rad);
+}
+
+bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device)
+{
+    return faultOf(frame, item, device).kind == Fault::none;
+}
+
+Diagnostics warnLeftOut(const Frame& frame, const Device& device)
+{
+    constexpr std::size_t kMostDraws = 8;
+    Diagnostics warnings;
+    std::size_t more = 0;
+    for (std::size_t i = 0; i < frame.draws.size(); ++i) {
+        const DrawItem& item = frame.draws[i];
+        const Fault fault = item.count > 0 ? faultOf(frame, item, device) : Fault{};
+        if (fault.kind == Fault::none) continue;
+        if (warnings.size() == kMostDraws) {
+            ++more;
+            continue;
+        }
+        warnings.push_back(leftOut("draw " + std::to_string(i) + " is left out: " +
+                                       reasonOf(fault, frame, item), wayOutOf(fault.kind)));
+    }
+    if (more > 0)
+        warnings.back().notes.push_back({{}, std::to_string(more) + " more draws are left out"});
+    for (std::size_t i = 0; i < frame.lights.size() && i < kMaxLights; ++i)
+        if (!isFinite(frame.lights[i]))
+            warnings.push_back(leftOut("light " + std::to_string(i) + " is left out: it is not finite",
+                                       "look for a division by zero where it is made"));
+    if (!isFinite(frame.ambient_light))
+        warnings.push_back(leftOut("ambient_light is left out: it is not finite", "0 is no light"));
+    return warnings;
 }
 
 }  // namespace crevice

@@ -60,9 +60,20 @@ glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 /// How a light's cone dims it, as (x, y, z, w) of core/frame.h; (0, 0, 0, 1) of all but spots.
 glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world);
 
-/// What no shader could draw: numbers that are not finite, a camera without an inverse, views of
-/// which not all are orthographic, a draw without a mesh or with a material that is not there.
-/// Errors: CV6011.
+/// What nothing of a frame can be drawn with: a camera that is not finite or has no inverse, views of
+/// which not all are orthographic or reversed. Errors: CV6011.
 Status checkFrame(const Frame& frame);
+
+bool isFinite(const glm::vec3& vector);
+bool isFinite(const Material& material);
+bool isFinite(const Light& light);
+
+/// Whether an item can be drawn: it has indices of a mesh of the device, a finite matrix and bounds, and
+/// a finite material whose maps are the device's.
+bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device);
+
+/// A warning CV6011 for each of the draws and lights that a frame does without, and why; draws past the
+/// eighth are only counted. Items of no indices are no draws.
+Diagnostics warnLeftOut(const Frame& frame, const Device& device);
 
 }  // namespace crevice

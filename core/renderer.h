@@ -25,7 +25,8 @@ class Renderer {
 public:
     /// Compiles the plan and creates every object that it needs. The device must outlive it.
     ///
-    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6005 to CV6009, CV6016.
+    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6004 where the device's context is
+    /// not current, CV6005 to CV6009, CV6016.
     static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
                                                     const CompileOptions& options,
                                                     const SceneTraits& traits);
@@ -39,9 +40,14 @@ public:
     /// new plan come back with the one frame that it was made for: look at `diagnostics()` of what is
     /// `ok()` as well.
     ///
-    /// Errors: CV6010 and CV6011 for the frame; CV6005 and CV6009 from the driver, and CV6016 where
-    /// the context is lost: destroy the renderer, and make another on a new device from the same
-    /// `description()`.
+    /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that has it:
+    /// draws with a mesh or texture that the device does not have, with indices past the mesh's, or with
+    /// a matrix, bounds or material that are not finite or not there, and lights that are not finite.
+    ///
+    /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's context is
+    /// not current, and the frame then counts as not drawn; CV6005 and CV6009 from the driver, and
+    /// CV6016 where the context is lost: destroy the renderer, and make another on a new device from the
+    /// same `description()`.
     Status render(const Frame& frame);
 
     /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
@@ -80,7 +86,10 @@ public:
 
     /// The texture behind an output of a view, 0 up to `plan().views`: owned by the renderer, valid
     /// until the next plan, or the next frame where the output is a target with a history. Null
-    /// when there is none.
+    /// when there is none. Plans are made by resize, reload, setFeature and setParam as they say, and by
+    /// a frame of other traits: so ask after each frame. Its format and size are those of the plan's
+    /// target, and 1x1 rgba8 where the plan found the output to be constant. `Device::nativeName` has the
+    /// API's name of it.
     TextureId output(std::string_view name, int view = 0) const;
 
     /// What `setParam` and `setFeature` made different from the description given to `create`, as

@@ -87,14 +87,18 @@ void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
     write(view_from_window, glm::mat4(camera.view_from_clip * kClipFromWindow));
     write(view_from_world, glm::mat4(camera.view_from_world));
     write(world_from_view, glm::mat4(camera.world_from_view));
-    write(ambient_light, frame.ambient_light);
+    write(ambient_light, isFinite(frame.ambient_light) ? frame.ambient_light : glm::vec3(0.0f));
+    Light dark;
+    dark.color = glm::vec3(0.0f);
     const int count = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     write(light_count, static_cast<std::int32_t>(count));
     for (int i = 0; i < count; ++i) {
-        write(light_position, lightInView(frame.lights[i], camera.view_from_world), i);
-        write(light_color, frame.lights[i].color, i);
-        write(light_attenuation, frame.lights[i].attenuation, i);
-        write(light_cone, coneInView(frame.lights[i], camera.view_from_world), i);
+        // One that is left out keeps its place, so that shaders made for the count of lights hold.
+        const Light& light = isFinite(frame.lights[i]) ? frame.lights[i] : dark;
+        write(light_position, lightInView(light, camera.view_from_world), i);
+        write(light_color, light.color, i);
+        write(light_attenuation, light.attenuation, i);
+        write(light_cone, coneInView(light, camera.view_from_world), i);
     }
 }
 

@@ -26,7 +26,7 @@ struct Room {
         need(context->makeCurrent());
         PassInfo pass = wholePass(framebuffer, {1, 1});
         pass.clear_color[0][0] = value;
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass);
         device->endPass();
         need(device->endFrame());

@@ -130,8 +130,8 @@ TEST_CASE("ids count from 1 and are given out again")
     GlPool<int> pool;
     CHECK(pool.add(10) == 1);
     CHECK(pool.add(20) == 2);
-    pool.remove(1);
-    pool.remove(0);
+    pool.retire(1);
+    pool.retire(0);
     CHECK(pool.add(30) == 1);
     CHECK(pool.at(1) == 30);
     CHECK(pool.at(2) == 20);

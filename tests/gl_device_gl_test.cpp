@@ -92,7 +92,7 @@ TEST_CASE_METHOD(GlFixture, "a clear lands in every format that can be rendered 
         pass.has_depth = isDepth(info);
         pass.depth_load = LoadOp::clear;
         pass.clear_depth = 0.25f;
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass);
         device->endPass();
         need(device->endFrame());
@@ -177,7 +177,7 @@ TEST_CASE_METHOD(GlFixture, "depth that a shader wrote is read back exactly")
         PassInfo pass = wholePass(into, {4, 4}, 0);
         pass.has_depth = true;
         pass.depth_load = LoadOp::clear;
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass);
         StateDesc state;
         state.depth_write = true;  // with the test at its default, always

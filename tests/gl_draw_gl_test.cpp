@@ -83,7 +83,7 @@ void main()
     const std::int32_t ints[] = {100, 200, 300, 400};
     const TextureId target = texture(Format::rgba32f);
     const FramebufferId into = framebuffer({target});
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(wholePass(into, {4, 4}));
     device->setProgram(sum, {});
     device->setUniform(location(sum, "a"), GlslType::float_, 1, floats);
@@ -113,7 +113,7 @@ layout(location = 1) out vec4 b;
 layout(location = 2) out vec4 c;
 void main() { a = vec4(0.2); b = vec4(0.4); c = vec4(0.6); })");
     const FramebufferId into = framebuffer({first, {}, third});
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(wholePass(into, {4, 4}, 3));
     device->setProgram(three, {});
     device->drawFullscreen();
@@ -133,7 +133,7 @@ out vec4 color; void main() { color = texture(source, at); })");
     two.pixels = {0.0f, 1.0f};
     auto sample = [&](TextureId source, Filter filter, Wrap wrap, float u) {
         const float at[] = {u, 0.5f};
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(wholePass(into, {1, 1}));
         device->setProgram(look, {});
         device->setTexture(location(look, "source"), 3, source, {filter, wrap});
@@ -162,7 +162,7 @@ TEST_CASE_METHOD(SquareFixture, "the depth test keeps the nearer square, whateve
     less.depth_test = Compare::less;
     less.depth_write = true;
     for (bool near_first : {true, false}) {
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass());
         drawSquare(less, near_first ? -0.5f : 0.5f, near_first ? kGreen : kRed);
         drawSquare(less, near_first ? 0.5f : -0.5f, near_first ? kRed : kGreen);
@@ -177,7 +177,7 @@ TEST_CASE_METHOD(SquareFixture, "a pass without depth writes leaves the depth as
 {
     StateDesc greater;
     greater.depth_test = Compare::greater_equal;
-    device->beginFrame();
+    need(device->beginFrame());
     PassInfo info = pass();
     info.clear_depth = 0.5f;
     device->beginPass(info);
@@ -191,7 +191,7 @@ TEST_CASE_METHOD(SquareFixture, "a pass without depth writes leaves the depth as
 
 TEST_CASE_METHOD(SquareFixture, "a pass clears its depth, though the pass before wrote none")
 {
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(pass());
     drawSquare({}, 0.5f, kRed);
     device->endPass();
@@ -208,7 +208,7 @@ TEST_CASE_METHOD(SquareFixture, "blending combines with what is there")
     const Pixel below = {0.5f, 0.25f, 0.0f, 1.0f};
     const Pixel above = {0.25f, 1.0f, 1.0f, 0.5f};
     auto blended = [&](Blend blend) {
-        device->beginFrame();
+        need(device->beginFrame());
         PassInfo info = pass();
         std::copy(below.begin(), below.end(), info.clear_color[0]);
         device->beginPass(info);
@@ -228,7 +228,7 @@ TEST_CASE_METHOD(SquareFixture, "blending combines with what is there")
 TEST_CASE_METHOD(SquareFixture, "culling drops triangles by their side")
 {
     auto drawn = [&](Cull cull) {
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass());
         StateDesc state;
         state.cull = cull;
@@ -249,7 +249,7 @@ TEST_CASE_METHOD(GlFixture, "a mesh feeds positions, normals and uvs, from any f
     const MeshId mesh = need(device->createMesh(square(0)));
     const TextureId target = texture(Format::rgba32f);
     const FramebufferId into = framebuffer({target});
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(wholePass(into, {4, 4}));
     device->setProgram(show, {});
     device->draw(mesh, 3, 3);  // the upper right half alone
@@ -265,7 +265,7 @@ TEST_CASE_METHOD(GlFixture, "a mesh feeds positions, normals and uvs, from any f
 
 TEST_CASE_METHOD(SquareFixture, "loading keeps what an earlier pass stored")
 {
-    device->beginFrame();
+    need(device->beginFrame());
     PassInfo info = pass();
     info.clear_color[0][1] = 0.5f;
     info.depth_store = StoreOp::discard;
@@ -299,8 +299,8 @@ TEST_CASE_METHOD(GlFixture, "presenting fills the host's rectangle and nothing e
     gl.ClearBufferfv(GL_COLOR, 0, black);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 
-    device->beginFrame();
-    device->present(source, {host, 2, 1, {3, 4}});
+    need(device->beginFrame());
+    need(device->present(source, {host, 2, 1, {3, 4}}));
     need(device->endFrame());
     const Image image =
         read(need(device->adoptTexture(host_texture, {"host", Format::rgba8, size})));
@@ -313,7 +313,7 @@ TEST_CASE_METHOD(GlFixture, "presenting fills the host's rectangle and nothing e
 
 TEST_CASE_METHOD(SquareFixture, "a driver's error comes out of endFrame with the pass's name")
 {
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(pass());
     device->setProgram(flat, {});
     device->setUniform(value, GlslType::int_, 1, kRed.data());  // it is a vec4
@@ -322,14 +322,14 @@ TEST_CASE_METHOD(SquareFixture, "a driver's error comes out of endFrame with the
     REQUIRE(status.diagnostics().size() == 1);
     CHECK(status.diagnostics()[0].code == Code::gl_error);
     CHECK(status.diagnostics()[0].message == "pass 'test pass' gave GL_INVALID_OPERATION");
-    device->beginFrame();
+    need(device->beginFrame());
     need(device->endFrame());
 }
 
 TEST_CASE_METHOD(SquareFixture, "an error that the host left is not blamed on a pass")
 {
     gl.Enable(0xFFFF);
-    device->beginFrame();
+    need(device->beginFrame());
     need(device->endFrame());
     gl.Enable(0xFFFF);
     texture(Format::r8);

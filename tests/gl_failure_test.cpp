@@ -48,8 +48,7 @@ struct Host {
 
     Status present()
     {
-        device->present(renderer->output("color"), {0, 0, 0, kSize});
-        return renderer->render(frame);
+        return device->present(renderer->output("color"), {0, 0, 0, kSize});
     }
 
     Status read() { return device->readTexture(renderer->output("ao")).diagnostics(); }
@@ -190,6 +189,45 @@ TEST_CASE("No GL context on the thread is told from one that is lost")
     WatchedGl gl;
     gl.loseAt(1, Loss::by_status);  // glGetString gives nothing, and glGetError says nothing
     CHECK(onlyCode(makeGlDevice(gl.loader()).diagnostics()) == Code::gl_version);
+}
+
+TEST_CASE("A host without a current context gets CV6004 for each step, and after it goes on as before")
+{
+    WatchedGl gl;
+    {
+        Host host(gl);
+        for (std::size_t i = 0; i <= kMakesRenderer; ++i) need(doStep(host, i));
+        for (std::size_t next = 1; next < std::size(kSteps); ++next) {
+            INFO("step " << next);
+            if (next == kMakesRenderer) continue;  // it would destroy the one that there is
+            const int names = gl.names();
+            gl.loseAt(1, Loss::by_nothing);
+            CHECK(onlyCode(doStep(host, next)) == Code::gl_version);
+            gl.regain();
+            CHECK(gl.names() == names);
+            need(doStep(host, next));
+        }
+        gl.loseAt(1, Loss::by_nothing);
+        CHECK(onlyCode(Renderer::create(*host.device, rigDescription(), {kSize}, {}).diagnostics()) ==
+              Code::gl_version);
+        gl.regain();
+    }
+    CHECK(gl.names() == 0);
+}
+
+TEST_CASE("What is destroyed without a current context is deleted once it is back")
+{
+    WatchedGl gl;
+    Host host(gl);
+    for (std::size_t i = 0; i <= kMakesRenderer; ++i) need(doStep(host, i));
+    const int names = gl.names();
+    gl.loseAt(1, Loss::by_nothing);
+    host.device->destroy(host.frame.draws[0].mesh);
+    CHECK_FALSE(host.device->info(host.frame.draws[0].mesh).exists);
+    gl.regain();
+    CHECK(gl.names() == names);
+    need(host.draw());
+    CHECK(gl.names() == names - 3);
 }
 
 TEST_CASE("A device that lacks memory as it is made leaves no name behind")

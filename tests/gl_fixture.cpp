@@ -104,7 +104,7 @@ int GlFixture::location(ProgramId program, const std::string& uniform)
 void GlFixture::drawInto(TextureId target, ProgramId program, Extent extent)
 {
     const FramebufferId into = framebuffer({target});
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(wholePass(into, extent));
     device->setProgram(program, {});
     device->drawFullscreen();

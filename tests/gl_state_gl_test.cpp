@@ -250,7 +250,7 @@ in vec2 uv; out vec4 color; void main() { color = texture(a, uv) + texture(b, uv
     state.depth_write = true;
     state.blend = Blend::add;
     state.cull = Cull::back;
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(pass);
     device->setProgram(sum, state);
     device->setTexture(location(sum, "a"), 0, source, {});
@@ -271,7 +271,7 @@ TEST_CASE_METHOD(HostileHost, "a frame, and all calls around it, leave the host'
     frame();
     frame(4);
     const TextureId shown = texture(Format::rgba8);
-    device->present(shown, {hostFramebuffer(), 0, 0, {4, 4}});
+    need(device->present(shown, {hostFramebuffer(), 0, 0, {4, 4}}));
     const auto after = snapshot();
     REQUIRE(before.size() == after.size());
     for (const auto& [name, value] : before) {
@@ -315,7 +315,7 @@ TEST_CASE_METHOD(HostileHost, "reading samples of a texture leaves the host's in
         gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, names[1]);
     }
     const auto before = snapshot();
-    device->beginFrame();
+    need(device->beginFrame());
     device->beginPass(wholePass(into, {4, 4}));
     device->setProgram(reads, {});
     device->setTexture(location(reads, "host"), 1, read_from, {});
@@ -343,7 +343,7 @@ TEST_CASE("a context without state per draw buffer is put back too")
     host.setStrangeState();
     const auto before = host.snapshot();
     host.texture(Format::r8);
-    host.device->beginFrame();
+    need(host.device->beginFrame());
     need(host.device->endFrame());
     CHECK(host.snapshot() == before);
 }

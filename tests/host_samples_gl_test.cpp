@@ -152,7 +152,7 @@ private:
         StateDesc state;
         state.depth_test = Compare::less;
         state.depth_write = true;
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass);
         device->setProgram(paint, state);
         for (const DrawItem& item : frame.draws) {

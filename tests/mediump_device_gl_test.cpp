@@ -20,7 +20,7 @@ std::vector<float> drawAs(Mediump mediump, const std::string& body, std::vector<
         "uniform highp vec4 value;\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n" + body + "}\n");
     const FramebufferId into = gl.framebuffer({target});
     value.resize(4);
-    gl.device->beginFrame();
+    need(gl.device->beginFrame());
     gl.device->beginPass(wholePass(into, {1, 1}));
     gl.device->setProgram(program, {});
     for (const UniformInfo& info : gl.device->uniforms(program))
@@ -115,7 +115,7 @@ TEST_CASE("In half floats mediump integers have 16 bits, and textures the precis
                        "layout(location = 0) out float color;\n"
                        "void main() { color = texture(source, uv).r; }\n");
         const FramebufferId into = gl.framebuffer({target});
-        gl.device->beginFrame();
+        need(gl.device->beginFrame());
         gl.device->beginPass(wholePass(into, {1, 1}));
         gl.device->setProgram(program, {});
         gl.device->setTexture(gl.location(program, "source"), 0, source, {});

@@ -3,6 +3,7 @@
 #include "backends/recording_device.h"
 
 #include "tests/catch.h"
+#include "tests/need.h"
 
 using namespace crevice;
 
@@ -40,7 +41,7 @@ struct Rig {
 
     void begin()
     {
-        device.beginFrame();
+        need(device.beginFrame());
         device.beginPass(pass());
         device.setProgram(program, {});
     }
@@ -88,7 +89,7 @@ TEST_CASE("A frame in order is logged call by call, and nothing is blamed")
     rig.bindAll();
     rig.device.draw(rig.mesh, 0, 3);
     rig.end();
-    rig.device.present(rig.target, {0, 3, 4, {16, 8}});
+    need(rig.device.present(rig.target, {0, 3, 4, {16, 8}}));
 
     CHECK(rig.device.log() == "beginFrame\n"
                               "beginPass draw 8x4 color0 discard store\n"
@@ -240,7 +241,7 @@ TEST_CASE("Calls out of order are blamed")
     }
     SECTION("a uniform without a program")
     {
-        rig.device.beginFrame();
+        need(rig.device.beginFrame());
         rig.device.beginPass(rig.pass());
         const float value = 1;
         rig.device.setUniform(0, GlslType::float_, 1, &value);
@@ -297,20 +298,20 @@ TEST_CASE("A texture whose content a pass discards, or that it loads unwritten, 
     PassInfo pass = rig.pass();
     SECTION("discarded on store") { pass.color_store[0] = StoreOp::discard; }
     SECTION("loaded before anything was written") { pass.color_load[0] = LoadOp::load; }
-    rig.device.beginFrame();
+    need(rig.device.beginFrame());
     rig.device.beginPass(pass);
     rig.device.setProgram(rig.program, {});
     rig.bindAll();
     rig.device.drawFullscreen();
     rig.end();
-    rig.device.present(rig.target, {});
+    need(rig.device.present(rig.target, {}));
     CHECK(rig.blamed("undefined content"));
 }
 
 TEST_CASE("A pass with other attachments or another size than its framebuffer is blamed")
 {
     Rig rig;
-    rig.device.beginFrame();
+    need(rig.device.beginFrame());
     PassInfo pass = rig.pass();
     SECTION("size")
     {

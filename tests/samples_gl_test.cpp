@@ -43,7 +43,7 @@ public:
         StateDesc state;
         state.depth_test = Compare::less;
         state.depth_write = true;
-        device->beginFrame();
+        need(device->beginFrame());
         device->beginPass(pass);
         device->setProgram(painted, state);
         device->draw(triangle, 0, 3);

@@ -3,6 +3,7 @@
 #include "core/renderer.h"
 
 #include "tests/catch.h"
+#include "tests/need.h"
 #include "tests/renderer_rig.h"
 
 #include <numeric>
@@ -182,7 +183,7 @@ TEST_CASE("A frame that is refused is not timed, and nothing of it is drawn")
 {
     Rig rig;
     rig.device.clearLog();
-    rig.frame.draws[0].material = 7;
+    rig.frame.camera.clip_from_view[0][0] = 0;
     const auto times = rig.renderer->renderTimed(rig.frame);
     REQUIRE_FALSE(times.ok());
     CHECK(times.diagnostics()[0].code == Code::bad_input);
@@ -207,7 +208,7 @@ TEST_CASE("Timers out of order are blamed")
     SECTION("outside a frame") { CHECK(device.beginTimer(0)); }
     SECTION("one inside another")
     {
-        device.beginFrame();
+        need(device.beginFrame());
         CHECK(device.beginTimer(0));
         CHECK(device.misuse().empty());
         CHECK(device.beginTimer(1));
@@ -216,25 +217,25 @@ TEST_CASE("Timers out of order are blamed")
     SECTION("ended though refused")
     {
         device.setTimers({});
-        device.beginFrame();
+        need(device.beginFrame());
         CHECK_FALSE(device.beginTimer(0));
         CHECK(device.misuse().empty());
         device.endTimer();
     }
     SECTION("running when the frame ends")
     {
-        device.beginFrame();
+        need(device.beginFrame());
         CHECK(device.beginTimer(0));
         CHECK(device.endFrame().ok());
     }
     SECTION("read inside a frame")
     {
-        device.beginFrame();
+        need(device.beginFrame());
         CHECK(device.readTimer(0) < 0);
     }
     SECTION("no such slot")
     {
-        device.beginFrame();
+        need(device.beginFrame());
         CHECK_FALSE(device.beginTimer(kMaxTimers));
         CHECK_FALSE(device.beginTimer(-1));
         CHECK(device.misuse().size() == 2);
@@ -248,7 +249,7 @@ TEST_CASE("A recorded timer that measured nothing is void")
     RecordingDevice device;
     device.setTimers({1, 2});
     CHECK(device.readTimer(0) < 0);
-    device.beginFrame();
+    need(device.beginFrame());
     REQUIRE(device.beginTimer(1));
     device.endTimer();
     REQUIRE(device.endFrame().ok());
@@ -258,7 +259,7 @@ TEST_CASE("A recorded timer that measured nothing is void")
     CHECK(device.readTimer(-1) < 0);
     CHECK(device.readTimer(1000) < 0);
 
-    device.beginFrame();
+    need(device.beginFrame());
     REQUIRE(device.beginTimer(0));
     device.endTimer();
     REQUIRE(device.endFrame().ok());

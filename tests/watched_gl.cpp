@@ -93,6 +93,7 @@ namespace {
 
 // No GL at all. Names of all kinds are told apart.
 GLuint last_name = 0;
+GLuint last_divisor = 0;  // of one vertex array, that of the last device
 std::set<GLuint> made;  // shaders that were compiled, programs that were linked
 FakeDriver driver;
 GLenum fake_error = GL_NO_ERROR;
@@ -175,7 +176,9 @@ GlApi noGl()
     gl.GetString = tellName;
     gl.GetError = [] { return std::exchange(fake_error, GLenum(GL_NO_ERROR)); };
     gl.CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_COMPLETE; };
-    gl.IsTexture = [](GLuint name) -> GLboolean { return name != 0; };
+    gl.IsTexture = gl.IsVertexArray = [](GLuint name) -> GLboolean { return name != 0; };
+    gl.VertexAttribDivisor = [](GLuint, GLuint divisor) { last_divisor = divisor; };
+    gl.GetVertexAttribiv = [](GLuint, GLenum, GLint* value) { *value = static_cast<GLint>(last_divisor); };
     return gl;
 }
 

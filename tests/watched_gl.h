@@ -12,6 +12,7 @@ enum class Loss {
     for_ever,     ///< glGetError says GL_CONTEXT_LOST and nothing else.
     by_commands,  ///< The same, once after each command; glGetError itself takes it.
     by_status,    ///< glGetGraphicsResetStatus says so once, and nothing else does.
+    by_nothing,   ///< Calls do nothing, as where no context is current.
 };
 
 /// Who no GL at all says that it is.
@@ -41,6 +42,9 @@ public:
 
     /// Loses the context with the n-th coming call.
     void loseAt(int n, Loss loss);
+
+    /// Makes it current again.
+    void regain() { lost_ = false; }
 
     int calls() const { return calls_; }        ///< So far, lost or not.
     int attempts() const { return attempts_; }  ///< Of them those that take memory.

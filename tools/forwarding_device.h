@@ -29,7 +29,7 @@ public:
     {
         return device_.adoptTexture(native_name, desc);
     }
-    int samples(TextureId id) const override { return device_.samples(id); }
+    ObjectInfo info(ObjectId id) const override { return device_.info(id); }
     void destroy(ObjectId id) override { device_.destroy(id); }
     Status writeTexture(TextureId id, const Image& image) override
     {
@@ -40,7 +40,7 @@ public:
     {
         return device_.uniforms(id);
     }
-    void beginFrame() override { device_.beginFrame(); }
+    Status beginFrame() override { return device_.beginFrame(); }
     Status endFrame() override { return device_.endFrame(); }
     void beginPass(const PassInfo& pass) override { device_.beginPass(pass); }
     void endPass() override { device_.endPass(); }
@@ -58,7 +58,10 @@ public:
         device_.draw(id, first, count);
     }
     void drawFullscreen() override { device_.drawFullscreen(); }
-    void present(TextureId id, const HostFramebuffer& host) override { device_.present(id, host); }
+    Status present(TextureId id, const HostFramebuffer& host) override
+    {
+        return device_.present(id, host);
+    }
     void finish() override { device_.finish(); }
     bool beginTimer(int slot) override { return device_.beginTimer(slot); }
     void endTimer() override { device_.endTimer(); }

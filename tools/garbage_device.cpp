@@ -45,7 +45,7 @@ Status GarbageDevice::fill(TextureId id, const TextureDesc& desc)
     pass.depth_load = LoadOp::clear;
     pass.depth_store = StoreOp::store;
     pass.clear_depth = garbage_;
-    device_.beginFrame();
+    if (Status status = device_.beginFrame(); !status) return status;
     device_.beginPass(pass);
     device_.endPass();
     return device_.endFrame();
