@@ -109,6 +109,7 @@ namespace crevice {
     X(SamplerParameteri, SAMPLERPARAMETERI, true) \
     X(Scissor, SCISSOR, true) \
     X(ShaderSource, SHADERSOURCE, true) \
+    X(TexParameteri, TEXPARAMETERI, true) \
     X(TexStorage2D, TEXSTORAGE2D, true) \
     X(TexSubImage2D, TEXSUBIMAGE2D, true) \
     X(Uniform1fv, UNIFORM1FV, true) \

@@ -107,6 +107,11 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
     Scope scope(*this);
     auto texture = GlTexture::make(gl_);
     state_.bindTexture(0, texture.name(), 0);
+    // The device samples through sampler objects; this is for hosts. What no filter reads is whole so.
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     gl_.TexStorage2D(GL_TEXTURE_2D, desc.mips, glFormat(desc.format).internal, desc.extent.width,
                      desc.extent.height);
     if (Status status = takeErrors(gl_, "createTexture", desc.label.c_str()); !status)

@@ -193,6 +193,9 @@ public:
     /// glBindTexture(GL_TEXTURE_2D, name), or GL_TEXTURE_2D_MULTISAMPLE if it was adopted with samples.
     /// 0 of an id that the device does not have, and of samples that are drawn into and never read.
     ///
+    /// It is the device's: read it, and neither write nor delete it. Its own parameters are GL_NEAREST and
+    /// GL_CLAMP_TO_EDGE, one level; bind a sampler object for others. The name is good for as long as the id
+    /// is; Renderer::output says how long that is.
     std::uint32_t nativeName(TextureId id) const { return info(id).native_name; }
 
     /// Destroys one object of any kind. A null id, and one that the device does not have, is ignored.

@@ -103,6 +103,10 @@ int draw(Device& device)
     if (!drawn) return fail(drawn.diagnostics());
     const auto ao = device.readTexture((*renderer)->output("ao"));
     if (!ao) return fail(ao.diagnostics());
+    if (device.nativeName((*renderer)->output("ao")) == 0) {
+        std::fputs("the output has no native name\n", stderr);
+        return 1;
+    }
     device.destroy(*mesh);
     return judge(*ao);
 }
