@@ -196,3 +196,93 @@ TEST_CASE("Two benches cannot write to one folder")
     REQUIRE_FALSE(second.ok());
     CHECK(second.diagnostics()[0].code == Code::cannot_write);
 }
+
+TEST_CASE("A stopped bench knows how much of it was measured, and a finished one that it is whole")
+{
+    const TemporaryFolder folder("bench_coverage");
+    const BenchPlan planned = plan(smallOptions());
+    const std::string file = (folder.path / "results.jsonl").string();
+    const auto coverage = [&] {
+        const auto results = readBenchResults({file});
+        REQUIRE(results.ok());
+        return coverageOf(*results);
+    };
+    const auto go = [&](const FakeWorld& world) {
+        Result<ResultFile> opened = ResultFile::open(folder.path.string());
+        REQUIRE(opened.ok());
+        PlannedBench whole = planned.planned;
+        whole.device = world.device;
+        REQUIRE(opened->plan(whole).ok());
+        (void)runBench(planned.tasks, *opened, world);
+    };
+    FakeWorld stopped;
+    stopped.time_budget_s = 25;
+    go(stopped);
+    CHECK(coverage().measured == 3);
+    CHECK(coverage().planned == planned.tasks.size());
+    CHECK(coverageText(coverage()).find("3 of " + std::to_string(planned.tasks.size()) +
+                                        " points measured: balanced") == 0);
+    FakeWorld failing;
+    failing.fails = "thesis";
+    go(failing);
+    CHECK(coverage().failed == 4);
+    CHECK(coverage().whole());
+    go(FakeWorld());
+    CHECK(coverage().measured == planned.tasks.size());
+    CHECK(coverage().whole());
+    CHECK(coverageText(coverage()).empty());
+}
+
+TEST_CASE("Each shard knows of the points of all, and together they are the whole")
+{
+    BenchOptions options = smallOptions();
+    const BenchPlan whole = plan(options);
+    BenchResults all;
+    for (int share = 1; share <= 3; ++share) {
+        options.shard = {share, 3};
+        const BenchPlan part = plan(options);
+        CHECK(part.planned.command == whole.planned.command);
+        CHECK(part.planned.points.size() == whole.tasks.size());
+        BenchResults own{{}, {part.planned}};
+        for (const BenchTask& task : part.tasks) own.points.push_back(task.point);
+        CHECK(coverageOf(own).planned == whole.tasks.size());
+        CHECK_FALSE(coverageOf(own).whole());
+        all.points.insert(all.points.end(), own.points.begin(), own.points.end());
+        all.planned.push_back(part.planned);
+    }
+    CHECK(coverageOf(all).whole());
+    CHECK(coverageOf(all).planned == whole.tasks.size());
+}
+
+TEST_CASE("Presets are measured first, in all scenes, unless configs were named")
+{
+    BenchOptions options = smallOptions();
+    const std::set<std::string> presets = {"mobile_low", "mobile", "balanced", "high"};
+    std::set<std::string> first;
+    bool others = false;
+    for (const BenchTask& task : plan(options).tasks) {
+        const bool preset = presets.count(task.point.config) > 0;
+        CHECK_FALSE((preset && others));
+        others = others || !preset;
+        if (preset) first.insert(task.point.config + task.point.scene);
+    }
+    CHECK(first.size() == 2 * presets.size());
+    options.configs = {"thesis", "mobile"};
+    CHECK(plan(options).tasks[0].point.config == "thesis");
+}
+
+TEST_CASE("A command that is run again, as its configs have changed, plans what they are now")
+{
+    const TemporaryFolder folder("bench_replan");
+    PlannedBench planned{"device", "command", {"old", "kept"}};
+    for (const char* changed : {"old", "new", "new"}) {
+        Result<ResultFile> file = ResultFile::open(folder.path.string());
+        REQUIRE(file.ok());
+        planned.points[0] = changed;
+        REQUIRE(file->plan(planned).ok());
+    }
+    const auto results = readBenchResults({folder.path.string()});
+    REQUIRE(results.ok());
+    REQUIRE(results->planned.size() == 1);
+    CHECK(results->planned[0].points == std::vector<std::string>{"new", "kept"});
+}

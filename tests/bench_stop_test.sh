@@ -16,12 +16,12 @@ if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
 fi
 check "a bench of one point succeeds" test "$got" -eq 0
 
-# lines FOLDER: how many whole lines its results have; the last byte must end one.
-lines() { wc -l <"$1/results.jsonl"; }
+# points FOLDER: how many whole lines of points its results have.
+points() { grep -c '"key".*}$' "$1/results.jsonl"; }
 
 # figures FOLDER: what a second run must find again: keys and errors, without times.
 figures() {
-    sed -E 's/.*"error":(\{[^}]*\}).*"key":"([0-9a-f]*)".*/\2 \1/' "$1/results.jsonl" | sort
+    sed -nE 's/.*"error":(\{[^}]*\}).*"key":"([0-9a-f]*)".*/\2 \1/p' "$1/results.jsonl" | sort
 }
 same_figures() { diff <(figures "$1") <(figures "$2"); }
 
@@ -55,12 +55,12 @@ check "more turns change no error" same_figures frames1 frames3
 points=(--config learnopengl --config thesis --scene corner --samples 4,8,16 "${small[@]}")
 expect 0 '6 measured' bench "${points[@]}" --out whole
 
-# stop SIGNAL FOLDER: sends it when the first line is there.
+# stop SIGNAL FOLDER: sends it when the first point is there.
 stop() {
     "$crevice" bench "${points[@]}" --out "$2" 2>stderr.txt &
     local bench=$!
     for ((wait = 0; wait < 200; ++wait)); do
-        [[ ! -s $2/results.jsonl ]] || break
+        ! grep -qs '"key"' "$2/results.jsonl" || break
         sleep 0.05
     done
     kill "-$1" "$bench"
@@ -70,8 +70,14 @@ stop() {
 stop INT interrupted
 check "an interrupt ends with 130" test "$got" -eq 130
 check "what is missing is told" grep -q '^missing: thesis samples=16' stderr.txt
+check "so is how much that is" grep -Eq '^[1-5] of 6 points measured: learnopengl' stderr.txt
+expect 0 '^[1-5] of 6 points measured: learnopengl' report interrupted --out part.html
+expect 0 '^[1-5] of 6 points measured: learnopengl' choose interrupted --error 1
+expect 0 '"planned": 6' choose interrupted --error 1 --json
 expect 0 '0 failed, 0 not begun' bench "${points[@]}" --out interrupted
-check "nothing is measured twice" test "$(lines interrupted)" -eq 6
+check "nothing is measured twice" test "$(points interrupted)" -eq 6
+"$crevice" report interrupted --out whole.html >stdout.txt
+check "the whole is not told as a part" bash -c '! grep -q "points measured" stdout.txt'
 check "an interrupt changes no figure" same_figures whole interrupted
 
 stop KILL killed
@@ -84,7 +90,7 @@ got=0
 (ulimit -f 4 && "$crevice" bench "${points[@]}" --out full) 2>stderr.txt || got=$?
 check "a full disk ends with 4" test "$got" -eq 4
 check "it is told" grep -q 'CV7007: cannot write' stderr.txt
-check "only whole lines are left" test "$(grep -c '}$' full/results.jsonl)" -eq "$(lines full)"
+check "only whole lines are left" test "$(grep -c '}$' full/results.jsonl)" -eq "$(wc -l <full/results.jsonl)"
 expect 0 '0 failed, 0 not begun' bench "${points[@]}" --out full
 check "a full disk changes no figure" same_figures whole full
 
@@ -93,6 +99,9 @@ mkdir all
 for share in 1 2 3; do
     expect 0 '' bench "${points[@]}" --shard "$share/3" --out "shard$share"
 done
+expect 0 '^[0-5] of 6 points measured' report shard1 --out shard.html
 cat shard*/results.jsonl >all/results.jsonl
+"$crevice" report all --out all.html >stdout.txt
+check "all shards are the whole" bash -c '! grep -q "points measured" stdout.txt'
 check "shards are together the whole" same_figures whole all
 finish

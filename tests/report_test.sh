@@ -26,6 +26,20 @@ mkdir sharded
 cp results.jsonl sharded/
 expect 0 'CV7005.*a4.png|wrote report.html' report sharded/results.jsonl
 
+# --- a part of a bench ---
+mkdir part
+{
+    printf '{"planned":{"device":"device A","command":"c","points":["1","2","3"]}}\n'
+    cat results.jsonl
+} >part/results.jsonl
+expect 0 '5 of 9 points measured, 1 failed: quick, fine, <b>slow</b>; what to take may change' report part --out part.html
+check "the page says so" grep -q '"text":"5 of 9 points measured' part.html
+check "and the JSON" grep -q '"planned": 9' part.json
+expect 0 '5 of 9 points measured' choose part --budget 3ms
+expect 0 '"planned": 9' choose part --budget 3ms --json
+expect_json
+check "a whole bench is no part" bash -c '! grep -q "points measured" <(crevice=$1; "$crevice" report results.jsonl)' _ "$crevice"
+
 # --- choose ---
 expect 0 '^fine samples=4$' choose results.jsonl --budget 3ms
 expect 0 'why: of 5 configs, 3 have at most 3 ms; this one is the least wrong' choose results.jsonl --budget 3ms

@@ -64,7 +64,9 @@ struct BenchTask {
 
 struct BenchPlan {
     std::vector<BenchView> views;
-    std::vector<BenchTask> tasks;  ///< In an order in which neighbours share scene, size and truth.
+    std::vector<BenchTask> tasks;  ///< In an order in which neighbours share scene, size and truth; where
+                                   ///< no configs were named, the presets of all scenes come first.
+    PlannedBench planned;          ///< All shards' points; the device is the runner's to fill in.
     Diagnostics diagnostics;       ///< Unusable scenes (errors), values that do not fit (warnings).
 };
 
@@ -95,6 +97,9 @@ public:
     /// Errors: those of LineFile::open and readBenchPoints.
     static Result<ResultFile> open(const std::string& folder);
 
+    /// Adds what is to be measured, unless the file says just that. Errors: those of LineFile::append.
+    Status plan(const PlannedBench& planned);
+
     /// True when there are figures under that key; a failure is worth another try.
     bool has(const std::string& key) const { return done_.count(key) > 0; }
 
@@ -106,6 +111,7 @@ private:
 
     LineFile lines_;
     std::set<std::string> done_;
+    std::set<std::string> plans_;  // lines
 };
 
 /// The world around the loop; tests put in their own.

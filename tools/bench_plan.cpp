@@ -26,6 +26,31 @@ Diagnostic usageError(std::string message, std::string help)
     return error;
 }
 
+/// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long to be first.
+constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
+
+bool isPreset(const BenchTask& task)
+{
+    return std::find(std::begin(kPresets), std::end(kPresets), task.point.config) != std::end(kPresets);
+}
+
+/// What was asked for, whichever share of it is this machine's.
+std::string commandHash(const BenchOptions& options)
+{
+    ContentHash hash;
+    const auto add = [&hash](const auto& list, auto&& addOne) {
+        hash.add(list.size());
+        for (const auto& item : list) addOne(item);
+    };
+    for (const auto* texts : {&options.configs, &options.scenes, &options.sizes, &options.overrides})
+        add(*texts, [&hash](const std::string& text) { hash.addText(text); });
+    add(options.radii, [&hash](double radius) { hash.add(radius); });
+    add(options.samples, [&hash](int count) { hash.add(count); });
+    hash.addText(options.camera);
+    hash.add(options.rays);
+    return hash.hex();
+}
+
 class Planner {
 public:
     Planner(const BenchOptions& options, const SourceSet& sources)
@@ -218,10 +243,11 @@ void Planner::addTask(const Place& place, const std::string& config,
     hash.addText(loaded ? loaded->content : std::string());
     point.key = hash.hex();
     point.overrides = std::move(overrides);
+    if (!keys_.insert(point.key).second) return;
+    plan.planned.points.push_back(plannedId(point));
     const auto share = static_cast<std::uint64_t>(options_.shard.count);
     const bool mine = hash.value() % share + 1 == static_cast<std::uint64_t>(options_.shard.index);
-    if (keys_.insert(point.key).second && mine)
-        plan.tasks.push_back(std::move(task));
+    if (mine) plan.tasks.push_back(std::move(task));
 }
 
 }  // namespace
@@ -295,6 +321,9 @@ Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& source
     }
     Planner planner(options, sources);
     for (const std::string& scene : options.scenes) planner.addScene(scene, extents);
+    planner.plan.planned.command = commandHash(options);
+    if (options.configs.empty())
+        std::stable_partition(planner.plan.tasks.begin(), planner.plan.tasks.end(), isPreset);
     return std::move(planner.plan);
 }
 

@@ -2,10 +2,15 @@
 // Bench results as JSON Lines. The keys are the fields' names.
 #include "tools/bench_point.h"
 
+#include "core/content_hash.h"
+#include "core/text.h"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <unordered_map>
 
 namespace crevice {
@@ -21,8 +26,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, 
                                    budget_failure, clock, repeats, total, cost, passes,
                                    ratio_floor, ratio_learnopengl, texture_bytes, bytes_read,
                                    bytes_written, ao_picture, truth_picture, difference_picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, points)
 
 namespace {
+
+/// The key of a line that is no point but what is planned.
+const char* const kPlanned = "planned";
 
 /// File names may be no UTF-8; a replaced character is better than a lost point.
 std::string dump(const nlohmann::json& json)
@@ -43,9 +52,8 @@ bool replaceNulls(nlohmann::json& json)
     return found;
 }
 
-BenchPoint parsePoint(const std::string& line)
+BenchPoint parsePoint(nlohmann::json json)
 {
-    nlohmann::json json = nlohmann::json::parse(line);
     const bool not_finite = replaceNulls(json);
     BenchPoint point = json.get<BenchPoint>();
     if (not_finite && point.failure.empty()) point.failure = "a figure is not finite";
@@ -111,10 +119,10 @@ public:
         }
     }
 
-    Result<std::vector<BenchPoint>> take()
+    Result<BenchResults> take()
     {
         if (hasErrors(diagnostics_)) return std::move(diagnostics_);
-        return {std::move(points_), std::move(diagnostics_)};
+        return {{std::move(points_), std::move(planned_)}, std::move(diagnostics_)};
     }
 
 private:
@@ -122,7 +130,9 @@ private:
                   const std::string& line)
     {
         try {
-            BenchPoint point = parsePoint(line);
+            nlohmann::json json = nlohmann::json::parse(line);
+            if (json.is_object() && json.contains(kPlanned)) return add(json[kPlanned].get<PlannedBench>());
+            BenchPoint point = parsePoint(std::move(json));
             resolvePictures(point, folder);
             add(std::move(point));
         } catch (const nlohmann::json::exception& error) {
@@ -132,6 +142,16 @@ private:
             if (cut) diagnostic.severity = Severity::warning;
             diagnostics_.push_back(std::move(diagnostic));
         }
+    }
+
+    void add(PlannedBench planned)
+    {
+        const auto same = [&planned](const PlannedBench& known) {
+            return known.device == planned.device && known.command == planned.command;
+        };
+        const auto known = std::find_if(planned_.begin(), planned_.end(), same);
+        if (known == planned_.end()) planned_.push_back(std::move(planned));
+        else *known = std::move(planned);
     }
 
     void add(BenchPoint point)
@@ -148,6 +168,7 @@ private:
     }
 
     std::vector<BenchPoint> points_;
+    std::vector<PlannedBench> planned_;
     std::unordered_map<std::string, std::size_t> places_;
     Diagnostics diagnostics_;
 };
@@ -160,12 +181,65 @@ std::string identityOf(const BenchPoint& point)
                  point.radius, point.rays});
 }
 
+std::string plannedId(const BenchPoint& point)
+{
+    ContentHash hash;
+    hash.addText(identityOf(point));
+    return hash.hex();
+}
+
 std::string toJsonLine(const BenchPoint& point)
 {
     return dump(point);
 }
 
+std::string toJsonLine(const PlannedBench& planned)
+{
+    nlohmann::json json;
+    json[kPlanned] = planned;
+    return dump(json);
+}
+
+BenchCoverage coverageOf(const BenchResults& results)
+{
+    BenchCoverage coverage;
+    std::set<std::pair<std::string, std::string>> all;
+    for (const BenchPoint& point : results.points) {
+        all.insert({point.device, plannedId(point)});
+        ++(point.failure.empty() ? coverage.measured : coverage.failed);
+        std::vector<std::string>& configs = coverage.configs;
+        if (point.failure.empty() &&
+            std::find(configs.begin(), configs.end(), point.config) == configs.end())
+            configs.push_back(point.config);
+    }
+    for (const PlannedBench& planned : results.planned)
+        for (const std::string& id : planned.points) all.insert({planned.device, id});
+    coverage.planned = all.size();
+    return coverage;
+}
+
+std::string coverageText(const BenchCoverage& coverage)
+{
+    constexpr std::size_t kMostNamed = 8;
+    if (coverage.whole()) return "";
+    const std::vector<std::string>& all = coverage.configs;
+    const std::size_t named = std::min(all.size(), kMostNamed);
+    std::string text = std::to_string(coverage.measured) + " of " + std::to_string(coverage.planned) +
+                       " points measured";
+    if (coverage.failed > 0) text += ", " + std::to_string(coverage.failed) + " failed";
+    if (named > 0) text += ": " + joined({all.begin(), all.begin() + static_cast<long>(named)});
+    if (named < all.size()) text += " and " + std::to_string(all.size() - named) + " more configs";
+    return text + "; what to take may change with the rest";
+}
+
 Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths)
+{
+    Result<BenchResults> results = readBenchResults(paths);
+    if (!results) return results.diagnostics();
+    return {std::move(results->points), results.diagnostics()};
+}
+
+Result<BenchResults> readBenchResults(const std::vector<std::string>& paths)
 {
     Reader reader;
     for (const std::string& path : paths) reader.readFile(resultsFile(path));

@@ -3,7 +3,8 @@
 //
 // Results are JSON Lines, one point a line, appended as they are measured. A line's key is a hash over
 // everything that decides its figures, so a run that was interrupted goes on where it stopped, and
-// shards from several machines merge by putting their files one after the other.
+// shards from several machines merge by putting their files one after the other. A line before them has
+// what the run is to measure, so that a part of a bench is not taken for the whole.
 #pragma once
 
 #include "core/image.h"
@@ -87,12 +88,44 @@ struct BenchPoint {
     std::string difference_picture;
 };
 
+/// What a command was to measure on a device, all shards together.
+struct PlannedBench {
+    std::string device;
+    std::string command;              ///< 16 hex digits over what was asked for.
+    std::vector<std::string> points;  ///< plannedId of each.
+};
+
 /// One line, without the line feed.
 std::string toJsonLine(const BenchPoint& point);
+std::string toJsonLine(const PlannedBench& planned);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
 /// size, radius and rays. A key says more: it changes with a shader's text, a driver or a version.
 std::string identityOf(const BenchPoint& point);
+
+/// A hash of that, 16 hex digits.
+std::string plannedId(const BenchPoint& point);
+
+struct BenchResults {
+    std::vector<BenchPoint> points;
+    std::vector<PlannedBench> planned;  ///< Of one device and command the last.
+};
+
+/// How much of a bench its results hold.
+struct BenchCoverage {
+    std::size_t measured = 0;  ///< Points with figures.
+    std::size_t failed = 0;
+    std::size_t planned = 0;   ///< These two, and points that nobody began.
+    std::vector<std::string> configs = {};  ///< That have figures, each once.
+
+    bool whole() const { return measured + failed == planned; }
+};
+
+BenchCoverage coverageOf(const BenchResults& results);
+
+/// "3 of 78 points measured: mobile, balanced, high; what to take may change with the rest". Empty of a
+/// whole bench.
+std::string coverageText(const BenchCoverage& coverage);
 
 /// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point on
 /// one device the later one holds, but a failure never hides figures of its own key. A line that an
@@ -100,6 +133,9 @@ std::string identityOf(const BenchPoint& point);
 /// folder. A figure that was not finite makes its point a failure.
 ///
 /// Errors: CV7009 for a file that cannot be read or a line that is no point.
+Result<BenchResults> readBenchResults(const std::vector<std::string>& paths);
+
+/// The points alone. Errors: those of readBenchResults.
 Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths);
 
 }  // namespace crevice

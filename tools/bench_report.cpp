@@ -44,9 +44,13 @@ std::string dump(const json& value, int indent)
     return value.dump(indent, ' ', false, json::error_handler_t::replace);
 }
 
-json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRow>& ablation)
+json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRow>& ablation,
+             const BenchCoverage& coverage)
 {
     json model = reportModel(points);
+    model["coverage"] = {{"measured", coverage.measured}, {"failed", coverage.failed},
+                         {"planned", coverage.planned},   {"configs", coverage.configs},
+                         {"whole", coverage.whole()},     {"text", coverageText(coverage)}};
     model["ablation"] = json::array();
     for (const AblationRow& row : ablation) model["ablation"].push_back(json::parse(toJsonLine(row)));
     return model;
@@ -123,9 +127,9 @@ json flat(const json& value)
 }  // namespace
 
 std::string reportJson(const std::vector<BenchPoint>& points,
-                       const std::vector<AblationRow>& ablation)
+                       const std::vector<AblationRow>& ablation, const BenchCoverage& coverage)
 {
-    return dump(modelOf(points, ablation), 1) + "\n";
+    return dump(modelOf(points, ablation, coverage), 1) + "\n";
 }
 
 std::string reportCsv(const std::vector<BenchPoint>& points)
@@ -146,7 +150,8 @@ std::string reportCsv(const std::vector<BenchPoint>& points)
 }
 
 Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures,
-                               const std::vector<AblationRow>& ablation)
+                               const std::vector<AblationRow>& ablation,
+                               const BenchCoverage& coverage)
 {
     Pictures pictures;
     if (with_pictures) {
@@ -155,7 +160,7 @@ Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_
                  {point.ao_picture, point.truth_picture, point.difference_picture})
                 pictures.add(path);
     }
-    json model = modelOf(points, ablation);
+    json model = modelOf(points, ablation, coverage);
     model["pictures"] = pictures.take();
 
     return {pageWith(reportPage(), dump(model, -1)), std::move(pictures.warnings)};

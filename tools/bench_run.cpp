@@ -69,6 +69,7 @@ private:
             else point.failure = failureText(measured.diagnostics());
         }
         point.key = keyOnDevice(task.point.key, world_.device);
+        point.device = world_.device;  // a failure's too, so that figures can take its place
         summary_.written = file_.append(point);
         if (!summary_.written) return false;
         if (point.failure.empty()) ++summary_.measured;
@@ -120,12 +121,19 @@ Result<ResultFile> ResultFile::open(const std::string& folder)
 {
     Result<LineFile> lines = LineFile::open(folder + "/results.jsonl");
     if (!lines) return lines.diagnostics();
-    const Result<std::vector<BenchPoint>> points = readBenchPoints({lines->path()});
-    if (!points) return points.diagnostics();
+    const Result<BenchResults> known = readBenchResults({lines->path()});
+    if (!known) return known.diagnostics();
     ResultFile results(std::move(*lines));
-    for (const BenchPoint& point : *points)
+    for (const BenchPoint& point : known->points)
         if (point.failure.empty()) results.done_.insert(point.key);
+    for (const PlannedBench& planned : known->planned) results.plans_.insert(toJsonLine(planned));
     return results;
+}
+
+Status ResultFile::plan(const PlannedBench& planned)
+{
+    const std::string line = toJsonLine(planned);
+    return plans_.insert(line).second ? lines_.append(line) : Status();
 }
 
 Status ResultFile::append(const BenchPoint& point)

@@ -48,6 +48,9 @@ void printMissing(const BenchSummary& summary, const std::string& file)
     std::fprintf(stderr, "%d measured, %d were there already, %zu failed, %zu not begun: %s\n",
                  summary.measured, summary.kept, summary.failures.size(), summary.missing.size(),
                  file.c_str());
+    if (const Result<BenchResults> results = readBenchResults({file}); results)
+        if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
+            std::fprintf(stderr, "%s\n", part.c_str());
     if (!summary.missing.empty() || !summary.failures.empty())
         std::fputs("the same command goes on where this one stopped\n", stderr);
 }
@@ -59,13 +62,26 @@ int exitCodeOf(const BenchSummary& summary, const BenchPlan& plan)
     return summary.failures.empty() ? exitCodeOf(plan.diagnostics) : kExitBadInput;
 }
 
+/// The results file, with what is to be measured in it.
+Result<ResultFile> openResults(const std::string& folder, const BenchPlan& plan,
+                               const std::string& device)
+{
+    Result<ResultFile> file = ResultFile::open(folder);
+    if (!file) return file;
+    PlannedBench planned = plan.planned;
+    planned.device = device;
+    if (const Status written = file->plan(planned); !written) return written.diagnostics();
+    return file;
+}
+
 int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
                double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend);
     if (!open) return report(open.diagnostics(), false);
     report(open.diagnostics(), false);
-    Result<ResultFile> file = ResultFile::open(command.out);
+    catchInterrupts();
+    Result<ResultFile> file = openResults(command.out, plan, open->device->caps().name);
     if (!file) return report(file.diagnostics(), false);
 
     Progress progress;
@@ -90,7 +106,6 @@ int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceS
     };
     world.device = open->device->caps().name;
     world.time_budget_s = time_budget;
-    catchInterrupts();
     const BenchSummary summary = runBench(plan.tasks, *file, world);
     progress.wipe();
     report(summary.written.diagnostics(), false);

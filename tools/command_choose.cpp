@@ -33,6 +33,7 @@ struct Answer {
     Candidates candidates;
     ChoiceLimit limit;
     Choice choice;
+    BenchCoverage coverage;
     Diagnostics warnings;
 
     const Candidate& best() const { return candidates.list[choice.best]; }
@@ -52,10 +53,11 @@ Result<Answer> answerFor(ChooseOptions options)
         if (!extent) return extent.diagnostics();
         options.scope.extent = *extent;
     }
-    Result<std::vector<BenchPoint>> points = readBenchPoints(options.results);
-    if (!points) return points.diagnostics();
-    answer.warnings = points.diagnostics();
-    answer.points = std::move(*points);
+    Result<BenchResults> results = readBenchResults(options.results);
+    if (!results) return results.diagnostics();
+    answer.warnings = results.diagnostics();
+    answer.coverage = coverageOf(*results);
+    answer.points = std::move(results->points);
     Result<Candidates> candidates = findCandidates(answer.points, options.scope);
     if (!candidates) return candidates.diagnostics();
     answer.candidates = std::move(*candidates);
@@ -93,6 +95,7 @@ void printAnswer(const Answer& answer)
     const bool by_error = answer.limit.kind == ChoiceLimit::Kind::error;
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
+    if (!answer.coverage.whole()) std::puts(coverageText(answer.coverage).c_str());
     std::printf("%s\n", best.label.c_str());
     std::printf("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
                 fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
@@ -132,6 +135,9 @@ void printJson(const Answer& answer)
     };
     const nlohmann::json json = {{"limit", limitText(answer.limit)},
                                  {"device", answer.candidates.device},
+                                 {"points", {{"measured", answer.coverage.measured},
+                                             {"failed", answer.coverage.failed},
+                                             {"planned", answer.coverage.planned}}},
                                  {"best", toJson(answer.best(), answer.points)},
                                  {"also_within", list(answer.choice.also)},
                                  {"beyond", list(answer.choice.beyond)},

@@ -23,13 +23,14 @@ struct ReportOptions {
 };
 
 Status writeReport(const ReportOptions& options, const std::vector<BenchPoint>& points,
-                   const std::vector<AblationRow>& ablation, const std::string& page)
+                   const std::vector<AblationRow>& ablation, const BenchCoverage& coverage,
+                   const std::string& page)
 {
     std::filesystem::path path = options.out;
     Status written = writeFile(path.string(), page);
     if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(points));
     if (written)
-        written = writeFile(path.replace_extension(".json").string(), reportJson(points, ablation));
+        written = writeFile(path.replace_extension(".json").string(), reportJson(points, ablation, coverage));
     return written;
 }
 
@@ -42,17 +43,20 @@ int makeReport(const ReportOptions& options)
     }
     const Status writable = checkWritable(options.out);
     if (!writable) return report(writable.diagnostics(), false);
-    const Result<std::vector<BenchPoint>> points = readBenchPoints(options.results);
-    report(points.diagnostics(), false);
-    if (!points) return exitCodeOf(points.diagnostics());
+    const Result<BenchResults> results = readBenchResults(options.results);
+    report(results.diagnostics(), false);
+    if (!results) return exitCodeOf(results.diagnostics());
+    const std::vector<BenchPoint>& points = results->points;
+    const BenchCoverage coverage = coverageOf(*results);
     const Result<std::vector<AblationRow>> ablation = readAblation(options.results);
     if (!ablation) return report(ablation.diagnostics(), false);
-    const Result<std::string> page = reportHtml(*points, !options.no_pictures, *ablation);
+    const Result<std::string> page = reportHtml(points, !options.no_pictures, *ablation, coverage);
     report(page.diagnostics(), false);
-    const Status written = writeReport(options, *points, *ablation, *page);
+    const Status written = writeReport(options, points, *ablation, coverage, *page);
     if (!written) return report(written.diagnostics(), false);
     std::printf("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
-                options.out.c_str(), points->size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
+                options.out.c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
+    if (!coverage.whole()) std::puts(coverageText(coverage).c_str());
     return kExitOk;
 }
 

@@ -3,7 +3,7 @@
 "use strict";
 const ROLES = {
   cheapest: "Cheapest",
-  balanced: "Take this",
+  balanced: data.coverage.whole ? "Take this" : "Take this of these",
   "most accurate": "Most accurate"
 };
 const stepOf = (advice, role) => advice.steps.find(s => s.roles.includes(role));
@@ -17,7 +17,8 @@ function showAnswer(parent, advice) {
   if (!take)
     return add(
       box, "p", {class: "take"}, "None of these configs is better than no ambient occlusion.");
-  const line = add(box, "p", {class: "take"}, "Take ");
+  const line =
+    add(box, "p", {class: "take"}, data.coverage.whole ? "Take " : "Of what is measured, take ");
   add(line, "strong", {}, brief(take.label));
   add(box, "p", {},
     `It is off by ${error(take.error)} from ray-traced ambient occlusion, where no ambient ` +
@@ -135,6 +136,8 @@ if (data.failures.length) {
   add(summary, "a", {class: "warn", href: "#missing"},
     `${plural(data.failures.length, "point")} failed.`);
 }
+if (!data.coverage.whole)
+  add(main, "p", {class: "warn part"}, `A part of a bench: ${data.coverage.text}.`);
 if (!measured) add(main, "p", {class: "warn"}, "There are no figures to show.");
 for (const advice of data.advice) {
   if (data.advice.length > 1) add(main, "h2", {}, advice.device);
