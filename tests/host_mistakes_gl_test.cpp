@@ -122,6 +122,23 @@ TEST_CASE("In another context every call is CV6004, and what is there stays as i
     CHECK(stage.gl.read(stage.renderer->output("ao")).pixels != picture);
 }
 
+TEST_CASE("Of two devices whose contexts give out the same names each knows its own")
+{
+    auto first_context = need(makeContext(testBackend()));
+    auto first = need(makeGlDevice(first_context->loader()));
+    auto second_context = need(makeContext(testBackend()));
+    auto second = need(makeGlDevice(second_context->loader()));
+    need(second->createTexture({"t", Format::r8, {4, 4}}));
+    CHECK(onlyCode(first->createTexture({"t", Format::r8, {4, 4}}).diagnostics()) == Code::gl_version);
+    CHECK(onlyCode(first->beginFrame()) == Code::gl_version);
+    second.reset();
+    need(first_context->makeCurrent());
+    need(first->createTexture({"t", Format::r8, {4, 4}}));
+    first.reset();
+    second_context.reset();
+    need(testContext().makeCurrent());
+}
+
 TEST_CASE("A device that is destroyed in another context deletes nothing there")
 {
     GlFixture fixture;
