@@ -53,8 +53,8 @@ void appendExcerpt(std::string& out, const Place& place)
     for (std::size_t at = 0; at < cut.line.size();) {
         const std::size_t length = utf8Length(cut.line, at);
         const bool tab = cut.line[at] == '\t';
-        const bool printable = tab || static_cast<unsigned char>(cut.line[at]) >= 32;
-        shown += length > 0 && printable ? cut.line.substr(at, length) : "?";
+        const bool shows = length > 0 && (tab || !isControl(cut.line, at));
+        shown += shows ? cut.line.substr(at, length) : "?";
         if (at < cut.begin) marks += tab ? '\t' : ' ';
         else if (at < cut.end) marks += marked ? '~' : '^';
         marked = at >= cut.begin;
@@ -214,17 +214,17 @@ std::string placeName(const Place& place)
 
 std::string toText(const Diagnostic& diagnostic)
 {
-    const std::string place = placeName(diagnostic.place);
+    const std::string place = printableLine(placeName(diagnostic.place));
     std::string out = place.empty() ? "" : place + ": ";
     out += std::string(severityName(diagnostic.severity)) + ' ' + codeName(diagnostic.code) + ": " +
-           diagnostic.message + '\n';
+           printableLine(diagnostic.message) + '\n';
     if (diagnostic.place.source && diagnostic.place.line > 0) appendExcerpt(out, diagnostic.place);
-    if (!diagnostic.pointer.empty()) out += "  at " + diagnostic.pointer + '\n';
+    if (!diagnostic.pointer.empty()) out += "  at " + printableLine(diagnostic.pointer) + '\n';
     for (const Note& note : diagnostic.notes) {
         const std::string where = placeName(note.place);
-        out += "  note: " + (where.empty() ? "" : where + ": ") + note.text + '\n';
+        out += "  note: " + printableLine((where.empty() ? "" : where + ": ") + note.text) + '\n';
     }
-    if (!diagnostic.help.empty()) out += "  help: " + diagnostic.help + '\n';
+    if (!diagnostic.help.empty()) out += "  help: " + printableLine(diagnostic.help) + '\n';
     return out;
 }
 

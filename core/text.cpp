@@ -3,6 +3,8 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 
 namespace crevice {
 
@@ -32,15 +34,45 @@ Lead leadOf(unsigned char byte)
     return {0, 0, 0};
 }
 
-void appendEscaped(std::string& out, unsigned char control)
+// The code point of the character at `at`; 0xFFFD where there is none.
+std::uint32_t codePoint(std::string_view text, std::size_t at)
+{
+    const std::size_t length = utf8Length(text, at);
+    if (length == 0) return 0xFFFD;
+    std::uint32_t code = byteAt(text, at) & (length == 1 ? 0x7Fu : 0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byteAt(text, at + i) & 0x3Fu);
+    return code;
+}
+
+// First and last: C0, DEL and C1, and what turns the direction of writing or ends a line (Unicode 15, "Bidi_Control"
+// and U+2028, U+2029).
+constexpr std::uint32_t kControls[][2] = {{0, 0x1F},          {0x7F, 0x9F},       {0x61C, 0x61C},
+                                          {0x200E, 0x200F},   {0x2028, 0x202E},   {0x2066, 0x2069}};
+
+// All of them are within the 16 bits that JSON writes so.
+void appendEscaped(std::string& out, std::uint32_t code)
 {
     static const char kDigits[] = "0123456789abcdef";
-    switch (control) {
-    case '\n': out += "\\n"; break;
-    case '\r': out += "\\r"; break;
-    case '\t': out += "\\t"; break;
-    default: out += {'\\', 'u', '0', '0', kDigits[control >> 4], kDigits[control & 15]};
+    out += "\\u";
+    for (int shift = 12; shift >= 0; shift -= 4) out += kDigits[code >> shift & 15];
+}
+
+void appendPrintable(std::string& out, std::string_view text, bool lines)
+{
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = utf8Length(text, at);
+        const bool kept = lines && (text[at] == '\n' || text[at] == '\t');
+        if (length == 0) out += "\xEF\xBF\xBD";
+        else if (isControl(text, at) && !kept) appendEscaped(out, codePoint(text, at));
+        else out += text.substr(at, length);
+        at += std::max<std::size_t>(length, 1);
     }
+}
+
+// What follows the backslash.
+char shortEscape(char c)
+{
+    return c == '\n' ? 'n' : c == '\r' ? 'r' : c == '\t' ? 't' : c;
 }
 
 }  // namespace
@@ -74,17 +106,35 @@ std::string_view utf8Prefix(std::string_view text, std::size_t bytes)
     return text.substr(0, end);
 }
 
+bool isControl(std::string_view text, std::size_t at)
+{
+    const std::uint32_t code = codePoint(text, at);
+    return std::any_of(std::begin(kControls), std::end(kControls),
+                       [code](const auto& range) { return code >= range[0] && code <= range[1]; });
+}
+
+std::string printable(std::string_view text)
+{
+    std::string out;
+    appendPrintable(out, text, true);
+    return out;
+}
+
+std::string printableLine(std::string_view text)
+{
+    std::string out;
+    appendPrintable(out, text, false);
+    return out;
+}
+
 std::string jsonString(std::string_view text)
 {
     std::string out = "\"";
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = utf8Length(text, at);
-        const unsigned char byte = byteAt(text, at);
-        if (length == 0) out += "\xEF\xBF\xBD";
-        else if (byte < 0x20) appendEscaped(out, byte);
-        else if (byte == '"' || byte == '\\') out += {'\\', text[at]};
-        else out += text.substr(at, length);
-        at += std::max<std::size_t>(length, 1);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\"\\\n\r\t", begin), text.size());
+        appendPrintable(out, text.substr(begin, end - begin), false);
+        if (end < text.size()) out += {'\\', shortEscape(text[end])};
+        begin = end + 1;
     }
     return out + '"';
 }

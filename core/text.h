@@ -30,7 +30,18 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// The words with `separator` between them.
 std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 
-/// `text` as a JSON string in double quotes. Bytes that are not UTF-8 become U+FFFD.
+/// True for the character at `at` when a terminal obeys it instead of showing it: control characters, and
+/// marks that turn the direction of writing. Requires at < text.size().
+bool isControl(std::string_view text, std::size_t at);
+
+/// `text` for a terminal: what isControl finds, but line feeds and tabs, is written out as "\u001b", and bytes
+/// that are not UTF-8 become U+FFFD. JSON stays the same JSON.
+std::string printable(std::string_view text);
+
+/// The same with line feeds and tabs written out too: for a name, or a message of one line.
+std::string printableLine(std::string_view text);
+
+/// `text` as a JSON string in double quotes, printable. Bytes that are not UTF-8 become U+FFFD.
 std::string jsonString(std::string_view text);
 
 /// The RFC 6901 pointer of the member `key` of what `parent` points at: ("/passes", "a/b") gives

@@ -2,8 +2,11 @@
 // Diagnostics as people and as programs see them.
 #include "core/diagnostic.h"
 #include "core/document.h"
+#include "core/text.h"
 
 #include "tests/catch.h"
+
+#include <algorithm>
 
 using namespace crevice;
 
@@ -14,7 +17,7 @@ SourceRef textOf(const std::string& text)
     return std::make_shared<SourceText>(SourceText{"my.json", text});
 }
 
-std::string lineOf(const std::string& text, int line)
+std::string shownLine(const std::string& text, int line)
 {
     std::size_t begin = 0;
     for (int at = 0; at < line; ++at) begin = text.find('\n', begin) + 1;
@@ -72,15 +75,15 @@ TEST_CASE("the marks stay below the place after tabs and letters of several byte
 {
     const std::string text =
         toText(Diagnostic{Code::usage, "m", {textOf("\t\xC3\xA4 bad"), 1, 5, 3}});
-    CHECK(lineOf(text, 1) == "    1 | \t\xC3\xA4 bad");
-    CHECK(lineOf(text, 2) == "      | \t  ^~~");
+    CHECK(shownLine(text, 1) == "    1 | \t\xC3\xA4 bad");
+    CHECK(shownLine(text, 2) == "      | \t  ^~~");
 }
 
 TEST_CASE("the marks stop at the end of the line")
 {
-    CHECK(lineOf(toText(Diagnostic{Code::usage, "m", {textOf("ab\r\ncd"), 1, 2, 99}}), 2) ==
+    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {textOf("ab\r\ncd"), 1, 2, 99}}), 2) ==
           "      |  ^");
-    CHECK(lineOf(toText(Diagnostic{Code::usage, "m", {textOf("ab\n"), 1, 3, 1}}), 2) ==
+    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {textOf("ab\n"), 1, 3, 1}}), 2) ==
           "      |   ^");
 }
 
@@ -99,7 +102,7 @@ TEST_CASE("a long line is cut around the place")
         std::string line(1000, '.');
         line[column - 1] = 'X';
         const std::string text = toText(Diagnostic{Code::usage, "m", {textOf(line), 1, column, 1}});
-        const std::string shown = lineOf(text, 1), marks = lineOf(text, 2);
+        const std::string shown = shownLine(text, 1), marks = shownLine(text, 2);
         CHECK(shown.size() < 180);
         CHECK(shown.find("...") != std::string::npos);
         CHECK(shown.find('X') == marks.find('^'));
@@ -110,8 +113,25 @@ TEST_CASE("bytes that would upset a terminal are not shown as they are")
 {
     const std::string text =
         toText(Diagnostic{Code::usage, "m", {textOf("\x1B[31m\xFF!"), 1, 7, 1}});
-    CHECK(lineOf(text, 1) == "    1 | ?[31m?!");
-    CHECK(lineOf(text, 2) == "      |       ^");
+    CHECK(shownLine(text, 1) == "    1 | ?[31m?!");
+    CHECK(shownLine(text, 2) == "      |       ^");
+}
+
+TEST_CASE("no part of a diagnostic controls the terminal or forges a line")
+{
+    const std::string bad = "\x1B]0;x\x07\xC2\x9B\xE2\x80\xAE\nerror CV0001: forged";
+    Diagnostic diagnostic{Code::usage, bad, {std::make_shared<SourceText>(SourceText{bad, "\xE2\x80\xAE!\x7F"}), 1, 4, 1}};
+    diagnostic.pointer = bad;
+    diagnostic.notes = {{diagnostic.place, bad}};
+    diagnostic.help = bad;
+    const std::string text = toText(diagnostic);
+    for (std::size_t i = 0; i < text.size(); ++i) CHECK((text[i] == '\n' || !isControl(text, i)));
+    CHECK(std::count(text.begin(), text.end(), '\n') == 6);
+    CHECK(shownLine(text, 1) == "    1 | ?!?");
+    CHECK(shownLine(text, 2) == "      |  ^");
+    const std::string json = toJson({diagnostic});
+    CHECK(json.find('\x1B') == std::string::npos);
+    CHECK(json.find("\xE2\x80\xAE") == std::string::npos);
 }
 
 TEST_CASE("diagnostics as JSON have every key and can be read back")
