@@ -27,7 +27,7 @@ enum class Code : int {
     module_missing = 1201,    ///< `extends` or the command line names what does not exist.
     module_cycle = 1202,      ///< `extends` leads back to itself.
     module_depth = 1203,      ///< `extends` is more than 8 deep.
-    module_escape = 1204,     ///< A path climbs above its root.
+    module_escape = 1204,     ///< A path leads out of the modules, or of the folders that a config may read.
     variant_missing = 1205,   ///< No such variant.
     override_syntax = 1206,   ///< An override that is not name=value.
     format_version = 1207,    ///< `format` is missing or newer than this library.

@@ -2,6 +2,7 @@
 // The GLSL files that a config names, and what they include.
 #include "core/decode_steps.h"
 
+#include "core/files.h"
 #include "core/glsl.h"
 
 #include <algorithm>
@@ -20,20 +21,20 @@ bool isOnDisk(std::string_view path)
     return path.substr(0, 1) == "/" || path.substr(0, 1) == ".";  // no path in sources begins so
 }
 
-// Where a text is, as something to resolve paths against.
-std::string pathOf(const SourceRef& writer)
-{
-    if (!writer || !writer->path.empty()) return writer ? writer->path : "./";
-    return isOnDisk(writer->name) ? writer->name : "./" + writer->name;
-}
-
-// What `name`, written in the file at `from`, stands for. Only "./" and "../" leave the sources,
-// and only from a file on disk.
-Found findFile(const SourceSet& sources, const std::string& from, const std::string& name)
+// What `name`, written by `writer` in the file at `from`, stands for. Only "./" and "../" leave the
+// sources, and only from a file on disk. Errors, without a place: CV1204, CV1006.
+Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const std::string& from,
+                       const std::string& name)
 {
     const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
     const std::string key = resolvePath(from, name);
-    return {key, relative && isOnDisk(from) ? readFile(key) : sources.find(key)};
+    const bool disk = relative && isOnDisk(from);
+    const Result<SourceRef> found = disk ? openNamed(writer, key) : sources.find(key);
+    if (!found) return found.diagnostics();
+    if (*found && (*found)->text.size() > kMaxDocumentBytes)
+        return Diagnostic{Code::too_large, "the file '" + key + "' has more than the 1048576 bytes (1 MiB) "
+                          "that are read", {}, {}, {}, "is this GLSL?"};
+    return Found{key, *found};
 }
 
 std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::string& ending)
@@ -45,6 +46,13 @@ std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::stri
             paths.push_back(path);
     }
     return paths;
+}
+
+// "does not exist", or why a file that is there is none.
+std::string absenceOf(const Found& file)
+{
+    const FileBytes found = isOnDisk(file.key) ? readStart(file.key, 0) : FileBytes{{}, {}, true};
+    return found.missing ? "does not exist" : "cannot be read: " + found.failure;
 }
 
 // `ending` says what the file is for: ".frag", ".vert", ".glsl".
@@ -77,10 +85,14 @@ public:
     void readFrom(Reference& reference, const std::string& who, const std::string& ending)
     {
         if (reference.pointer.empty()) return;  // it was not written, or not a name
-        const Found file = findFile(sources_, pathOf(reference.place.source), reference.name);
+        const SourceText nowhere{"./", {}};
+        const SourceText& writer = reference.place.source ? *reference.place.source : nowhere;
+        const Result<Found> found = findFile(sources_, writer, locationOf(writer), reference.name);
+        if (!found) return refuse(found.diagnostics().front(), reference);
+        const Found& file = *found;
         if (!file.source) {
             report_.at(reference, Code::file_missing,
-                       who + " names file '" + reference.name + "', which does not exist")
+                       who + " names file '" + reference.name + "', which " + absenceOf(file))
                 .help = suggestFile(sources_, reference.name, ending);
             report_.sameMistake("file " + file.key);
             return;
@@ -104,12 +116,20 @@ private:
                 expectInterface(include, pointer);
                 continue;
             }
-            const Found found = findFile(sources_, file.key, include.name);
-            if (found.source) waiting.push_back(found);
+            const Result<Found> found = findFile(sources_, *file.source, file.key, include.name);
+            if (!found) refuse(found.diagnostics().front(), {"", include.place, pointer});
+            else if (found->source) waiting.push_back(*found);
             else
-                missing(include, pointer, "file '" + include.name + "'").help =
+                missing(include, pointer, "file '" + include.name + "'", absenceOf(*found)).help =
                     suggestFile(sources_, include.name, ".glsl");
         }
+    }
+
+    // A file that is there, or may be, and is not read.
+    void refuse(const Diagnostic& why, const Reference& reference)
+    {
+        report_.at(reference, why.code, why.message).help = why.help;
+        report_.sameMistake(why.message);
     }
 
     void expectInterface(const GlslInclude& include, const std::string& pointer)
@@ -124,10 +144,10 @@ private:
     }
 
     Diagnostic& missing(const GlslInclude& include, const std::string& pointer,
-                        const std::string& what)
+                        const std::string& what, const std::string& absence = "does not exist")
     {
         Diagnostic& error = report_.at({"", include.place, pointer}, Code::include_missing,
-                                       "found an #include of " + what + ", which does not exist");
+                                       "found an #include of " + what + ", which " + absence);
         report_.sameMistake(what);
         return error;
     }

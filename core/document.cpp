@@ -291,8 +291,8 @@ Status checkText(const SourceRef& source)
 {
     const std::string_view text = source->text;
     if (text.size() > kMaxDocumentBytes)
-        return Diagnostic{Code::too_large, "found " + std::to_string(text.size()) +
-                          " bytes where at most 1048576 (1 MiB) are read", {source, 1, 1}, {}, {},
+        return Diagnostic{Code::too_large, "found more than the 1048576 bytes (1 MiB) that are read",
+                          {source, 1, 1}, {}, {},
                           "is this a config? the largest of them has a few thousand bytes"};
     if (text.substr(0, 3) == "\xEF\xBB\xBF")
         return Diagnostic{Code::bad_utf8, "found a byte order mark", placeAt(source, 0, 3), {}, {},

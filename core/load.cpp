@@ -2,6 +2,7 @@
 // From a config's name to one merged document.
 #include "core/load.h"
 
+#include "core/files.h"
 #include "core/merge.h"
 #include "core/override.h"
 #include "core/text.h"
@@ -63,15 +64,27 @@ std::string suggestModule(const SourceSet& sources, const std::string& name)
 
 std::string absenceOf(const std::string& path)
 {
-    std::error_code error;
-    return fs::exists(path, error) ? "the file '" + path + "' cannot be read"
-                                   : "there is no file '" + path + "'";
+    const FileBytes file = readStart(path, 0);
+    return file.missing ? "there is no file '" + path + "'"
+                        : "the file '" + path + "' cannot be read: " + file.failure;
 }
 
-Result<SourceRef> findConfig(const SourceSet& sources, const std::string& config)
+// The roots of all files of a request: its own, and the folder of the config.
+std::vector<std::string> rootsOf(const LoadRequest& request)
 {
+    std::vector<std::string> roots = request.roots;
+    const fs::path config = request.config;
+    if (endsWith(request.config, kSuffix))
+        roots.push_back(config.has_parent_path() ? config.parent_path().string() : ".");
+    return roots;
+}
+
+Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& request)
+{
+    const std::string& config = request.config;
     const bool file = endsWith(config, kSuffix);
-    if (SourceRef source = file ? readFile(config) : nullptr) return source;
+    const auto roots = std::make_shared<const std::vector<std::string>>(rootsOf(request));
+    if (SourceRef source = file ? readFile(config, roots) : nullptr) return source;
     const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
     if (SourceRef source = sources.find(file ? config : shipped)) return source;
     Diagnostic missing{Code::module_missing,
@@ -303,13 +316,18 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
         return missing;
     }
     const bool shipped = !from.path.empty() && !isRelative(from.path);
-    const bool rooted = startsWith(from.name, "/") || isRelative(from.name);
-    const std::string path =
-        resolvePath(!from.path.empty() ? from.path : rooted ? from.name : "./" + from.name, name);
+    const std::string path = resolvePath(locationOf(from), name);
     if (path.empty())
         return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
                           entry.place, pointer, {}, "name a module, such as 'ssao/hemisphere'"};
-    if (SourceRef source = shipped ? sources_.find(path) : readFile(path)) return source;
+    Result<SourceRef> found = shipped ? Result<SourceRef>(sources_.find(path)) : openNamed(from, path);
+    if (!found) {
+        Diagnostic refused = found.diagnostics().front();
+        refused.place = entry.place;
+        refused.pointer = pointer;
+        return refused;
+    }
+    if (*found) return found;
     missing.message = shipped ? "there is no module '" + path + "'" : absenceOf(path);
     missing.help = "the path is seen from the folder of '" + from.name + "'";
     if (!endsWith(name, kSuffix)) missing.help = "did you mean '" + name + std::string(kSuffix) +
@@ -333,7 +351,8 @@ FileLoader::Extends FileLoader::takeExtends(Node& document)
     holder.kind = Node::Kind::object;
     if (extends.list) holder.change().members.push_back({"extends", {}, std::move(*extends.list)});
     for (const std::string& text : request_.overrides)
-        if (changes(text, "extends")) append(errors, applyOverride(holder, text).diagnostics());
+        if (changes(text, "extends"))
+            append(errors, applyOverride(holder, text, rootsOf(request_)).diagnostics());
     extends.list = takeMember(holder, "extends");
     return extends;
 }
@@ -452,7 +471,7 @@ void applyVariant(Node& document, const FileLoader& files, const LoadRequest& re
 
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
 {
-    const Result<SourceRef> config = findConfig(sources, request.config);
+    const Result<SourceRef> config = findConfig(sources, request);
     if (!config) return config.diagnostics();
     FileLoader files(sources, request);
     files.load(*config, {});
@@ -470,18 +489,18 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
         document.change().origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
-        if (!changes(text, "extends")) append(errors, applyOverride(document, text).diagnostics());
+        if (!changes(text, "extends"))
+            append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
     checkVariantsGone(document, errors);
     checkNamed(document, errors);
     if (!errors.empty()) return errors;
     return document;
 }
 
-std::vector<std::string> variantNames(const SourceSet& sources, const std::string& config)
+std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& request)
 {
-    const Result<SourceRef> source = findConfig(sources, config);
+    const Result<SourceRef> source = findConfig(sources, request);
     if (!source) return {};
-    const LoadRequest request{config};
     FileLoader files(sources, request);
     files.load(*source, {});
     return namesOf(files.variants);

@@ -87,11 +87,14 @@ struct PatchMaker {
 
 }  // namespace
 
-Status applyOverride(Node& document, const std::string& text)
+Status applyOverride(Node& document, const std::string& text, const std::vector<std::string>& roots)
 {
     const std::size_t equals = text.find('=');
+    std::vector<std::string> folders = roots;
+    folders.push_back(".");  // where its files stand
     const auto source = std::make_shared<SourceText>(
-        SourceText{"--set " + text, text, "./--set"});  // its files stand in the current folder
+        SourceText{"--set " + text, text, "./--set", {},
+                   std::make_shared<const std::vector<std::string>>(std::move(folders))});
     const Place place{source, 1, 1, static_cast<int>(std::min(equals, text.size()))};
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         return Diagnostic{Code::override_syntax,

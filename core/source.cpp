@@ -2,10 +2,11 @@
 // The sets of texts: in memory, in a folder, in layers; and paths between them.
 #include "core/source.h"
 
+#include "core/document.h"
+#include "core/files.h"
 #include "core/text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <system_error>
@@ -47,17 +48,12 @@ auto lowerBound(Texts& texts, std::string_view path)
 
 std::shared_ptr<SourceText> readText(const std::string& path)
 {
-    std::error_code error;
-    if (fs::is_directory(path, error)) return nullptr;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               &std::fclose);
+    FileBytes file = readStart(path, kMaxDocumentBytes + 1);
     if (!file) return nullptr;
     auto source = std::make_shared<SourceText>();
     source->name = path;
-    char buffer[1 << 14];
-    while (const std::size_t count = std::fread(buffer, 1, sizeof(buffer), file.get()))
-        source->text.append(buffer, count);
-    return std::ferror(file.get()) ? nullptr : source;
+    source->text = std::move(file.bytes);
+    return source;
 }
 
 }  // namespace
@@ -87,8 +83,9 @@ std::vector<std::string> MemorySources::list() const
 
 SourceRef DirectorySources::find(std::string_view path) const
 {
-    if (!isInside(path)) return nullptr;
-    const auto source = readText(root_ + '/' + std::string(path));
+    const std::string file = root_ + '/' + std::string(path);
+    if (!isInside(path) || !isBelow(file, roots_)) return nullptr;
+    const auto source = readText(file);
     if (source) source->path = path;
     return source;
 }
@@ -164,9 +161,18 @@ std::string resolvePath(std::string_view from, std::string_view path)
     return joined;
 }
 
-SourceRef readFile(const std::string& path)
+std::string locationOf(const SourceText& source)
 {
-    return readText(path);
+    if (!source.path.empty()) return source.path;
+    const bool on_disk = startsWith(source.name, "/") || isRelative(source.name);
+    return on_disk ? source.name : "./" + source.name;
+}
+
+SourceRef readFile(const std::string& path, SourceRoots roots)
+{
+    const auto source = readText(path);
+    if (source) source->roots = std::move(roots);
+    return source;
 }
 
 }  // namespace crevice

@@ -14,12 +14,16 @@ namespace crevice {
 
 struct Place;
 
+/// Folders on disk below which a text may name files; null for its own folder.
+using SourceRoots = std::shared_ptr<const std::vector<std::string>>;
+
 /// One text and the name a user knows it by: a path on disk, or a path inside the catalog.
 struct SourceText {
     std::string name;
     std::string text;
     std::string path = {};  ///< Its path in the SourceSet it came from; empty for a file on disk.
     std::shared_ptr<const Place> asked = {};  ///< The entry of `extends` that brought it, or null.
+    SourceRoots roots = {};  ///< Of a file on disk: below which it may name others.
 };
 
 using SourceRef = std::shared_ptr<const SourceText>;
@@ -65,16 +69,22 @@ private:
     std::vector<std::pair<std::string, SourceRef>> texts_;  // sorted by path
 };
 
-/// Files below a folder, read anew at each `find`: what live editing uses.
+/// Files below a folder, read anew at each `find`: what live editing uses. A link that leads out of the folder
+/// and of `roots` is no text.
 class DirectorySources : public SourceSet {
 public:
-    explicit DirectorySources(std::string root) : root_(std::move(root)) {}
+    explicit DirectorySources(std::string root, std::vector<std::string> roots = {})
+        : root_(std::move(root)), roots_(std::move(roots))
+    {
+        roots_.push_back(root_);
+    }
 
     SourceRef find(std::string_view path) const override;
     std::vector<std::string> list() const override;
 
 private:
     std::string root_;
+    std::vector<std::string> roots_;  // with root_
 };
 
 /// Several sets seen as one; an earlier set hides a later one. The sets must outlive this.
@@ -95,7 +105,11 @@ private:
 /// "../", may climb as far as it likes.
 std::string resolvePath(std::string_view from, std::string_view path);
 
-/// Reads a whole file. Null when it cannot be read.
-SourceRef readFile(const std::string& path);
+/// Where a text is, as something to resolve paths against: its path in a SourceSet, or a path on disk that begins
+/// with '/', "./" or "../".
+std::string locationOf(const SourceText& source);
+
+/// Reads a regular file, cut one byte behind kMaxDocumentBytes. Null when it cannot be read.
+SourceRef readFile(const std::string& path, SourceRoots roots = {});
 
 }  // namespace crevice

@@ -94,7 +94,9 @@ TEST_CASE("a config on disk names files beside it and modules' files", "[decode]
                  "#version 300 es\n#include \"../shared.glsl\"\n"
                  "#include \"common/view.glsl\"\n#include <surface>\n");
     folder.write("shared.glsl", "// shared\n");
-    const auto document = parseDocument(readFile(config));
+    const auto roots = std::make_shared<std::vector<std::string>>(
+        std::vector<std::string>{fs::path(config).parent_path().parent_path().string()});
+    const auto document = parseDocument(readFile(config, roots));
     REQUIRE(document.ok());
     const auto result = decode(*document, glslSources());
     INFO(toText(result.diagnostics()));

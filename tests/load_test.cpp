@@ -80,7 +80,7 @@ TEST_CASE("files on disk extend files beside them and modules of the catalog")
     const std::string mine = folder.write(
         "sub/mine.json", file(R"("extends": ["../shared.json", "./more.json", "filter/box"])"));
     folder.write("sub/more.json", file(R"("params": {"radius": {"default": 9}})"));
-    const Node document = loaded(smallCatalog(), {mine});
+    const Node document = loaded(smallCatalog(), {mine, {}, {}, {folder.path.string()}});
     CHECK(at(document, "x-shared"));
     CHECK(at(document, "passes/box"));
     const Node* radius = at(document, "params/radius/default");
@@ -89,14 +89,14 @@ TEST_CASE("files on disk extend files beside them and modules of the catalog")
     CHECK(document.place.source->name == mine);
 }
 
-TEST_CASE("a path in the working folder needs no './' and may climb")
+TEST_CASE("a path in the working folder needs no './' and may climb to a root")
 {
     const TemporaryFolder folder("load_working");
     folder.write("up.json", file(R"("x-up": 1)"));
     folder.write("work/mine.json", file(R"("extends": ["../up.json"])"));
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder.path / "work");
-    const Result<Node> document = loadConfig(smallCatalog(), {"mine.json"});
+    const Result<Node> document = loadConfig(smallCatalog(), {"mine.json", {}, {}, {".."}});
     std::filesystem::current_path(before);
     REQUIRE(document);
     CHECK(document->place.source->name == "mine.json");

@@ -38,6 +38,7 @@ struct BenchOptions {
     std::vector<double> radii = {};  ///< Scene units; empty: each config's own.
     std::vector<int> samples = {};   ///< Empty: each config's own.
     std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
+    std::vector<std::string> roots = {};      ///< As LoadRequest has them.
     std::string camera = {};
     int rays = 256;
     Shard shard = {};

@@ -142,7 +142,8 @@ void Planner::addConfigs(Place place)
 void Planner::addConfig(const Place& place, const std::string& config)
 {
     std::vector<std::string> overrides = options_.overrides;
-    const Result<LoadedConfig> loaded = loadWithContent({config, {}, overrides, {}}, sources_);
+    const Result<LoadedConfig> loaded =
+        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
     if (!loaded) return addTask(place, config, overrides);
     const Description& description = loaded->description;
     if (place.radius > 0.0) {
@@ -226,7 +227,8 @@ void Planner::addTask(const Place& place, const std::string& config,
         point.triangles = triangleCount(*view.scene);
     }
 
-    const Result<LoadedConfig> loaded = loadWithContent({config, {}, overrides, {}}, sources_);
+    const Result<LoadedConfig> loaded =
+        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
     if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
 

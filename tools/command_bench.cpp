@@ -165,7 +165,7 @@ int bench(BenchCommand command)
     }
     if (command.bench.scenes.empty())
         command.bench.scenes = command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
-    const CheckoutSources sources(command.checkout);
+    const CheckoutSources sources(command.checkout, command.bench.roots);
     const Result<BenchPlan> plan = planBench(command.bench, sources);
     if (!plan) return report(plan.diagnostics(), false);
     report(plan->diagnostics, false);
@@ -241,6 +241,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     command->add_option("--effects", options->checkout,
                         "Read effects/ and configs/ below this folder before those embedded")
         ->type_name("FOLDER");
+    addRootOption(*command, options->bench.roots);
     command->add_flag("--ablate", options->ablate,
                       "Time frames with all rules that leave things out, without each and without "
                       "any, into ablation.jsonl");

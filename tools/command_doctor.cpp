@@ -180,7 +180,7 @@ void printJson(const Checkup& checkup, const Diagnostics& found)
 
 int doctor(const DoctorOptions& options)
 {
-    const CheckoutSources sources(options.config.checkout);
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
     const Result<Description> description = loadDescription(options.config, sources);
     if (!description) return report(description.diagnostics(), options.json);
     Progress progress;

@@ -115,8 +115,7 @@ Status measureLeftOut(const ExplainOptions& options, const SourceSet& sources, P
 int explainValue(const ExplainOptions& options, const SourceSet& sources)
 {
     const bool json = options.format == "json";
-    const Result<Node> document = loadConfig(
-        sources, {options.config.config, options.config.variant, options.config.overrides});
+    const Result<Node> document = loadConfig(sources, requestOf(options.config));
     if (!document) return report(document.diagnostics(), json);
     const Result<FoundValue> value = findValue(*document, options.why);
     if (value) {
@@ -167,7 +166,7 @@ int explain(ExplainOptions& options)
     if (const std::string wrong = misuse(options); !wrong.empty())
         return report({{Code::usage, wrong, {}, {}, {}, "see crevice explain --help"}}, false);
     options.config.config = options.configs.front();
-    const CheckoutSources sources(options.config.checkout);
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
     if (!options.why.empty()) return explainValue(options, sources);
     if (options.diff) return explainDiff(options, sources);
     Result<Plan> plan = makePlan(options, sources);

@@ -86,8 +86,7 @@ Result<Description> loadWatched(const RenderOptions& options, const SourceSet& s
 {
     const ConfigOptions& config = options.config;
     files.add(config.config);
-    const Result<Node> document =
-        loadConfig(sources, {config.config, config.variant, config.overrides});
+    const Result<Node> document = loadConfig(sources, requestOf(config));
     files.add(document.diagnostics());
     if (!document) return document.diagnostics();
     files.add(*document);
@@ -173,7 +172,7 @@ int render(const RenderOptions& options)
     if (saves)
         if (const Status patch = checkPatchFile(options.config, options.save_patch); !patch)
             return report(patch.diagnostics(), options.json);
-    const CheckoutSources sources(options.config.checkout);
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
     Result<Description> description = loadDescription(options.config, sources);
     if (!description) return report(description.diagnostics(), options.json);
     const Result<std::vector<std::string>> outputs = exposeAll(*pictures, *description);

@@ -191,7 +191,8 @@ int stress(StressCommand command)
     command.stress.shard = *shard;
     command.stress.variant = command.config.variant;
     command.stress.overrides = command.config.overrides;
-    const CheckoutSources sources(command.config.checkout);
+    command.stress.roots = command.config.roots;
+    const CheckoutSources sources(command.config.checkout, command.config.roots);
     const Result<std::vector<StressTask>> tasks = planStress(command.stress, sources);
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);

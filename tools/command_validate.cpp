@@ -35,7 +35,7 @@ std::vector<Checked> check(ConfigOptions options, const SourceSet& sources)
     std::vector<Checked> checked = {
         {options.config, options.variant, planForEveryScene(options, sources)}};
     if (!options.variant.empty() || !checked[0].plan) return checked;
-    for (const std::string& variant : variantNames(sources, options.config)) {
+    for (const std::string& variant : variantNames(sources, requestOf(options))) {
         options.variant = variant;
         checked.push_back({options.config, variant, planForEveryScene(options, sources)});
     }
@@ -63,7 +63,7 @@ nlohmann::json toJson(const Checked& each)
 
 int validate(ValidateOptions options)
 {
-    const CheckoutSources sources(options.checkout);
+    const CheckoutSources sources(options.checkout, options.roots);
     if (options.all) options.configs = configNames(sources);
     nlohmann::json results = nlohmann::json::array();
     Diagnostics all;

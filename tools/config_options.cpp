@@ -3,7 +3,6 @@
 #include "tools/config_options.h"
 
 #include "core/content_hash.h"
-#include "core/load.h"
 #include "core/plan.h"
 #include "effects/catalog.h"
 
@@ -32,6 +31,13 @@ void addNode(ContentHash& hash, const Node& node)
     }
 }
 
+/// One part of a checkout may link to another.
+std::vector<std::string> withFolder(std::vector<std::string> roots, const std::string& folder)
+{
+    roots.push_back(folder);
+    return roots;
+}
+
 /// CLI11's kind of check: "" is fine, anything else is what is wrong.
 std::string isCheckout(const std::string& folder)
 {
@@ -53,6 +59,12 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addCheckoutOption(app, options.checkout);
+    addRootOption(app, options.roots);
+}
+
+LoadRequest requestOf(const ConfigOptions& options)
+{
+    return {options.config, options.variant, options.overrides, options.roots};
 }
 
 void addCheckoutOption(CLI::App& app, std::string& checkout)
@@ -61,6 +73,17 @@ void addCheckoutOption(CLI::App& app, std::string& checkout)
                    "Read effects/ and configs/ below this folder before those embedded")
         ->type_name("FOLDER")
         ->check(isCheckout);
+}
+
+void addRootOption(CLI::App& app, std::vector<std::string>& roots)
+{
+    app.add_option("--root", roots,
+                   "Let configs read files below this folder too, beside those below their own; may be "
+                   "repeated")
+        ->type_name("FOLDER")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(CLI::ExistingDirectory);
 }
 
 void addKeepOption(CLI::App& app, std::vector<std::string>& keep)
@@ -80,8 +103,9 @@ void addKeepOption(CLI::App& app, std::vector<std::string>& keep)
         ->check(CLI::IsMember(names));
 }
 
-CheckoutSources::CheckoutSources(std::string folder)
-    : used_(!folder.empty()), effects_(folder + "/effects"), configs_(folder + "/configs")
+CheckoutSources::CheckoutSources(std::string folder, std::vector<std::string> roots)
+    : used_(!folder.empty()), effects_(folder + "/effects", withFolder(roots, folder)),
+      configs_(folder + "/configs", withFolder(roots, folder))
 {
 }
 
@@ -109,16 +133,14 @@ std::vector<std::string> CheckoutSources::list() const
 
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources)
 {
-    const Result<Node> document =
-        loadConfig(sources, {options.config, options.variant, options.overrides});
+    const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
     return decode(*document, sources);
 }
 
 Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources)
 {
-    const Result<Node> document =
-        loadConfig(sources, {options.config, options.variant, options.overrides});
+    const Result<Node> document = loadConfig(sources, requestOf(options));
     if (!document) return document.diagnostics();
     Result<Description> description = decode(*document, sources);
     if (!description) return description.diagnostics();

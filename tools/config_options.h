@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/description.h"
+#include "core/load.h"
 
 #include <string>
 #include <vector>
@@ -18,13 +19,20 @@ struct ConfigOptions {
     std::string variant;                 ///< --variant
     std::vector<std::string> overrides;  ///< --set, each "name=value"
     std::string checkout;                ///< --effects; empty for the embedded modules alone
+    std::vector<std::string> roots = {};  ///< --root
 };
 
-/// Adds --variant, --set and --effects; CONFIG is left to the command, since validate takes several.
+/// What to load, as core has it.
+LoadRequest requestOf(const ConfigOptions& options);
+
+/// Adds --variant, --set, --effects and --root; CONFIG is left to the command, since validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
 
 /// Adds --effects alone.
 void addCheckoutOption(CLI::App& app, std::string& checkout);
+
+/// Adds --root alone.
+void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
 /// Adds --keep: rules of core/plan.h that are switched off.
 void addKeepOption(CLI::App& app, std::vector<std::string>& keep);
@@ -32,8 +40,8 @@ void addKeepOption(CLI::App& app, std::vector<std::string>& keep);
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
 class CheckoutSources : public SourceSet {
 public:
-    /// `folder` empty: only what is embedded.
-    explicit CheckoutSources(std::string folder);
+    /// `folder` empty: only what is embedded. Links in it lead to what is below it or below `roots`.
+    explicit CheckoutSources(std::string folder, std::vector<std::string> roots = {});
 
     SourceRef find(std::string_view path) const override;
     std::vector<std::string> list() const override;

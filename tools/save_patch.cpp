@@ -48,10 +48,9 @@ Status checkPatchFile(const ConfigOptions& options, const std::string& file)
 
 Status savePatch(const ConfigOptions& options, const SourceSet& sources, const std::string& file)
 {
-    const Result<Node> base = loadConfig(sources, {options.config});
+    const Result<Node> base = loadConfig(sources, {options.config, {}, {}, options.roots});
     if (!base) return base.diagnostics();
-    const Result<Node> now =
-        loadConfig(sources, {options.config, options.variant, options.overrides});
+    const Result<Node> now = loadConfig(sources, requestOf(options));
     if (!now) return now.diagnostics();
     nlohmann::ordered_json json = {
         {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};

@@ -156,7 +156,7 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
     std::vector<StressTask> tasks;
     std::size_t index = 0;
     for (const std::string& config : configs) {
-        const ConfigOptions chosen = {config, options.variant, options.overrides, {}};
+        const ConfigOptions chosen = {config, options.variant, options.overrides, {}, options.roots};
         const Result<Description> description = loadDescription(chosen, sources);
         if (!description) return description.diagnostics();
         std::vector<std::string> formats = surfaceFormats(*description);

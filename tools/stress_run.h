@@ -18,6 +18,7 @@ struct StressOptions {
     std::vector<std::string> overrides = {};
     bool quick = false;  ///< Two or three steps of each case, in the configs' own formats.
     Shard shard = {};    ///< By config and case.
+    std::vector<std::string> roots = {};  ///< As LoadRequest has them.
 };
 
 /// Config by config, case by case, format by format, each from the first step to the last.
