@@ -4,6 +4,8 @@
 
 #include "core/diagnostic.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 
 namespace crevice {
@@ -22,6 +24,23 @@ enum ExitCode {
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.
 int exitCodeOf(const Diagnostics& diagnostics);
+
+/// Prints to stdout, as printf does, but printable: no text of a file controls the terminal. All output of the
+/// command goes through this and the three below.
+[[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
+
+/// Prints lines as they are, but printable.
+void printLines(const std::string& text);
+
+/// Prints JSON, indented.
+void printAsJson(const nlohmann::json& json);
+
+/// As print, to stderr.
+[[gnu::format(printf, 1, 2)]] void printMessage(const char* format, ...);
+
+/// Ends what was printed to stdout. Returns `exit_code`, or kExitOutput, after one message, where some of it could not
+/// be written; a reader that went away is told nothing.
+int finishOutput(int exit_code);
 
 /// Prints to stderr as text or, for programs, to stdout as {"diagnostics": [...]}. Prints nothing for
 /// an empty list. Returns `exitCodeOf`.

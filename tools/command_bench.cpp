@@ -34,25 +34,25 @@ struct BenchCommand {
 int listTasks(const BenchPlan& plan)
 {
     for (const BenchTask& task : plan.tasks)
-        std::printf("%s  %s%s%s\n", task.point.key.c_str(), pointTitle(task.point).c_str(),
-                    task.point.failure.empty() ? "" : ": ", task.point.failure.c_str());
+        print("%s  %s%s%s\n", task.point.key.c_str(), pointTitle(task.point).c_str(),
+              task.point.failure.empty() ? "" : ": ", task.point.failure.c_str());
     return exitCodeOf(plan.diagnostics);
 }
 
 void printMissing(const BenchSummary& summary, const std::string& file)
 {
     for (const std::string& failure : summary.failures)
-        std::fprintf(stderr, "failed: %s\n", failure.c_str());
+        printMessage("failed: %s\n", failure.c_str());
     for (const std::string& title : summary.missing)
-        std::fprintf(stderr, "missing: %s\n", title.c_str());
-    std::fprintf(stderr, "%d measured, %d were there already, %zu failed, %zu not begun: %s\n",
+        printMessage("missing: %s\n", title.c_str());
+    printMessage("%d measured, %d were there already, %zu failed, %zu not begun: %s\n",
                  summary.measured, summary.kept, summary.failures.size(), summary.missing.size(),
                  file.c_str());
     if (const Result<BenchResults> results = readBenchResults({file}); results)
         if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
-            std::fprintf(stderr, "%s\n", part.c_str());
+            printMessage("%s\n", part.c_str());
     if (!summary.missing.empty() || !summary.failures.empty())
-        std::fputs("the same command goes on where this one stopped\n", stderr);
+        printMessage("the same command goes on where this one stopped\n");
 }
 
 int exitCodeOf(const BenchSummary& summary, const BenchPlan& plan)
@@ -102,7 +102,7 @@ int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceS
     world.interrupted = measure.interrupted;
     world.say = [&progress](const std::string& line) {
         progress.wipe();
-        std::fprintf(stderr, "%s\n", line.c_str());
+        printMessage("%s\n", line.c_str());
     };
     world.device = open->device->caps().name;
     world.time_budget_s = time_budget;
@@ -131,7 +131,7 @@ int ablateAll(const BenchCommand& command, const BenchPlan& plan, double time_bu
         if (missing > 0 || interrupted()) continue;
         const std::string title = pointTitle(task.point);
         if (!task.point.failure.empty()) {
-            std::fprintf(stderr, "failed: %s: %s\n", title.c_str(), task.point.failure.c_str());
+            printMessage("failed: %s: %s\n", title.c_str(), task.point.failure.c_str());
             worst = std::max(worst, static_cast<int>(kExitBadInput));
             continue;
         }
@@ -142,13 +142,13 @@ int ablateAll(const BenchCommand& command, const BenchPlan& plan, double time_bu
         report(rows.diagnostics(), false);
         if (!rows) worst = std::max(worst, exitCodeOf(rows.diagnostics()));
         if (!rows || interrupted()) continue;
-        std::printf("%s, %s%s\n", title.c_str(), open->device->caps().name.c_str(),
-                    toText(*rows).c_str());
+        print("%s, %s%s\n", title.c_str(), open->device->caps().name.c_str(),
+              toText(*rows).c_str());
         for (const AblationRow& row : *rows)
             if (const Status written = file->append(toJsonLine(row)); !written)
                 return report(written.diagnostics(), false);
     }
-    if (missing > 0) std::fprintf(stderr, "%d not begun, for time\n", missing);
+    if (missing > 0) printMessage("%d not begun, for time\n", missing);
     return interrupted() ? kExitInterrupted : worst;
 }
 
@@ -171,7 +171,7 @@ int bench(BenchCommand command)
     report(plan->diagnostics, false);
     if (command.list) return listTasks(*plan);
     if (plan->tasks.empty()) {
-        std::fputs("there is no point to measure\n", stderr);
+        printMessage("there is no point to measure\n");
         return exitCodeOf(plan->diagnostics);
     }
     return command.ablate ? ablateAll(command, *plan, time_budget)

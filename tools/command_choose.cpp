@@ -79,15 +79,15 @@ std::string renderCommand(const BenchPoint& point)
 void printOthers(const Answer& answer, const char* title, const std::vector<std::size_t>& others)
 {
     if (others.empty()) return;
-    std::printf("%s\n", title);
+    print("%s\n", title);
     for (std::size_t i = 0; i < others.size() && i < kOthersShown; ++i) {
         const Candidate& other = answer.candidates.list[others[i]];
-        std::printf("  %-44s error %s   %8s ms  %7s x floor\n", other.label.c_str(),
-                    fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
-                    fixed(other.ratio, 1).c_str());
+        print("  %-44s error %s   %8s ms  %7s x floor\n", other.label.c_str(),
+              fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
+              fixed(other.ratio, 1).c_str());
     }
     if (others.size() > kOthersShown)
-        std::printf("  and %zu more\n", others.size() - kOthersShown);
+        print("  and %zu more\n", others.size() - kOthersShown);
 }
 
 void printAnswer(const Answer& answer)
@@ -95,26 +95,26 @@ void printAnswer(const Answer& answer)
     const bool by_error = answer.limit.kind == ChoiceLimit::Kind::error;
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
-    if (!answer.coverage.whole()) std::puts(coverageText(answer.coverage).c_str());
-    std::printf("%s\n", best.label.c_str());
-    std::printf("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
-                fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
-                best.slowest_view.c_str(), fixed(best.ratio, 1).c_str());
-    std::printf("  without ambient occlusion the error is %s\n",
-                fixed(all.error_without_ao, 4).c_str());
-    std::printf("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
-                all.views.size(), all.views.size() > 1 ? "scenes" : "scene",
-                extentName(all.views[0].extent).c_str(), all.device.c_str());
-    std::printf("why: of %zu configs, %zu have %s; this one is the %s of those\n", all.list.size(),
-                answer.choice.also.size() + 1, limitText(answer.limit).c_str(),
-                by_error ? "fastest" : "least wrong");
+    if (!answer.coverage.whole()) print("%s\n", coverageText(answer.coverage).c_str());
+    print("%s\n", best.label.c_str());
+    print("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
+          fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
+          best.slowest_view.c_str(), fixed(best.ratio, 1).c_str());
+    print("  without ambient occlusion the error is %s\n",
+          fixed(all.error_without_ao, 4).c_str());
+    print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
+          all.views.size(), all.views.size() > 1 ? "scenes" : "scene",
+          extentName(all.views[0].extent).c_str(), all.device.c_str());
+    print("why: of %zu configs, %zu have %s; this one is the %s of those\n", all.list.size(),
+          answer.choice.also.size() + 1, limitText(answer.limit).c_str(),
+          by_error ? "fastest" : "least wrong");
     printOthers(answer, by_error ? "within the error too, but slower:"
                                  : "within the time too, but more wrong:", answer.choice.also);
     printOthers(answer, by_error ? "too wrong:" : "too slow:", answer.choice.beyond);
-    for (const std::string& left_out : all.left_out) std::printf("left out: %s\n", left_out.c_str());
+    for (const std::string& left_out : all.left_out) print("left out: %s\n", left_out.c_str());
     for (const std::string& label : all.harmful)
-        std::printf("left out: %s: no better than no ambient occlusion\n", label.c_str());
-    std::printf("see it: %s\n", renderCommand(answer.points[best.point]).c_str());
+        print("left out: %s: no better than no ambient occlusion\n", label.c_str());
+    print("see it: %s\n", renderCommand(answer.points[best.point]).c_str());
 }
 
 nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchPoint>& points)
@@ -143,7 +143,7 @@ void printJson(const Answer& answer)
                                  {"beyond", list(answer.choice.beyond)},
                                  {"left_out", answer.candidates.left_out},
                                  {"harmful", answer.candidates.harmful}};
-    std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    printAsJson(json);
 }
 
 int chooseConfig(const ChooseOptions& options)

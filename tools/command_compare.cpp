@@ -96,19 +96,19 @@ std::vector<std::string> brokenLimits(const CompareOptions& options, const Image
 void printFigures(const ImageDifference& figures, double threshold,
                   const std::vector<std::string>& broken)
 {
-    std::printf("rmse      %s\n", fixed(figures.rmse, 6).c_str());
-    std::printf("bias      %s%s\n", std::signbit(figures.bias) ? "" : "+",
-                fixed(figures.bias, 6).c_str());
-    std::printf("p99       %s\n", fixed(figures.p99, 6).c_str());
-    std::printf("max       %s\n", fixed(figures.max, 6).c_str());
-    std::printf("rmse_fit  %s at power %s\n", fixed(figures.rmse_fit, 6).c_str(),
-                fixed(figures.power_fit, 3).c_str());
-    std::printf("psnr      %s dB\n", fixed(figures.psnr_db, 2).c_str());
-    std::printf("bad       %s %% of pixels are off by more than %s\n",
-                fixed(figures.bad_fraction * 100.0, 4).c_str(), significant(threshold, 6).c_str());
-    std::printf("pixels    %lld, and %lld masked, %lld not finite\n", figures.pixels, figures.masked,
-                figures.non_finite);
-    for (const std::string& sentence : broken) std::fprintf(stderr, "%s\n", sentence.c_str());
+    print("rmse      %s\n", fixed(figures.rmse, 6).c_str());
+    print("bias      %s%s\n", std::signbit(figures.bias) ? "" : "+",
+          fixed(figures.bias, 6).c_str());
+    print("p99       %s\n", fixed(figures.p99, 6).c_str());
+    print("max       %s\n", fixed(figures.max, 6).c_str());
+    print("rmse_fit  %s at power %s\n", fixed(figures.rmse_fit, 6).c_str(),
+          fixed(figures.power_fit, 3).c_str());
+    print("psnr      %s dB\n", fixed(figures.psnr_db, 2).c_str());
+    print("bad       %s %% of pixels are off by more than %s\n",
+          fixed(figures.bad_fraction * 100.0, 4).c_str(), significant(threshold, 6).c_str());
+    print("pixels    %lld, and %lld masked, %lld not finite\n", figures.pixels, figures.masked,
+          figures.non_finite);
+    for (const std::string& sentence : broken) printMessage("%s\n", sentence.c_str());
 }
 
 void printJson(const ImageDifference& figures, double threshold,
@@ -129,7 +129,7 @@ void printJson(const ImageDifference& figures, double threshold,
         {"non_finite", figures.non_finite},
         {"broken_limits", broken},
     };
-    std::puts(json.dump(2).c_str());
+    printAsJson(json);
 }
 
 /// Figures over no pixel would look like a perfect match.

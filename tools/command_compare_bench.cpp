@@ -24,10 +24,10 @@ struct CompareBenchOptions {
 void printChanges(const char* title, const std::vector<BenchChange>& changes)
 {
     for (const BenchChange& change : changes)
-        std::printf("%s: %s: %s was %s and is %s (at most %s is the same)\n", title,
-                    change.point.c_str(), change.figure.c_str(),
-                    significant(change.before, 7).c_str(), significant(change.now, 7).c_str(),
-                    significant(change.limit, 7).c_str());
+        print("%s: %s: %s was %s and is %s (at most %s is the same)\n", title,
+              change.point.c_str(), change.figure.c_str(),
+              significant(change.before, 7).c_str(), significant(change.now, 7).c_str(),
+              significant(change.limit, 7).c_str());
 }
 
 int printComparison(const BenchComparison& comparison)
@@ -35,15 +35,15 @@ int printComparison(const BenchComparison& comparison)
     printChanges("better", comparison.better);
     printChanges("worse", comparison.worse);
     for (const std::string& point : comparison.missing)
-        std::printf("missing now: %s\n", point.c_str());
+        print("missing now: %s\n", point.c_str());
     for (const std::string& failure : comparison.failed)
-        std::printf("fails now: %s\n", failure.c_str());
+        print("fails now: %s\n", failure.c_str());
     if (comparison.without_ratios > 0)
-        std::printf("%d of %d points were measured on another device: cost ratios not compared\n",
-                    comparison.without_ratios, comparison.compared);
-    std::printf("%d points compared: %zu figures worse, %zu better; %zu points fail, %zu missing\n",
-                comparison.compared, comparison.worse.size(), comparison.better.size(),
-                comparison.failed.size(), comparison.missing.size());
+        print("%d of %d points were measured on another device: cost ratios not compared\n",
+              comparison.without_ratios, comparison.compared);
+    print("%d points compared: %zu figures worse, %zu better; %zu points fail, %zu missing\n",
+          comparison.compared, comparison.worse.size(), comparison.better.size(),
+          comparison.failed.size(), comparison.missing.size());
     return comparison.isWorse() ? kExitDiffers : kExitOk;
 }
 

@@ -144,16 +144,16 @@ std::string stateOf(const TargetHealth& health)
 
 void printTable(const Checkup& checkup, const Diagnostics& found)
 {
-    std::printf("%-16s %-20s %-11s %s\n", "pass", "target", "state", "least .. most by channel");
+    print("%-16s %-20s %-11s %s\n", "pass", "target", "state", "least .. most by channel");
     for (const TargetHealth& each : checkup.health) {
-        std::printf("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(),
-                    stateOf(each).c_str());
+        print("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(),
+              stateOf(each).c_str());
         for (int i = 0; i < each.channels && each.minimum[i] <= each.maximum[i]; ++i)
-            std::printf(" %s..%s", significant(each.minimum[i], 4).c_str(),
-                        significant(each.maximum[i], 4).c_str());
-        std::putchar('\n');
+            print(" %s..%s", significant(each.minimum[i], 4).c_str(),
+                  significant(each.maximum[i], 4).c_str());
+        print("\n");
     }
-    if (found.empty()) std::puts("nothing is wrong");
+    if (found.empty()) print("nothing is wrong\n");
 }
 
 void printJson(const Checkup& checkup, const Diagnostics& found)
@@ -175,7 +175,7 @@ void printJson(const Checkup& checkup, const Diagnostics& found)
     const nlohmann::json json = {{"device", checkup.device},
                                  {"targets", targets},
                                  {"diagnostics", nlohmann::json::parse(toJson(found))}};
-    std::puts(json.dump(2).c_str());
+    printAsJson(json);
 }
 
 int doctor(const DoctorOptions& options)
@@ -199,7 +199,6 @@ int doctor(const DoctorOptions& options)
         printJson(*checkup, all);
     } else {
         printTable(*checkup, found);
-        std::fflush(stdout);
         report(all, false);
     }
     return hasErrors(found) ? kExitDiffers : kExitOk;

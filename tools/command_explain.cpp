@@ -119,13 +119,13 @@ int explainValue(const ExplainOptions& options, const SourceSet& sources)
     if (!document) return report(document.diagnostics(), json);
     const Result<FoundValue> value = findValue(*document, options.why);
     if (value) {
-        std::fputs((json ? explainJson(*value) : explainText(*value)).c_str(), stdout);
+        printLines(json ? explainJson(*value) : explainText(*value));
         return kExitOk;
     }
     const Result<Plan> plan = makePlan(options, sources);
     const auto unset = findUnset(*document, options.why, plan ? &*plan : nullptr);
     if (!unset) return report(value.diagnostics(), json);
-    std::fputs((json ? explainJson(*unset) : explainText(*unset)).c_str(), stdout);
+    printLines(json ? explainJson(*unset) : explainText(*unset));
     return kExitOk;
 }
 
@@ -145,7 +145,7 @@ int explainDiff(const ExplainOptions& options, const SourceSet& sources)
     PlanDiff diff = diffPlans(*before, *after);
     if (!options.config.variant.empty()) diff.after += " --variant " + options.config.variant;
     for (const std::string& each : options.config.overrides) diff.after += " --set " + each;
-    std::fputs((json ? toJson(diff) : toText(diff)).c_str(), stdout);
+    printLines(json ? toJson(diff) : toText(diff));
     return kExitOk;
 }
 
@@ -179,7 +179,7 @@ int explain(ExplainOptions& options)
                              : options.format == "dot"     ? toDot(*plan)
                              : options.format == "mermaid" ? toMermaid(*plan)
                                                            : toText(*plan);
-    std::fputs(text.c_str(), stdout);
+    printLines(text);
     return kExitOk;
 }
 

@@ -44,7 +44,7 @@ int reference(const ReferenceOptions& options)
 
     const Status written = writeImage(options.file, *truth);
     report(written.diagnostics(), false);
-    if (written) std::fprintf(stderr, "wrote %s\n", options.file.c_str());
+    if (written) printMessage("wrote %s\n", options.file.c_str());
     return exitCodeOf(written.diagnostics());
 }
 

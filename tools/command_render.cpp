@@ -35,22 +35,22 @@ struct Summary {
 
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
 {
-    std::fprintf(stderr, "%s: %d passes over %s, %lld triangles, %dx%d%s\n",
+    printMessage("%s: %d passes over %s, %lld triangles, %dx%d%s\n",
                  summary.config.c_str(), static_cast<int>(summary.passes), summary.scene.c_str(),
                  summary.triangles, summary.extent.width, summary.extent.height,
                  summary.views > 1 ? " an eye" : "");
-    std::fprintf(stderr, "on %s\n", summary.device.c_str());
-    std::fprintf(stderr, "planned and compiled in %s ms (wall clock)\n",
+    printMessage("on %s\n", summary.device.c_str());
+    printMessage("planned and compiled in %s ms (wall clock)\n",
                  fixed(summary.create_ms, 1).c_str());
     if (const ProgramFolder* programs = summary.programs; programs && programs->asked() > 0)
-        std::fprintf(stderr, "%d of %d programs came from the cache\n", programs->found(),
+        printMessage("%d of %d programs came from the cache\n", programs->found(),
                      programs->asked());
     else if (programs)
-        std::fputs("nothing is kept: the driver gives no program binaries\n", stderr);
-    std::fprintf(stderr, "drawn in %s ms (wall clock, first frame)\n",
+        printMessage("nothing is kept: the driver gives no program binaries\n");
+    printMessage("drawn in %s ms (wall clock, first frame)\n",
                  fixed(summary.ms, 1).c_str());
     for (const Picture& picture : pictures)
-        std::fprintf(stderr, "wrote %s (%s)\n", picture.request.file.c_str(),
+        printMessage("wrote %s (%s)\n", picture.request.file.c_str(),
                      picture.request.name.c_str());
 }
 
@@ -77,7 +77,7 @@ void printJson(const Summary& summary, const std::vector<Picture>& pictures,
     if (summary.programs)
         json["program_cache"] = {{"asked", summary.programs->asked()},
                                  {"found", summary.programs->found()}};
-    std::puts(json.dump(2).c_str());
+    printAsJson(json);
 }
 
 /// Loads the config, and adds the files that it is made of to those watched, whole or broken.
@@ -128,7 +128,7 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stopped = 1; });
     WatchedFiles files;
     (void)loadWatched(options, sources, files);
-    std::fprintf(stderr, "watching %d %s; interrupt to end\n", static_cast<int>(files.size()),
+    printMessage("watching %d %s; interrupt to end\n", static_cast<int>(files.size()),
                  files.size() == 1 ? "file" : "files");
     for (; !stopped; std::this_thread::sleep_for(kPause)) {
         if (!files.changed()) continue;
@@ -138,8 +138,8 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
                                       : description.diagnostics();
         report(description.diagnostics(), false);
         if (description) report(ms.diagnostics(), false);
-        if (ms) std::fprintf(stderr, "drawn again in %s ms\n", fixed(*ms, 1).c_str());
-        else std::fputs("the last pictures stay\n", stderr);
+        if (ms) printMessage("drawn again in %s ms\n", fixed(*ms, 1).c_str());
+        else printMessage("the last pictures stay\n");
     }
     return kExitOk;
 }

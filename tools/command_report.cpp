@@ -54,9 +54,9 @@ int makeReport(const ReportOptions& options)
     report(page.diagnostics(), false);
     const Status written = writeReport(options, points, *ablation, coverage, *page);
     if (!written) return report(written.diagnostics(), false);
-    std::printf("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
-                options.out.c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
-    if (!coverage.whole()) std::puts(coverageText(coverage).c_str());
+    print("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
+          options.out.c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
+    if (!coverage.whole()) print("%s\n", coverageText(coverage).c_str());
     return kExitOk;
 }
 

@@ -32,7 +32,7 @@ void addSchemaCommand(CLI::App& app, int& exit_code)
     command->callback([options, &exit_code] {
         const CheckoutSources sources(options->checkout);
         const bool json = options->format == "json";
-        std::fputs((json ? schemaJson(sources) : schemaMarkdown()).c_str(), stdout);
+        printLines(json ? schemaJson(sources) : schemaMarkdown());
         exit_code = kExitOk;
     });
 }

@@ -46,10 +46,10 @@ int listCases(const std::vector<StressTask>& tasks)
         ++cases;
         std::string steps;
         for (const StressStep& step : last->steps) steps += (steps.empty() ? "" : ", ") + step.label;
-        std::printf("%-20s %s\n%-20s %s%s%s\n", last->name.c_str(), last->what.c_str(), "",
-                    steps.c_str(), last->unit.empty() ? "" : " ", last->unit.c_str());
+        print("%-20s %s\n%-20s %s%s%s\n", last->name.c_str(), last->what.c_str(), "",
+              steps.c_str(), last->unit.empty() ? "" : " ", last->unit.c_str());
     }
-    std::printf("%zu cases, %zu steps over all configs\n", cases, tasks.size());
+    print("%zu cases, %zu steps over all configs\n", cases, tasks.size());
     return kExitOk;
 }
 
@@ -79,15 +79,15 @@ void printTable(const std::vector<StressSeries>& all)
 {
     std::string config;
     for (const StressSeries& series : all) {
-        if (series.config != config) std::printf("%s\n", series.config.c_str());
+        if (series.config != config) print("%s\n", series.config.c_str());
         config = series.config;
         const Breakdown found = findBreakdown(*series.stress, series.steps);
-        std::printf("  %-34s %s\n", seriesName(series).c_str(),
-                    describe(*series.stress, found).c_str());
+        print("  %-34s %s\n", seriesName(series).c_str(),
+              describe(*series.stress, found).c_str());
     }
     const Totals totals = totalsOf(all);
-    std::printf("%d cases, %d of them fail in %d steps, %d steps refused\n", totals.series,
-                totals.failing, totals.failures, totals.refused);
+    print("%d cases, %d of them fail in %d steps, %d steps refused\n", totals.series,
+          totals.failing, totals.failures, totals.refused);
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device)
@@ -116,7 +116,7 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device)
                                  {"failing", totals.failing},
                                  {"failures", totals.failures},
                                  {"refused", totals.refused}};
-    std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    printAsJson(json);
 }
 
 Status keepPicture(const std::string& folder, const StressDrawing& done)
@@ -155,7 +155,7 @@ int measureAll(const StressCommand& command, const std::vector<StressTask>& task
     world.interrupted = interrupted;
     world.say = [&progress](const std::string& line) {
         progress.wipe();
-        std::fprintf(stderr, "%s\n", line.c_str());
+        printMessage("%s\n", line.c_str());
     };
     world.time_budget_s = time_budget;
     catchInterrupts();
@@ -167,9 +167,9 @@ int measureAll(const StressCommand& command, const std::vector<StressTask>& task
     const Status page =
         writeFile(command.out + "/stress.html", stressHtml(summary.records, command.out));
     report(page.diagnostics(), false);
-    std::fprintf(stderr, "%d drawn, %d were there already, %d not begun: %s\n", summary.measured,
+    printMessage("%d drawn, %d were there already, %d not begun: %s\n", summary.measured,
                  summary.kept, summary.missing, file->path().c_str());
-    if (summary.missing > 0) std::fputs("the same command goes on where this one stopped\n", stderr);
+    if (summary.missing > 0) printMessage("the same command goes on where this one stopped\n");
     if (!summary.written) return report(summary.written.diagnostics(), false);
     if (summary.interrupted) return kExitInterrupted;
     if (!page) return kExitOutput;

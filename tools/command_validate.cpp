@@ -47,10 +47,10 @@ void printText(const Checked& each)
     report(each.plan.diagnostics(), false);
     const std::string variant = each.variant.empty() ? "" : " variant " + each.variant;
     if (each.plan)
-        std::printf("%s%s: ok (%zu passes)\n", each.config.c_str(), variant.c_str(),
-                    each.plan->passes.size());
+        print("%s%s: ok (%zu passes)\n", each.config.c_str(), variant.c_str(),
+              each.plan->passes.size());
     else
-        std::printf("%s%s: failed\n", each.config.c_str(), variant.c_str());
+        print("%s%s: failed\n", each.config.c_str(), variant.c_str());
 }
 
 nlohmann::json toJson(const Checked& each)
@@ -75,8 +75,8 @@ int validate(ValidateOptions options)
             results.push_back(toJson(each));
         }
     }
-    if (options.format == "json") std::puts(results.dump(2).c_str());
-    if (options.format == "sarif") std::fputs(toSarif(all, CREVICE_VERSION).c_str(), stdout);
+    if (options.format == "json") printAsJson(results);
+    if (options.format == "sarif") printLines(toSarif(all, CREVICE_VERSION));
     return exitCodeOf(all);
 }
 

@@ -56,7 +56,7 @@ int main(int argc, char** argv)
 {
     // The project's own code does not throw; the libraries that read scenes and arguments may.
     try {
-        return run(argc, argv);
+        return crevice::finishOutput(run(argc, argv));
     } catch (const std::exception& error) {
         return crevice::report({{crevice::Code::internal, error.what()}}, false);
     }
