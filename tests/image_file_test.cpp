@@ -5,6 +5,8 @@
 #include "tests/catch.h"
 #include "tests/temporary_folder.h"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <limits>
 
@@ -182,4 +184,24 @@ TEST_CASE("the extension says what is written")
     CHECK(codeOf(writeImage((folder.path / "a.exr").string(), image)) == Code::usage);
     CHECK(codeOf(writeImage((folder.path / "a").string(), image)) == Code::usage);
     CHECK(filesIn(folder.path) == 2);
+}
+
+TEST_CASE("a stale temporary file of the same process id is in nobody's way")
+{
+    const TemporaryFolder folder("image_stale");
+    const std::string path = (folder.path / "a.pfm").string();
+    for (int i = 0; i < 500; ++i)
+        folder.write(".crevice-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".tmp", "stale");
+    folder.write("a.pfm." + std::to_string(getpid()) + ".tmp", "stale");
+    CHECK(writeFile(path, "bytes").ok());
+    CHECK(readFile(path)->text == "bytes");
+    CHECK(filesIn(folder.path) == 502);
+}
+
+TEST_CASE("a name as long as names can be is written")
+{
+    const TemporaryFolder folder("image_long");
+    const std::string path = (folder.path / (std::string(251, 'a') + ".png")).string();
+    CHECK(writePng(path, gradient({2, 2}, 1)).ok());
+    CHECK(filesIn(folder.path) == 1);
 }

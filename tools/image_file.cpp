@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -49,11 +50,25 @@ std::filesystem::path resolvedTarget(const std::string& path)
     return error ? std::filesystem::path(path) : resolved;
 }
 
-// Zero, or the errno of what failed.
-int writeWhole(const std::string& path, std::string_view bytes)
+// A new file in the folder, or null. Names are tried until one is free: process ids come again, and what was
+// killed leaves its file behind. They are short, since the target's own may be as long as names can be.
+std::FILE* openTemporary(const std::filesystem::path& folder, std::string& path)
 {
-    std::FILE* file = std::fopen(path.c_str(), "wbx");
-    if (!file) return errno;
+    constexpr int kTries = 1000;
+    static std::atomic<unsigned> count{0};
+    for (int i = 0; i < kTries; ++i) {
+        const std::string name =
+            ".crevice-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".tmp";
+        path = (folder / name).string();
+        std::FILE* file = std::fopen(path.c_str(), "wbx");
+        if (file || errno != EEXIST) return file;
+    }
+    return nullptr;
+}
+
+// Zero, or the errno of what failed.
+int writeWhole(std::FILE* file, std::string_view bytes)
+{
     int failure = 0;
     if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failure = errno;
     if (std::fclose(file) != 0 && failure == 0) failure = errno;
@@ -200,9 +215,10 @@ Status writeFile(const std::string& path, std::string_view bytes)
     if (std::filesystem::is_directory(target, error)) return cannotWrite(path, "it is a folder");
     if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error))
         return cannotWrite(path, "it is not a regular file");
-    const std::string temporary = target.string() + "." + std::to_string(getpid()) + ".tmp";
-    int failure = writeWhole(temporary, bytes);
-    if (failure == EEXIST) return cannotWrite(path, "'" + temporary + "' is in the way");
+    std::string temporary;
+    std::FILE* file = openTemporary(target.parent_path(), temporary);
+    if (!file) return cannotWrite(path, std::strerror(errno));
+    int failure = writeWhole(file, bytes);
     if (failure == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
     if (failure == 0) return {};
     std::remove(temporary.c_str());
