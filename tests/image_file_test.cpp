@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/temporary_folder.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -204,4 +205,20 @@ TEST_CASE("a name as long as names can be is written")
     const std::string path = (folder.path / (std::string(251, 'a') + ".png")).string();
     CHECK(writePng(path, gradient({2, 2}, 1)).ok());
     CHECK(filesIn(folder.path) == 1);
+}
+
+TEST_CASE("an image that is no regular file or larger than memory is refused unread")
+{
+    const TemporaryFolder folder("image_endless");
+    const std::string pipe = (folder.path / "pipe.pfm").string();
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    const std::string sparse = folder.write("sparse.pfm", "PF 100000 100000 -1.0 ");
+    std::filesystem::resize_file(sparse, std::uintmax_t(1) << 40);
+    for (const std::string& path : {pipe, std::string("/dev/zero"), sparse})
+        CHECK(codeOf(readImage(path)) == Code::image_broken);
+    // 16384x16384 pixels in a header: the picture itself could be a few thousand bytes.
+    const std::string bomb("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0\0\0\0\0", 33);
+    const auto unpacked = decodeImage(bomb, "bomb");
+    REQUIRE_FALSE(unpacked.ok());
+    CHECK_THAT(unpacked.diagnostics()[0].message, Catch::Contains("more than are read"));
 }

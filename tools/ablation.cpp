@@ -2,11 +2,14 @@
 // Situations, turns, and the table.
 #include "tools/ablation.h"
 
+#include "core/files.h"
 #include "core/numbers.h"
 #include "core/renderer.h"
+#include "core/text.h"
 #include "tools/bench_times.h"
 #include "tools/bench_views.h"
 #include "tools/cli_output.h"
+#include "tools/line_file.h"
 #include "tools/scene_upload.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +18,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 
@@ -175,7 +177,8 @@ Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& pa
 {
     std::vector<std::string> files;
     for (const std::string& path : paths) {
-        const std::filesystem::path folder = std::filesystem::is_directory(path)
+        std::error_code unreadable;
+        const std::filesystem::path folder = std::filesystem::is_directory(path, unreadable)
                                                  ? std::filesystem::path(path)
                                                  : std::filesystem::path(path).parent_path();
         files.push_back((folder / "ablation.jsonl").string());
@@ -185,11 +188,15 @@ Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& pa
     std::vector<AblationRow> rows;
     std::map<std::string, std::size_t> known;
     for (const std::string& file : files) {
-        std::ifstream stream(file);
+        FileBytes read = readBytes(file, kMaxResultBytes);
+        if (!read && !read.missing)
+            return Diagnostic{Code::results_broken,
+                              "no results can be read from '" + file + "': " + read.failure};
         int number = 0;
-        for (std::string line; std::getline(stream, line);) {
+        for (const std::string_view line : split(read.bytes, '\n')) {
             ++number;
-            const std::optional<AblationRow> row = rowFrom(line);
+            if (line.empty()) continue;
+            const std::optional<AblationRow> row = rowFrom(std::string(line));
             if (!row) {
                 Diagnostic error{Code::results_broken, file + ":" + std::to_string(number) +
                                                          ": this line is no row of an ablation"};

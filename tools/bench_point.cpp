@@ -3,13 +3,14 @@
 #include "tools/bench_point.h"
 
 #include "core/content_hash.h"
+#include "core/files.h"
 #include "core/text.h"
+#include "tools/line_file.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <unordered_map>
 
@@ -104,16 +105,19 @@ class Reader {
 public:
     void readFile(const std::string& path)
     {
-        std::ifstream file(path);
+        FileBytes file = readBytes(path, kMaxResultBytes);
         if (!file) {
-            Diagnostic error{Code::results_broken, "no results can be read from '" + path + "'"};
+            Diagnostic error{Code::results_broken,
+                             "no results can be read from '" + path + "': " + file.failure};
             error.help = "'crevice bench' writes them: crevice bench --help";
             diagnostics_.push_back(std::move(error));
             return;
         }
         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-        std::string line;
-        for (int number = 1; std::getline(file, line); ++number) {
+        int number = 0;
+        for (const std::string_view text : split(file.bytes, '\n')) {
+            std::string line(text);
+            ++number;
             if (!line.empty() && line.back() == '\r') line.pop_back();
             if (!line.empty()) readLine(path, folder, number, line);
         }

@@ -2,6 +2,7 @@
 // PNG through stb, PFM by hand, and writing that never leaves half a file.
 #include "tools/image_file.h"
 
+#include "core/files.h"
 #include "core/numbers.h"
 
 #define STB_IMAGE_STATIC
@@ -36,6 +37,11 @@ Diagnostic cannotWrite(const std::string& path, const std::string& reason)
     error.help = "name a file in a folder that exists and that you may write to";
     return error;
 }
+
+/// Most values, over all channels, that an image may have: 16384x8192 pixels of four. A file of a few bytes can
+/// say that it has more than there is memory.
+constexpr double kMaxImageValues = 1 << 29;
+constexpr std::size_t kMaxImageBytes = (std::size_t(1) << 31) + 128;  // as floats, behind a header
 
 Diagnostic brokenImage(const std::string& name, const std::string& reason)
 {
@@ -181,12 +187,21 @@ struct StbFree {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
 
+Status checkImageSize(const std::string& name, Extent extent, int channels)
+{
+    if (static_cast<double>(extent.width) * extent.height * channels <= kMaxImageValues) return {};
+    return brokenImage(name, "it is " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
+                                 " pixels, more than are read");
+}
+
 Result<Image> decodeByStb(std::string_view bytes, const std::string& name)
 {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT32_MAX));
     Extent extent;
     int channels = 0;
+    if (stbi_info_from_memory(data, size, &extent.width, &extent.height, &channels))
+        if (const Status fits = checkImageSize(name, extent, channels); !fits) return fits.diagnostics();
     if (stbi_is_16_bit_from_memory(data, size)) {
         const std::unique_ptr<stbi_us, StbFree> rows(stbi_load_16_from_memory(
             data, size, &extent.width, &extent.height, &channels, 0));
@@ -278,12 +293,9 @@ Status writeImage(const std::string& path, const Image& image)
 
 Result<Image> readImage(const std::string& path)
 {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) return brokenImage(path, "it does not exist");
-    if (std::filesystem::is_directory(path, error)) return brokenImage(path, "it is a folder");
-    const SourceRef file = readFile(path);
-    if (!file) return brokenImage(path, std::strerror(errno));
-    return decodeImage(file->text, path);
+    const FileBytes file = readBytes(path, kMaxImageBytes);
+    if (!file) return brokenImage(path, file.failure);
+    return decodeImage(file.bytes, path);
 }
 
 Result<Image> decodeImage(std::string_view bytes, const std::string& name)

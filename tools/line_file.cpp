@@ -72,8 +72,12 @@ Result<LineFile> LineFile::open(const std::string& path)
     std::error_code error;
     if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (error) return cannotWrite(folder.string(), error.message());
-    LineFile lines(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-    if (lines.file_ < 0) return cannotWrite(path, std::strerror(errno));
+    constexpr int kFlags = O_RDWR | O_CREAT | O_APPEND | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    LineFile lines(path, ::open(path.c_str(), kFlags, 0666));
+    struct stat info = {};
+    if (lines.file_ < 0 || fstat(lines.file_, &info) != 0)
+        return cannotWrite(path, std::strerror(errno));
+    if (!S_ISREG(info.st_mode)) return cannotWrite(path, "it is no regular file");
     if (flock(lines.file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         return cannotWrite(path, "another run is writing to it");
     if (const int failure = cutTornLine(lines.file_))

@@ -4,9 +4,13 @@
 
 #include "core/result.h"
 
+#include <cstddef>
 #include <string>
 
 namespace crevice {
+
+/// Most bytes of results that are read: a hundred thousand lines and more.
+constexpr std::size_t kMaxResultBytes = 256u << 20;
 
 class LineFile {
 public:

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "tools/program_folder.h"
 
+#include "core/files.h"
 #include "tools/image_file.h"
 
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 namespace fs = std::filesystem;
 
 namespace crevice {
+
+namespace {
+
+constexpr std::size_t kMaxProgramBytes = 64u << 20;  // a driver's largest have a few hundred thousand
+
+}  // namespace
 
 Result<std::unique_ptr<ProgramFolder>> ProgramFolder::open(const std::string& path)
 {
@@ -36,8 +41,8 @@ ProgramCache ProgramFolder::cache()
 std::vector<std::uint8_t> ProgramFolder::load(const std::string& key)
 {
     ++asked_;
-    std::ifstream file(fs::path(path_) / key, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const FileBytes file = readBytes((fs::path(path_) / key).string(), kMaxProgramBytes);
+    return {file.bytes.begin(), file.bytes.end()};
 }
 
 void ProgramFolder::store(const std::string& key, const std::vector<std::uint8_t>& bytes)

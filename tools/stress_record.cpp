@@ -2,10 +2,13 @@
 // Stress records as JSON Lines. The keys are the fields' names.
 #include "tools/stress_record.h"
 
+#include "core/files.h"
+#include "core/text.h"
+#include "tools/line_file.h"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 #include <unordered_map>
 
 namespace crevice {
@@ -38,14 +41,16 @@ Result<std::vector<StressRecord>> readStressRecords(const std::string& path)
 {
     std::vector<StressRecord> records;
     std::unordered_map<std::string, std::size_t> places;
-    std::ifstream file(path);
+    FileBytes file = readBytes(path, kMaxResultBytes);
     if (!file) {
-        Diagnostic error{Code::results_broken, "no results can be read from '" + path + "'"};
+        Diagnostic error{Code::results_broken,
+                         "no results can be read from '" + path + "': " + file.failure};
         error.help = "'crevice stress' writes them: crevice stress --help";
         return error;
     }
-    std::string line;
-    for (int number = 1; std::getline(file, line); ++number) {
+    int number = 0;
+    for (const std::string_view line : split(file.bytes, '\n')) {
+        ++number;
         if (line.empty()) continue;
         try {
             StressRecord record = nlohmann::json::parse(line).get<StressRecord>();
