@@ -14,6 +14,8 @@ using namespace crevice;
 
 namespace {
 
+const std::string kPng = "\x89PNG\r\n\x1a\n";
+
 std::vector<BenchPoint> sweep()
 {
     std::vector<BenchPoint> points;
@@ -140,15 +142,44 @@ TEST_CASE("pictures become part of the page, each once")
 {
     const TemporaryFolder folder("bench_report");
     auto points = sweep();
-    points[0].ao_picture = points[1].ao_picture = folder.write("a.png", "Man");
-    points[2].ao_picture = folder.write("b.png", "Ma");
-    points[3].ao_picture = folder.write("c.png", "\xff\xfe\xfd\xfc");
+    for (BenchPoint& point : points) point.folder = folder.path.string();
+    points[0].ao_picture = points[1].ao_picture = folder.write("a.png", kPng + "Ma");
+    points[2].ao_picture = folder.write("b.png", kPng + "M");
+    points[3].ao_picture = folder.write("c/c.png", kPng + "\xff\xfe\xfd");
     const std::string html = page(points);
-    const std::size_t first = html.find("data:image/png;base64,TWFu\"");
+    const std::string once = "base64,iVBORw0KGgpNYQ==\"";
+    const std::size_t first = html.find("data:image/png;" + once);
     REQUIRE(first != std::string::npos);
-    CHECK(html.find("base64,TWFu\"", first + 30) == std::string::npos);
-    CHECK(holds(html, "base64,TWE=\""));
-    CHECK(holds(html, "base64,//79/A==\""));
+    CHECK(html.find(once, first + 30) == std::string::npos);
+    CHECK(holds(html, "base64,iVBORw0KGgpN\""));
+    CHECK(holds(html, "base64,iVBORw0KGgr//v0=\""));
+}
+
+TEST_CASE("a report embeds nothing but PNGs below the folder of its results")
+{
+    const TemporaryFolder folder("bench_report_outside");
+    folder.write("secret.png", kPng + "hunter2");
+    folder.write("mine/secret.txt", "hunter2");
+    std::filesystem::create_symlink("../secret.png", folder.path / "mine/link.png");
+    for (const char* name : {"../secret.png", "link.png", "secret.txt"}) {
+        auto points = sweep();
+        points[0].folder = (folder.path / "mine").string();
+        points[0].ao_picture = (folder.path / "mine" / name).string();
+        const auto html = reportHtml(points);
+        INFO(name);
+        REQUIRE(html.diagnostics().size() == 1);
+        CHECK(html.diagnostics()[0].code == Code::image_broken);
+        CHECK(!holds(*html, "data:image"));
+    }
+}
+
+TEST_CASE("no name in a page turns the direction of its text")
+{
+    auto points = sweep();
+    points[0].config = "a\xE2\x80\xAE" "b\xC2\x9B";
+    const std::string html = page(points);
+    CHECK(!holds(html, "\xE2\x80\xAE"));
+    CHECK(holds(html, "a\\\\u202eb\\\\u009b"));
 }
 
 TEST_CASE("a picture that is gone costs a warning")

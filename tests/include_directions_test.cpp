@@ -117,6 +117,9 @@ std::vector<std::string> numbersByLocale(const std::string& text)
     return found;
 }
 
+const std::string kPrints = R"re(\b(?:v?f?printf|f?puts|f?putc|putchar|cout|cerr|clog|stdout|stderr)\b)re";
+const std::string kOpens = R"re(\b(?:[io]?fstream|fopen|freopen|fdopen)\b)re";
+
 std::string firstLines(const std::string& text, int count)
 {
     std::size_t end = 0;
@@ -198,6 +201,30 @@ TEST_CASE("core, effects and tools name nothing of GL")
         for (const std::string& name : graphicsNames(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
             FAIL_CHECK(path.string() << " names " << name);
     }
+}
+
+TEST_CASE("text is printed in one place, which keeps control characters off the terminal")
+{
+    for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
+        if (!isCpp(path) || path.stem() == "cli_output") continue;
+        const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), false);
+        for (const std::string& name : matches(code, kPrints, 0))
+            FAIL_CHECK(path.string() << " prints by " << name);
+    }
+    const std::string some = "std::printf(x); std::fputs(x, stderr); std::snprintf(x);";
+    CHECK(matches(some, kPrints, 0).size() == 3);
+}
+
+TEST_CASE("files are opened where pipes, devices and endless files are refused")
+{
+    static const std::set<fs::path> kOpen = {"core/files.cpp", "tools/image_file.cpp", "tools/line_file.cpp"};
+    for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
+        if (!isCpp(path) || kOpen.count(path) > 0) continue;
+        const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), false);
+        for (const std::string& name : matches(code, kOpens, 0))
+            FAIL_CHECK(path.string() << " opens files by " << name);
+    }
+    CHECK(matches("std::ifstream file(path); fopen(path);", kOpens, 0).size() == 2);
 }
 
 TEST_CASE("no library source names a config")

@@ -137,6 +137,7 @@ private:
             nlohmann::json json = nlohmann::json::parse(line);
             if (json.is_object() && json.contains(kPlanned)) return add(json[kPlanned].get<PlannedBench>());
             BenchPoint point = parsePoint(std::move(json));
+            point.folder = folder.string();
             resolvePictures(point, folder);
             add(std::move(point));
         } catch (const nlohmann::json::exception& error) {

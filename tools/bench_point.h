@@ -86,6 +86,7 @@ struct BenchPoint {
     std::string ao_picture;
     std::string truth_picture;
     std::string difference_picture;
+    std::string folder;  ///< Of the results file; empty for the working folder. Not written.
 };
 
 /// What a command was to measure on a device, all shards together.

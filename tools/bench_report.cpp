@@ -2,6 +2,7 @@
 // Writes the report's page, JSON and CSV.
 #include "tools/bench_report.h"
 
+#include "core/text.h"
 #include "tools/page_data.h"
 #include "tools/report_model.h"
 #include "tools/report_page.h"
@@ -18,12 +19,13 @@ using nlohmann::json;
 /// Reads each picture once, however many points share it.
 class Pictures {
 public:
-    void add(const std::string& path)
+    void add(const std::string& path, const std::string& folder)
     {
         if (path.empty() || found_.contains(path)) return;
-        const std::string uri = pictureUri(path);
+        const std::string uri = pictureUri(path, folder);
         if (uri.empty()) {
-            Diagnostic warning{Code::image_broken, "the picture '" + path + "' cannot be read"};
+            Diagnostic warning{Code::image_broken, "the picture '" + path + "' is no PNG below the folder "
+                                                       "of its results file"};
             warning.help = "the report does without it; keep pictures beside their results file";
             warning.severity = Severity::warning;
             warnings.push_back(std::move(warning));
@@ -41,7 +43,7 @@ private:
 
 std::string dump(const json& value, int indent)
 {
-    return value.dump(indent, ' ', false, json::error_handler_t::replace);
+    return printable(value.dump(indent, ' ', false, json::error_handler_t::replace));
 }
 
 json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRow>& ablation,
@@ -59,7 +61,7 @@ json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRo
 std::string quoted(const json& value)
 {
     if (!value.is_string()) return dump(value, -1);
-    const std::string text = value.get<std::string>();
+    const std::string text = printable(value.get<std::string>());
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string safe = "\"";
     for (const char c : text) safe += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -158,12 +160,12 @@ Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_
         for (const BenchPoint& point : points)
             for (const std::string& path :
                  {point.ao_picture, point.truth_picture, point.difference_picture})
-                pictures.add(path);
+                pictures.add(path, point.folder);
     }
     json model = modelOf(points, ablation, coverage);
     model["pictures"] = pictures.take();
 
-    return {pageWith(reportPage(), dump(model, -1)), std::move(pictures.warnings)};
+    return {pageWith(reportPage(), model), std::move(pictures.warnings)};
 }
 
 }  // namespace crevice

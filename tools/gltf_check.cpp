@@ -2,14 +2,14 @@
 // Versions and extensions of glTF, by what Assimp 5.2 and the import of materials read.
 #include "tools/gltf_check.h"
 
+#include "core/files.h"
 #include "core/text.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 namespace crevice {
@@ -68,24 +68,13 @@ const Extension& extensionNamed(const std::string& name)
 // The JSON chunk of a .glb file, or the whole of a .gltf file.
 std::string jsonText(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    unsigned char head[20] = {};
-    file.read(reinterpret_cast<char*>(head), sizeof(head));
-    const bool binary = file.gcount() == sizeof(head) && std::memcmp(head, "glTF", 4) == 0;
-    file.clear();
-    if (!binary) {
-        file.seekg(0);
-        return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    }
-    std::size_t left = 0;
-    for (int k = 3; k >= 0; --k) left = left << 8 | head[12 + k];
-    std::string text;
-    char piece[4096];  // bit by bit: the length may be a lie
-    while (left > 0 && file.read(piece, static_cast<std::streamsize>(std::min(left, sizeof(piece)))).gcount() > 0) {
-        text.append(piece, static_cast<std::size_t>(file.gcount()));
-        left -= static_cast<std::size_t>(file.gcount());
-    }
-    return text;
+    constexpr std::size_t kHead = 20;  // of the file, and of its first chunk
+    const std::string head = readStart(path, kHead).bytes;
+    if (head.size() < kHead || !startsWith(head, "glTF"))
+        return readStart(path, std::numeric_limits<std::uint32_t>::max()).bytes;
+    std::size_t length = 0;
+    for (int k = 3; k >= 0; --k) length = length << 8 | static_cast<unsigned char>(head[12 + k]);
+    return readStart(path, kHead + length).bytes.substr(kHead);
 }
 
 // The member of that name; null where there is none, or nothing has members.

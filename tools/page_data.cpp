@@ -2,13 +2,16 @@
 // Figures and pictures in a page.
 #include "tools/page_data.h"
 
+#include "core/files.h"
+#include "core/text.h"
 #include "tools/report_page.h"
 
-#include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
 
 namespace crevice {
 namespace {
+
+constexpr std::size_t kMaxPictureBytes = 64u << 20;
 
 std::string base64(std::string_view bytes)
 {
@@ -26,20 +29,33 @@ std::string base64(std::string_view bytes)
     return text;
 }
 
-}  // namespace
-
-std::string pictureUri(const std::string& path)
+/// The same with every text as it can be shown.
+nlohmann::json shown(const nlohmann::json& data)
 {
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(file)),
-                            std::istreambuf_iterator<char>());
-    return bytes.empty() ? std::string() : "data:image/png;base64," + base64(bytes);
+    if (data.is_string()) return printable(data.get_ref<const std::string&>());
+    if (!data.is_structured()) return data;
+    nlohmann::json copy = data.is_array() ? nlohmann::json::array() : nlohmann::json::object();
+    for (const auto& [key, value] : data.items()) {
+        if (data.is_array()) copy.push_back(shown(value));
+        else copy[printable(key)] = shown(value);
+    }
+    return copy;
 }
 
-std::string pageWith(std::string_view page, std::string_view json)
+}  // namespace
+
+std::string pictureUri(const std::string& path, const std::string& folder)
+{
+    if (!isBelow(path, {folder.empty() ? "." : folder})) return {};
+    const FileBytes file = readBytes(path, kMaxPictureBytes);
+    const bool png = startsWith(file.bytes, "\x89PNG\r\n\x1a\n");
+    return png ? "data:image/png;base64," + base64(file.bytes) : std::string();
+}
+
+std::string pageWith(std::string_view page, const nlohmann::json& data)
 {
     std::string safe;
-    for (const char c : json) {
+    for (const char c : shown(data).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) {
         if (c == '<') safe += "\\u003c";
         else safe += c;
     }

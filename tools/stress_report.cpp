@@ -98,7 +98,7 @@ public:
 private:
     void keepPicture(const std::string& path)
     {
-        std::string uri = pictureUri(folder_ + "/" + path);
+        std::string uri = pictureUri(folder_ + "/" + path, folder_);
         if (!uri.empty()) pictures_[path] = std::move(uri);
     }
 
@@ -122,7 +122,7 @@ std::string stressHtml(const std::vector<StressRecord>& records, const std::stri
     }
     const json page = {{"devices", devices}, {"versions", versions}, {"cases", cases},
                        {"series", series},   {"steps", records.size()}, {"pictures", model.take()}};
-    return pageWith(stressPage(), page.dump(-1, ' ', false, json::error_handler_t::replace));
+    return pageWith(stressPage(), page);
 }
 
 }  // namespace crevice
