@@ -2,6 +2,9 @@
 // fork, limits and a pipe.
 #include "tools/child_process.h"
 
+#include "core/files.h"
+#include "core/numbers.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -30,12 +33,10 @@ double now()
 // Bytes of address space that this process has; 0 where the system does not tell.
 std::uint64_t addressSpace()
 {
-    unsigned long long pages = 0;
-    std::FILE* file = std::fopen("/proc/self/statm", "r");
-    if (!file) return 0;
-    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
-    std::fclose(file);
-    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    const FileBytes statistics = readStart("/proc/self/statm", 64);
+    std::string_view text = statistics.bytes;
+    return static_cast<std::uint64_t>(takeNumber(text).value_or(0.0)) *
+           static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 // Never above what holds already.
