@@ -112,7 +112,9 @@ expect 2 'stereo' render learnopengl --scene plane --convergence 2
 expect 2 'CV8001.*orthographic' render learnopengl --scene plane --camera 'eye=0,1,3;ortho=2' --stereo 1
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
-printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply  # Assimp never returns from it
+printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply
+expect 1 'CV7002.*ends within its header' render learnopengl --scene cut.ply
+printf 'ply\nformat ascii 1.0\ncomment end_header\nelement vertex 3\n' >cut.ply  # Assimp never returns from it
 expect 1 'CV7002.*longer than 1 s' render learnopengl --scene cut.ply --import-time 1
 expect 1 'CV7002.*longer than 1 s' bench --scene cut.ply --import-time 1 --out cut
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off

@@ -51,6 +51,16 @@ TEST_CASE("a file without extensions, or with those that are read, passes withou
               .diagnostics().empty());
 }
 
+TEST_CASE("textures at a second set of coordinates are told")
+{
+    for (const char* material : {R"({"occlusionTexture": {"index": 0, "texCoord": 1}})", R"({"normalTexture": {"texCoord": 1}})",
+                                 R"({"pbrMetallicRoughness": {"baseColorTexture": {"texCoord": 1}}})"}) {
+        const Status status = check(R"(, "materials": [)" + std::string(material) + "]");
+        CHECK(names(only(status), "second set of texture coordinates"));
+    }
+    CHECK(check(R"(, "materials": [{"occlusionTexture": {"texCoord": 0}}, 5])").diagnostics().empty());
+}
+
 TEST_CASE("every required extension that is not read is in one error with its way out")
 {
     const Status status = check(R"(, "extensionsRequired": ["KHR_mesh_quantization",

@@ -67,11 +67,22 @@ TEST_CASE("a mesh that loses all its faces does no harm to one that does not")
     CHECK(scene->bounds().max == glm::dvec3(1, 1, 0));
 }
 
+TEST_CASE("a PLY file that ends within its header is an error at once")
+{
+    const TemporaryFolder folder("scene_cut");
+    const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n";
+    for (const std::size_t length : {3u, 30u, 60u, 64u}) {
+        const Diagnostic error = onlyError(importScene(folder.write("cut.ply", header.substr(0, length))));
+        CHECK(error.code == Code::scene_broken);
+        CHECK(error.message.find("ends within its header") != std::string::npos);
+    }
+}
+
 TEST_CASE("a file that its reader never returns from is an error at the time limit")
 {
     const TemporaryFolder folder("scene_hang");
-    const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n";
-    for (const std::size_t length : {30u, 60u}) {
+    const std::string header = "ply\nformat ascii 1.0\ncomment end_header\nelement vertex 3\n";
+    for (const std::size_t length : {40u, 55u}) {
         const Diagnostic error =
             onlyError(importScene(folder.write("cut.ply", header.substr(0, length)), soon()));
         CHECK(error.code == Code::scene_broken);
@@ -121,7 +132,7 @@ TEST_CASE("a texture outside the scene's folder is not read unless its folder is
     CHECK(refused.diagnostics()[0].code == Code::module_escape);
     CHECK(refused.diagnostics()[0].severity == Severity::warning);
     CHECK(refused.diagnostics()[0].message.find("outside.pgm") != std::string::npos);
-    CHECK(refused.diagnostics()[0].help.find("--scene-root") != std::string::npos);
+    CHECK(refused.diagnostics()[0].help.find("--root") != std::string::npos);
 
     ImportOptions options;
     options.roots = {set.folder.path.string()};
@@ -188,7 +199,7 @@ TEST_CASE("a buffer outside the scene's folder is an error that names it and the
         "scenes": [{"nodes": [0]}], "scene": 0})")));
     CHECK(error.code == Code::scene_broken);
     CHECK(error.message.find("outside.bin") != std::string::npos);
-    CHECK(error.help.find("--scene-root") != std::string::npos);
+    CHECK(error.help.find("--root") != std::string::npos);
 }
 
 TEST_CASE("what is told of a broken file is no longer than a few lines")

@@ -79,7 +79,7 @@ BAD = [
     {"passes": {"ssao": {"shader": 3}}},
     {"passes": {"ssao": {"color": [3]}}},
     {"views": {"look": {"target": "ao", "scale": "2"}}},
-    {"variants": {"cheap": {"extends": []}}},
+    {"variants": {"cheap": {"variants": {}}}},
     {"variants": {"cheap": {"params": {"radius": {"defalt": 1}}}}},
 ]
 for case in GOOD:

@@ -77,8 +77,12 @@ void addCheckoutOption(CLI::App& app, std::string& checkout)
 
 void addRootOption(CLI::App& app, std::vector<std::string>& roots)
 {
+    if (CLI::Option* known = app.get_option_no_throw("--root")) {
+        known->each([&roots](const std::string& folder) { roots.push_back(folder); });
+        return;
+    }
     app.add_option("--root", roots,
-                   "Let configs read files below this folder too, beside those below their own; may be "
+                   "Let configs and scenes read files below this folder too, beside those below their own; may be "
                    "repeated")
         ->type_name("FOLDER")
         ->expected(1)

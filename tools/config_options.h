@@ -31,7 +31,7 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options);
 /// Adds --effects alone.
 void addCheckoutOption(CLI::App& app, std::string& checkout);
 
-/// Adds --root alone.
+/// Adds --root alone; added twice, for a config and a scene, it is one option that fills both.
 void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
 /// Adds --keep: rules of core/plan.h that are switched off.

@@ -113,6 +113,20 @@ bool takesIntegers(const json& gltf, std::string_view attribute)
     return false;
 }
 
+// Whether some material takes a texture at the second set of coordinates: all are drawn at the first.
+bool takesSecondCoordinates(const json& gltf)
+{
+    const auto second = [](const json& texture) {
+        const json& set = member(texture, "texCoord");
+        return set.is_number() && set != 0;
+    };
+    for (const json& material : member(gltf, "materials"))
+        if (second(member(member(material, "pbrMetallicRoughness"), "baseColorTexture")) ||
+            second(member(material, "normalTexture")) || second(member(material, "occlusionTexture")))
+            return true;
+    return false;
+}
+
 Status required(const std::string& path, const std::set<std::string>& extensions)
 {
     std::vector<std::string> missing, ways_out;
@@ -156,6 +170,7 @@ Status checkGltf(const std::string& path, bool any_version)
     for (const std::string& name : used)
         if (extensionNamed(name).support != Support::read) left_out.push_back(name);
     if (takesIntegers(gltf, "TEXCOORD")) left_out.push_back("texture coordinates that are not floats");
+    if (takesSecondCoordinates(gltf)) left_out.push_back("the second set of texture coordinates");
     if (left_out.empty()) return {};
     Diagnostic warning = {Code::scene_features, "the scene '" + path + "' is drawn without " +
                                                     joined(left_out)};

@@ -50,7 +50,7 @@ Diagnostic SceneFolder::warning() const
     const std::vector<std::string> files(refused_.begin(), refused_.end());
     Diagnostic warning = {Code::module_escape, "the scene '" + scene_ + "' names files outside its "
                                                "folder, which are not read: " + joined(files)};
-    warning.help = "move them below the scene's folder, or allow theirs with --scene-root FOLDER";
+    warning.help = "move them below the scene's folder, or allow theirs with --root FOLDER";
     warning.severity = Severity::warning;
     return warning;
 }

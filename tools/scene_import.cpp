@@ -2,6 +2,7 @@
 // Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
 #include "tools/scene_import.h"
 
+#include "core/files.h"
 #include "core/text.h"
 #include "tools/gltf_check.h"
 #include "tools/mesh_normals.h"
@@ -282,6 +283,14 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     return {std::move(result), std::move(warnings)};
 }
 
+// Whether a PLY file was cut off before the end of its header, for which Assimp looks for ever.
+bool endsInHeader(const std::string& path)
+{
+    constexpr std::size_t kLongestHeader = 1 << 20;  // a line an element or property takes some thirty bytes
+    const std::string start = readStart(path, kLongestHeader).bytes;
+    return startsWith(start, "ply") && start.find("end_header") == start.npos;
+}
+
 }  // namespace
 
 const char* const kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
@@ -305,6 +314,7 @@ Diagnostic brokenScene(const std::string& path, const std::string& reason)
 
 Result<Scene> readScene(const std::string& path, const ImportOptions& options)
 {
+    if (endsInHeader(path)) return brokenScene(path, "it ends within its header");
     if (!isGltf(path)) return readByAssimp(path, options, {});
     const Status checked = checkGltf(path, options.any_format);
     if (!checked) return checked.diagnostics();

@@ -5,6 +5,7 @@
 #include "core/text.h"
 #include "tools/builtin_scenes.h"
 #include "tools/camera_framing.h"
+#include "tools/config_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,12 +21,7 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
                    "How long reading the scene may take. Default: 10, and 1 for each MiB of the file")
         ->type_name("SECONDS")
         ->check(CLI::Range(1, 86400));
-    app.add_option("--scene-root", options.roots,
-                   "A folder from which the scene may read images and buffers, beside its own; may be "
-                   "repeated")
-        ->type_name("FOLDER")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addRootOption(app, options.roots);
 }
 
 void addSceneOptions(CLI::App& app, SceneOptions& options)

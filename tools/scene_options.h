@@ -17,7 +17,7 @@ struct SceneOptions {
     std::string scene = "room";    ///< --scene: a built-in name or a file.
     std::string size = "960x540";  ///< --size
     std::string camera;            ///< --camera, as tools/camera_framing.h reads it.
-    ImportOptions import = {};     ///< --any-format, --import-time, --scene-root
+    ImportOptions import = {};     ///< --any-format, --import-time, --root
 };
 
 /// What reading a scene's file may do.
