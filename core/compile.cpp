@@ -128,7 +128,6 @@ Result<Plan> compileAsItIs(const Description& description, const SceneTraits& tr
         state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
                                  description.unused.end());
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
-    fusePasses(state);
     Plan plan = buildPlan(state);
     plan.reruns = !state.applies("unchanged");
     return {std::move(plan), std::move(state.diagnostics)};

@@ -94,17 +94,6 @@ std::string standInReason(const Pass& pass)
     return pass.identity->param.name + " is " + shortest(pass.identity->at) + ", so " + given;
 }
 
-// The texture between two passes that are one: it is neither written nor read.
-LeftOut leftOutByFusion(const State& state, const Pass& pass)
-{
-    const int target = pass.color.front();
-    const double bytes = pixels(extentOf(state, pass)) * formatInfo(state.targets[target].format).bytes;
-    return {"target " + state.description.targets[target].name, "fusion",
-            "pass " + state.passes[pass.fused_into].desc->name + " finds it as pass " + pass.desc->name +
-                " would, where it samples it",
-            2 * bytes * state.traits.views, bytes};
-}
-
 void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left_out)
 {
     const auto add = [&](const char* rule, const std::string& reason) {
@@ -114,7 +103,6 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
     if (!pass.active) add("condition", pass.off_reason);
     else if (pass.identity) add("identity", standInReason(pass));
     else if (pass.keeps_constant) add("identity", constantReason(state, pass));
-    else if (pass.fused_into >= 0) left_out.push_back(leftOutByFusion(state, pass));
     else if (!pass.live) add("unread", "no output asked for needs it");
     if (!pass.live) return;
     for (const int index : pass.color) {

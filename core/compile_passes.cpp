@@ -43,7 +43,6 @@ private:
 
     Shader shaderOf(const Pass& pass) const;
     int program(const Pass& pass);
-    std::string labelOf(const Pass& pass) const;
     void countVariants(PlanProgram& program) const;
     int constant(float value);
     int planTarget(int target) const;
@@ -78,17 +77,9 @@ int Builder::program(const Pass& pass)
         if (plan_.programs[i].key == key) return static_cast<int>(i);
     const ShaderDesc& desc = *findNamed(description_.shaders, pass.desc->shader.name);
     plan_.programs.push_back(
-        {key, labelOf(pass), shader.vertex, shader.fragment, desc.place, desc.pointer});
+        {key, pass.desc->shader.name, shader.vertex, shader.fragment, desc.place, desc.pointer});
     countVariants(plan_.programs.back());
     return static_cast<int>(plan_.programs.size()) - 1;
-}
-
-// "lighting", or "lighting with join" where the pass does the work of that one too.
-std::string Builder::labelOf(const Pass& pass) const
-{
-    std::vector<std::string> fused;
-    for (const int each : pass.fused) fused.push_back(description_.passes[each].name);
-    return pass.desc->shader.name + (fused.empty() ? "" : " with " + joined(fused, " and "));
 }
 
 void Builder::countVariants(PlanProgram& program) const

@@ -48,8 +48,6 @@ struct Pass {
     const IdentityDesc* identity = nullptr;  ///< What stands in for it, when something does.
     bool keeps_constant = false;             ///< What it reads is constant, and so stands in for it.
     bool indispensable = false;              ///< ... but not for all that is needed of it.
-    int fused_into = -1;                     ///< The pass that does its work too.
-    std::vector<int> fused = {};             ///< Passes whose work it does too.
     std::vector<Read> reads = {};
     std::vector<int> color = {};  ///< Targets.
     int depth = -1;               ///< A target, or -1 for none.
@@ -73,7 +71,7 @@ struct State {
     const SceneTraits& traits;
     const DeviceCaps& caps;
     const CompileOptions& options;
-    std::vector<Shader> shaders = {};  ///< The description's, then fused ones.
+    std::vector<Shader> shaders = {};  ///< The description's.
     std::vector<Pass> passes = {};
     std::vector<Target> targets = {};
     std::vector<int> order = {};    ///< Active passes by data flow.

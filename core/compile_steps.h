@@ -9,7 +9,6 @@
 //   compile_live        what is needed, and what stands in for what is not
 //   compile_textures    sizes, formats, shared slots; with compile_samples for multisampling
 //   compile_lint        what would draw nothing good
-//   compile_fusion      passes that become one
 //   compile_passes      the plan itself; with compile_costs for the bytes and what is left out
 #pragma once
 
@@ -84,10 +83,6 @@ void chooseSamples(State& state);
 // compile_lint.cpp
 /// CV2211 and the warning CV2212.
 void lint(State& state);
-
-// compile_fusion.cpp
-/// Requires all else but the plan.
-void fusePasses(State& state);
 
 // compile_costs.cpp
 /// Of all mip levels and copies.

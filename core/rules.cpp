@@ -3,11 +3,10 @@
 
 namespace crevice {
 
-const RuleInfo kRules[10] = {
+const RuleInfo kRules[9] = {
     {"unread", "passes, attachments and shader outputs that no output asked for needs"},
     {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
     {"idle", "what a param adds for the sake of targets that are not drawn: a guard band"},
-    {"fusion", "a target between two passes that one of them can do in one go"},
     {"sharing", "a texture of its own for each target"},
     {"background", "pixels of a pass whose values are known undrawn, by a mask"},
     {"tiles", "pixels of estimators about which nothing rises over the surface"},

@@ -13,7 +13,7 @@ struct RuleInfo {
 };
 
 /// Those that may be switched off.
-extern const RuleInfo kRules[10];
+extern const RuleInfo kRules[9];
 
 std::vector<std::string> ruleNames();
 

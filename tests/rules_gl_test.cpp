@@ -190,26 +190,3 @@ TEST_CASE("Masks and bounds change no pixel: half a background, things off the m
         }
     }
 }
-
-TEST_CASE("A pass that joins occlusion in the lighting changes no pixel of it")
-{
-    GlFixture gl;
-    Scene scene = need(loadScene("spheres"));
-    SceneTexture map;
-    map.image = Image({16, 16}, 4, 1.0f);
-    for (std::size_t i = 0; i < map.image.pixels.size(); ++i) map.image.pixels[i] = float(i % 251) / 255;
-    scene.textures = {map};
-    for (SceneMaterial& material : scene.materials) material.occlusion_texture = 0;
-    const Stage stage(*gl.device, std::move(scene));
-    const Frame frame = stage.frame();
-    const Description description = descriptionOf({"baked", ""});
-    CompileOptions lit = keeping({});
-    lit.outputs = {"color"};
-    const auto lean = need(Renderer::create(*gl.device, description, lit, traitsOf(frame)));
-    const auto full = need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
-    need(lean->render(frame));
-    need(full->render(frame));
-    CHECK_FALSE(findNamed(lean->plan().passes, "join"));
-    CHECK(findNamed(full->plan().passes, "join"));
-    checkSame(gl, *lean, *full, {"color"});
-}

@@ -4,7 +4,7 @@
 //
 //   surface      interface: point and normal in view space
 //   albedo       linear colour; alpha is the strength of the highlight
-//   visibility   1 open .. 0 blocked; highp, so that a pass that only joins or bends it may be fused
+//   visibility   1 open .. 0 blocked
 //   indirect_filtered  with INDIRECT: linear colour that the surface gets from its occluders
 //   bent_normal  with SPECULAR_OCCLUSION_BENT, where there is one: mean open direction, view space, n * 0.5 + 0.5
 //   color        sRGB, ready to show; alpha 0 in a transparent background
