@@ -2,7 +2,6 @@
 // Compiling: the steps in their order, and what they share.
 #include "core/compile_steps.h"
 
-#include "core/numbers.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -105,66 +104,6 @@ bool applies(const CompileOptions& options, std::string_view rule)
     });
 }
 
-Result<Plan> compileAsItIs(const Description& description, const SceneTraits& traits,
-                           const DeviceCaps& caps, const CompileOptions& options)
-{
-    State state = begin(description, traits, caps, options);
-    checkExtent(state);
-    checkRules(state);
-    chooseOutputs(state);
-    decideConditions(state);
-    chooseFormats(state);
-    readShaders(state);
-    findWriters(state);
-    orderPasses(state);
-    chooseLive(state);
-    chooseExtents(state);
-    checkFormats(state);
-    chooseSamples(state);
-    lint(state);
-    lintPrecision(state);
-    dropRepeats(state);
-    if (!hasErrors(state.diagnostics))
-        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
-                                 description.unused.end());
-    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
-    Plan plan = buildPlan(state);
-    plan.reruns = !state.applies("unchanged");
-    return {std::move(plan), std::move(state.diagnostics)};
-}
-
-// Whether the param is above its min for the sake of targets that the plan does not draw.
-bool isIdle(const ParamDesc& param, const Description& description, const Plan& plan)
-{
-    const auto declared = [&](const Reference& target) {
-        return indexOf(description.targets, target.name) >= 0;
-    };
-    const auto drawn = [&](const Reference& target) {
-        return indexOf(plan.targets, target.name) >= 0;
-    };
-    const std::vector<Reference>& all = param.serves;
-    return param.value[0] > param.min && std::any_of(all.begin(), all.end(), declared) &&
-           std::none_of(all.begin(), all.end(), drawn);
-}
-
-double bytesMoved(const Plan& plan)
-{
-    double bytes = 0;
-    for (const PlanPass& pass : plan.passes) bytes += pass.bytes_read + pass.bytes_written;
-    return bytes;
-}
-
-// "no pass draws ao, so guard is 1 and not 1.4".
-std::string idleReason(const ParamDesc& param, const Description& description)
-{
-    std::string served;
-    for (const Reference& target : param.serves)
-        if (indexOf(description.targets, target.name) >= 0)
-            served += (served.empty() ? "" : " or ") + target.name;
-    return "no pass draws " + served + ", so " + param.name + " is " + shortest(param.min) +
-           " and not " + shortest(param.value[0]);
-}
-
 }  // namespace
 
 bool State::applies(std::string_view rule) const { return compiler::applies(options, rule); }
@@ -230,31 +169,29 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
                      const DeviceCaps& caps, const CompileOptions& options)
 {
     using namespace compiler;
-    const auto isOff = [&](const FeatureDesc& each) {
-        return each.value != 0 && !each.rule.empty() && !applies(options, each.rule);
-    };
-    if (std::any_of(description.features.begin(), description.features.end(), isOff)) {
-        Description full = description;
-        for (FeatureDesc& each : full.features)
-            if (isOff(each)) each.value = 0;
-        return compile(full, traits, caps, options);
-    }
-    Result<Plan> whole = compileAsItIs(description, traits, caps, options);
-    if (!whole || !applies(options, "idle")) return whole;
-    const auto idles = [&](const ParamDesc& param) { return isIdle(param, description, *whole); };
-    if (std::none_of(description.params.begin(), description.params.end(), idles)) return whole;
-    Description lean = description;
-    std::vector<LeftOut> idle;
-    for (ParamDesc& param : lean.params) {
-        if (!idles(param)) continue;
-        idle.push_back({"param " + param.name, "idle", idleReason(param, description)});
-        param.value[0] = static_cast<float>(param.min);
-    }
-    Result<Plan> plan = compileAsItIs(lean, traits, caps, options);
-    if (!plan) return plan;
-    idle.front().bytes = bytesMoved(*whole) - bytesMoved(*plan);
-    plan->left_out.insert(plan->left_out.end(), idle.begin(), idle.end());
-    return plan;
+    State state = begin(description, traits, caps, options);
+    checkExtent(state);
+    checkRules(state);
+    chooseOutputs(state);
+    decideConditions(state);
+    chooseFormats(state);
+    readShaders(state);
+    findWriters(state);
+    orderPasses(state);
+    chooseLive(state);
+    chooseExtents(state);
+    checkFormats(state);
+    chooseSamples(state);
+    lint(state);
+    lintPrecision(state);
+    dropRepeats(state);
+    if (!hasErrors(state.diagnostics))
+        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
+                                 description.unused.end());
+    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
+    Plan plan = buildPlan(state);
+    plan.reruns = !state.applies("unchanged");
+    return {std::move(plan), std::move(state.diagnostics)};
 }
 
 }  // namespace crevice

@@ -117,16 +117,6 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
     }
 }
 
-// Whether the text of a pass that runs hangs on the feature.
-bool isMentioned(const State& state, const FeatureDesc& feature)
-{
-    return std::any_of(state.passes.begin(), state.passes.end(), [&](const Pass& pass) {
-        if (!pass.live || pass.shader < 0) return false;
-        const std::vector<std::string>& used = state.shaders[pass.shader].fragment.defines_used;
-        return std::count(used.begin(), used.end(), upperCase(feature.name)) > 0;
-    });
-}
-
 // "ssao, filter_x and filter_y": the passes of which something holds; empty where of none.
 template <class Test>
 std::string passesThat(const Plan& plan, Test&& holds)
@@ -204,10 +194,6 @@ std::vector<LeftOut> leftOut(const State& state)
             left_out.push_back({"history " + desc.name, "unread", "no pass reads " + historyName(desc),
                                 0});
     }
-    for (const FeatureDesc& each : state.description.features)
-        if (each.value != 0 && !each.rule.empty() && isMentioned(state, each))
-            left_out.push_back({"pixels, by feature " + each.name, each.rule,
-                                "in a frame, those that are known undrawn by it", 0, 0, -1, true});
     return left_out;
 }
 

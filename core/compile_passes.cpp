@@ -266,9 +266,7 @@ void Builder::addMask(const Pass& pass, PlanPass& into) const
     into.depth.name = pass.desc->drawn_where.name;
     into.depth.target = into.inputs.back().index;
     into.depth.load = LoadOp::load;
-    into.depth.reason = "tested: the pass is drawn where it is more than " +
-                        shortest(pass.desc->drawn_above);
-    into.drawn_above = pass.desc->drawn_above;
+    into.depth.reason = "tested: the pass is drawn where it is more than 0";
 }
 
 // Those of which all that they read comes from things of the draw list, as far as a frame's bounds tell. Passes come

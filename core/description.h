@@ -52,8 +52,6 @@ struct ParamDesc : Named {
     std::string tooltip;     ///< One sentence: what it does and what turning it up costs.
     std::string group;       ///< Heading in a panel.
     Bind bind = Bind::uniform;
-    std::vector<Reference> serves = {};  ///< Targets for whose sake a define is above its min, those
-                                         ///< that the config has: a plan that draws none takes min.
 };
 
 /// Number of floats in a param of that type.
@@ -65,7 +63,6 @@ struct FeatureDesc : Named {
     std::vector<std::string> values;  ///< "false", "true" for a bool.
     bool boolean = false;
     int value = 0;  ///< Index of the default.
-    std::string rule = {};  ///< Of kRules, core/rules.h: with that off the value is the first one.
 };
 
 enum class ImportType { camera, draw_list, lights, texture };
@@ -208,8 +205,8 @@ struct PassDesc : Named {
     std::vector<KeepsConstantDesc> keeps_constant = {};
     Reference draws_within_param = {};  ///< The param that gives `draws_within`; else empty.
     float draws_within = 0.0f;          ///< View sizes; 0 is unknown.
-    Reference drawn_where = {};         ///< A mask: the pass is drawn where that holds more than
-    float drawn_above = 0.0f;           ///< this; elsewhere stands what `clear` says.
+    Reference drawn_where = {};         ///< A mask: the pass is drawn where that is above 0; elsewhere stands
+                                        ///< what `clear` says.
     bool bounded = false;               ///< That stands also where no thing lies on the screen ...
     Reference shown_length = {};        ///< ... or at which this param, a length, is below a pixel.
     std::vector<InputDesc> inputs = {};

@@ -193,7 +193,7 @@ Status Execution::createPasses(int view)
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
         if (isMasked(pass)) {
-            prepared.info.at_depth = pass.drawn_above;
+            prepared.info.at_depth = 0.0f;
             prepared.state.depth_test = Compare::less;
         }
         prepared.type = pass.type;

@@ -16,7 +16,6 @@
 
 #include "core/field_types.h"
 #include "core/generators.h"
-#include "core/rules.h"
 
 #include <algorithm>
 
@@ -44,9 +43,6 @@ void fields(V& v, ParamDesc& p)
     v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");
-    v.field("serves", p.serves, "Targets for whose sake a define is above its min; it is min where none that the config has is drawn.");
-    if (!p.serves.empty() && p.bind != Bind::define)
-        v.refuse("serves", Code::bad_enum, "a uniform serves whoever reads it");
 }
 
 template <class V>
@@ -65,8 +61,6 @@ void fields(V& v, FeatureDesc& f)
     const std::vector<std::string> anything;
     v.field("default", Choice{f.value, torn ? anything : f.values, f.boolean && !torn},
             "The value unless overridden; false, or the first word, when absent.");
-    v.field("rule", OneOf{f.rule, ruleNames()},
-            "The rule that leaves things out by this: where it is switched off, the value is false, or the first word.");
 }
 
 template <class V>
@@ -221,10 +215,7 @@ void fields(V& v, PassDesc& p)
     if (p.type != PassType::draw && v.has("draws_within"))
         v.refuse("draws_within", Code::bad_enum, "a fullscreen pass draws no things");
     v.field("drawn_where", p.drawn_where,
-            "A mask, in a depth format: where it is no more than `drawn_above`, outputs are what `clear` says, undrawn. They must be what the shader would write. A mask of another size than theirs is not used.");
-    v.field("drawn_above", p.drawn_above, "What the mask must be more than.", range(0, 1));
-    if (p.drawn_where.empty())
-        v.refuse("drawn_above", Code::bad_enum, "the pass has no `drawn_where`");
+            "A mask, in a depth format: where it is 0, outputs are what `clear` says, undrawn. They must be what the shader would write. A mask of another size than theirs is not used.");
     if (p.type == PassType::draw)
         v.refuse("drawn_where", Code::bad_enum, "a draw pass has a depth test of its own");
     else if (!p.depth.empty())

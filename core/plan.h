@@ -76,7 +76,6 @@ struct PlanPass {
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
     float draws_within = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
-    float drawn_above = 0;   ///< Of what its mask holds, where it has one.
     bool bounded = false;    ///< It is drawn within the bounds of the frame's things alone ...
     std::string shown_length = {};  ///< ... and of those at which this param comes to a pixel; may be empty.
     std::vector<PlanInput> inputs;

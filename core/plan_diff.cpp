@@ -79,7 +79,7 @@ Part partOf(const Plan& plan, const PlanPass& pass)
     addDefines(facts, program);
     for (const PlanInput& input : pass.inputs) {
         if (input.sampler.empty())
-            facts.push_back({"drawn where", sourceName(plan, input) + " > " + shortest(pass.drawn_above)});
+            facts.push_back({"drawn where", sourceName(plan, input) + " > 0"});
         else
             facts.push_back({"input " + input.sampler, inputText(plan, input)});
     }

@@ -83,7 +83,7 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"program\": " + json(pass.program) + ", \"extent\": " + json(pass.extent) +
            ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
-           ",\n      \"drawn_above\": " + (isMasked(pass) ? json(pass.drawn_above) : "null") +
+           ",\n      \"masked\": " + json(isMasked(pass)) +
            ", \"bounded\": " + json(pass.bounded) + ", \"shown_length\": " +
            (pass.shown_length.empty() ? "null" : json(pass.shown_length)) +
            ",\n      \"state\": " + stateJson(pass.state) +

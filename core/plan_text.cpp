@@ -104,10 +104,10 @@ std::string samplingText(const SamplerDesc& sampling)
     return table::word(sampling.filter) + ", " + table::word(sampling.wrap);
 }
 
-std::string readText(const Plan& plan, const PlanPass& pass, const PlanInput& input)
+std::string readText(const Plan& plan, const PlanInput& input)
 {
     const std::string source = sourceName(plan, input);
-    if (input.sampler.empty()) return "    drawn   where " + source + " is more than " + shortest(pass.drawn_above) + "\n";
+    if (input.sampler.empty()) return "    drawn   where " + source + " is more than 0\n";
     std::string text = "    reads   " + input.sampler;
     if (input.kind == InputKind::material) return text + " of the material\n";
     text += input.kind == InputKind::target && source == input.sampler
@@ -146,7 +146,7 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
-    for (const PlanInput& input : pass.inputs) text += readText(plan, pass, input);
+    for (const PlanInput& input : pass.inputs) text += readText(plan, input);
     if (pass.bounded) text += "    drawn   within " + boundsText(pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);

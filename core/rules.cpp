@@ -3,13 +3,11 @@
 
 namespace crevice {
 
-const RuleInfo kRules[9] = {
+const RuleInfo kRules[7] = {
     {"unread", "passes, attachments and shader outputs that no output asked for needs"},
     {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
-    {"idle", "what a param adds for the sake of targets that are not drawn: a guard band"},
     {"sharing", "a texture of its own for each target"},
     {"background", "pixels of a pass whose values are known undrawn, by a mask"},
-    {"tiles", "pixels of estimators about which nothing rises over the surface"},
     {"outside", "in a frame, things whose bounds lie outside of what a pass shows"},
     {"bounds", "in a frame, pixels of a pass where the bounds of no thing lie"},
     {"unchanged", "passes of a frame whose input is the last frame's"},

@@ -13,7 +13,7 @@ struct RuleInfo {
 };
 
 /// Those that may be switched off.
-extern const RuleInfo kRules[9];
+extern const RuleInfo kRules[7];
 
 std::vector<std::string> ruleNames();
 

@@ -339,36 +339,6 @@ TEST_CASE("A constant is kept of a sampler that the shader has")
     CHECK(error.help.find("'ao'") != error.help.npos);
 }
 
-TEST_CASE("A define that serves targets is at its min where none of them is drawn")
-{
-    const auto guarded = [](const std::string& intensity, const std::string& serves) {
-        return describe(Sketch{
-            {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-             "depth: -> z", "light: ao z -> lit"},
-            {{"color", "lit"}},
-            {{"z", R"({"format": ["r8"], "size": {"scale": "guard"}})"}},
-            R"("params": {"intensity": {"default": )" + intensity +
-                R"(}, "guard": {"default": 2, "min": 1, "bind": "define", "serves": [)" + serves +
-                "]}}"});
-    };
-    const auto widthOf = [](const Plan& plan) {
-        return plan.textures[plan.targets[plan.passes[0].color[0].target].texture].extent.width;
-    };
-    const Plan plan = planOf(guarded("0", R"("ao", "elsewhere")"));
-    CHECK(passNames(plan) == "depth, light");
-    CHECK(widthOf(plan) == 64);
-    const LeftOut* left = leftOut(plan, "param guard");
-    REQUIRE(left);
-    CHECK(left->rule == "idle");
-    CHECK(left->reason == "no pass draws ao, so guard is 1 and not 2");
-    CHECK(left->bytes == 3 * 64 * 32);
-
-    CHECK(widthOf(planOf(guarded("0", R"("ao")"), {}, keeping("idle"))) == 128);
-    CHECK(widthOf(planOf(guarded("0", R"("elsewhere")"))) == 128);
-    CHECK(widthOf(planOf(guarded("0", ""))) == 128);
-    CHECK_FALSE(leftOut(planOf(guarded("1", R"("ao")")), "param guard"));
-}
-
 TEST_CASE("The identity rule can be switched off")
 {
     const Description description = describe(withIdentities("0", "0"));

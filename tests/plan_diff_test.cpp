@@ -121,9 +121,8 @@ TEST_CASE("A diff tells by what mask and within what a pass is drawn, and no wri
             {{"mask", R"({"format": ["depth16"], "holds": "mask"})"}},
             R"("imports": {"scene": {"type": "draw_list"}})"}));
     };
-    const PlanDiff diff = diffPlans(drawn(""), drawn(R"(, "drawn_above": 0.5, "bounded": true)"));
+    const PlanDiff diff = diffPlans(drawn(""), drawn(R"(, "bounded": true)"));
     const PlanChange* ao = changeOf(diff, "passes", "ao");
-    CHECK(property(ao, "drawn where") == "mask > 0 -> mask > 0.5");
     CHECK(property(ao, "drawn within") == "everything -> the bounds of things");
     CHECK(property(ao, "writes mask") == "");
     const PlanDiff kept = diffPlans(drawn(""), planOf(describe(Sketch{

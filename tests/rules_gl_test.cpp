@@ -156,7 +156,7 @@ TEST_CASE("What an identity gives is what its pass would have drawn, and so on d
             for (ParamDesc& each : description.params)
                 if (each.name == param) each.value.fill(at);
             const auto lean =
-                need(Renderer::create(*gl.device, description, keeping({"idle"}), traitsOf(frame)));
+                need(Renderer::create(*gl.device, description, keeping({}), traitsOf(frame)));
             const auto full =
                 need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
             need(lean->render(frame));
@@ -181,7 +181,7 @@ TEST_CASE("Masks and bounds change no pixel: half a background, things off the m
             const auto full =
                 need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
             need(full->render(frame));
-            for (const char* kept : {"idle", "background", "bounds"}) {
+            for (const char* kept : {"background", "bounds"}) {
                 const auto lean =
                     need(Renderer::create(*gl.device, description, keeping({kept}), traitsOf(frame)));
                 need(lean->render(frame));
