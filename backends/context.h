@@ -6,7 +6,7 @@
 #pragma once
 
 #include "backends/gl_loader.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 // A shared library opened at run time.
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <string>
 #include <vector>

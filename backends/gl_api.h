@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/gl_loader.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 #define GL_GLES_PROTOTYPES 0  // types and constants only: nothing here can be linked by accident
 #include <GLES3/gl32.h>

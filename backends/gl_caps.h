@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/gl_api.h"
-#include "core/device.h"
+#include "core/gpu/device.h"
 
 #include <string>
 #include <vector>

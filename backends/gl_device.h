@@ -8,7 +8,7 @@
 #pragma once
 
 #include "backends/gl_loader.h"
-#include "core/device.h"
+#include "core/gpu/device.h"
 
 #include <cstdint>
 #include <functional>

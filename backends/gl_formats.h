@@ -3,8 +3,8 @@
 #pragma once
 
 #include "backends/gl_api.h"
-#include "core/format.h"
-#include "core/image.h"
+#include "core/base/image.h"
+#include "core/gpu/format.h"
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "backends/gl_objects.h"
 #include "backends/gl_program_cache.h"
-#include "core/device.h"
+#include "core/gpu/device.h"
 
 #include <vector>
 

@@ -8,7 +8,7 @@
 
 #include "backends/gl_device.h"
 #include "backends/gl_objects.h"
-#include "core/content_hash.h"
+#include "core/base/content_hash.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // The shipped modules and configs, embedded in the library at build time.
 #pragma once
 
-#include "core/source.h"
+#include "core/base/source.h"
 
 namespace crevice {
 

@@ -2,7 +2,7 @@
 // Steady frames allocate no memory. Counts every operator new of the program.
 #include "tests/allocations.h"
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include "tests/catch.h"
 #include "tests/renderer_rig.h"

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 

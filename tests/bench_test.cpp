@@ -2,7 +2,7 @@
 // Benches without GL: their points, keys, shards and figures.
 #include "tools/bench.h"
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 #include "tests/bench_small.h"
 #include "tools/bench_errors.h"
 #include "tools/bench_times.h"

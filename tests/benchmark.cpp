@@ -2,8 +2,8 @@
 // CPU time of a frame: a plan of ten passes on the recording device, in microseconds. And of what
 // comes before it: reading a mebibyte of JSON, and the slowest shipped config from text to plan.
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 
 #include <algorithm>

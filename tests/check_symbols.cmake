@@ -13,5 +13,5 @@ endif()
 string(REGEX MATCHALL "[^\n]* (_ZNSolsE[a-z]|_ZNSo9_M_insertI|_ZN9__gnu_cxx12__to_xstring)[^\n]*"
        written "${symbols}")
 if(written)
-  message(FATAL_ERROR "${LIBRARY} writes numbers by the locale (use core/numbers.h)\n${written}")
+  message(FATAL_ERROR "${LIBRARY} writes numbers by the locale (use core/base/numbers.h)\n${written}")
 endif()

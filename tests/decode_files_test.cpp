@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decoding: the GLSL files that a config names and what they include.
-#include "core/glsl.h"
+#include "core/glsl/stage.h"
 #include "tests/decode_fixture.h"
 
 #include <cstdio>

@@ -2,7 +2,7 @@
 // A small valid config whose sections a test replaces, and its errors as one line of text.
 #pragma once
 
-#include "core/description.h"
+#include "core/config/description.h"
 #include "tests/catch.h"
 
 #include <map>

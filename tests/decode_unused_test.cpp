@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decoding, the names that nothing uses: a typo makes one, and it must not pass in silence.
-#include "core/load.h"
+#include "core/config/load.h"
 #include "tests/decode_fixture.h"
 #include "tests/plan_rig.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Diagnostics as people and as programs see them.
-#include "core/diagnostic.h"
-#include "core/document.h"
-#include "core/text.h"
+#include "core/base/diagnostic.h"
+#include "core/base/text.h"
+#include "core/json/document.h"
 
 #include "tests/catch.h"
 

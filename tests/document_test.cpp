@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Documents: values with their places, and every way in which a text is none.
-#include "core/document.h"
+#include "core/json/document.h"
 
 #include "tests/catch.h"
 

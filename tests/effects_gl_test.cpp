@@ -2,7 +2,7 @@
 // Properties of the shipped effects, drawn for real: what must hold whatever the pixels are.
 #include "tests/picture.h"
 
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 
 using namespace crevice;

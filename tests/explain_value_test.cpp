@@ -2,8 +2,8 @@
 // Finding a value by pointer, path or bare name, and telling who set it.
 #include "tests/catch.h"
 
-#include "core/load.h"
-#include "core/merge.h"
+#include "core/config/load.h"
+#include "core/json/merge.h"
 #include "effects/catalog.h"
 #include "tools/explain_value.h"
 #include "tools/planning.h"

@@ -5,7 +5,7 @@
 // live(), which counts the objects: RecordingDevice or FailingDevice.
 #pragma once
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/need.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which files on disk a config may name, and which may be read at all.
-#include "core/description.h"
-#include "core/files.h"
+#include "core/base/files.h"
+#include "core/config/description.h"
 
 #include "tests/load_fixture.h"
 #include "tests/temporary_folder.h"

@@ -4,8 +4,8 @@
 #include "tests/picture.h"
 
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/plan.h"
+#include "core/config/load.h"
+#include "core/plan/plan.h"
 #include "effects/catalog.h"
 
 #include <algorithm>

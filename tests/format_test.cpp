@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texture formats: the table is whole and true to OpenGL ES 3.0.
-#include "core/format.h"
+#include "core/gpu/format.h"
 #include "tests/catch.h"
 
 #include <set>

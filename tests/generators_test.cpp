@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sample kernels and rotation noise.
-#include "core/generators.h"
+#include "core/sampling/generators.h"
 
-#include "core/sequences.h"
+#include "core/sampling/sequences.h"
 #include "tests/catch.h"
 
 #include <glm/geometric.hpp>

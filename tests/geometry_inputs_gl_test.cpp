@@ -2,8 +2,8 @@
 // What a surface is read from: stored, rebuilt from depth, or the host's own textures.
 #include "tests/picture.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Driver logs become diagnostics in the author's files.
-#include "core/glsl.h"
+#include "core/glsl/stage.h"
 
 #include "tests/catch.h"
 

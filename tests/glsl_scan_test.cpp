@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The scan: what a stage declares, found without a GL context.
-#include "core/glsl.h"
+#include "core/glsl/stage.h"
 
 #include "tests/catch.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shader stages: includes, #line, defines, conditions.
-#include "core/glsl.h"
+#include "core/glsl/stage.h"
 
 #include "tests/catch.h"
 

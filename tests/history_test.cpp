@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Targets that keep what they held in the last frame: how they are planned, and how frames use them.
-#include "core/frame_math.h"
+#include "core/frame/frame_math.h"
 #include "tests/plan_rig.h"
 #include "tests/renderer_rig.h"
 

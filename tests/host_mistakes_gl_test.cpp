@@ -2,7 +2,7 @@
 // What hosts do wrong, on a real context: calls without it or in another one, ids of nothing.
 #include "tests/gl_fixture.h"
 #include "tests/shipped_subjects.h"
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"
 

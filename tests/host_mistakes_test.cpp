@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hosts that hand in what is not there or not finite, or that call without their context.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/need.h"
 #include "tests/renderer_rig.h"
 

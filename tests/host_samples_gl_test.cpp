@@ -2,8 +2,8 @@
 // The host's own multisampled depth and normals: of each pixel one sample, whole.
 #include "tests/picture.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"

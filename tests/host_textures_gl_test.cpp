@@ -2,7 +2,7 @@
 // A host samples outputs in shaders of its own, by their native names.
 #include "tests/gl_fixture.h"
 #include "tests/shipped_subjects.h"
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"
 

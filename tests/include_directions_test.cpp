@@ -24,6 +24,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"tests", {"tests", "tools", "core", "backends", "effects"}},
 };
 
+// The rooms of core from the bottom up: each may include those before it, and itself.
+const std::vector<std::string> kRooms = {"base",  "json",   "glsl", "sampling", "gpu",
+                                         "frame", "config", "plan", "compile",  "run"};
+
 std::string readText(const fs::path& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -90,6 +94,19 @@ std::vector<std::string> wrongIncludes(const std::string& folder, const std::str
     return wrong;
 }
 
+/// Includes of a file of that room of core that climb to a later room, or to none.
+std::vector<std::string> climbingIncludes(const std::string& room, const std::string& text)
+{
+    const auto tierOf = [](const std::string& name) {
+        return std::find(kRooms.begin(), kRooms.end(), name) - kRooms.begin();
+    };
+    std::vector<std::string> wrong;
+    for (const std::string& path :
+         matches(codeOf(text, true), R"re((?:^|\n)\s*#\s*include "core/([^"]+)")re", 1))
+        if (tierOf(path.substr(0, path.find('/'))) > tierOf(room)) wrong.push_back(path);
+    return wrong;
+}
+
 std::vector<std::string> graphicsHeaders(const std::string& text)
 {
     return matches(text, R"re((?:^|\n)\s*#\s*include [<"]((?:GL\w*|EGL|KHR)/[^>"]+))re", 1);
@@ -140,7 +157,7 @@ std::vector<std::string> configStems()
 
 TEST_CASE("the include check finds an include that points sideways or upwards")
 {
-    CHECK(wrongIncludes("core", "#include \"core/plan.h\"\n#include <vector>\n").empty());
+    CHECK(wrongIncludes("core", "#include \"core/plan/plan.h\"\n#include <vector>\n").empty());
     CHECK(wrongIncludes("core", "#include \"backends/context.h\"\n").size() == 1);
     CHECK(wrongIncludes("effects", "#include \"backends/context.h\"\n").size() == 1);
     CHECK(wrongIncludes("backends", "#include \"effects/catalog.h\"\n").size() == 1);
@@ -164,6 +181,35 @@ TEST_CASE("includes point downwards only")
     CHECK(files > 30);
 }
 
+TEST_CASE("the tier check finds an include that climbs to a later room")
+{
+    CHECK(climbingIncludes("plan", "#include \"core/config/description.h\"\n").empty());
+    CHECK(climbingIncludes("plan", "#include \"core/plan/plan.h\"\n").empty());
+    CHECK(climbingIncludes("plan", "#include \"core/compile/steps.h\"\n").size() == 1);
+    CHECK(climbingIncludes("base", "#include \"core/json/document.h\"\n").size() == 1);
+    CHECK(climbingIncludes("run", "#include \"core/renderer.h\"\n").size() == 1);
+}
+
+TEST_CASE("the rooms of core include downwards only")
+{
+    std::map<std::string, int> files;
+    for (const fs::path& path : projectFiles({"core"})) {
+        if (!isCpp(path)) continue;
+        const std::string room = std::next(path.begin())->string();
+        INFO(path.string());
+        CHECK(std::count(kRooms.begin(), kRooms.end(), room) == 1);
+        ++files[room];
+        for (const std::string& include :
+             climbingIncludes(room, readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+            FAIL_CHECK(path.string() << " includes core/" << include);
+    }
+    for (const auto& [room, count] : files) {
+        INFO(room << " has " << count << " files");
+        CHECK(count <= 25);
+    }
+    CHECK(files.size() == kRooms.size());
+}
+
 TEST_CASE("graphics headers are included in backends alone")
 {
     for (const fs::path& path : projectFiles({"core", "effects", "tools", "tests"})) {
@@ -185,12 +231,12 @@ TEST_CASE("the number check finds what a locale changes")
     CHECK(numbersByLocale("// printf(\"%f\")\nrestored(text);").empty());
 }
 
-TEST_CASE("numbers are formatted and parsed in core/numbers alone")
+TEST_CASE("numbers are formatted and parsed in core/base/numbers alone")
 {
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
         if (!isCpp(path)) continue;
         for (const std::string& found : numbersByLocale(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
-            FAIL_CHECK(path.string() << " has " << found << ": use core/numbers.h, which knows no locale");
+            FAIL_CHECK(path.string() << " has " << found << ": use core/base/numbers.h, which knows no locale");
     }
 }
 
@@ -217,7 +263,7 @@ TEST_CASE("text is printed in one place, which keeps control characters off the 
 
 TEST_CASE("files are opened where pipes, devices and endless files are refused")
 {
-    static const std::set<fs::path> kOpen = {"core/files.cpp", "tools/image_file.cpp", "tools/line_file.cpp"};
+    static const std::set<fs::path> kOpen = {"core/base/files.cpp", "tools/image_file.cpp", "tools/line_file.cpp"};
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
         if (!isCpp(path) || kOpen.count(path) > 0) continue;
         const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Real GL at the limits of what it takes: sizes, counts, uniforms.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/picture.h"
 #include "tests/shipped_subjects.h"
 #include "tests/watched_gl.h"

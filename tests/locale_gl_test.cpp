@@ -5,7 +5,7 @@
 #include "tests/comma_locale.h"
 #include "tests/picture.h"
 
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 
 using namespace crevice;

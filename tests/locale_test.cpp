@@ -4,7 +4,7 @@
 
 #include "tests/comma_locale.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 #include "tests/shipped_subjects.h"
 #include "tools/planning.h"
 

@@ -4,8 +4,8 @@
 #include "tests/modules.h"
 #include "tests/picture.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "tools/camera_framing.h"
 #include "tools/mesh_shapes.h"
 #include "tools/scene_upload.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Merge patches: the cases of RFC 7396 that we keep, those that we refuse, and origins.
-#include "core/merge.h"
+#include "core/json/merge.h"
 
 #include "tests/catch.h"
 

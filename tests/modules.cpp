@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/modules.h"
 
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 

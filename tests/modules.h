@@ -3,7 +3,7 @@
 // among them by itself.
 #pragma once
 
-#include "core/source.h"
+#include "core/base/source.h"
 
 #include <set>
 #include <string>

@@ -6,8 +6,8 @@
 // The whole takes long under sanitizers, so each run takes every third mutation; with
 // CREVICE_MUTATIONS=all in the environment it takes all of them.
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 

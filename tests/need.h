@@ -2,7 +2,7 @@
 // What a test needs in order to go on.
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "tests/catch.h"
 
 namespace crevice {

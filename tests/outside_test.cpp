@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Things outside the view: never one of which a part could show, and most that are far from it.
-#include "core/frame_math.h"
-#include "core/renderer.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/frame/frame_math.h"
+#include "core/run/renderer.h"
 
 #include "effects/catalog.h"
 #include "tests/catch.h"

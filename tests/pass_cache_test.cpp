@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a frame runs again: by the plan alone, without a device.
-#include "core/pass_cache.h"
+#include "core/run/dirty_passes.h"
 #include "tests/plan_rig.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/picture.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"

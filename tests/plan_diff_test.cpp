@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What differs between two plans: passes, their shaders, inputs and sizes, textures and bytes.
-#include "core/plan_diff.h"
+#include "core/plan/plan_diff.h"
 
 #include "tests/catch.h"
 #include "tests/plan_rig.h"

@@ -2,8 +2,8 @@
 // Plans for tests: graphs sketched in a line a pass, and compiling with few words.
 #pragma once
 
-#include "core/plan.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/plan/plan.h"
 #include "tests/test_config.h"
 
 #include <map>

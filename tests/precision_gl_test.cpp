@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What core/precision.h foretells, against what a device stores and draws.
+// What core/compile/depth_precision.h foretells, against what a device stores and draws.
 #include "tests/gl_fixture.h"
 
-#include "core/precision.h"
-#include "core/renderer.h"
+#include "core/compile/depth_precision.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tests/picture.h"
 #include "tools/config_options.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a plan says of formats that are too coarse for camera and radius, and which it chooses.
-#include "core/load.h"
-#include "core/numbers.h"
-#include "core/text.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 #include "tests/renderer_rig.h"
 #include "tools/planning.h"

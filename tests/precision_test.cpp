@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How finely formats tell surfaces apart, against the projections themselves in double.
-#include "core/precision.h"
+#include "core/compile/depth_precision.h"
 
 #include "tests/catch.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Programs that a host keeps between runs, on a real driver: they draw the same bits, and what the
 // driver refuses is compiled in silence.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/gl_fixture.h"
 #include "tests/kept_programs.h"
 #include "tests/shipped_subjects.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Combinations of shipped modules that make no sense: one error each, with a place and the way out.
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/plan.h"
+#include "core/config/load.h"
+#include "core/plan/plan.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 #include "tests/modules.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is set at run time: which values compile shaders, and all of them as the smallest patch.
-#include "core/load.h"
-#include "core/merge.h"
+#include "core/config/load.h"
+#include "core/json/merge.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 #include "tests/renderer_rig.h"

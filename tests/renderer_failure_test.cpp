@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The renderer on a device that fails: an error, no leak, and what worked before works on.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include "tests/catch.h"
 #include "tests/failing_changes.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What shaders see of a frame, and which frames are refused.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
-#include "core/frame_math.h"
+#include "core/frame/frame_math.h"
 #include "tests/catch.h"
 #include "tests/renderer_rig.h"
 

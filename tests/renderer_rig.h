@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/recording_device.h"
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/test_config.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The renderer keeps its plan in step with params, features, size and scene.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include "tests/catch.h"
 #include "tests/renderer_rig.h"

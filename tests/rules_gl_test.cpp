@@ -3,7 +3,7 @@
 #include "tests/picture.h"
 #include "tests/shipped_subjects.h"
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Multisampled targets: what a plan makes of them, and what a device is asked to do.
 #include "backends/recording_device.h"
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/plan_rig.h"
 #include "tests/renderer_rig.h"
 

@@ -43,7 +43,7 @@ Json logOf(const Diagnostics& diagnostics) { return Json::parse(toSarif(diagnost
 
 std::string codesHeader()
 {
-    std::ifstream file(CREVICE_SOURCE_DIR "/core/codes.h");
+    std::ifstream file(CREVICE_SOURCE_DIR "/core/base/codes.h");
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Points of the unit cube: where they lie, how evenly, and what that does to the error of a mean.
-#include "core/sequences.h"
+#include "core/sampling/sequences.h"
 
-#include "core/generators.h"
+#include "core/sampling/generators.h"
 #include "tests/catch.h"
 #include "tools/pareto.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8 bits.
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 #include "tools/planning.h"

@@ -2,7 +2,7 @@
 // What a user may change in a shipped config: every switch that it offers, and every format.
 #include "tests/catch.h"
 
-#include "core/plan.h"
+#include "core/plan/plan.h"
 #include "tests/shipped_subjects.h"
 #include "tools/planning.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What holds for every shipped config before any GL: it loads, plans, and stays short.
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/plan.h"
+#include "core/config/load.h"
+#include "core/plan/plan.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 

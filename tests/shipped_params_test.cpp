@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every param of every shipped config at values that cannot be, and at the ends of its range.
 #include "backends/recording_device.h"
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tests/shipped_subjects.h"
 #include "tools/planning.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plan of each shipped config, as `crevice explain NAME` prints it, held against the approved
 // one in tests/data/plans. tools/approve.sh takes the new plans as the approved ones.
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 #include "tests/catch.h"
 #include "tools/planning.h"

@@ -3,8 +3,8 @@
 #include "tests/picture.h"
 #include "tests/shipped_subjects.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tools/builtin_scenes.h"
 #include "tools/camera_framing.h"

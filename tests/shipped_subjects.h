@@ -4,8 +4,8 @@
 
 #include "tests/need.h"
 
-#include "core/description.h"
-#include "core/load.h"
+#include "core/config/description.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 
 namespace crevice {

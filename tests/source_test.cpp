@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sets of texts and the paths between them.
-#include "core/source.h"
-#include "core/text.h"
+#include "core/base/source.h"
+#include "core/base/text.h"
 
 #include "tests/catch.h"
 #include "tests/temporary_folder.h"

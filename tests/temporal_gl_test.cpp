@@ -2,8 +2,8 @@
 // The mean over frames, drawn for real: what it gathers, what it forgets, and what it never shows.
 #include "tests/picture.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"

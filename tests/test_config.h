@@ -2,7 +2,7 @@
 // Descriptions for tests, from a few lines of JSON and GLSL.
 #pragma once
 
-#include "core/description.h"
+#include "core/config/description.h"
 #include "tests/catch.h"
 
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Frames timed for real. No absolute time is asserted: machines are shared and noisy.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include "backends/gl_timers.h"
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 #include "tests/gl_fixture.h"
 #include "tools/camera_framing.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames that are timed pass by pass: which clock is taken, in which order, and when it is void.
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include "tests/catch.h"
 #include "tests/need.h"

@@ -6,7 +6,7 @@
 #include "tools/camera_framing.h"
 #include "tools/planning.h"
 
-#include "core/load.h"
+#include "core/config/load.h"
 #include "effects/catalog.h"
 
 #include <glm/gtc/matrix_transform.hpp>

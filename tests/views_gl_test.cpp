@@ -2,8 +2,8 @@
 // Frames of two views, drawn for real: each view's picture is that of its camera alone.
 #include "tests/picture.h"
 
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 #include "tools/camera_framing.h"
 #include "tools/scene_upload.h"

@@ -2,10 +2,10 @@
 // Situations, turns, and the table.
 #include "tools/ablation.h"
 
-#include "core/files.h"
-#include "core/numbers.h"
-#include "core/renderer.h"
-#include "core/text.h"
+#include "core/base/files.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/run/renderer.h"
 #include "tools/bench_times.h"
 #include "tools/bench_views.h"
 #include "tools/cli_output.h"

@@ -9,7 +9,7 @@
 // Results are JSON Lines, FOLDER/ablation.jsonl, one line a rule, situation, scene and config.
 #pragma once
 
-#include "core/device.h"
+#include "core/gpu/device.h"
 #include "tools/bench.h"
 
 #include <functional>

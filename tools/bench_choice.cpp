@@ -2,8 +2,8 @@
 // The choice between measured configs.
 #include "tools/bench_choice.h"
 
-#include "core/numbers.h"
-#include "core/text.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>

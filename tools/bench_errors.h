@@ -5,7 +5,7 @@
 
 #include "tools/bench_point.h"
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include <functional>
 

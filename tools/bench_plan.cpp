@@ -7,9 +7,9 @@
 #include "tools/reference_cache.h"
 #include "tools/scene_options.h"
 
-#include "core/content_hash.h"
-#include "core/load.h"
-#include "core/numbers.h"
+#include "core/base/content_hash.h"
+#include "core/base/numbers.h"
+#include "core/config/load.h"
 
 #include <algorithm>
 #include <charconv>

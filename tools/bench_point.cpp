@@ -2,9 +2,9 @@
 // Bench results as JSON Lines. The keys are the fields' names.
 #include "tools/bench_point.h"
 
-#include "core/content_hash.h"
-#include "core/files.h"
-#include "core/text.h"
+#include "core/base/content_hash.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
 #include "tools/line_file.h"
 
 #include <nlohmann/json.hpp>

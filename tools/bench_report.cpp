@@ -2,7 +2,7 @@
 // Writes the report's page, JSON and CSV.
 #include "tools/bench_report.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "tools/page_data.h"
 #include "tools/report_model.h"
 #include "tools/report_page.h"

@@ -4,7 +4,7 @@
 
 #include "tools/cli_output.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <cmath>
 #include <utility>

@@ -4,7 +4,7 @@
 
 #include "tools/mesh_shapes.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -2,8 +2,8 @@
 // Framing a scene, and reading a camera from the command line.
 #include "tools/camera_framing.h"
 
-#include "core/numbers.h"
-#include "core/text.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

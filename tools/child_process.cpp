@@ -2,8 +2,8 @@
 // fork, limits and a pipe.
 #include "tools/child_process.h"
 
-#include "core/files.h"
-#include "core/numbers.h"
+#include "core/base/files.h"
+#include "core/base/numbers.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -2,7 +2,7 @@
 // Diagnostics, exit codes and progress of the crevice command.
 #include "tools/cli_output.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 #include <unistd.h>
 

@@ -5,7 +5,7 @@
 #include "tools/commands.h"
 #include "tools/scene_options.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

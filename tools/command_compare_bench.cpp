@@ -4,7 +4,7 @@
 #include "tools/commands.h"
 #include "tools/compare_bench.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <CLI/CLI.hpp>
 

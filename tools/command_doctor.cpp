@@ -11,8 +11,8 @@
 #include "tools/target_health.h"
 #include "tools/watched_targets.h"
 
-#include "core/frame_math.h"
-#include "core/numbers.h"
+#include "core/base/numbers.h"
+#include "core/frame/frame_math.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -12,8 +12,8 @@
 #include "tools/scene_upload.h"
 
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/plan_diff.h"
+#include "core/config/load.h"
+#include "core/plan/plan_diff.h"
 
 #include <CLI/CLI.hpp>
 

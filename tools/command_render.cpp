@@ -7,8 +7,8 @@
 #include "tools/view_check.h"
 #include "tools/watched_files.h"
 
-#include "core/load.h"
-#include "core/numbers.h"
+#include "core/base/numbers.h"
+#include "core/config/load.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 #include "tools/image_file.h"
 #include "tools/output_request.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <CLI/CLI.hpp>
 

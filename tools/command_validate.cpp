@@ -6,7 +6,7 @@
 #include "tools/planning.h"
 #include "tools/sarif.h"
 
-#include "core/load.h"
+#include "core/config/load.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

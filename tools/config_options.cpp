@@ -2,8 +2,8 @@
 // The arguments that say which config a command works on.
 #include "tools/config_options.h"
 
-#include "core/content_hash.h"
-#include "core/plan.h"
+#include "core/base/content_hash.h"
+#include "core/plan/plan.h"
 #include "effects/catalog.h"
 
 #include <CLI/CLI.hpp>

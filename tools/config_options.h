@@ -2,8 +2,8 @@
 // Which config a command works on: the arguments that render, validate and explain share.
 #pragma once
 
-#include "core/description.h"
-#include "core/load.h"
+#include "core/config/description.h"
+#include "core/config/load.h"
 
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ void addCheckoutOption(CLI::App& app, std::string& checkout);
 /// Adds --root alone; added twice, for a config and a scene, it is one option that fills both.
 void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
-/// Adds --keep: rules of core/plan.h that are switched off.
+/// Adds --keep: rules of core/plan/plan.h that are switched off.
 void addKeepOption(CLI::App& app, std::vector<std::string>& keep);
 
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.

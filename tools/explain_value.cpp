@@ -2,9 +2,9 @@
 // Finding a value in a merged document and telling which files set it.
 #include "tools/explain_value.h"
 
-#include "core/field_types.h"
-#include "core/plan_names.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/config/field_types.h"
+#include "core/plan/plan_names.h"
 #include "tools/schema.h"
 
 #include <nlohmann/json.hpp>

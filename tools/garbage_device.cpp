@@ -2,7 +2,7 @@
 // Filling new textures by clearing them.
 #include "tools/garbage_device.h"
 
-#include "core/owned.h"
+#include "core/gpu/owned.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 // Versions and extensions of glTF, by what Assimp 5.2 and the import of materials read.
 #include "tools/gltf_check.h"
 
-#include "core/files.h"
-#include "core/text.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
 
 #include <nlohmann/json.hpp>
 

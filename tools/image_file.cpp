@@ -2,8 +2,8 @@
 // PNG through stb, PFM by hand, and writing that never leaves half a file.
 #include "tools/image_file.h"
 
-#include "core/files.h"
-#include "core/numbers.h"
+#include "core/base/files.h"
+#include "core/base/numbers.h"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION

@@ -6,8 +6,8 @@
 // no reader ever sees half a file.
 #pragma once
 
-#include "core/image.h"
-#include "core/result.h"
+#include "core/base/image.h"
+#include "core/base/result.h"
 
 #include <string>
 #include <string_view>

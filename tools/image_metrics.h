@@ -2,8 +2,8 @@
 // How far one image is from another: the figures that every report uses.
 #pragma once
 
-#include "core/image.h"
-#include "core/result.h"
+#include "core/base/image.h"
+#include "core/base/result.h"
 
 namespace crevice {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/context.h"
-#include "core/device.h"
+#include "core/gpu/device.h"
 #include "tools/program_folder.h"
 
 #include <memory>

@@ -2,8 +2,8 @@
 // Figures and pictures in a page.
 #include "tools/page_data.h"
 
-#include "core/files.h"
-#include "core/text.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
 #include "tools/report_page.h"
 
 #include <nlohmann/json.hpp>

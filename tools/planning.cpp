@@ -2,8 +2,8 @@
 // Planning without a device.
 #include "tools/planning.h"
 
-#include "core/frame_values.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/frame/frame_values.h"
 
 #include <algorithm>
 

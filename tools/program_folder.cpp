@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/program_folder.h"
 
-#include "core/files.h"
+#include "core/base/files.h"
 #include "tools/image_file.h"
 
 #include <unistd.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/gl_device.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 // Keys of references, and their files.
 #include "tools/reference_cache.h"
 
-#include "core/content_hash.h"
+#include "core/base/content_hash.h"
 #include "tools/image_file.h"
 
 #include <CLI/CLI.hpp>

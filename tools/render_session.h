@@ -2,7 +2,7 @@
 // What `crevice render` does: a scene on a device, drawn through a config, and pictures of it.
 #pragma once
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 #include "tools/config_options.h"
 #include "tools/open_device.h"
 #include "tools/output_request.h"

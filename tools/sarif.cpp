@@ -2,7 +2,7 @@
 // Diagnostics as SARIF. The numbers in brackets are sections of the specification.
 #include "tools/sarif.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,9 +2,9 @@
 // A config with the smallest patch over another.
 #include "tools/save_patch.h"
 
-#include "core/load.h"
-#include "core/merge.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/config/load.h"
+#include "core/json/merge.h"
 #include "tools/image_file.h"
 #include "tools/output_request.h"
 

@@ -5,7 +5,7 @@
 // device upload and the ray tracer start from the same triangles.
 #pragma once
 
-#include "core/frame.h"
+#include "core/frame/frame.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // The folders of a scene.
 #include "tools/scene_folder.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
 #include "tools/scene_import.h"
 
-#include "core/files.h"
-#include "core/text.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
 #include "tools/gltf_check.h"
 #include "tools/mesh_normals.h"
 #include "tools/scene_folder.h"

@@ -2,7 +2,7 @@
 // The arguments that say which scene is seen and from where.
 #include "tools/scene_options.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "tools/builtin_scenes.h"
 #include "tools/camera_framing.h"
 #include "tools/config_options.h"

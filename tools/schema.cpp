@@ -5,8 +5,8 @@
 
 #include "tools/schema_form.h"
 
-#include "core/document.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/json/document.h"
 
 #include <map>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The config format for editors and for readers, out of the table that decoding uses
-// (core/fields.h): what `crevice schema` prints.
+// (core/config/fields.h): what `crevice schema` prints.
 #pragma once
 
-#include "core/source.h"
+#include "core/base/source.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Writes what is generated from the table of the config format (core/fields.h): docs/config.schema.json for
+# Writes what is generated from the table of the config format (core/config/fields.h): docs/config.schema.json for
 # editors, and the tables in configs/README.md behind the line that names the command.
 #
 #   tools/schema.sh          writes both

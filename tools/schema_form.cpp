@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The JSON Schema of each JSON form in core/field_types.h.
+// The JSON Schema of each JSON form in core/config/field_types.h.
 #include "tools/schema_form.h"
 
 #include <climits>

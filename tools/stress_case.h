@@ -7,7 +7,7 @@
 
 #include "tools/scene.h"
 
-#include "core/format.h"
+#include "core/gpu/format.h"
 
 #include <glm/vec2.hpp>
 

@@ -2,8 +2,8 @@
 // The table of stress cases: its lists as one, and what they share.
 #include "tools/stress_case_lists.h"
 
-#include "core/content_hash.h"
-#include "core/numbers.h"
+#include "core/base/content_hash.h"
+#include "core/base/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "tools/stress_case_lists.h"
 #include "tools/stress_geometry.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <glm/matrix.hpp>
 

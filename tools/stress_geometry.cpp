@@ -5,7 +5,7 @@
 #include "tools/read_output.h"
 #include "tools/scene_upload.h"
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 // What the figures of a stress case mean.
 #include "tools/stress_record.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // One step of a stress case, from its shot to its figures.
 #include "tools/stress_meter.h"
 
-#include "core/content_hash.h"
-#include "core/numbers.h"
+#include "core/base/content_hash.h"
+#include "core/base/numbers.h"
 #include "tools/bench_samples.h"
 #include "tools/garbage_device.h"
 #include "tools/image_metrics.h"

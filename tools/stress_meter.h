@@ -7,7 +7,7 @@
 #include "tools/stress_record.h"
 #include "tools/watched_targets.h"
 
-#include "core/renderer.h"
+#include "core/run/renderer.h"
 
 #include <map>
 #include <memory>

@@ -2,8 +2,8 @@
 // Stress records as JSON Lines. The keys are the fields' names.
 #include "tools/stress_record.h"
 
-#include "core/files.h"
-#include "core/text.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
 #include "tools/line_file.h"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include "tools/stress_case.h"
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // Planning and running the steps of stress cases.
 #include "tools/stress_run.h"
 
-#include "core/load.h"
+#include "core/config/load.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "tools/mesh_shapes.h"
 
-#include "core/frame_math.h"
+#include "core/frame/frame_math.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

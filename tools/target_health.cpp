@@ -2,7 +2,7 @@
 // The doctor's examination and its diagnosis.
 #include "tools/target_health.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <algorithm>
 #include <cmath>

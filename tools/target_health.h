@@ -2,8 +2,8 @@
 // What is wrong with the targets of a frame, which pass did it, and what probably made it do so.
 #pragma once
 
-#include "core/diagnostic.h"
-#include "core/plan.h"
+#include "core/base/diagnostic.h"
+#include "core/plan/plan.h"
 
 #include <array>
 #include <cstddef>

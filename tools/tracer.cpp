@@ -4,7 +4,7 @@
 
 #include "tools/embree_scene.h"
 
-#include "core/numbers.h"
+#include "core/base/numbers.h"
 
 #include <glm/matrix.hpp>
 

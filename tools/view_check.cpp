@@ -2,9 +2,9 @@
 // Distances in view by a small rasteriser, and the warnings that follow.
 #include "tools/view_check.h"
 
-#include "core/numbers.h"
-#include "core/precision.h"
-#include "core/text.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/compile/depth_precision.h"
 #include "tools/camera_framing.h"
 
 #include <algorithm>

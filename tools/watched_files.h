@@ -2,8 +2,8 @@
 // The files that a config was read from, watched for edits.
 #pragma once
 
-#include "core/description.h"
-#include "core/diagnostic.h"
+#include "core/base/diagnostic.h"
+#include "core/config/description.h"
 
 #include <map>
 #include <string>

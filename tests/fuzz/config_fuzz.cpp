@@ -3,8 +3,8 @@
 // a recording device. What a line of "====" parts is a module that the config may extend, as
 // "fuzz/base", then the config with its variant "fast", then one override.
 #include "backends/recording_device.h"
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 // checks its ambient occlusion. Exits with 0, 1 (wrong), or 77 (no GL on this machine).
 #include "backends/context.h"
 #include "backends/gl_device.h"
-#include "core/load.h"
-#include "core/renderer.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
 #include "effects/catalog.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -14,26 +14,28 @@ set(public_headers
   backends/gl_device.h
   backends/gl_loader.h
   backends/recording_device.h
-  core/codes.h
-  core/description.h
-  core/device.h
-  core/diagnostic.h
-  core/document.h
-  core/format.h
-  core/frame.h
-  core/frame_times.h
-  core/generators.h
-  core/glsl.h
-  core/image.h
-  core/lazy.h
-  core/load.h
-  core/merge.h
-  core/plan.h
-  core/rules.h
-  core/renderer.h
-  core/result.h
-  core/source.h
-  core/values.h
+  core/base/codes.h
+  core/config/description.h
+  core/gpu/device.h
+  core/base/diagnostic.h
+  core/json/document.h
+  core/gpu/format.h
+  core/frame/frame.h
+  core/frame/frame_times.h
+  core/sampling/generators.h
+  core/glsl/stage.h
+  core/base/image.h
+  core/frame/imports.h
+  core/json/lazy.h
+  core/config/load.h
+  core/json/merge.h
+  core/plan/plan.h
+  core/plan/optimizations.h
+  core/run/renderer.h
+  core/base/result.h
+  core/base/source.h
+  core/gpu/state.h
+  core/config/values.h
   effects/catalog.h
 )
 foreach(header IN LISTS public_headers)

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// Diagnostics as text and as JSON, and the search for the name that was meant.
+#include "core/base/diagnostic.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace crevice {
+
+namespace {
+
+constexpr std::size_t kMaxExcerpt = 160;  // bytes of a source line; more wraps in any terminal
+constexpr std::size_t kExcerptLead = 50;  // bytes kept in front of the place when a line is cut
+
+// A line ready to be shown, and where in it the underlined bytes are.
+struct Excerpt {
+    std::string_view line;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    bool cut_before = false;
+    bool cut_after = false;
+};
+
+Excerpt cutExcerpt(const Place& place)
+{
+    Excerpt cut;
+    cut.line = lineOf(place.source->text, place.line);
+    cut.begin = std::min<std::size_t>(std::max(place.column - 1, 0), cut.line.size());
+    if (cut.line.size() > kMaxExcerpt) {
+        std::size_t skipped = cut.begin > kExcerptLead ? cut.begin - kExcerptLead : 0;
+        skipped = utf8Prefix(cut.line, skipped).size();
+        cut.line.remove_prefix(skipped);
+        cut.begin -= skipped;
+        cut.cut_before = skipped > 0;
+        cut.cut_after = cut.line.size() > kMaxExcerpt;
+        cut.line = utf8Prefix(cut.line, kMaxExcerpt);
+    }
+    cut.end = std::min(cut.begin + static_cast<std::size_t>(std::max(place.length, 1)),
+                       cut.line.size());
+    return cut;
+}
+
+// The source line with a line below that marks the place: one column for each character, so that
+// the marks stay below it, and tabs as tabs. Bytes that would upset a terminal become '?'.
+void appendExcerpt(std::string& out, const Place& place)
+{
+    const Excerpt cut = cutExcerpt(place);
+    std::string shown = cut.cut_before ? "..." : "";
+    std::string marks(shown.size(), ' ');
+    bool marked = false;
+    for (std::size_t at = 0; at < cut.line.size();) {
+        const std::size_t length = utf8Length(cut.line, at);
+        const bool tab = cut.line[at] == '\t';
+        const bool shows = length > 0 && (tab || !isControl(cut.line, at));
+        shown += shows ? cut.line.substr(at, length) : "?";
+        if (at < cut.begin) marks += tab ? '\t' : ' ';
+        else if (at < cut.end) marks += marked ? '~' : '^';
+        marked = at >= cut.begin;
+        at += std::max<std::size_t>(length, 1);
+    }
+    if (!marked) marks += '^';  // the place is the end of the line
+    if (cut.cut_after) shown += "...";
+
+    char margin[24];
+    const int width = std::snprintf(margin, sizeof(margin), "%5d", place.line);
+    out += margin + (" | " + shown) + '\n';
+    if (place.column > 0) out += std::string(width, ' ') + " | " + marks + '\n';
+}
+
+// A name between quotes in a help line.
+std::string quoted(std::string_view name)
+{
+    return '\'' + std::string(name) + '\'';
+}
+
+char lowered(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string lowered(std::string_view text)
+{
+    std::string out;
+    for (const char c : text) out += lowered(c);
+    return out;
+}
+
+// Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b` (the
+// optimal string alignment distance).
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> two_up, up, row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        two_up = std::move(up);
+        up = row;
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = up[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({up[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], two_up[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+// The last part of a path; the whole of what is none.
+std::string_view lastPart(std::string_view path)
+{
+    return path.substr(path.rfind('/') + 1);  // npos + 1 is 0
+}
+
+// True when one of the two begins with the other.
+bool beginsAlike(std::string_view a, std::string_view b)
+{
+    const std::size_t shorter = std::min(a.size(), b.size());
+    return shorter > 1 && a.substr(0, shorter) == b.substr(0, shorter);
+}
+
+// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name,
+// a name with more behind it ("r8unorm" for "r8") or before it ("gl_r8"), and the last part of a
+// path ("hemisphere" or "filter/hemisphere" for "ssao/hemisphere") count as just near enough.
+std::size_t nameDistance(const std::string& written, const std::string& candidate,
+                         std::size_t limit)
+{
+    const bool ending = candidate.size() > 1 && written.size() > candidate.size() &&
+                        written.compare(written.size() - candidate.size(), candidate.size(),
+                                        candidate) == 0;
+    const bool path = candidate.find('/') != std::string::npos;
+    const bool same_last = path && lastPart(candidate) == lastPart(written);
+    const bool just_near = beginsAlike(written, candidate) || ending || same_last;
+    const std::size_t far = just_near ? limit : limit + 1;
+    const std::size_t longer = std::max(written.size(), candidate.size());
+    const std::size_t shorter = std::min(written.size(), candidate.size());
+    if (longer - shorter > limit || longer > 64) return far;
+    return std::min(far, editDistance(written, candidate));
+}
+
+const std::string* nearestName(std::string_view name, const std::vector<std::string>& names)
+{
+    const std::string written = lowered(name);
+    const std::size_t limit = std::max<std::size_t>(written.size() > 1, written.size() / 3);
+    const std::string* nearest = nullptr;
+    std::size_t smallest = limit + 1;
+    for (const std::string& candidate : names) {
+        const std::size_t distance = nameDistance(written, lowered(candidate), limit);
+        if (distance < smallest) {
+            smallest = distance;
+            nearest = &candidate;
+        }
+    }
+    return nearest;
+}
+
+std::string jsonPlace(const Place& place)
+{
+    const std::string file = place.source ? jsonString(place.source->name) : "null";
+    return "\"file\": " + file + ", \"line\": " + std::to_string(place.line) + ", \"column\": " +
+           std::to_string(place.column) + ", \"length\": " + std::to_string(place.length);
+}
+
+const char* severityName(Severity severity)
+{
+    return severity == Severity::error ? "error" : "warning";
+}
+
+std::string jsonDiagnostic(const Diagnostic& diagnostic)
+{
+    std::string notes;
+    for (const Note& note : diagnostic.notes) {
+        if (!notes.empty()) notes += ", ";
+        notes += "{" + jsonPlace(note.place) + ", \"text\": " + jsonString(note.text) + "}";
+    }
+    return "{\"code\": " + jsonString(codeName(diagnostic.code)) +
+           ", \"severity\": " + jsonString(severityName(diagnostic.severity)) +
+           ", \"message\": " + jsonString(diagnostic.message) + ", " + jsonPlace(diagnostic.place) +
+           ", \"pointer\": " + jsonString(diagnostic.pointer) + ", \"notes\": [" + notes +
+           "], \"help\": " + jsonString(diagnostic.help) + "}";
+}
+
+}  // namespace
+
+bool hasErrors(const Diagnostics& diagnostics)
+{
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+void blame(Diagnostic& error, const Place& place, const std::string& what)
+{
+    if (place.source == error.place.source) return;
+    error.notes.insert(error.notes.begin(), {error.place, what});
+    error.place = place;
+}
+
+std::string codeName(Code code)
+{
+    char name[16];
+    std::snprintf(name, sizeof(name), "CV%04d", static_cast<int>(code));
+    return name;
+}
+
+std::string placeName(const Place& place)
+{
+    if (!place.source) return {};
+    std::string name = place.source->name;
+    if (place.line > 0) name += ':' + std::to_string(place.line);
+    if (place.line > 0 && place.column > 0) name += ':' + std::to_string(place.column);
+    return name;
+}
+
+std::string toText(const Diagnostic& diagnostic)
+{
+    const std::string place = printableLine(placeName(diagnostic.place));
+    std::string out = place.empty() ? "" : place + ": ";
+    out += std::string(severityName(diagnostic.severity)) + ' ' + codeName(diagnostic.code) + ": " +
+           printableLine(diagnostic.message) + '\n';
+    if (diagnostic.place.source && diagnostic.place.line > 0) appendExcerpt(out, diagnostic.place);
+    if (!diagnostic.pointer.empty()) out += "  at " + printableLine(diagnostic.pointer) + '\n';
+    for (const Note& note : diagnostic.notes) {
+        const std::string where = placeName(note.place);
+        out += "  note: " + printableLine((where.empty() ? "" : where + ": ") + note.text) + '\n';
+    }
+    if (!diagnostic.help.empty()) out += "  help: " + printableLine(diagnostic.help) + '\n';
+    return out;
+}
+
+std::string toText(const Diagnostics& diagnostics)
+{
+    std::string out;
+    for (const Diagnostic& diagnostic : diagnostics) out += toText(diagnostic);
+    return out;
+}
+
+std::string toJson(const Diagnostics& diagnostics)
+{
+    std::string out = "[";
+    for (const Diagnostic& diagnostic : diagnostics) {
+        if (out.size() > 1) out += ",";
+        out += "\n  " + jsonDiagnostic(diagnostic);
+    }
+    return out + (diagnostics.empty() ? "]\n" : "\n]\n");
+}
+
+std::string suggestName(std::string_view name, std::vector<std::string> names,
+                        std::string_view what)
+{
+    constexpr std::size_t kMaxListed = 16;  // about three lines of a terminal
+    if (names.empty()) return "there are no " + std::string(what);
+    std::sort(names.begin(), names.end());
+    const std::string* nearest = nearestName(name, names);
+    std::string help = nearest ? "did you mean " + quoted(*nearest) + "? " : "";
+    help += std::string(what) + ": ";
+    for (std::size_t i = 0; i < std::min(names.size(), kMaxListed); ++i)
+        help += (i > 0 ? ", " : "") + names[i];
+    return names.size() > kMaxListed ? help + ", ..." : help;
+}
+
+}  // namespace crevice

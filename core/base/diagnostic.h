@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A diagnostic: one message with its code, its place and a way out.
+//
+//     my.json:9:57: error CV2103: pass 'lighting' reads target 'ao_filterd', which does not exist
+//         9 |   "passes": { "lighting": { "inputs": { "ao": "ao_filterd" } } }
+//           |                                                ^~~~~~~~~~~~
+//       at /passes/lighting/inputs/ao
+//       note: effects/lighting/blinn_phong.json:31:21: the base value was 'ao_filtered'
+//       help: did you mean 'ao_filtered'? targets: albedo, ao, ao_filtered, color, depth, normal
+#pragma once
+
+#include "core/base/codes.h"
+#include "core/base/source.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crevice {
+
+enum class Severity { error, warning };
+
+/// A further place that belongs to a diagnostic, such as where a merged value came from.
+struct Note {
+    Place place;
+    std::string text;
+};
+
+/// One message. `message` is one sentence: what was found, what was wanted; no final full stop.
+struct Diagnostic {
+    Code code = Code::internal;
+    std::string message;
+    Place place = {};
+    std::string pointer = {};  ///< RFC 6901 pointer into the merged document; empty when none.
+    std::vector<Note> notes = {};
+    std::string help = {};  ///< The way out: the nearest valid name, the allowed set, a command.
+    Severity severity = Severity::error;
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+/// True when any of them is an error and not a warning.
+bool hasErrors(const Diagnostics& diagnostics);
+
+/// Tells the error at a place in another file; where it was becomes the first note, which says
+/// `what`. Nothing changes where both places are in one file.
+void blame(Diagnostic& error, const Place& place, const std::string& what);
+
+/// The code as users see it: "CV2103".
+std::string codeName(Code code);
+
+/// "my.json:9:57", "my.json" when the line is unknown, "" when nothing is known.
+std::string placeName(const Place& place);
+
+/// The message as in this header's example, ending in a newline. Text from files is made printable, so that no
+/// name in it controls a terminal.
+std::string toText(const Diagnostic& diagnostic);
+std::string toText(const Diagnostics& diagnostics);
+
+/// An array of objects with the keys code, severity, message, file, line, column, length, pointer,
+/// notes and help, for programs.
+std::string toJson(const Diagnostics& diagnostics);
+
+/// A help line for a name that is not among `names`: the nearest one, if any is near, then all of
+/// them under the heading `what` ("targets").
+std::string suggestName(std::string_view name, std::vector<std::string> names,
+                        std::string_view what);
+
+}  // namespace crevice

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Where text comes from: a named text, a place in it, and the sets of texts that modules live in.
+//
+// Every value that crevice reads keeps the place it was written at, so that a message years of
+// merging later can still point at the character.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crevice {
+
+/// The largest config or GLSL file that is read.
+constexpr std::size_t kMaxDocumentBytes = 1u << 20;
+
+struct Place;
+
+/// Folders on disk below which a text may name files; null for its own folder.
+using SourceRoots = std::shared_ptr<const std::vector<std::string>>;
+
+/// One text and the name a user knows it by: a path on disk, or a path inside the catalog.
+struct SourceText {
+    std::string name;
+    std::string text;
+    std::string path = {};  ///< Its path in the SourceSet it came from; empty for a file on disk.
+    std::shared_ptr<const Place> asked = {};  ///< The entry of `extends` that brought it, or null.
+    SourceRoots roots = {};  ///< Of a file on disk: below which it may name others.
+};
+
+using SourceRef = std::shared_ptr<const SourceText>;
+
+/// A stretch of a text. Lines and columns count from 1, columns in bytes; line 0 means "nowhere".
+struct Place {
+    SourceRef source;  ///< Null when the value was not read from a text.
+    int line = 0;
+    int column = 0;
+    int length = 1;  ///< Bytes to underline, at least 1.
+};
+
+/// True in a module that some file's `extends` brought.
+bool isModule(const Place& place);
+
+/// The place itself where it is in the config or in a file on disk; for one in a module, the entry
+/// of `extends` in such a file that brought the module.
+Place ownPlace(const Place& place);
+
+/// Texts by path: "ssao/hemisphere.json", "ssao/hemisphere.frag", "configs/learnopengl.json".
+/// Paths use '/', have no leading slash and no "..".
+class SourceSet {
+public:
+    virtual ~SourceSet() = default;
+
+    /// The text at `path`, or null when there is none.
+    virtual SourceRef find(std::string_view path) const = 0;
+
+    /// All paths, sorted.
+    virtual std::vector<std::string> list() const = 0;
+};
+
+/// Texts held in memory; what tests and the embedded catalog use.
+class MemorySources : public SourceSet {
+public:
+    /// Adds or replaces the text at `path`. A message names it `name`, or `path` when that is empty.
+    void add(std::string path, std::string text, std::string name = {});
+
+    SourceRef find(std::string_view path) const override;
+    std::vector<std::string> list() const override;
+
+private:
+    std::vector<std::pair<std::string, SourceRef>> texts_;  // sorted by path
+};
+
+/// Files below a folder, read anew at each `find`: what live editing uses. A link that leads out of the folder
+/// and of `roots` is no text.
+class DirectorySources : public SourceSet {
+public:
+    explicit DirectorySources(std::string root, std::vector<std::string> roots = {})
+        : root_(std::move(root)), roots_(std::move(roots))
+    {
+        roots_.push_back(root_);
+    }
+
+    SourceRef find(std::string_view path) const override;
+    std::vector<std::string> list() const override;
+
+private:
+    std::string root_;
+    std::vector<std::string> roots_;  // with root_
+};
+
+/// Several sets seen as one; an earlier set hides a later one. The sets must outlive this.
+class LayeredSources : public SourceSet {
+public:
+    explicit LayeredSources(std::vector<const SourceSet*> layers) : layers_(std::move(layers)) {}
+
+    SourceRef find(std::string_view path) const override;
+    std::vector<std::string> list() const override;
+
+private:
+    std::vector<const SourceSet*> layers_;
+};
+
+/// `path` seen from the folder of `from`: ("configs/a.json", "./b.frag") gives "configs/b.frag".
+/// A path that does not begin with "./" or "../" is returned as it is. Empty when it would climb
+/// above the root of a catalog path; a path on disk, which is one that begins with '/', "./" or
+/// "../", may climb as far as it likes.
+std::string resolvePath(std::string_view from, std::string_view path);
+
+/// Where a text is, as something to resolve paths against: its path in a SourceSet, or a path on disk that begins
+/// with '/', "./" or "../".
+std::string locationOf(const SourceText& source);
+
+/// Reads a regular file, cut one byte behind kMaxDocumentBytes. Null when it cannot be read.
+SourceRef readFile(const std::string& path, SourceRoots roots = {});
+
+}  // namespace crevice

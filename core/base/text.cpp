@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// UTF-8, JSON strings and pointers.
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+namespace crevice {
+
+namespace {
+
+unsigned char byteAt(std::string_view text, std::size_t at)
+{
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+}
+
+// The bytes that may follow a leading byte (Unicode 15, table 3-7); `length` 0 is no leading byte.
+struct Lead {
+    std::size_t length;
+    unsigned char second_min, second_max;
+};
+
+Lead leadOf(unsigned char byte)
+{
+    if (byte < 0xC2) return {0, 0, 0};
+    if (byte < 0xE0) return {2, 0x80, 0xBF};
+    if (byte == 0xE0) return {3, 0xA0, 0xBF};
+    if (byte == 0xED) return {3, 0x80, 0x9F};
+    if (byte < 0xF0) return {3, 0x80, 0xBF};
+    if (byte == 0xF0) return {4, 0x90, 0xBF};
+    if (byte < 0xF4) return {4, 0x80, 0xBF};
+    if (byte == 0xF4) return {4, 0x80, 0x8F};
+    return {0, 0, 0};
+}
+
+// The code point of the character at `at`; 0xFFFD where there is none.
+std::uint32_t codePoint(std::string_view text, std::size_t at)
+{
+    const std::size_t length = utf8Length(text, at);
+    if (length == 0) return 0xFFFD;
+    std::uint32_t code = byteAt(text, at) & (length == 1 ? 0x7Fu : 0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byteAt(text, at + i) & 0x3Fu);
+    return code;
+}
+
+// First and last: C0, DEL and C1, and what turns the direction of writing or ends a line (Unicode 15, "Bidi_Control"
+// and U+2028, U+2029).
+constexpr std::uint32_t kControls[][2] = {{0, 0x1F},          {0x7F, 0x9F},       {0x61C, 0x61C},
+                                          {0x200E, 0x200F},   {0x2028, 0x202E},   {0x2066, 0x2069}};
+
+// All of them are within the 16 bits that JSON writes so.
+void appendEscaped(std::string& out, std::uint32_t code)
+{
+    static const char kDigits[] = "0123456789abcdef";
+    out += "\\u";
+    for (int shift = 12; shift >= 0; shift -= 4) out += kDigits[code >> shift & 15];
+}
+
+void appendPrintable(std::string& out, std::string_view text, bool lines)
+{
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = utf8Length(text, at);
+        const bool kept = lines && (text[at] == '\n' || text[at] == '\t');
+        if (length == 0) out += "\xEF\xBF\xBD";
+        else if (isControl(text, at) && !kept) appendEscaped(out, codePoint(text, at));
+        else out += text.substr(at, length);
+        at += std::max<std::size_t>(length, 1);
+    }
+}
+
+// What follows the backslash.
+char shortEscape(char c)
+{
+    return c == '\n' ? 'n' : c == '\r' ? 'r' : c == '\t' ? 't' : c;
+}
+
+}  // namespace
+
+bool startsWith(std::string_view text, std::string_view start)
+{
+    return text.substr(0, start.size()) == start;
+}
+
+bool endsWith(std::string_view text, std::string_view end)
+{
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+std::size_t utf8Length(std::string_view text, std::size_t at)
+{
+    const unsigned char first = byteAt(text, at);
+    if (first < 0x80) return 1;
+    const Lead lead = leadOf(first);
+    const unsigned char second = byteAt(text, at + 1);
+    if (lead.length == 0 || second < lead.second_min || second > lead.second_max) return 0;
+    for (std::size_t i = 2; i < lead.length; ++i)
+        if ((byteAt(text, at + i) & 0xC0) != 0x80) return 0;
+    return lead.length;
+}
+
+std::string_view utf8Prefix(std::string_view text, std::size_t bytes)
+{
+    std::size_t end = std::min(bytes, text.size());
+    while (end > 0 && end < text.size() && (byteAt(text, end) & 0xC0) == 0x80) --end;
+    return text.substr(0, end);
+}
+
+bool isControl(std::string_view text, std::size_t at)
+{
+    const std::uint32_t code = codePoint(text, at);
+    return std::any_of(std::begin(kControls), std::end(kControls),
+                       [code](const auto& range) { return code >= range[0] && code <= range[1]; });
+}
+
+std::string printable(std::string_view text)
+{
+    std::string out;
+    appendPrintable(out, text, true);
+    return out;
+}
+
+std::string printableLine(std::string_view text)
+{
+    std::string out;
+    appendPrintable(out, text, false);
+    return out;
+}
+
+std::string jsonString(std::string_view text)
+{
+    std::string out = "\"";
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\"\\\n\r\t", begin), text.size());
+        appendPrintable(out, text.substr(begin, end - begin), false);
+        if (end < text.size()) out += {'\\', shortEscape(text[end])};
+        begin = end + 1;
+    }
+    return out + '"';
+}
+
+std::string_view lineOf(std::string_view text, int line)
+{
+    for (int at = 1; at < line; ++at) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    return text;
+}
+
+std::string upperCase(std::string_view text)
+{
+    std::string upper(text);
+    for (char& c : upper)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return upper;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view separator)
+{
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += separator;
+        text += word;
+    }
+    return text;
+}
+
+std::string memberPointer(std::string_view parent, std::string_view key)
+{
+    std::string pointer(parent);
+    pointer += '/';
+    for (const char c : key) {
+        if (c == '~') pointer += "~0";
+        else if (c == '/') pointer += "~1";
+        else pointer += c;
+    }
+    return pointer;
+}
+
+std::vector<std::string> pointerKeys(std::string_view pointer)
+{
+    std::vector<std::string> keys;
+    for (std::size_t at = 0; at < pointer.size(); ++at) {
+        const std::string_view escape = pointer.substr(at, 2);
+        if (pointer[at] == '/') keys.emplace_back();
+        else if (escape == "~0" || escape == "~1") keys.back() += pointer[++at] == '0' ? '~' : '/';
+        else keys.back() += pointer[at];
+    }
+    return keys;
+}
+
+}  // namespace crevice

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Compiling: the steps in their order, and what they share.
+#include "core/compile/steps.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace compiler {
+
+namespace {
+
+State begin(const Description& description, const SceneTraits& traits, const DeviceCaps& caps,
+            const CompileOptions& options)
+{
+    State state{description, traits, caps, options};
+    state.shaders.resize(description.shaders.size());
+    state.targets.resize(description.targets.size());
+    for (const PassDesc& desc : description.passes) {
+        Pass pass;
+        pass.desc = &desc;
+        pass.shader = indexOf(description.shaders, desc.shader.name);
+        for (const Reference& color : desc.color)
+            pass.color.push_back(indexOf(description.targets, color.name));
+        pass.depth = indexOf(description.targets, desc.depth.name);
+        state.passes.push_back(std::move(pass));
+    }
+    return state;
+}
+
+void checkExtent(State& state)
+{
+    const Extent& extent = state.options.extent;
+    if (extent.width > 0 && extent.height > 0) return;
+    report(state, Code::bad_size,
+           "a size of " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
+               " was asked for, and both sides must be at least 1",
+           Place{}).help = "ask for a size such as 1920x1080";
+}
+
+void checkRules(State& state)
+{
+    std::vector<std::string> names = ruleNames();
+    names.push_back("all");
+    for (const std::string& rule : state.options.keep) {
+        if (std::find(names.begin(), names.end(), rule) != names.end()) continue;
+        report(state, Code::bad_enum, "'" + rule + "' is no rule that can be switched off", Place{})
+            .help = suggestName(rule, names, "rules");
+    }
+}
+
+void chooseOutputs(State& state)
+{
+    const auto& outputs = state.description.outputs;
+    const auto& wanted = state.options.outputs;
+    if (outputs.empty())
+        report(state, Code::no_outputs, "the config exports no output, so nothing would run",
+               state.description).help = "add: \"outputs\": {\"ao\": \"name of a target\"}";
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        if (wanted.empty() || std::count(wanted.begin(), wanted.end(), outputs[i].name))
+            state.outputs.push_back(static_cast<int>(i));
+    for (const std::string& name : wanted) {
+        if (outputs.empty() || findNamed(outputs, name)) continue;
+        report(state, Code::output_missing, "output '" + name + "' was asked for, which '" +
+                                                state.description.name + "' does not export",
+               Place{}).help = suggestName(name, namesOf(outputs), "outputs");
+    }
+}
+
+// A mistake in GLSL that several passes or shaders share is one mistake.
+void dropRepeats(State& state)
+{
+    const auto in_glsl = [&](const Place& place) {
+        const auto& files = state.description.files;
+        return std::any_of(files.begin(), files.end(),
+                           [&](const auto& file) { return file.second == place.source; });
+    };
+    const auto glslPlace = [&](const Diagnostic& each) {
+        const bool noted = !each.notes.empty() && in_glsl(each.notes.front().place);
+        return noted ? each.notes.front().place : each.place;
+    };
+    Diagnostics kept;
+    for (Diagnostic& each : state.diagnostics) {
+        const Place place = glslPlace(each);
+        const auto repeats = [&](const Diagnostic& other) {
+            const Place there = glslPlace(other);
+            return each.code == other.code && place.source == there.source &&
+                   place.line == there.line && place.column == there.column;
+        };
+        if (in_glsl(place) && std::any_of(kept.begin(), kept.end(), repeats)) continue;
+        kept.push_back(std::move(each));
+    }
+    state.diagnostics = std::move(kept);
+}
+
+bool applies(const CompileOptions& options, std::string_view rule)
+{
+    return std::none_of(options.keep.begin(), options.keep.end(), [&](const std::string& kept) {
+        return kept == rule || kept == "all";
+    });
+}
+
+}  // namespace
+
+bool State::applies(std::string_view rule) const { return compiler::applies(options, rule); }
+
+Diagnostic& report(State& state, Code code, std::string message, const Named& at)
+{
+    state.diagnostics.push_back({code, std::move(message), at.place, at.pointer});
+    return state.diagnostics.back();
+}
+
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at)
+{
+    state.diagnostics.push_back({code, std::move(message), at.place, at.pointer});
+    for (const Place& origin : at.origins)
+        state.diagnostics.back().notes.push_back({origin, "the base value was set here"});
+    return state.diagnostics.back();
+}
+
+Diagnostic& report(State& state, Code code, std::string message, const Place& at)
+{
+    state.diagnostics.push_back({code, std::move(message), at});
+    return state.diagnostics.back();
+}
+
+Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
+                       const Place& declared)
+{
+    Diagnostic& error = report(state, code, std::move(message), pass.desc->shader);
+    error.notes.insert(error.notes.begin(), {declared, "the GLSL declares it here"});
+    return error;
+}
+
+std::vector<int> writtenBy(const Pass& pass)
+{
+    std::vector<int> targets = pass.color;
+    targets.push_back(pass.depth);
+    targets.erase(std::remove(targets.begin(), targets.end(), -1), targets.end());
+    return targets;
+}
+
+const Reference& referenceTo(const Pass& pass, const std::string& target)
+{
+    for (const Reference& color : pass.desc->color)
+        if (color.name == target) return color;
+    return pass.desc->depth;
+}
+
+Extent extentOf(const State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    return written.empty() ? state.options.extent : state.targets[written.front()].extent;
+}
+
+int samplesOf(const State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    return written.empty() ? 1 : state.targets[written.front()].samples;
+}
+
+}  // namespace compiler
+
+Result<Plan> compile(const Description& description, const SceneTraits& traits,
+                     const DeviceCaps& caps, const CompileOptions& options)
+{
+    using namespace compiler;
+    State state = begin(description, traits, caps, options);
+    checkExtent(state);
+    checkRules(state);
+    chooseOutputs(state);
+    decideConditions(state);
+    chooseFormats(state);
+    readShaders(state);
+    findWriters(state);
+    orderPasses(state);
+    chooseLive(state);
+    chooseExtents(state);
+    checkFormats(state);
+    chooseSamples(state);
+    lint(state);
+    lintPrecision(state);
+    dropRepeats(state);
+    if (!hasErrors(state.diagnostics))
+        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
+                                 description.unused.end());
+    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
+    Plan plan = buildPlan(state);
+    plan.reruns = !state.applies("unchanged");
+    return {std::move(plan), std::move(state.diagnostics)};
+}
+
+}  // namespace crevice

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// The graph: who writes what, and in which order passes run.
+#include "core/compile/steps.h"
+
+#include <algorithm>
+
+namespace crevice::compiler {
+
+namespace {
+
+struct Edge {
+    int from;    // writer
+    int target;  // what flows
+};
+using Edges = std::vector<std::vector<Edge>>;  // into each pass
+
+// ---- messages
+
+// "pass 'lighting' reads target 'ao', which ..."; with the passes that would have written it.
+void reportNeverWritten(State& state, const std::string& reader, int target, const Reference& at)
+{
+    const TargetDesc& desc = state.description.targets[target];
+    std::vector<const Pass*> writers;
+    for (const Pass& pass : state.passes) {
+        const std::vector<int> written = writtenBy(pass);
+        if (std::count(written.begin(), written.end(), target)) writers.push_back(&pass);
+    }
+    std::string message = reader + " reads target '" + desc.name + "', which no pass writes";
+    std::string help = "name it under `color` or `depth` of the pass that makes it";
+    if (!writers.empty()) {
+        const std::string& writer = writers.front()->desc->name;
+        message = reader + " reads target '" + desc.name + "', which pass '" + writer +
+                  "' would write, but " + writers.front()->off_reason;
+        help = "give '" + writer + "' a `bypass` for '" + desc.name +
+               "', or the reader the same `when`";
+    }
+    Diagnostic& error = report(state, Code::never_written, message, at);
+    for (const Pass* pass : writers) {
+        error.notes.push_back(
+            {pass->desc->place, "pass '" + pass->desc->name + "' would write it"});
+        for (const Condition::Term& term : pass->desc->when.terms)
+            error.notes.push_back({term.subject.place, "its condition is here"});
+    }
+    error.help = help;
+    if (!writers.empty()) return;
+    std::vector<Place> deletions;
+    for (const Named& each : state.description.deleted) {
+        if (each.pointer.compare(0, 7, "/passes") != 0) continue;
+        error.notes.push_back({each.place, "'" + each.name + "' was deleted here"});
+        deletions.push_back(each.place);
+    }
+    if (isModule(at.place))
+        blame(error, deletions.size() == 1 ? deletions.front() : ownPlace(at.place),
+              "it is read here");
+}
+
+// Where the config makes the pass read through this sampler.
+Reference placeOf(const Pass& pass, const Read& read)
+{
+    if (read.sampler.empty()) return pass.desc->drawn_where;
+    if (!read.input) return {read.sampler, pass.desc->place, pass.desc->pointer};
+    return read.input->from.empty() ? read.input->sampler : read.input->from;
+}
+
+void reportOwnOutput(State& state, const Pass& pass, int target, const Reference& at)
+{
+    const std::string& name = state.description.targets[target].name;
+    report(state, Code::reads_own_output,
+           "pass '" + pass.desc->name + "' reads target '" + name + "' and writes it", at)
+        .help = "write to another target, or read another one";
+}
+
+// Walks back from an undone pass until one comes up again, and tells the way round.
+std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector<bool>& done)
+{
+    std::vector<int> path;
+    int at = static_cast<int>(std::find(done.begin(), done.end(), false) - done.begin());
+    while (!std::count(path.begin(), path.end(), at)) {
+        path.push_back(at);
+        const auto undone = [&done](const Edge& edge) { return !done[edge.from]; };
+        at = std::find_if(edges[at].begin(), edges[at].end(), undone)->from;
+    }
+    path.erase(path.begin(), std::find(path.begin(), path.end(), at));
+    std::reverse(path.begin(), path.end());  // now along the data
+    std::rotate(path.begin(), std::min_element(path.begin(), path.end()), path.end());
+
+    std::string way = state.passes[path[0]].desc->name;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const int next = path[(i + 1) % path.size()];
+        const auto ours = [&](const Edge& edge) { return edge.from == path[i]; };
+        const Edge& edge = *std::find_if(edges[next].begin(), edges[next].end(), ours);
+        way += " -> " + state.passes[next].desc->name + " (" +
+               state.description.targets[edge.target].name + ")";
+    }
+    Diagnostic& error = report(state, Code::cycle, "passes wait for each other: " + way,
+                               *state.passes[path[0]].desc);
+    error.help = "let one of them read another target";
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const PassDesc& pass = *state.passes[path[i]].desc;
+        error.notes.push_back({pass.place, "pass '" + pass.name + "' is here"});
+    }
+    return path;
+}
+
+// ---- edges
+
+// What passes wait for, as it grows.
+struct Waiting {
+    Edges edges;
+    std::vector<bool> told;  // targets that no pass writes, each told once however many read it
+};
+
+void addEdge(State& state, int index, const Source& source, const Reference& at, Waiting& waiting)
+{
+    const Pass& pass = state.passes[index];
+    const std::optional<Source> behind = resolve(state, source);
+    if (!behind) {
+        const std::string& name = state.description.targets[source.index].name;
+        if (!waiting.told[source.index] && state.unplaced.count(name) == 0)
+            reportNeverWritten(state, "pass '" + pass.desc->name + "'", source.index, at);
+        waiting.told[source.index] = true;
+        return;
+    }
+    if (behind->kind != InputKind::target) return;
+    const int writer = state.targets[behind->index].writer;
+    if (writer == index) reportOwnOutput(state, pass, behind->index, at);
+    else waiting.edges[index].push_back({writer, behind->index});
+}
+
+// What an identity gives is waited for as what a sampler reads is, whether the identity holds or
+// not: so leaving the pass out can only make the graph smaller.
+void addEdges(State& state, int index, Waiting& waiting)
+{
+    const Pass& pass = state.passes[index];
+    for (const Read& read : pass.reads)
+        addEdge(state, index, read.named, placeOf(pass, read), waiting);
+    for (const IdentityDesc& identity : pass.desc->identity) {
+        for (const IdentityDesc::Gives& gives : identity.gives) {
+            if (gives.constant) continue;
+            const int target = indexOf(state.description.targets, gives.input.name);
+            addEdge(state, index, {InputKind::target, target}, gives.input, waiting);
+        }
+    }
+}
+
+void checkOutputs(State& state, std::vector<bool>& told)
+{
+    for (const int index : state.outputs) {
+        const OutputDesc& output = state.description.outputs[index];
+        const int target = indexOf(state.description.targets, output.target.name);
+        if (told[target] || resolveTarget(state, target)) continue;
+        reportNeverWritten(state, "output '" + output.name + "'", target, output.target);
+        told[target] = true;
+    }
+}
+
+// A target that one pass writes and another one, which is off, passes on: two chains with one end.
+void checkBypasses(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        if (pass.active) continue;
+        for (const BypassDesc& bypass : pass.desc->bypass) {
+            const int target = indexOf(state.description.targets, bypass.output.name);
+            if (target < 0 || state.targets[target].writer < 0) continue;
+            const Pass& writer = state.passes[state.targets[target].writer];
+            Diagnostic& error = report(
+                state, Code::two_writers,
+                "pass '" + pass.desc->name + "' passes on '" + bypass.output.name +
+                    "' while it is off, which pass '" + writer.desc->name + "' writes",
+                bypass.output);
+            error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
+            blame(error, ownPlace(error.place), "it is passed on here");
+            error.help = "take one of the two out, or let one write a target of its own";
+        }
+    }
+}
+
+}  // namespace
+
+void findWriters(State& state)
+{
+    for (std::size_t i = 0; i < state.passes.size(); ++i) {
+        const Pass& pass = state.passes[i];
+        if (!pass.active) continue;
+        for (const int index : writtenBy(pass)) {
+            Target& target = state.targets[index];
+            if (target.writer < 0) {
+                target.writer = static_cast<int>(i);
+                continue;
+            }
+            const std::string& name = state.description.targets[index].name;
+            const Pass& first = state.passes[target.writer];
+            Diagnostic& error = report(state, Code::two_writers,
+                                       "pass '" + pass.desc->name + "' writes target '" + name +
+                                           "', which pass '" + first.desc->name + "' writes too",
+                                       referenceTo(pass, name));
+            error.notes.push_back({referenceTo(first, name).place, "the first writer"});
+            blame(error, ownPlace(error.place), "the second writer");
+            error.help = "write to a target of its own, or give the passes conditions that exclude "
+                         "each other";
+        }
+    }
+    checkBypasses(state);
+}
+
+void orderPasses(State& state)
+{
+    Waiting waiting{Edges(state.passes.size()), std::vector<bool>(state.targets.size())};
+    const Edges& edges = waiting.edges;
+    std::vector<bool> done(state.passes.size());
+    int left = 0;
+    for (std::size_t i = 0; i < state.passes.size(); ++i) {
+        done[i] = !state.passes[i].active;
+        if (done[i]) continue;
+        ++left;
+        addEdges(state, static_cast<int>(i), waiting);
+    }
+    checkOutputs(state, waiting.told);
+
+    const auto ready = [&](std::size_t i) {
+        return !done[i] && std::all_of(edges[i].begin(), edges[i].end(),
+                                       [&](const Edge& edge) { return done[edge.from]; });
+    };
+    while (left > 0) {
+        std::size_t next = 0;
+        while (next < done.size() && !ready(next)) ++next;
+        std::vector<int> taken = {static_cast<int>(next)};
+        if (next == done.size()) taken = reportCycle(state, edges, done);
+        for (const int index : taken) {
+            done[index] = true;
+            state.order.push_back(index);
+            --left;
+        }
+    }
+}
+
+}  // namespace crevice::compiler

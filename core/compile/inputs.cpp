@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Samplers: the target, texture or import behind each, and renames of what no shader has.
+#include "core/compile/steps.h"
+
+#include "core/frame/frame_values.h"
+#include "core/sampling/generators.h"
+
+#include <algorithm>
+#include <set>
+
+namespace crevice::compiler {
+
+namespace {
+
+const InputDesc* inputFor(const PassDesc& pass, std::string_view sampler)
+{
+    for (const InputDesc& input : pass.inputs)
+        if (input.sampler.name == sampler) return &input;
+    return nullptr;
+}
+
+// The texture of that name, as the pass sees it.
+std::optional<Source> sourceNamed(const State& state, const PassDesc& pass, std::string_view name)
+{
+    const Description& description = state.description;
+    if (const int i = indexOf(description.targets, name); i >= 0)
+        return Source{InputKind::target, i};
+    for (std::size_t i = 0; i < description.targets.size(); ++i)
+        if (description.targets[i].history && historyName(description.targets[i]) == name)
+            return Source{InputKind::history, static_cast<int>(i)};
+    if (const int i = indexOf(description.generated, name); i >= 0)
+        if (generatesTexture(description.generated[i].generator))
+            return Source{InputKind::generated, i};
+    if (const int i = indexOf(description.imports, name); i >= 0)
+        if (description.imports[i].type == ImportType::texture)
+            return Source{InputKind::imported, i};
+    if (const int i = findMaterialMap(name); i >= 0 && pass.type == PassType::draw)
+        return Source{InputKind::material, i};
+    return std::nullopt;
+}
+
+std::vector<std::string> texturesOf(const State& state)
+{
+    std::vector<std::string> names = namesOf(state.description.targets);
+    for (const TargetDesc& each : state.description.targets)
+        if (each.history) names.push_back(historyName(each));
+    for (const GeneratedDesc& each : state.description.generated)
+        if (generatesTexture(each.generator)) names.push_back(each.name);
+    for (const ImportDesc& each : state.description.imports)
+        if (each.type == ImportType::texture) names.push_back(each.name);
+    return names;
+}
+
+bool isWord(char c)
+{
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// Looks through every file that the shader could include, whatever the #ifs say.
+bool mentionedAnywhere(const State& state, const std::string& path, std::string_view word,
+                       std::set<std::string>& seen)
+{
+    const auto file = state.description.files.find(path);
+    if (file == state.description.files.end() || !seen.insert(path).second) return false;
+    if (mentions(file->second->text, word)) return true;
+    for (const GlslInclude& include : findIncludes(file->second)) {
+        const InterfaceDesc* interface = findNamed(state.description.interfaces, include.name);
+        const std::string next = !include.interface ? resolvePath(path, include.name)
+                                 : interface        ? interface->file.name
+                                                    : std::string();
+        if (mentionedAnywhere(state, next, word, seen)) return true;
+    }
+    return false;
+}
+
+// Checks a name of the shader's by which the pass says `what`, and that `from` is not meant.
+void checkMentioned(State& state, const Pass& pass, const Reference& name, const Reference& from,
+                    const char* what)
+{
+    const ShaderDesc& shader = state.description.shaders[pass.shader];
+    std::set<std::string> seen;
+    if (mentionedAnywhere(state, shader.vertex.name, name.name, seen)) return;
+    if (mentionedAnywhere(state, shader.fragment.name, name.name, seen)) return;
+    std::vector<std::string> names;
+    for (const GlslStage* stage : {&state.shaders[pass.shader].vertex,
+                                   &state.shaders[pass.shader].fragment})
+        for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
+    Diagnostic& error = report(state, Code::input_unused,
+                               "pass '" + pass.desc->name + "' " + what + " '" +
+                                   name.name + "', which shader '" + shader.name +
+                                   "' does not have",
+                               name);
+    error.help = suggestName(name.name, names, "the shader declares");
+    const bool same = std::count(names.begin(), names.end(), from.name) > 0;
+    if (same && error.help.find("did you mean") == std::string::npos)
+        error.help = "did you mean '" + from.name + "'? " + error.help;
+}
+
+// Samples come from the host alone: targets are resolved before anyone reads them.
+void checkMultisampled(State& state, const Pass& pass, const GlslUniform& uniform,
+                       const Source& source)
+{
+    if (uniform.type != GlslType::sampler2d_ms) return;
+    const std::string who = "pass '" + pass.desc->name + "': sampler '" + uniform.name + "' ";
+    const bool imported = source.kind == InputKind::imported;
+    if (state.caps.version < 310) {
+        reportGlsl(state, Code::sampler_version,
+                   who + "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
+                         "3.0",
+                   pass, uniform.place).help =
+            "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and "
+            "take a module for one sample a pixel: geometry/host_depth";
+    } else if (!imported) {
+        reportGlsl(state, Code::uniform_type,
+                   who + "is a sampler2DMS, and what it reads has one sample a pixel", pass,
+                   uniform.place)
+            .help = "declare it as sampler2D: what has several is resolved before it is read";
+    } else if (const ImportDesc& import = state.description.imports[source.index]; import.optional) {
+        report(state, Code::uniform_type,
+               who + "is a sampler2DMS, and nothing can stand in for import '" + import.name +
+                   "' when it is absent",
+               import).help = "leave out its 'optional'";
+    }
+}
+
+}  // namespace
+
+bool mentions(std::string_view text, std::string_view word)
+{
+    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const bool starts = at == 0 || !isWord(text[at - 1]);
+        const auto end = at + word.size();
+        if (starts && (end == text.size() || !isWord(text[end]))) return true;
+    }
+    return false;
+}
+
+void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
+{
+    for (const Read& read : pass.reads)
+        if (read.sampler == uniform.name) return;  // declared in both stages
+    const std::string who = "pass '" + pass.desc->name + "': ";
+    if (uniform.array) {
+        reportGlsl(state, Code::uniform_type,
+                   who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
+                   pass, uniform.place).help = "declare one sampler2D for each texture";
+        return;
+    }
+    const InputDesc* input = inputFor(*pass.desc, uniform.name);
+    const std::string& name = input && !input->from.empty() ? input->from.name : uniform.name;
+    const auto source = sourceNamed(state, *pass.desc, name);
+    if (source) {
+        checkMultisampled(state, pass, uniform, *source);
+        pass.reads.push_back({uniform.name, uniform.place, input, *source});
+        return;
+    }
+    Diagnostic& error =
+        reportGlsl(state, Code::uniform_unbound,
+                   who + "sampler '" + uniform.name + "' reads '" + name +
+                       "', which is no target, generated texture or import",
+                   pass, uniform.place);
+    for (const Named& each : state.description.deleted)
+        if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
+    error.help = suggestName(name, texturesOf(state), "textures");
+}
+
+void checkRenames(State& state, const Pass& pass)
+{
+    for (const InputDesc& input : pass.desc->inputs)
+        checkMentioned(state, pass, input.sampler, input.from, "renames input");
+    for (const auto& renamed : pass.desc->uniforms)
+        checkMentioned(state, pass, renamed.first, renamed.second, "renames uniform");
+    for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
+        checkMentioned(state, pass, each.sampler, each.sampler, "keeps constant what sampler");
+}
+
+SamplerDesc samplingOf(const Read& read)
+{
+    const bool material = read.named.kind == InputKind::material;
+    const bool tiled = material || read.named.kind == InputKind::generated;
+    SamplerDesc sampling = {material ? Filter::linear : Filter::nearest, tiled ? Wrap::repeat : Wrap::clamp};
+    if (read.input && read.input->has_filter) sampling.filter = read.input->filter;
+    if (read.input && read.input->has_wrap) sampling.wrap = read.input->wrap;
+    return sampling;
+}
+
+bool readsMask(const Pass& pass)
+{
+    return std::any_of(pass.reads.begin(), pass.reads.end(),
+                       [](const Read& read) { return read.sampler.empty(); });
+}
+
+}  // namespace crevice::compiler

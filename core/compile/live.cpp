@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// What is needed: which passes some output hangs on, and what stands in for those that do not run.
+#include "core/compile/steps.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+
+namespace crevice::compiler {
+
+namespace {
+
+Source targetNamed(const State& state, const std::string& name)
+{
+    return {InputKind::target, indexOf(state.description.targets, name)};
+}
+
+// What the pass reads by that sampler; nothing where its shader, as it is now, has none.
+std::optional<Source> readBy(const Pass& pass, const std::string& sampler)
+{
+    for (const Read& read : pass.reads)
+        if (read.sampler == sampler) return read.named;
+    return std::nullopt;
+}
+
+// What the pass says its output is while it does not run: by `bypass` when inactive, by `identity` or
+// `keeps_constant` when left out.
+std::optional<Source> standIn(const State& state, const Pass& pass, int target)
+{
+    const std::string& name = state.description.targets[target].name;
+    if (!pass.active) {
+        for (const BypassDesc& bypass : pass.desc->bypass)
+            if (bypass.output.name == name) return targetNamed(state, bypass.input.name);
+        return std::nullopt;
+    }
+    if (!pass.identity) {
+        for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
+            if (each.output.name == name) return readBy(pass, each.sampler.name);
+        return std::nullopt;
+    }
+    for (const IdentityDesc::Gives& gives : pass.identity->gives) {
+        if (gives.output.name != name) continue;
+        if (gives.constant) return Source{InputKind::constant, -1, gives.value};
+        return targetNamed(state, gives.input.name);
+    }
+    return std::nullopt;
+}
+
+bool holds(const Description& description, const IdentityDesc& identity)
+{
+    const ParamDesc* param = findNamed(description.params, identity.param.name);
+    if (!param) return false;
+    const auto first = param->value.begin();
+    return std::all_of(first, first + componentCount(param->type),
+                       [&](float value) { return value == identity.at; });
+}
+
+// Whether a texture of `by` reads as one of `replaced` would that a pass has copied it into.
+bool storedAlike(const State& state, int replaced, int by)
+{
+    const FormatInfo& wanted = formatInfo(state.targets[replaced].format);
+    const FormatInfo& given = formatInfo(state.targets[by].format);
+    return given.format_class == wanted.format_class && given.channels >= wanted.channels &&
+           given.absolute_step == wanted.absolute_step && given.relative_step == wanted.relative_step;
+}
+
+// The first target that the identity gives for one of another format; null where there is none.
+const IdentityDesc::Gives* givenOtherwise(const State& state, const IdentityDesc& identity)
+{
+    for (const IdentityDesc::Gives& each : identity.gives) {
+        const int replaced = indexOf(state.description.targets, each.output.name);
+        const int by = indexOf(state.description.targets, each.input.name);
+        if (!each.constant && replaced >= 0 && by >= 0 && !storedAlike(state, replaced, by)) return &each;
+    }
+    return nullptr;
+}
+
+// The next identity of the pass, after its present one, whose param has its value.
+const IdentityDesc* nextIdentity(const State& state, const Pass& pass)
+{
+    const std::vector<IdentityDesc>& all = pass.desc->identity;
+    std::size_t i = pass.identity ? pass.identity - all.data() + 1 : 0;
+    for (; i < all.size(); ++i)
+        if (holds(state.description, all[i]) && !givenOtherwise(state, all[i])) return &all[i];
+    return nullptr;
+}
+
+bool keepsConstant(const State& state, const Pass& pass)
+{
+    const auto constant = [&](const KeepsConstantDesc& each) {
+        const std::optional<Source> source = readBy(pass, each.sampler.name);
+        const std::optional<Source> behind = source ? resolve(state, *source) : std::nullopt;
+        return behind && behind->kind == InputKind::constant;
+    };
+    const std::vector<KeepsConstantDesc>& all = pass.desc->keeps_constant;
+    return !all.empty() && std::all_of(all.begin(), all.end(), constant);
+}
+
+// Leaves out what only passes constants on, in the order of data flow: one may hang on another.
+void chooseConstant(State& state)
+{
+    for (Pass& pass : state.passes) pass.keeps_constant = false;
+    for (const int index : state.order) {
+        Pass& pass = state.passes[index];
+        pass.keeps_constant =
+            !pass.identity && !pass.indispensable && keepsConstant(state, pass);
+    }
+}
+
+// Takes back what stands in for the pass, and takes what may do instead, if anything.
+void standBack(const State& state, Pass& pass)
+{
+    if (pass.identity) pass.identity = nextIdentity(state, pass);
+    else pass.indispensable = true;
+}
+
+// Marks the target behind `source` and its writer. False when that writer has been replaced by what does
+// not give this target; the caller must then take that back.
+bool need(State& state, const Source& source, std::vector<int>& work, int& misfit)
+{
+    const std::optional<Source> behind = resolve(state, source);
+    const bool history = behind && behind->kind == InputKind::history;
+    if (!behind || (behind->kind != InputKind::target && !history)) return true;
+    Target& target = state.targets[behind->index];
+    Pass& writer = state.passes[target.writer];
+    if (writer.replaced()) {
+        misfit = target.writer;
+        return false;
+    }
+    target.textured = true;
+    target.remembered = target.remembered || history;
+    if (!writer.live) work.push_back(target.writer);
+    writer.live = true;
+    return true;
+}
+
+// Finds what the outputs need. Returns -1, or a pass whose stand-in lacks an output that is needed.
+int markNeeded(State& state)
+{
+    for (Pass& pass : state.passes) pass.live = false;
+    for (Target& target : state.targets) target.textured = target.remembered = false;
+    std::vector<int> work;
+    int misfit = -1;
+    for (const int index : state.outputs) {
+        const std::string& name = state.description.outputs[index].target.name;
+        const int target = indexOf(state.description.targets, name);
+        if (!need(state, {InputKind::target, target}, work, misfit)) return misfit;
+    }
+    for (const int index : state.order) {
+        Pass& pass = state.passes[index];
+        if (state.applies("unread") || pass.live || pass.replaced()) continue;
+        pass.live = true;
+        work.push_back(index);
+    }
+    while (!work.empty()) {
+        const int index = work.back();
+        work.pop_back();
+        for (const Read& read : state.passes[index].reads)
+            if (!need(state, read.named, work, misfit)) return misfit;
+    }
+    return -1;
+}
+
+}  // namespace
+
+std::optional<Source> resolve(const State& state, const Source& source)
+{
+    // Nothing can stand in for what a target held: without its writer there is none.
+    if (source.kind == InputKind::history && state.targets[source.index].writer < 0)
+        return std::nullopt;
+    std::optional<Source> at = source;
+    for (std::size_t steps = 0; steps <= state.targets.size(); ++steps) {
+        if (!at || at->kind != InputKind::target) return at;
+        const int target = at->index;
+        const int writer = state.targets[target].writer;
+        if (writer >= 0) {
+            const Pass& pass = state.passes[writer];
+            const auto given = pass.replaced() ? standIn(state, pass, target) : std::nullopt;
+            if (!given) return at;
+            at = given;
+            continue;
+        }
+        at = std::nullopt;
+        for (const Pass& pass : state.passes)
+            if (!at && !pass.active) at = standIn(state, pass, target);
+    }
+    return std::nullopt;  // stand-ins that lead round in a circle
+}
+
+std::optional<Source> resolveTarget(const State& state, int target)
+{
+    return resolve(state, {InputKind::target, target});
+}
+
+std::vector<std::string> droppedIdentities(const State& state, const Pass& pass)
+{
+    std::vector<std::string> dropped;
+    const auto named = [&](const std::string& target) {
+        const Format format = state.targets[indexOf(state.description.targets, target)].format;
+        return target + " (" + formatInfo(format).name + ")";
+    };
+    for (const IdentityDesc& each : pass.desc->identity)
+        if (const IdentityDesc::Gives* gives = givenOtherwise(state, each))
+            dropped.push_back("runs also where " + each.param.name + " is " + shortest(each.at) + ": " +
+                              named(gives->input.name) + " is not stored as " +
+                              named(gives->output.name) + " is");
+    return dropped;
+}
+
+void chooseLive(State& state)
+{
+    markNeeded(state);
+    for (Target& target : state.targets) target.wanted = target.textured;
+    // Begin with every identity that holds and take back those that do not fit: what is left then
+    // needs the least, and each round takes one back, so it ends.
+    if (state.applies("identity"))
+        for (Pass& pass : state.passes)
+            if (pass.active) pass.identity = nextIdentity(state, pass);
+    while (true) {
+        if (state.applies("identity")) chooseConstant(state);
+        const int misfit = markNeeded(state);
+        if (misfit < 0) break;
+        standBack(state, state.passes[misfit]);
+    }
+    for (Target& target : state.targets) {
+        if (target.writer < 0 || !state.passes[target.writer].live) continue;
+        if (!state.applies("unread")) target.textured = true;
+    }
+    for (const Pass& pass : state.passes)
+        if (pass.live && pass.depth >= 0) state.targets[pass.depth].textured = true;
+}
+
+}  // namespace crevice::compiler

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Shaders: their defines, their stages and their outputs.
+#include "core/compile/steps.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/frame/frame_values.h"
+
+#include <algorithm>
+#include <set>
+
+namespace crevice::compiler {
+
+namespace {
+
+// A number as GLSL reads it; vectors are never defines.
+std::string literal(const ParamDesc& param)
+{
+    if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
+    std::string text = shortest(param.value[0]);
+    if (text.find_first_of(".e") == text.npos) text += ".0";
+    return text;
+}
+
+void addFeature(GlslDefines& defines, const FeatureDesc& feature)
+{
+    const std::string name = upperCase(feature.name);
+    defines[name] = std::to_string(feature.value);
+    if (feature.boolean) return;
+    for (std::size_t i = 0; i < feature.values.size(); ++i)
+        defines[name + "_" + upperCase(feature.values[i])] = std::to_string(i);
+}
+
+void addTraits(GlslDefines& defines, const SceneTraits& traits)
+{
+    defines["MAX_LIGHTS"] = std::to_string(kMaxLights);
+    for (const TraitInfo& trait : kTraits)
+        defines[trait.define] = std::to_string(trait.value(traits));
+}
+
+// How finely a format tells values apart, as GLSL.
+std::string stepsOf(Format format)
+{
+    const FormatInfo& info = formatInfo(format);
+    return "vec2(" + scientific(info.absolute_step, 3) + ", " + scientific(info.relative_step, 3) + ")";
+}
+
+void addSteps(GlslDefines& defines, const State& state)
+{
+    for (std::size_t i = 0; i < state.targets.size(); ++i)
+        defines[stepDefine(state.description.targets[i].name)] = stepsOf(state.targets[i].format);
+    for (const ImportDesc& import : state.description.imports)
+        if (import.type == ImportType::texture)
+            defines[stepDefine(import.name)] = stepsOf(formatFromName(import.format));
+}
+
+GlslDefines definesFor(const State& state, const ShaderDesc& shader)
+{
+    GlslDefines defines;
+    addSteps(defines, state);
+    for (const ParamDesc& param : state.description.params)
+        if (param.bind == Bind::define) defines[upperCase(param.name)] = literal(param);
+    for (const FeatureDesc& feature : state.description.features) addFeature(defines, feature);
+    addTraits(defines, state.traits);
+    for (const auto& [name, value] : shader.defines) defines[name] = value;
+    return defines;
+}
+
+std::map<std::string, std::string> interfaceFiles(const Description& description)
+{
+    std::map<std::string, std::string> files;
+    for (const InterfaceDesc& each : description.interfaces) files[each.name] = each.file.name;
+    return files;
+}
+
+// Assembles a shader once, however many passes use it, so that its errors come once.
+const Shader& assembled(State& state, int index)
+{
+    Shader& shader = state.shaders[index];
+    if (shader.assembled) return shader;
+    shader.assembled = true;
+    const ShaderDesc& desc = state.description.shaders[index];
+    const GlslDefines defines = definesFor(state, desc);
+    const auto interfaces = interfaceFiles(state.description);
+    auto stage = [&](const Reference& path, GlslStage& into) {
+        Result<GlslStage> result =
+            assembleStage(state.description.files, interfaces, path.name, defines);
+        if (result) into = std::move(*result);
+        for (Diagnostic each : result.diagnostics()) {
+            each.pointer = path.pointer;
+            each.notes.push_back({path.place, "shader '" + desc.name + "' names the file here"});
+            state.diagnostics.push_back(std::move(each));
+        }
+        return result.ok();
+    };
+    const bool vertex_ok = stage(desc.vertex, shader.vertex);
+    shader.ok = stage(desc.fragment, shader.fragment) && vertex_ok;
+    return shader;
+}
+
+// True when the outputs have the targets' names, but in another order: surely not meant.
+bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Reference>& color)
+{
+    std::set<std::string> written;
+    std::set<std::string> wanted;
+    bool in_order = true;
+    for (const GlslOutput& output : outputs) {
+        written.insert(output.name);
+        const auto at = static_cast<std::size_t>(output.location);
+        in_order = in_order && at < color.size() && color[at].name == output.name;
+    }
+    for (const Reference& target : color) wanted.insert(target.name);
+    return !in_order && written == wanted;
+}
+
+void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
+{
+    const PassDesc& pass = *reader.desc;
+    const int count = static_cast<int>(pass.color.size());
+    const std::string who = "pass '" + pass.name + "': ";
+    for (const GlslOutput& output : fragment.outputs) {
+        if (output.location >= 0 && output.location < count) continue;
+        state.unplaced.insert(output.name);
+        Diagnostic& error =
+            reportGlsl(state, Code::output_mismatch,
+                       who + "the shader writes '" + output.name + "' at location " +
+                           std::to_string(output.location) + ", and the pass has " +
+                           std::to_string(count) + " colour target" + (count == 1 ? "" : "s"),
+                       reader, output.place);
+        if (count > 0) {
+            error.place = pass.color.back().place;
+            error.pointer = pass.color.back().pointer;
+        }
+        error.help = "add a target to `color`, or take the output out of the shader";
+    }
+    for (int i = 0; i < count; ++i) {
+        const auto writes = [i](const GlslOutput& output) { return output.location == i; };
+        if (std::any_of(fragment.outputs.begin(), fragment.outputs.end(), writes)) continue;
+        report(state, Code::output_mismatch,
+               who + "its shader has no output at location " + std::to_string(i) +
+                   " for target '" + pass.color[i].name + "'",
+               pass.color[i]).help = "add: layout(location = " + std::to_string(i) + ") out ...";
+    }
+    if (shuffled(fragment.outputs, pass.color))
+        reportGlsl(state, Code::output_mismatch,
+                   who + "the shader's outputs have the targets' names in another order", reader,
+                   fragment.outputs.front().place).help =
+            "give `color` and the output locations one order";
+}
+
+void readPass(State& state, Pass& pass)
+{
+    const Shader& shader = assembled(state, pass.shader);
+    if (!shader.ok) return;
+    for (const GlslStage* stage : {&shader.vertex, &shader.fragment}) {
+        for (const GlslUniform& uniform : stage->uniforms) {
+            if (isSampler(uniform.type)) readSampler(state, pass, uniform);
+            else checkUniform(state, pass, uniform);
+        }
+    }
+    checkRenames(state, pass);
+    checkOutputs(state, pass, shader.fragment);
+    checkLimits(state, pass, shader);
+}
+
+// The mask of a pass is one more thing that it reads, where some pass draws it and it fits.
+void readMask(State& state, Pass& pass)
+{
+    const int mask = indexOf(state.description.targets, pass.desc->drawn_where.name);
+    if (mask < 0 || !state.applies("background")) return;
+    const std::vector<int> own = writtenBy(pass);
+    const bool fits = !own.empty() && sizeOf(state, mask) == sizeOf(state, own.front()) &&
+                      askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;
+    const auto draws_it = [&](const Pass& each) { return each.active && each.depth == mask; };
+    if (fits && std::any_of(state.passes.begin(), state.passes.end(), draws_it))
+        pass.reads.push_back({{}, {}, nullptr, {InputKind::target, mask}});
+}
+
+}  // namespace
+
+std::string stepDefine(const std::string& texture) { return upperCase(texture) + "_STEP"; }
+
+void readShaders(State& state)
+{
+    for (Pass& pass : state.passes)
+        if (pass.active && pass.shader >= 0) readPass(state, pass);
+    for (Pass& pass : state.passes)
+        if (pass.active) readMask(state, pass);
+}
+
+}  // namespace crevice::compiler

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The compiler's working state, what every step of steps.h reads and fills. Private to
+// core/compile.
+//
+// Indices are into the description's lists unless they say otherwise. Every step works on what the
+// steps before could make sense of, so that one run finds all errors.
+#pragma once
+
+#include "core/plan/plan.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crevice::compiler {
+
+/// What a name that a pass reads stands for.
+struct Source {
+    InputKind kind = InputKind::target;
+    int index = -1;      ///< Into targets, generated or imports.
+    float value = 0.0f;  ///< Of a constant.
+};
+
+/// A sampler of a pass.
+struct Read {
+    std::string sampler;  ///< Empty for what `drawn_where` names.
+    Place declared = {};               ///< In the GLSL.
+    const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
+    Source named = {};                 ///< What the name stands for before passes are left out.
+};
+
+/// A shader with the defines in force. `ok` is false when it could not be assembled.
+struct Shader {
+    bool assembled = false;
+    bool ok = false;
+    GlslStage vertex = {};
+    GlslStage fragment = {};
+};
+
+struct Pass {
+    const PassDesc* desc = nullptr;
+    int shader = -1;  ///< Into State::shaders.
+    bool active = true;                      ///< Its condition holds.
+    std::string off_reason = {};             ///< Why not.
+    bool live = false;                       ///< Some output needs it.
+    const IdentityDesc* identity = nullptr;  ///< What stands in for it, when something does.
+    bool keeps_constant = false;             ///< What it reads is constant, and so stands in for it.
+    bool indispensable = false;              ///< ... but not for all that is needed of it.
+    std::vector<Read> reads = {};
+    std::vector<int> color = {};  ///< Targets.
+    int depth = -1;               ///< A target, or -1 for none.
+
+    bool replaced() const { return identity != nullptr || keeps_constant; }
+};
+
+struct Target {
+    int writer = -1;          ///< The active pass that writes it.
+    bool textured = false;    ///< It needs a texture.
+    bool wanted = false;      ///< It would with params of other values.
+    bool remembered = false;  ///< Someone reads what it held last frame: it needs two.
+    Format format = Format::none;
+    Extent extent = {};
+    int samples = 1;
+};
+
+/// Everything that the steps share.
+struct State {
+    const Description& description;
+    const SceneTraits& traits;
+    const DeviceCaps& caps;
+    const CompileOptions& options;
+    std::vector<Shader> shaders = {};  ///< The description's.
+    std::vector<Pass> passes = {};
+    std::vector<Target> targets = {};
+    std::vector<int> order = {};    ///< Active passes by data flow.
+    std::vector<int> outputs = {};  ///< Those asked for.
+    std::set<std::string> unplaced = {};  ///< Shader outputs that no target of their pass takes.
+    Diagnostics diagnostics = {};
+
+    bool applies(std::string_view rule) const;  ///< False when the options switch the rule off.
+};
+
+/// Adds an error and returns it, for notes and help. The reference is valid until the next one.
+Diagnostic& report(State& state, Code code, std::string message, const Named& at);
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at);
+Diagnostic& report(State& state, Code code, std::string message, const Place& at);
+
+/// Adds an error that GLSL and the config share, and returns it: at the shader that the pass names,
+/// with a note at `declared` in the GLSL.
+Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
+                       const Place& declared);
+
+/// The index of that name in a list of the description, or -1.
+template <class T>
+int indexOf(const std::vector<T>& list, std::string_view name)
+{
+    const T* element = findNamed(list, name);
+    return element ? static_cast<int>(element - list.data()) : -1;
+}
+
+/// Targets that a pass writes: colour, then depth.
+std::vector<int> writtenBy(const Pass& pass);
+
+/// Where the pass names a target that it writes.
+const Reference& referenceTo(const Pass& pass, const std::string& target);
+
+/// The size of what the pass writes, and the samples of a pixel of it.
+Extent extentOf(const State& state, const Pass& pass);
+int samplesOf(const State& state, const Pass& pass);
+
+}  // namespace crevice::compiler

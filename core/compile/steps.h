@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The steps of the compiler, private to core/compile. They fill its state in this order:
+//
+//   conditions  which passes run
+//   formats     formats, which shaders take into account; at the end, where those are too coarse
+//   shaders     defines, stages, outputs; with inputs for the samplers and uniforms for the other uniforms
+//   graph       writers and order
+//   live        what is needed, and what stands in for what is not
+//   textures    sizes, formats, shared slots; with samples for multisampling
+//   lint        what would draw nothing good
+//   passes      the plan itself; with costs for the bytes and what is left out
+#pragma once
+
+#include "core/compile/state.h"
+
+namespace crevice::compiler {
+
+// conditions.cpp
+void decideConditions(State& state);
+
+// formats.cpp
+void chooseFormats(State& state);
+/// Why the target has this format rather than one before it in its list; empty where it has the first
+/// that the device renders to.
+std::string formatReason(const State& state, int target);
+/// The warning CV6015.
+void lintPrecision(State& state);
+
+// shaders.cpp
+/// The macro by which a shader allows for the steps of what a texture stores.
+std::string stepDefine(const std::string& texture);
+void readShaders(State& state);
+
+// inputs.cpp
+void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
+void checkRenames(State& state, const Pass& pass);
+/// As the config says, or as is usual for what the name stands for.
+SamplerDesc samplingOf(const Read& read);
+/// Whether a mask of its own says where the pass is drawn.
+bool readsMask(const Pass& pass);
+/// True when `word` stands in the text as a word of its own.
+bool mentions(std::string_view text, std::string_view word);
+
+// uniforms.cpp
+void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform);
+void checkLimits(State& state, const Pass& pass, const Shader& shader);
+/// Uniform vectors that a stage takes: one for each scalar, vector, array element and column of a matrix.
+int vectorsOf(const GlslStage& stage);
+/// Offsets or pixels, from the param where one is named.
+int generatedCount(const Description& description, const GeneratedDesc& generated);
+/// Whether the pass, as it will run, uses this.
+bool uses(const State& state, const Pass& pass, const GeneratedDesc& generated);
+bool uses(const State& state, const Pass& pass, const ImportDesc& import);
+
+// graph.cpp
+void findWriters(State& state);
+void orderPasses(State& state);
+
+// live.cpp
+void chooseLive(State& state);
+
+/// What `identity` says of the pass and formats do not allow, each a sentence without its subject.
+std::vector<std::string> droppedIdentities(const State& state, const Pass& pass);
+/// What a reader gets, with inactive passes and those that an identity replaces looked through;
+/// nothing when no active pass is behind it.
+std::optional<Source> resolve(const State& state, const Source& source);
+std::optional<Source> resolveTarget(const State& state, int target);
+
+// textures.cpp
+/// How large the target is, in pixels.
+Extent sizeOf(const State& state, int target);
+void chooseExtents(State& state);
+void checkFormats(State& state);
+/// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
+void shareTextures(const State& state, Plan& plan);
+
+// samples.cpp
+/// Samples of a pixel that the config asks for.
+int askedSamples(const State& state, int target);
+void chooseSamples(State& state);
+
+// lint.cpp
+/// CV2211 and the warning CV2212.
+void lint(State& state);
+
+// costs.cpp
+/// Fills in the bytes of each pass and of the textures.
+void estimateBytes(Plan& plan);
+std::vector<LeftOut> leftOut(const State& state);
+/// What frames may leave out. Requires all else of the plan.
+std::vector<LeftOut> leftOutOfFrames(const Plan& plan);
+/// Textures that targets share; saves nothing where none do. Requires the bytes of textures.
+LeftOut leftOutBySharing(const Plan& plan);
+
+// passes.cpp
+Plan buildPlan(const State& state);
+
+}  // namespace crevice::compiler

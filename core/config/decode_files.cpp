@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The GLSL files that a config names, and what they include.
+#include "core/config/decode_steps.h"
+
+#include "core/base/files.h"
+#include "core/glsl/stage.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+struct Found {
+    std::string key;  // in Description::files
+    SourceRef source;
+};
+
+bool isOnDisk(std::string_view path)
+{
+    return path.substr(0, 1) == "/" || path.substr(0, 1) == ".";  // no path in sources begins so
+}
+
+// What `name`, written by `writer` in the file at `from`, stands for. Only "./" and "../" leave the
+// sources, and only from a file on disk. Errors, without a place: CV1204, CV1006.
+Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const std::string& from,
+                       const std::string& name)
+{
+    const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
+    const std::string key = resolvePath(from, name);
+    const bool disk = relative && isOnDisk(from);
+    const Result<SourceRef> found = disk ? openNamed(writer, key) : sources.find(key);
+    if (!found) return found.diagnostics();
+    if (*found && (*found)->text.size() > kMaxDocumentBytes)
+        return Diagnostic{Code::too_large, "the file '" + key + "' has more than the 1048576 bytes (1 MiB) "
+                          "that are read", {}, {}, {}, "is this GLSL?"};
+    return Found{key, *found};
+}
+
+std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::string& ending)
+{
+    std::vector<std::string> paths;
+    for (const std::string& path : sources.list()) {
+        const bool longer = path.size() >= ending.size();
+        if (longer && path.compare(path.size() - ending.size(), ending.size(), ending) == 0)
+            paths.push_back(path);
+    }
+    return paths;
+}
+
+// "does not exist", or why a file that is there is none.
+std::string absenceOf(const Found& file)
+{
+    const FileBytes found = isOnDisk(file.key) ? readStart(file.key, 0) : FileBytes{{}, {}, true};
+    return found.missing ? "does not exist" : "cannot be read: " + found.failure;
+}
+
+// `ending` says what the file is for: ".frag", ".vert", ".glsl".
+std::string suggestFile(const SourceSet& sources, const std::string& name,
+                        const std::string& ending)
+{
+    const std::string help = suggestName(name, filesEndingIn(sources, ending), "files");
+    const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
+    return relative ? "the path is seen from the folder of the file that has it; " + help : help;
+}
+
+// ": geometry/depth_normal, ..." for "surface": a module's files have its name in front.
+std::string listProviders(const SourceSet& sources, const std::string& interface)
+{
+    const std::string ending = "." + interface + ".glsl";
+    std::string modules;
+    for (const std::string& path : filesEndingIn(sources, ending))
+        modules += (modules.empty() ? ": " : ", ") + path.substr(0, path.size() - ending.size());
+    return modules;
+}
+
+class FileReader {
+public:
+    FileReader(const Node& document, const SourceSet& sources, Description& description,
+               Report& report)
+        : sources_(sources), description_(description), report_(report),
+          stray_(strayNames(document, report)) {}
+
+    // Reads the file behind `reference` and all that it includes.
+    void readFrom(Reference& reference, const std::string& who, const std::string& ending)
+    {
+        if (reference.pointer.empty()) return;  // it was not written, or not a name
+        const SourceText nowhere{"./", {}};
+        const SourceText& writer = reference.place.source ? *reference.place.source : nowhere;
+        const Result<Found> found = findFile(sources_, writer, locationOf(writer), reference.name);
+        if (!found) return refuse(found.diagnostics().front(), reference);
+        const Found& file = *found;
+        if (!file.source) {
+            report_.at(reference, Code::file_missing,
+                       who + " names file '" + reference.name + "', which " + absenceOf(file))
+                .help = suggestFile(sources_, reference.name, ending);
+            report_.sameMistake("file " + file.key);
+            return;
+        }
+        reference.name = file.key;
+        std::vector<Found> waiting = {file};
+        while (!waiting.empty()) {
+            const Found next = waiting.back();
+            waiting.pop_back();
+            if (description_.files.emplace(next.key, next.source).second)
+                follow(next, reference.pointer, waiting);
+        }
+    }
+
+private:
+    // Adds what `file` includes to `waiting`. An interface's file is read by its own reference.
+    void follow(const Found& file, const std::string& pointer, std::vector<Found>& waiting)
+    {
+        for (const GlslInclude& include : findIncludes(file.source)) {
+            if (include.interface) {
+                expectInterface(include, pointer);
+                continue;
+            }
+            const Result<Found> found = findFile(sources_, *file.source, file.key, include.name);
+            if (!found) refuse(found.diagnostics().front(), {"", include.place, pointer});
+            else if (found->source) waiting.push_back(*found);
+            else
+                missing(include, pointer, "file '" + include.name + "'", absenceOf(*found)).help =
+                    suggestFile(sources_, include.name, ".glsl");
+        }
+    }
+
+    // A file that is there, or may be, and is not read.
+    void refuse(const Diagnostic& why, const Reference& reference)
+    {
+        report_.at(reference, why.code, why.message).help = why.help;
+        report_.sameMistake(why.message);
+    }
+
+    void expectInterface(const GlslInclude& include, const std::string& pointer)
+    {
+        const std::vector<std::string> names = namesOf(description_.interfaces);
+        if (contains(names, include.name) || contains(stray_, include.name)) return;
+        if (report_.errorAt("/interfaces")) return;
+        missing(include, pointer, "interface <" + include.name + ">")
+            .help = "add a module that provides it to extends" +
+                    listProviders(sources_, include.name) + "; " +
+                    suggestName(include.name, names, "interfaces");
+    }
+
+    Diagnostic& missing(const GlslInclude& include, const std::string& pointer,
+                        const std::string& what, const std::string& absence = "does not exist")
+    {
+        Diagnostic& error = report_.at({"", include.place, pointer}, Code::include_missing,
+                                       "found an #include of " + what + ", which " + absence);
+        report_.sameMistake(what);
+        return error;
+    }
+
+    const SourceSet& sources_;
+    Description& description_;
+    Report& report_;
+    std::vector<std::string> stray_;
+};
+
+}  // namespace
+
+void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
+                     Report& report)
+{
+    FileReader reader(document, sources, description, report);
+    for (ShaderDesc& each : description.shaders) {
+        reader.readFrom(each.vertex, "shader '" + each.name + "'", ".vert");
+        reader.readFrom(each.fragment, "shader '" + each.name + "'", ".frag");
+    }
+    for (InterfaceDesc& each : description.interfaces)
+        reader.readFrom(each.file, "interface '" + each.name + "'", ".glsl");
+}
+
+}  // namespace crevice::table

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The visitor of core/config/fields.h that decodes. Each `read` turns a JSON value into a member and says
+// whether it could; where not, it has reported why and the member keeps its default.
+#pragma once
+
+#include "core/config/decode_report.h"
+#include "core/config/field_types.h"
+
+#include <type_traits>
+
+namespace crevice::table {
+
+bool read(Report& report, const Cursor& cursor, bool& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, int& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, unsigned& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, float& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, std::string& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, Reference& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, std::vector<Reference>& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, std::vector<Format>& out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, std::map<std::string, std::string>& out,
+          const Rule& rule);
+bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, ClearColor out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, Words out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, Choice out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, OneOf out, const Rule& rule);
+bool read(Report& report, const Cursor& cursor, Scalars out, const Rule& rule);
+
+/// The index of the string among `words`, which are called `what` in messages.
+bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
+              std::size_t& index);
+
+/// CV3002 unless the value is an object. The help lists `keys`, where there are some.
+bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys = {});
+
+/// Lower-case letters, digits and single underscores, a letter first, at most 64 bytes, no "gl_".
+bool isName(std::string_view name);
+
+/// Where an object was changed: its place, or that of a member that another file set.
+Place lastPlace(const Node& object);
+
+/// Of the member's value; of the object's own key where it has no such member.
+Place placeOf(const Cursor& object, std::string_view member);
+
+/// `name` as it should have been spelt: "AoRadius" and "ao-radius" become "ao_radius".
+std::string spellName(std::string_view name);
+
+/// The help for a key or word that is none of `allowed`, which are called `what`.
+std::string suggestWord(std::string_view written, const std::vector<std::string>& allowed,
+                        std::string_view what);
+
+/// CV3004 unless the cursor's key is a name that JSON, GLSL and C++ can share.
+void checkName(Report& report, const Cursor& cursor);
+
+template <class T>
+bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule& rule);
+template <class T>
+bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule& rule);
+template <class T>
+bool read(Report& report, const Cursor& cursor, T& out, const Rule& rule);
+
+class Reader {
+public:
+    Reader(Report& report, const Cursor& cursor) : report_(report), cursor_(cursor) {}
+
+    template <class T>
+    bool field(const char* key, T&& out, const char* doc, const Rule& rule = {})
+    {
+        keys_.push_back(key);
+        const Member* member = find(key);
+        if (member) return read(report_, child(*member, doc), out, rule);
+        if (rule.required) missing_.push_back({key, doc});
+        return !rule.required;
+    }
+
+    template <class T>
+    bool shorthand(const char* key, T&& out, const char* doc, const Rule& rule = {})
+    {
+        if (cursor_.node.kind == Node::Kind::object) return field(key, out, doc, rule);
+        return itself(out, doc, rule);
+    }
+
+    template <class T>
+    bool itself(T&& out, const char* doc, const Rule& rule = {})
+    {
+        has_keys_ = false;
+        cursor_.doc = doc;
+        return read(report_, cursor_, out, rule);
+    }
+
+    bool has(const char* key) const { return find(key) != nullptr; }
+    void refuse(const char* key, Code code, const char* reason);
+    void ordered(const char* min_key, double& min, const char* max_key, double& max);
+
+    /// To be called last: reports keys that no field has, and a value that is no object.
+    bool finish();
+
+private:
+    struct Missing {
+        const char* key;
+        const char* doc;
+    };
+
+    const Member* find(std::string_view key) const;
+    Cursor child(const Member& member, const char* doc) const;
+    void reportUnknown();
+    void reportMissing(const Missing& missing);
+
+    Report& report_;
+    Cursor cursor_;
+    std::vector<std::string> keys_ = {};
+    std::vector<Missing> missing_ = {};  // required keys that are not there
+    bool has_keys_ = true;  // false when the value is not written as an object with keys
+};
+
+template <class T>
+void setKey(Report& report, const Cursor& cursor, T& entry)
+{
+    if constexpr (std::is_base_of_v<Named, T>) {
+        entry.name = cursor.key;
+        entry.place = cursor.key_place;
+        entry.pointer = cursor.pointer;
+        checkName(report, cursor);
+    } else {
+        keyOf(entry) = cursor.keyReference();
+    }
+}
+
+template <class T>
+bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule& rule)
+{
+    if (cursor.node.kind == Node::Kind::string) return read(report, cursor, out.name, rule);
+    return read(report, cursor, out.number, rule);
+}
+
+// An object of entries keyed by name. An entry that is broken keeps its name, so that what refers
+// to it is not reported as well.
+template <class T>
+bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&)
+{
+    if (!expectObject(report, cursor)) return false;
+    for (const Member& member : cursor.node.members()) {
+        if (isExtension(member.key)) continue;
+        const Cursor child = cursor.child(member);
+        setKey(report, child, out.emplace_back());
+        read(report, child, out.back(), {});
+    }
+    return true;
+}
+
+// An enum, or a struct of the table.
+template <class T>
+bool read(Report& report, const Cursor& cursor, T& out, const Rule&)
+{
+    if constexpr (std::is_enum_v<T>) {
+        std::size_t index = 0;
+        if (!readWord(report, cursor, spellings(out), index)) return false;
+        out = static_cast<T>(index);
+        return true;
+    } else {
+        Reader reader(report, cursor);
+        fields(reader, out);
+        if constexpr (std::is_same_v<T, SizeDesc>) out.place = lastPlace(cursor.node);
+        if constexpr (std::is_same_v<T, TargetDesc>) out.formats_place = placeOf(cursor, "format");
+        return reader.finish();
+    }
+}
+
+}  // namespace crevice::table

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// References: what names nothing, and what stands where it may not.
+#include "core/config/decode_steps.h"
+
+#include "core/base/text.h"
+#include "core/frame/frame_values.h"
+#include "core/sampling/generators.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+// What a reference of some kind may name.
+struct Names {
+    std::string what;                   // "target"
+    std::string listed;                 // "targets", the heading of suggestions
+    Code code;                          // when there is no such name
+    std::vector<std::string> sections;  // that declare them
+    std::vector<std::string> all = {};
+};
+
+bool isCount(std::string_view text)
+{
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// "filter/box, filter/none" for the target "ao_filtered"; empty when no module makes it.
+std::string listMakers(const SourceSet& sources, const std::string& target)
+{
+    constexpr std::string_view kSuffix = ".json";
+    std::string makers;
+    for (const std::string& path : sources.list()) {
+        if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
+        const SourceRef source = sources.find(path);
+        if (!source || source->text.find('"' + target + '"') == std::string::npos) continue;
+        const Result<Node> document = parseDocument(source);
+        const Node* targets = document ? document->find("targets") : nullptr;
+        const Node* made = targets ? targets->find(target) : nullptr;
+        if (made && made->find("format"))
+            makers += (makers.empty() ? "" : ", ") + path.substr(0, path.size() - kSuffix.size());
+    }
+    return makers;
+}
+
+class Checker {
+public:
+    Checker(const Node& document, const SourceSet& sources, const Description& description,
+            Report& report);
+    void run();
+
+private:
+    bool known(const Reference& reference, const Names& names) const;
+    void expect(const Reference& reference, const std::string& who, const Names& names);
+    Diagnostic& atPointer(const std::string& pointer, Code code, std::string message);
+
+    void checkPass(const PassDesc& pass);
+    void checkWrites(const PassDesc& pass);
+    void checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb);
+    void checkClear(const PassDesc& pass, const ClearDesc& clear);
+    void checkUndrawn(const PassDesc& pass);
+    void checkTerm(const PassDesc& pass, const Condition::Term& term);
+    void checkInput(const PassDesc& pass, const InputDesc& input);
+
+    const Node& document_;
+    const SourceSet& sources_;
+    const Description& description_;
+    Report& report_;
+    std::vector<std::string> stray_;
+    Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
+    Names inputs_ = {"target", "targets", Code::target_missing,
+                     {"targets", "generated", "imports"}};
+    Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
+    Names params_ = {"param", "params", Code::reference_missing, {"params"}};
+    Names values_ = {"param or frame value", "values", Code::reference_missing, {"params"}};
+    Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
+};
+
+Checker::Checker(const Node& document, const SourceSet& sources, const Description& description,
+                 Report& report)
+    : document_(document), sources_(sources), description_(description), report_(report),
+      stray_(strayNames(document, report))
+{
+    targets_.all = inputs_.all = namesOf(description.targets);
+    for (const TargetDesc& each : description.targets)
+        if (each.history) inputs_.all.push_back(historyName(each));
+    for (const GeneratedDesc& each : description.generated)
+        if (each.generator.empty() || generatesTexture(each.generator))
+            inputs_.all.push_back(each.name);
+    for (const ImportDesc& each : description.imports)
+        if (each.type == ImportType::texture) inputs_.all.push_back(each.name);
+    if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
+    shaders_.all = namesOf(description.shaders);
+    params_.all = values_.all = namesOf(description.params);
+    for (const FrameValueInfo& value : kFrameValues) values_.all.push_back(value.name);
+    subjects_.all = namesOf(description.features);
+    for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
+}
+
+void Checker::run()
+{
+    for (const TargetDesc& each : description_.targets)
+        expect(each.size.of, "target '" + each.name + "' follows the size of", targets_);
+    for (const PassDesc& each : description_.passes) checkPass(each);
+    for (const OutputDesc& each : description_.outputs)
+        expect(each.target, "output '" + each.name + "' exports", targets_);
+    for (const ViewDesc& each : description_.views)
+        expect(each.target, "view '" + each.name + "' shows", targets_);
+}
+
+// True too when the reference was not written, or is explained by an error already told.
+bool Checker::known(const Reference& reference, const Names& names) const
+{
+    const auto broken = [&](const std::string& section) { return report_.errorAt("/" + section); };
+    return reference.pointer.empty() || contains(names.all, reference.name) ||
+           contains(stray_, reference.name) ||
+           std::any_of(names.sections.begin(), names.sections.end(), broken);
+}
+
+void Checker::expect(const Reference& reference, const std::string& who, const Names& names)
+{
+    if (known(reference, names)) return;
+    Diagnostic& error =
+        report_.at(reference, names.code,
+                   who + " " + names.what + " '" + reference.name + "', which does not exist");
+    error.help = suggestName(reference.name, names.all, names.listed);
+    const bool target = names.code == Code::target_missing;
+    if (const std::string makers = target ? listMakers(sources_, reference.name) : "";
+        !makers.empty())
+        error.help = "add a module that makes it to 'extends': " + makers;
+    Place cause = ownPlace(reference.place);
+    for (const Named& each : deletedNames(document_)) {
+        for (const std::string& section : names.sections) {
+            const std::string pointer = memberPointer("", section);
+            if (each.pointer != pointer && each.pointer != memberPointer(pointer, reference.name))
+                continue;
+            error.notes.push_back({each.place, "it was deleted here"});
+            cause = each.place;
+        }
+    }
+    if (isModule(reference.place)) report_.causedBy(cause);
+    report_.sameMistake(names.what + " " + reference.name);
+}
+
+Diagnostic& Checker::atPointer(const std::string& pointer, Code code, std::string message)
+{
+    const Node& node = *locate(document_, pointer).node;
+    return report_.at({"", node.place, pointer, node.origins()}, code, std::move(message));
+}
+
+void Checker::checkPass(const PassDesc& pass)
+{
+    const std::string who = "pass '" + pass.name + "' ";
+    expect(pass.shader, who + "runs", shaders_);
+    checkWrites(pass);
+    for (const ClearDesc& each : pass.clear) checkClear(pass, each);
+    checkUndrawn(pass);
+    for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
+    for (const BypassDesc& each : pass.bypass) {
+        checkAttached(pass, each.output, "bypasses");
+        expect(each.input, who + "reads", targets_);
+    }
+    for (const IdentityDesc& each : pass.identity) {
+        expect(each.param, who + "has an identity of", params_);
+        for (const IdentityDesc::Gives& gives : each.gives) {
+            checkAttached(pass, gives.output, "gives");
+            expect(gives.input, who + "reads", targets_);
+        }
+    }
+    expect(pass.draws_within_param, who + "draws within", params_);
+    for (const KeepsConstantDesc& each : pass.keeps_constant)
+        checkAttached(pass, each.output, "keeps constant");
+    for (const InputDesc& each : pass.inputs) checkInput(pass, each);
+    for (const auto& [glsl, value] : pass.uniforms)
+        expect(value, who + "feeds '" + glsl.name + "' from", values_);
+}
+
+void Checker::checkWrites(const PassDesc& pass)
+{
+    std::vector<Reference> written = pass.color;
+    written.push_back(pass.depth);
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        const Reference& target = written[i];
+        expect(target, "pass '" + pass.name + "' writes", targets_);
+        const auto same = [&](const Reference& each) { return each.name == target.name; };
+        if (!target.pointer.empty() &&
+            std::any_of(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(i), same))
+            report_.at(target, Code::two_writers,
+                       "pass '" + pass.name + "' writes target '" + target.name + "' twice")
+                .help = "give each output of the shader a target of its own";
+    }
+}
+
+// Clear, bypass and identity speak of what the pass itself writes.
+void Checker::checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb)
+{
+    const std::string who = "pass '" + pass.name + "' " + verb;
+    std::vector<std::string> written;
+    for (const Reference& each : pass.color) written.push_back(each.name);
+    if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
+    if (!known(target, targets_)) return expect(target, who, targets_);
+    const bool told = report_.errorWithin(pass.pointer + "/color") ||
+                      report_.errorWithin(pass.pointer + "/depth");
+    if (told || contains(written, target.name)) return;
+    report_.at(target, Code::reference_missing,
+               who + " target '" + target.name + "', which it does not write")
+        .help = suggestName(target.name, written, "its targets");
+}
+
+void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
+{
+    checkAttached(pass, clear.target, "clears");
+    const std::string& pointer = clear.target.pointer;
+    if (clear.target.name != pass.depth.name || report_.errorAt(pointer)) return;
+    if (locate(document_, pointer).node->kind == Node::Kind::array)
+        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth")
+            .help = "write 1, which is far away";
+    else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
+        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]")
+            .help = "write 1, which is far away";
+}
+
+// What a pass is not drawn everywhere for, and that it says what is elsewhere.
+void Checker::checkUndrawn(const PassDesc& pass)
+{
+    const std::string who = "pass '" + pass.name + "' ";
+    expect(pass.drawn_where, who + "is drawn where", targets_);
+    expect(pass.shown_length, who + "shows the length", params_);
+    const ParamDesc* length = findNamed(description_.params, pass.shown_length.name);
+    if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
+        report_.at(pass.shown_length, Code::reference_missing,
+                   who + "shows the length '" + length->name + "', which is not a float")
+            .help = "name a param of type float, in scene units";
+    if ((pass.drawn_where.empty() && !pass.bounded) || report_.errorWithin(pass.pointer)) return;
+    std::vector<Reference> written = pass.color;
+    if (pass.bounded && !pass.depth.empty()) written.push_back(pass.depth);
+    for (const Reference& target : written) {
+        const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
+        if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
+        report_.at(target, Code::missing_key,
+                   who + "is not drawn everywhere, and its `clear` does not say what '" + target.name +
+                       "' is elsewhere")
+            .help = "add to the pass: \"clear\": {\"" + target.name +
+                    "\": 1}, or what its shader writes where nothing is seen";
+        if (isModule(target.place)) report_.causedBy(ownPlace(target.place));
+    }
+}
+
+void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
+{
+    expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
+    const std::string& subject = term.subject.name;
+    const FeatureDesc* feature = findNamed(description_.features, subject);
+    const TraitInfo* trait = findTrait(subject);
+    if (!feature && !trait) return;
+    if (report_.errorWithin(term.subject.pointer)) return;
+    if (feature && report_.errorWithin(feature->pointer)) return;
+    const std::vector<std::string> allowed =
+        feature ? feature->values : std::vector<std::string>{"false", "true"};
+    const bool list =
+        locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
+    for (std::size_t i = 0; i < term.values.size(); ++i) {
+        const std::string& value = term.values[i];
+        if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
+        const std::string item = list ? "/" + std::to_string(i) : "";
+        atPointer(term.subject.pointer + item, Code::feature_value,
+                  "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
+                      "', which it never is")
+            .help = suggestName(value, allowed, "values") +
+                    (trait && trait->count ? ", or a number" : "");
+    }
+}
+
+void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
+{
+    const bool renamed = !input.from.pointer.empty();
+    const Reference& source = renamed ? input.from : input.sampler;
+    const bool broken = report_.errorAt(input.sampler.pointer) ||
+                        report_.errorAt(input.sampler.pointer + "/from");
+    if (broken) return;
+    if (findMaterialMap(source.name) >= 0 && !contains(inputs_.all, source.name)) {
+        if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
+        report_.at(source, Code::target_missing,
+                   "pass '" + pass.name + "' reads the material's '" + source.name +
+                       "', which a draw pass alone has")
+            .help = "let the pass be of type \"draw\", or take this input away";
+        return report_.sameMistake("material maps of " + pass.pointer);
+    }
+    expect(source, "pass '" + pass.name + "' reads", inputs_);
+}
+
+}  // namespace
+
+void checkReferences(const Node& document, const SourceSet& sources,
+                     const Description& description, Report& report)
+{
+    Checker(document, sources, description, report).run();
+}
+
+std::vector<Named> deletedNames(const Node& document)
+{
+    std::vector<Named> names;
+    for (const Member& section : document.deleted())
+        names.push_back({section.key, section.key_place, memberPointer("", section.key)});
+    for (const Member& section : document.members()) {
+        const std::string pointer = memberPointer("", section.key);
+        for (const Member& each : section.value.deleted())
+            names.push_back({each.key, each.key_place, memberPointer(pointer, each.key)});
+    }
+    return names;
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> strayNames(const Node& document, const Report& report)
+{
+    std::vector<std::string> names;
+    for (const Member& section : document.members()) {
+        if (!report.errorAt(memberPointer("", section.key))) continue;
+        for (const Member& member : section.value.members()) names.push_back(member.key);
+    }
+    return names;
+}
+
+}  // namespace crevice::table

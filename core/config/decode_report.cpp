@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Cursors into a document, and errors put into its order.
+#include "core/config/decode_report.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+std::vector<Note> notesOf(const std::vector<Place>& origins)
+{
+    std::vector<Note> notes;
+    for (const Place& origin : origins) notes.push_back({origin, "the base value was set here"});
+    return notes;
+}
+
+// The child of that key, or of that index where the parent is a list.
+const Node* childAt(const Node& parent, const std::string& key, std::size_t& index)
+{
+    for (index = 0; index < parent.members().size(); ++index)
+        if (parent.members()[index].key == key) return &parent.members()[index].value;
+    for (index = 0; index < parent.items().size(); ++index)
+        if (std::to_string(index) == key) return &parent.items()[index];
+    return nullptr;
+}
+
+bool isWithin(std::string_view pointer, std::string_view outer)
+{
+    return startsWith(pointer, outer) &&
+           (pointer.size() == outer.size() || pointer[outer.size()] == '/');
+}
+
+}  // namespace
+
+Cursor Cursor::child(const Member& member) const
+{
+    return {member.value,
+            memberPointer(pointer, member.key),
+            member.key_place,
+            member.key,
+            key.empty() ? member.key : key + " " + member.key,
+            doc};
+}
+
+Cursor Cursor::item(std::size_t index) const
+{
+    return {node.items()[index], pointer + "/" + std::to_string(index), key_place, key, label, doc};
+}
+
+Reference Cursor::reference(std::string name) const
+{
+    return {std::move(name), node.place, pointer, node.origins()};
+}
+
+Reference Cursor::keyReference() const
+{
+    return {key, key_place, pointer, {}};
+}
+
+Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message)
+{
+    return add({code, std::move(message), cursor.node.place, cursor.pointer,
+                notesOf(cursor.node.origins()), cursor.doc});
+}
+
+Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message)
+{
+    return add({code, std::move(message), cursor.key_place, cursor.pointer, {}, cursor.doc});
+}
+
+Diagnostic& Report::at(const Reference& reference, Code code, std::string message)
+{
+    return add({code, std::move(message), reference.place, reference.pointer,
+                notesOf(reference.origins)});
+}
+
+Diagnostic& Report::add(Diagnostic diagnostic)
+{
+    if (entries_.size() < kMaxErrors) {
+        entries_.push_back({std::move(diagnostic)});
+    } else {
+        spare_ = {std::move(diagnostic)};
+        ++dropped_;
+    }
+    return last().diagnostic;
+}
+
+void Report::sameMistake(std::string mistake)
+{
+    last().mistake = std::move(mistake);
+}
+
+void Report::causedBy(const Place& place)
+{
+    last().cause = place;
+}
+
+bool Report::errorAt(std::string_view pointer) const
+{
+    return std::any_of(entries_.begin(), entries_.end(),
+                       [&](const Entry& entry) { return entry.diagnostic.pointer == pointer; });
+}
+
+bool Report::errorWithin(std::string_view pointer) const
+{
+    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+        return isWithin(entry.diagnostic.pointer, pointer);
+    });
+}
+
+Diagnostic* Report::firstWithin(std::string_view pointer)
+{
+    for (Entry& entry : entries_)
+        if (isWithin(entry.diagnostic.pointer, pointer)) return &entry.diagnostic;
+    return nullptr;
+}
+
+Diagnostics Report::take(const Node& document)
+{
+    using Ordered = std::pair<std::vector<std::size_t>, Entry>;
+    std::vector<Ordered> ordered;
+    for (Entry& entry : entries_)
+        ordered.emplace_back(locate(document, entry.diagnostic.pointer).path, std::move(entry));
+    entries_.clear();
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const Ordered& a, const Ordered& b) { return a.first < b.first; });
+
+    Diagnostics diagnostics;
+    std::vector<Place> causes;
+    std::map<std::string, std::size_t> told;  // mistakes, and the diagnostics that tell them
+    for (Ordered& each : ordered) {
+        Entry& entry = each.second;
+        const auto [first, fresh] = told.emplace(entry.mistake, diagnostics.size());
+        if (fresh || entry.mistake.empty()) {
+            diagnostics.push_back(std::move(entry.diagnostic));
+            causes.push_back(std::move(entry.cause));
+        } else {
+            diagnostics[first->second].notes.push_back({entry.diagnostic.place, "and here"});
+        }
+    }
+    for (std::size_t i = 0; i < causes.size(); ++i)
+        if (causes[i].source) blame(diagnostics[i], causes[i], "it is named here");
+    if (dropped_ > 0)
+        diagnostics.back().notes.push_back(
+            {{}, std::to_string(dropped_) + " more errors were found and are not listed"});
+    return diagnostics;
+}
+
+Located locate(const Node& document, std::string_view pointer)
+{
+    Located located = {&document};
+    for (const std::string& key : pointerKeys(pointer)) {
+        if (!located.node) break;
+        located.path.push_back(0);
+        located.node = childAt(*located.node, key, located.path.back());
+    }
+    return located;
+}
+
+bool isExtension(std::string_view key)
+{
+    return key.substr(0, 2) == "x-";
+}
+
+std::string numberText(double number)
+{
+    return significant(number, 10);
+}
+
+}  // namespace crevice::table

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What the steps of `decode` share: where in the document they are, and the errors so far.
+#pragma once
+
+#include "core/config/description.h"
+
+namespace crevice::table {
+
+/// A value in the document: where it is and what to call it.
+struct Cursor {
+    const Node& node;
+    std::string pointer = {};  ///< RFC 6901.
+    Place key_place = {};      ///< Of the member's key; the value's own for the top.
+    std::string key = {};      ///< The member's key.
+    std::string label = {};    ///< "radius default": the last two keys, for messages.
+    const char* doc = "";      ///< What the table says of it: the help of its errors.
+
+    Cursor child(const Member& member) const;
+    Cursor item(std::size_t index) const;
+    Reference reference(std::string name) const;  ///< To what the value names.
+    Reference keyReference() const;               ///< To what the key names.
+};
+
+/// Errors told of one document; nobody reads more, and each is searched for what it explains.
+constexpr std::size_t kMaxErrors = 1000;
+
+/// Errors in any order, to be put into that of the document. Those past kMaxErrors are counted.
+class Report {
+public:
+    /// An error about a value, or about its key. The help is the table's sentence; change it in the
+    /// diagnostic that comes back, which is valid until the next call.
+    Diagnostic& atValue(const Cursor& cursor, Code code, std::string message);
+    Diagnostic& atKey(const Cursor& cursor, Code code, std::string message);
+
+    /// An error about a name that was decoded before, with a note for each place that it replaced.
+    Diagnostic& at(const Reference& reference, Code code, std::string message);
+    Diagnostic& add(Diagnostic diagnostic);
+
+    /// Says that the last error is about the same mistake as all others of that `mistake`: the
+    /// first one in the document is told, and the others become its notes.
+    void sameMistake(std::string mistake);
+
+    /// Says that the last error comes of what stands at `place`, which is its place then.
+    void causedBy(const Place& place);
+
+    /// The first error at the pointer or below, or null; valid until the next one is added.
+    Diagnostic* firstWithin(std::string_view pointer);
+
+    /// Whether an error was reported at the pointer, or at it or below.
+    bool errorAt(std::string_view pointer) const;
+    bool errorWithin(std::string_view pointer) const;
+
+    /// Everything, in the order of the document, each mistake once.
+    Diagnostics take(const Node& document);
+
+private:
+    struct Entry {
+        Diagnostic diagnostic;
+        std::string mistake = {};
+        Place cause = {};
+    };
+    Entry& last() { return dropped_ > 0 ? spare_ : entries_.back(); }
+
+    std::vector<Entry> entries_;
+    Entry spare_;  // the last one that was dropped
+    std::size_t dropped_ = 0;
+};
+
+/// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among
+/// their siblings: comparing two such paths gives the order of the document. A pointer that leads
+/// nowhere gives null.
+struct Located {
+    const Node* node = nullptr;
+    std::vector<std::size_t> path = {};
+};
+Located locate(const Node& document, std::string_view pointer);
+
+/// A number as a message shows it: "0.5", "1e-09".
+std::string numberText(double number);
+
+/// "x-..." is the host's own data, at every level.
+bool isExtension(std::string_view key);
+
+}  // namespace crevice::table

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The steps of `decode` after the table: names against each other, and the GLSL files. Private to
+// core/decode*.cpp. They run on broken descriptions too, so that one run finds all errors; what
+// an error before explains is not reported again.
+#pragma once
+
+#include "core/config/decode_report.h"
+
+namespace crevice::table {
+
+/// Reports names that collide (CV2107), counts and scales that do not fit (CV2102, CV4001) and
+/// targets that follow each other's size (CV2204).
+void checkNames(const Node& document, const Description& description, Report& report);
+
+/// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV3006 and
+/// CV4001. `sources` are looked through for modules that would make what is missing.
+void checkReferences(const Node& document, const SourceSet& sources,
+                     const Description& description, Report& report);
+
+/// Reads each GLSL file that a shader or interface names, and what it includes, into
+/// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
+void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
+                     Report& report);
+
+/// Errors CV2108 about params, targets and the like that the config's own file declares and nothing
+/// uses; warnings where a variant or a pointer's override was laid over the file. Requires the GLSL files.
+Diagnostics unusedNames(const Node& document, const Description& description);
+
+/// What patches deleted: whole sections, and the entries of those that are there.
+std::vector<Named> deletedNames(const Node& document);
+
+/// Names declared in what looks like a misspelt section ("targts"). They count as known.
+std::vector<std::string> strayNames(const Node& document, const Report& report);
+
+bool contains(const std::vector<std::string>& names, std::string_view name);
+
+}  // namespace crevice::table

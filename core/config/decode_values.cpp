@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+// How each JSON form becomes a C++ value, and what is said when it does not.
+#include "core/config/decode_reader.h"
+
+#include "core/base/text.h"
+#include "core/json/syntax.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <climits>
+#include <cmath>
+
+namespace crevice::table {
+
+namespace {
+
+// The largest whole number up to which a float holds every one: what an int param can be.
+constexpr double kMaxWholeParam = 16777216.0;
+
+bool isScalar(const Node& node)
+{
+    return node.kind == Node::Kind::boolean || node.kind == Node::Kind::number ||
+           node.kind == Node::Kind::string;
+}
+
+std::string found(const Node& node)
+{
+    switch (node.kind) {
+    case Node::Kind::array: return "a list";
+    case Node::Kind::object: return "an object";
+    case Node::Kind::null: return "null";
+    default: return std::string("the ") + kindName(node.kind) + " " + brief(node);
+    }
+}
+
+// `way_out` is the help where what was meant can be told; else the table's sentence is.
+bool wrongType(Report& report, const Cursor& cursor, const std::string& wanted,
+               std::string way_out = {})
+{
+    Diagnostic& error =
+        report.atValue(cursor, Code::wrong_type,
+                       cursor.label + ": found " + found(cursor.node) + ", wanted " + wanted);
+    if (!way_out.empty()) error.help = std::move(way_out);
+    return false;
+}
+
+bool isNumber(std::string_view text)
+{
+    return !text.empty() && numberLength(text, 0) == text.size();
+}
+
+// What to write for a value where a number is wanted.
+std::string asNumber(const Node& node, bool whole)
+{
+    if (node.kind == Node::Kind::string && isNumber(node.text()))
+        return "write it without quotes: " + node.text();
+    std::string pointed = node.kind == Node::Kind::string ? node.text() : "";
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    if (isNumber(pointed)) return "write it without quotes and with a point: " + pointed;
+    if (node.kind == Node::Kind::array && node.items().size() == 1)
+        return "write it without brackets: " + brief(node.items()[0]);
+    const bool fraction = node.kind == Node::Kind::number && whole;
+    return fraction ? "write " + numberText(std::round(node.number())) : "";
+}
+
+// What to write for a value where true or false is wanted.
+std::string asFlag(const Node& node)
+{
+    if (const std::string text = node.text(); text == "true" || text == "false")
+        return "write it without quotes: " + text;
+    if (node.kind == Node::Kind::number && (node.number() == 0 || node.number() == 1))
+        return node.number() == 0 ? "write false" : "write true";
+    return "write true or false";
+}
+
+// What to write for a value where a name or text is wanted.
+std::string asText(const Node& node)
+{
+    const Node* inner = nullptr;
+    if (node.items().size() == 1) inner = &node.items()[0];
+    if (node.members().size() == 1) inner = &node.members()[0].value;
+    return inner && inner->kind == Node::Kind::string ? "write " + brief(*inner) + " alone" : "";
+}
+
+// What to write for a value where `count` numbers are wanted.
+std::string asNumbers(const Node& node, int count)
+{
+    const bool number = node.kind == Node::Kind::number;
+    std::string list;
+    for (int i = 0; i < count; ++i) list += (i > 0 ? ", " : "") + (number ? node.text() : "0.5");
+    return "write a list such as [" + list + "]";
+}
+
+// What to write for a value where an object with these keys is wanted: one that has the value under
+// the key that it was surely meant for.
+std::string asObject(const Node& node, const std::vector<std::string>& keys)
+{
+    if (keys.empty())
+        return node.kind == Node::Kind::array ? "entries have names here: {\"name\": ..., ...}"
+                                              : "write {\"name\": ..., ...}";
+    const bool string = node.kind == Node::Kind::string;
+    static const std::vector<std::string> kOfStrings = {"target", "shader", "generator", "format",
+                                                        "type", "fragment"};
+    static const std::vector<std::string> kOfNumbers = {"default", "scale", "at", "count"};
+    for (const std::string& key : string ? kOfStrings : kOfNumbers)
+        if (isScalar(node) && std::find(keys.begin(), keys.end(), key) != keys.end())
+            return "write {\"" + key + "\": " + brief(node) + "}";
+    return "write an object with some of the keys " + joined(keys);
+}
+
+bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted)
+{
+    report.atValue(cursor, Code::bad_length,
+                   cursor.label + ": found a list of " +
+                       std::to_string(cursor.node.items().size()) + ", wanted " + wanted);
+    return false;
+}
+
+bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
+{
+    if (cursor.node.number() >= rule.min && cursor.node.number() <= rule.max) return true;
+    const bool plain = rule.unit.empty() || rule.unit == "1";
+    report.atValue(cursor, Code::out_of_range,
+                   cursor.label + " " + cursor.node.text() + " is outside [" +
+                       numberText(rule.min) + ", " + numberText(rule.max) + "]" +
+                       (plain ? "" : " " + std::string(rule.unit)))
+        .help = "the nearest that is allowed is " +
+                numberText(std::min(std::max(cursor.node.number(), rule.min), rule.max));
+    return false;
+}
+
+// A number inside the rule's range and the one given, which is the C++ type's.
+bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, double least,
+                double most)
+{
+    const Node& node = cursor.node;
+    const bool fraction = whole && node.text().find_first_of(".eE") != std::string::npos;
+    if (node.kind != Node::Kind::number || fraction)
+        return wrongType(report, cursor, whole ? "a whole number" : "a number",
+                         asNumber(node, whole));
+    rule.min = std::max(rule.min, least);
+    rule.max = std::min(rule.max, most);
+    return checkRange(report, cursor, rule);
+}
+
+template <class T>
+bool readWhole(Report& report, const Cursor& cursor, T& out, const Rule& rule, double least,
+               double most)
+{
+    if (!readNumber(report, cursor, true, rule, least, most)) return false;
+    out = static_cast<T>(cursor.node.number());
+    return true;
+}
+
+// Calls `each` with the value, or with each item when it is a list.
+template <class F>
+bool forEachItem(Report& report, const Cursor& cursor, F each)
+{
+    if (cursor.node.kind != Node::Kind::array) return each(cursor);
+    if (cursor.node.items().empty()) return wrongLength(report, cursor, "at least one entry");
+    bool good = true;
+    for (std::size_t i = 0; i < cursor.node.items().size(); ++i) good &= each(cursor.item(i));
+    return good;
+}
+
+bool isMacroName(std::string_view name)
+{
+    const auto letter = [](char c) {
+        return c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    };
+    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
+    return !name.empty() && letter(name.front()) && name.substr(0, 3) != "GL_" &&
+           name.find("__") == std::string_view::npos &&
+           std::all_of(name.begin(), name.end(), allowed);
+}
+
+}  // namespace
+
+bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys)
+{
+    return cursor.node.kind == Node::Kind::object ||
+           wrongType(report, cursor, "an object", asObject(cursor.node, keys));
+}
+
+bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
+              std::size_t& index)
+{
+    if (cursor.node.kind != Node::Kind::string)
+        return wrongType(report, cursor, "a string",
+                         suggestName(cursor.node.text(), words, "allowed"));
+    const auto word = std::find(words.begin(), words.end(), cursor.node.text());
+    index = static_cast<std::size_t>(word - words.begin());
+    if (word != words.end()) return true;
+    report.atValue(cursor, Code::bad_enum,
+                   cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
+                       std::to_string(words.size()) + " allowed words")
+        .help = suggestWord(cursor.node.text(), words, "allowed");
+    return false;
+}
+
+bool read(Report& report, const Cursor& cursor, bool& out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::boolean)
+        return wrongType(report, cursor, "true or false", asFlag(cursor.node));
+    out = cursor.node.boolean();
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, int& out, const Rule& rule)
+{
+    return readWhole(report, cursor, out, rule, INT_MIN, INT_MAX);
+}
+
+bool read(Report& report, const Cursor& cursor, unsigned& out, const Rule& rule)
+{
+    return readWhole(report, cursor, out, rule, 0, UINT_MAX);
+}
+
+bool read(Report& report, const Cursor& cursor, float& out, const Rule& rule)
+{
+    if (!readNumber(report, cursor, false, rule, -FLT_MAX, FLT_MAX)) return false;
+    out = static_cast<float>(cursor.node.number());
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
+{
+    if (!readNumber(report, cursor, false, rule, rule.min, rule.max)) return false;
+    out = cursor.node.number();
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
+{
+    const std::string quoted = "put it in double quotes: \"" + brief(cursor.node) + '"';
+    if (cursor.node.kind != Node::Kind::string)
+        return wrongType(report, cursor, "a string",
+                         isScalar(cursor.node) ? quoted : asText(cursor.node));
+    out = cursor.node.text();
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::string)
+        return wrongType(report, cursor, "a name", asText(cursor.node));
+    out = cursor.reference(cursor.node.text());
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, std::vector<Reference>& out, const Rule& rule)
+{
+    if (cursor.node.kind == Node::Kind::array && cursor.node.items().empty()) return true;
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        return read(report, item, out.emplace_back(), rule);
+    });
+}
+
+bool read(Report& report, const Cursor& cursor, std::vector<Format>& out, const Rule&)
+{
+    const std::vector<std::string>& names = formatNames();
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        std::size_t index = 0;
+        if (!readWord(report, item, names, index)) return false;
+        out.push_back(allFormats()[index].format);
+        return true;
+    });
+}
+
+bool read(Report& report, const Cursor& cursor, std::map<std::string, std::string>& out,
+          const Rule&)
+{
+    if (!expectObject(report, cursor)) return false;
+    for (const Member& member : cursor.node.members()) {
+        const Cursor child = cursor.child(member);
+        if (isExtension(member.key)) continue;
+        if (!isMacroName(member.key))
+            report.atKey(child, Code::bad_name,
+                         "found the macro '" + member.key + "', which GLSL does not allow")
+                .help = "write letters, digits and '_', no '__' and no 'GL_' in front";
+        if (!isScalar(member.value)) wrongType(report, child, "a number, boolean or string");
+        const bool boolean = member.value.kind == Node::Kind::boolean;
+        out[member.key] = boolean ? (member.value.boolean() ? "1" : "0") : member.value.text();
+    }
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
+{
+    const double most = out.whole ? kMaxWholeParam : kMaxParam;
+    const auto one = [&](const Cursor& item, float& value) {
+        if (!readNumber(report, item, out.whole, rule, -most, most)) return false;
+        value = static_cast<float>(item.node.number());
+        return true;
+    };
+    if (out.count == 0) return true;  // its type is broken, which has been said
+    if (out.count == 1) return one(cursor, out.values[0]);
+    const std::string wanted = std::to_string(out.count) + " numbers";
+    if (cursor.node.kind != Node::Kind::array)
+        return wrongType(report, cursor, "a list of " + wanted,
+                         asNumbers(cursor.node, out.count));
+    if (cursor.node.items().size() != static_cast<std::size_t>(out.count))
+        return wrongLength(report, cursor, wanted);
+    bool good = true;
+    for (std::size_t i = 0; i < cursor.node.items().size(); ++i) {
+        if (one(cursor.item(i), out.values[i])) continue;
+        report.sameMistake("numbers of " + cursor.pointer);
+        good = false;
+    }
+    return good;
+}
+
+bool read(Report& report, const Cursor& cursor, ClearColor out, const Rule& rule)
+{
+    const bool list = cursor.node.kind == Node::Kind::array;
+    if (list) return read(report, cursor, Numbers{out.values, 4, false}, rule);
+    float value = 0.0f;
+    if (!read(report, cursor, value, rule)) return false;
+    out.values.fill(value);
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
+{
+    if (cursor.node.kind != Node::Kind::array)
+        return wrongType(report, cursor, "a list", "write a list such as [\"off\", \"on\"]");
+    if (cursor.node.items().size() < 2) return wrongLength(report, cursor, "at least two words");
+    const auto one = [&](const Cursor& item) {
+        const std::string& word = out.words.emplace_back(item.node.text());
+        if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
+        if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
+            report.atValue(item, Code::bad_name,
+                           item.label + ": found '" + word + "', wanted snake_case")
+                .help = "write '" + spellName(word) + "'";
+            return false;
+        }
+        if (std::count(out.words.begin(), out.words.end(), word) == 1) return true;
+        report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice")
+            .help = "take one of them away";
+        return false;
+    };
+    return forEachItem(report, cursor, one);
+}
+
+bool read(Report& report, const Cursor& cursor, Choice out, const Rule& rule)
+{
+    bool flag = false;
+    if (out.boolean && !read(report, cursor, flag, rule)) return false;
+    std::size_t index = flag ? 1 : 0;
+    const bool unknown = out.words.empty();  // they are broken, which has been said
+    if (!out.boolean && !unknown && !readWord(report, cursor, out.words, index)) return false;
+    out.index = static_cast<int>(index);
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, OneOf out, const Rule&)
+{
+    std::size_t index = 0;
+    if (!readWord(report, cursor, out.allowed, index)) return false;
+    out.word = out.allowed[index];
+    return true;
+}
+
+bool read(Report& report, const Cursor& cursor, Scalars out, const Rule&)
+{
+    return forEachItem(report, cursor, [&](const Cursor& item) {
+        if (!isScalar(item.node)) return wrongType(report, item, "a boolean, number or string");
+        const bool boolean = item.node.kind == Node::Kind::boolean;
+        out.texts.push_back(!boolean ? item.node.text() : item.node.boolean() ? "true" : "false");
+        return true;
+    });
+}
+
+}  // namespace crevice::table

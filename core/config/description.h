@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// A description: what a merged document says, as plain structs.
+//
+// `decode` turns a document into one and reports every error in it, not the first. A description is
+// whole: it carries the text of each GLSL file that it names, so that `compile` is a pure function.
+// Every named thing keeps the place of its key, for messages that come later.
+#pragma once
+
+#include "core/frame/imports.h"
+#include "core/glsl/stage.h"
+#include "core/gpu/format.h"
+#include "core/gpu/state.h"
+#include "core/json/document.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// Anything a config names. `pointer` is its RFC 6901 pointer in the merged document.
+struct Named {
+    std::string name;
+    Place place = {};
+    std::string pointer = {};
+};
+
+/// A name that refers to another thing, with the place where it was written.
+struct Reference {
+    std::string name;
+    Place place = {};
+    std::string pointer = {};
+    std::vector<Place> origins = {};
+
+    bool empty() const { return name.empty(); }
+};
+
+enum class ParamType { float_, int_, vec2, vec3, vec4 };
+enum class Bind {
+    uniform,  ///< A uniform: changes cost nothing.
+    define,   ///< A #define in upper case: a change compiles the shader again.
+};
+
+/// A tunable number or vector. All bounds hold for each component and are inclusive.
+struct ParamDesc : Named {
+    ParamType type = ParamType::float_;
+    std::array<float, 4> value = {0, 0, 0, 0};  ///< JSON "default"; the first `components` count.
+    double min = -1e30;      ///< Hard: a value below is an error.
+    double max = 1e30;       ///< Hard: a value above is an error.
+    double soft_max = 0.0;   ///< Where a slider ends; 0 means at `max`.
+    double step = 0.0;       ///< What a slider snaps to; 0 means it does not.
+    std::string unit;        ///< "scene units", "pixels", "1" ...
+    std::string label;       ///< For people; the name when empty.
+    std::string tooltip;     ///< One sentence: what it does and what turning it up costs.
+    std::string group;       ///< Heading in a panel.
+    Bind bind = Bind::uniform;
+};
+
+/// Number of floats in a param of that type.
+int componentCount(ParamType type);
+
+/// What GLSL calls a param of that type.
+GlslType glslTypeOf(ParamType type);
+
+/// A finite switch; GLSL sees a #define. A bool `alpha_test` is ALPHA_TEST 0 or 1. An enum
+/// `range_check` is RANGE_CHECK, equal to one of RANGE_CHECK_HARD, RANGE_CHECK_SMOOTHSTEP ...
+struct FeatureDesc : Named {
+    std::vector<std::string> values;  ///< "false", "true" for a bool.
+    bool boolean = false;
+    int value = 0;  ///< Index of the default.
+};
+
+/// What the host supplies. A camera, draw list and lights give the uniforms listed in
+/// core/frame/frame.h; a texture is a sampler of the import's name.
+struct ImportDesc : Named {
+    ImportType type = ImportType::texture;
+    bool optional = false;  ///< Absent is allowed: 0 for a texture, no lights, nothing drawn.
+    std::string format = "depth24";  ///< Of a texture: how finely it tells values apart.
+};
+
+/// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
+struct GeneratedDesc : Named {
+    std::string generator;      ///< A name from core/sampling/generators.h.
+    Reference count_param = {}; ///< The int param that gives the count; empty when `count` does.
+    int count = 16;             ///< Offsets of a kernel, or pixels along a side of a noise.
+    std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
+    std::string sequence = "random";       ///< How evenly they fill it.
+    unsigned seed = 1;
+};
+
+constexpr double kSmallestScale = 1.0 / 64.0;
+constexpr double kLargestScale = 4.0;
+
+/// How large a target is: max(1, ceil(followed * scale)) in each direction.
+struct SizeDesc {
+    Reference of = {};           ///< Another target; empty follows the output.
+    Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
+    float scale = 1.0f;          ///< [kSmallestScale, kLargestScale].
+    Place place = {};            ///< Of the value that was set last.
+};
+
+/// What surfaces are found by in a target of a colour format; those of a depth format hold window depth, but
+/// for masks: 0 and 1, for `drawn_where`.
+enum class Holds { other, view_position, view_depth, mask };
+
+struct TargetDesc : Named {
+    std::vector<Format> formats;  ///< Preference list: the first one that the device renders to and
+                                  ///< that resolves what `holds` says (core/compile/depth_precision.h).
+    Place formats_place = {};
+    Holds holds = Holds::other;
+    SizeDesc size = {};
+    int mips = 1;          ///< Levels; 0 means down to 1x1.
+    bool history = false;  ///< Last frame's content stays, under `historyName`.
+    Reference samples_param = {};  ///< The param that gives the samples; empty when `samples` does.
+    int samples = 1;  ///< Of a pixel, [1, kMaxSamples]; above 1 its pass resolves it for readers.
+};
+
+/// Under which name passes read what the target held in the last frame: "ao" gives "ao_history".
+inline std::string historyName(const TargetDesc& target) { return target.name + "_history"; }
+
+struct ShaderDesc : Named {
+    Reference vertex = {};    ///< Path in the sources.
+    Reference fragment = {};
+    std::map<std::string, std::string> defines = {};
+};
+
+/// A GLSL file that others include as `#include <name>`.
+struct InterfaceDesc : Named {
+    Reference file = {};
+};
+
+/// Holds when every term does; a term holds when its subject has one of the values. Subjects are
+/// features and traits ("scene.lights", where true means at least one).
+struct Condition {
+    struct Term {
+        Reference subject;
+        std::vector<std::string> values;
+    };
+    std::vector<Term> terms = {};
+};
+
+/// "At this param's value, this output is that constant or that input."
+struct IdentityDesc {
+    Reference param = {};
+    float at = 0.0f;
+    struct Gives {
+        Reference output;
+        bool constant = false;
+        float value = 0.0f;   ///< In every channel, when constant.
+        Reference input = {}; ///< Otherwise.
+    };
+    std::vector<Gives> gives = {};
+};
+
+enum class PassType { draw, fullscreen };
+
+/// What a sampler of the pass's shader reads, where the name differs or the sampling does.
+struct InputDesc {
+    Reference sampler = {};  ///< The GLSL name.
+    Reference from = {};     ///< Target, generated, import; empty means the same name.
+    Filter filter = Filter::nearest;
+    Wrap wrap = Wrap::clamp;  ///< A generated noise defaults to repeat.
+    bool has_filter = false;
+    bool has_wrap = false;
+};
+
+struct ClearDesc {
+    Reference target = {};
+    std::array<float, 4> value = {0, 0, 0, 0};
+};
+
+struct BypassDesc {
+    Reference output = {};
+    Reference input = {};
+};
+
+/// "Where all texels of that sampler are one constant, so are those of this output."
+struct KeepsConstantDesc {
+    Reference output = {};
+    Reference sampler = {};  ///< The GLSL name.
+};
+
+struct PassDesc : Named {
+    PassType type = PassType::fullscreen;
+    Reference shader = {};
+    std::vector<Reference> color = {};  ///< In the order of the shader's output locations.
+    Reference depth = {};
+    std::vector<ClearDesc> clear = {};
+    Condition when = {};
+    std::vector<BypassDesc> bypass = {};
+    std::vector<IdentityDesc> identity = {};
+    std::vector<KeepsConstantDesc> keeps_constant = {};
+    Reference draws_within_param = {};  ///< The param that gives `draws_within`; else empty.
+    float draws_within = 0.0f;          ///< View sizes; 0 is unknown.
+    Reference drawn_where = {};         ///< A mask: the pass is drawn where that is above 0; elsewhere stands
+                                        ///< what `clear` says.
+    bool bounded = false;               ///< That stands also where no thing lies on the screen ...
+    Reference shown_length = {};        ///< ... or at which this param, a length, is below a pixel.
+    std::vector<InputDesc> inputs = {};
+    std::vector<std::pair<Reference, Reference>> uniforms = {};  ///< GLSL name, value's name.
+    StateDesc state = {};
+};
+
+/// An exported name and the target behind it.
+struct OutputDesc : Named {
+    Reference target = {};
+};
+
+/// A debug view: a target shown as (value * scale + offset).
+struct ViewDesc : Named {
+    Reference target = {};
+    float scale = 1.0f;
+    float offset = 0.0f;
+};
+
+struct Description : Named {
+    int format = 1;
+    std::string text;  ///< JSON "description".
+    std::vector<ParamDesc> params;
+    std::vector<FeatureDesc> features;
+    std::vector<ImportDesc> imports;
+    std::vector<GeneratedDesc> generated;
+    std::vector<TargetDesc> targets;
+    std::vector<ShaderDesc> shaders;
+    std::vector<InterfaceDesc> interfaces;
+    std::vector<PassDesc> passes;
+    std::vector<OutputDesc> outputs;
+    std::vector<ViewDesc> views;
+    std::vector<Named> deleted;  ///< Entries that patches deleted, for notes.
+    Diagnostics unused;          ///< About names that nothing uses; `compile` tells them where it finds
+                                 ///< no other error, which might be why.
+    std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
+};
+
+/// The element of that name, or null. For the lists of a Description.
+template <class T>
+const T* findNamed(const std::vector<T>& list, std::string_view name)
+{
+    for (const T& element : list)
+        if (element.name == name) return &element;
+    return nullptr;
+}
+
+/// All names of a list.
+template <class T>
+std::vector<std::string> namesOf(const std::vector<T>& list)
+{
+    std::vector<std::string> names;
+    for (const T& element : list) names.push_back(element.name);
+    return names;
+}
+
+/// Decodes a merged document and reads the GLSL files it names, with what they include, from
+/// `sources`. Paths that begin with "./" are relative to the file that wrote them.
+///
+/// Errors: CV3xxx and CV4xxx for the keys and values, CV2101 to CV2107 for names that lead nowhere,
+/// CV2104 and CV5005 for GLSL files; all of them, in the order of the document.
+Result<Description> decode(const Node& document, const SourceSet& sources);
+
+}  // namespace crevice

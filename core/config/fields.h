@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// The config format as a table: every key of every struct of a Description, once.
+//
+// `fields(visitor, target)` tells a visitor of each key in turn: its JSON spelling, the member that
+// it fills (whose type is the JSON type and whose initial value is the default), one sentence for
+// people, and what the value must satisfy. Decoding is one visitor (core/config/decode_reader.h); whatever
+// lists or documents the format is another. A visitor has
+//
+//   bool field(key, member, doc, rule)      a key; false when it is there but unusable
+//   bool shorthand(key, member, doc, rule)  as field, and its value may stand for the whole object
+//   bool itself(member, doc, rule)          there are no keys: the value is this
+//   bool has(key)                           whether the key is there
+//   void refuse(key, code, reason)          an error if the key is there
+//   void ordered(min_key, min, max_key, max)  an error unless min <= max
+#pragma once
+
+#include "core/config/field_types.h"
+#include "core/sampling/generators.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+template <class V>
+void fields(V& v, ParamDesc& p)
+{
+    const Rule bounds = range(-kMaxParam, kMaxParam);
+    const bool known = v.field("type", p.type, "What GLSL declares.");
+    v.field("unit", p.unit, "\"scene units\", \"pixels\", ...; \"1\" for a plain number.");
+    v.field("min", p.min, "The least that each component may be.", bounds);
+    v.field("max", p.max, "The most that each component may be.", bounds);
+    v.ordered("min", p.min, "max", p.max);
+    v.field("default",
+            Numbers{p.value, known ? componentCount(p.type) : 0, p.type == ParamType::int_},
+            "The value unless overridden: a number, or a list for a vector.",
+            required(range(p.min, p.max, p.unit)));
+    v.field("soft_max", p.soft_max, "Where a slider ends; 0 means at max.",
+            range(std::min(p.min, 0.0), p.max, p.unit));
+    v.field("step", p.step, "What a slider snaps to; 0 means it does not.", range(0, kMaxParam));
+    v.field("label", p.label, "What people see; the name when absent.");
+    v.field("tooltip", p.tooltip, "One sentence: what it does and what turning it up costs.");
+    v.field("group", p.group, "The heading in a panel.");
+    v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
+    if (componentCount(p.type) > 1 && p.bind == Bind::define)
+        v.refuse("bind", Code::bad_enum, "a vector cannot be a define");
+}
+
+template <class V>
+void fields(V& v, FeatureDesc& f)
+{
+    FeatureType type = FeatureType::bool_;
+    const bool known = v.field("type", type, "A switch, or one of several words.");
+    f.boolean = known && type == FeatureType::bool_;
+    const bool torn = f.boolean && v.has("values");  // its default then goes with one of the two
+    v.field("values", Words{f.values}, "Of an enum: its words, at least two.",
+            known && !f.boolean ? required() : Rule{});
+    if (f.boolean) {
+        v.refuse("values", Code::unknown_key, "a bool feature has no list of values");
+        f.values = {"false", "true"};
+    }
+    const std::vector<std::string> anything;
+    v.field("default", Choice{f.value, torn ? anything : f.values, f.boolean && !torn},
+            "The value unless overridden; false, or the first word, when absent.");
+}
+
+template <class V>
+void fields(V& v, ImportDesc& i)
+{
+    v.field("type", i.type, "What the host supplies; a texture is a sampler of this name.",
+            required());
+    v.field("optional", i.optional, "The host may leave it out: zeros, no lights, nothing drawn.");
+    v.field("format", OneOf{i.format, formatNames()},
+            "Of a texture: what the host stores it in. Shaders allow for its steps.");
+}
+
+template <class V>
+void fields(V& v, GeneratedDesc& g)
+{
+    v.field("generator", OneOf{g.generator, generatorNames()}, "What makes the numbers.",
+            required());
+    v.field("count", NumberOrName<int>{g.count, g.count_param},
+            "Offsets of a kernel or pixels along a side of a noise, or the int param that says.",
+            range(1, kMaxKernelSize));
+    v.field("distribution", OneOf{g.distribution, distributionNames()},
+            "Where the offsets of a kernel lie.");
+    v.field("sequence", OneOf{g.sequence, sequenceNames()},
+            "How evenly they fill it: less noise from as many, best at powers of two.");
+    v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
+}
+
+template <class V>
+void fields(V& v, SizeDesc& s)
+{
+    v.field("of", s.of, "The target whose size this follows; the output's when absent.");
+    v.field("scale", NumberOrName<float>{s.scale, s.scale_param},
+            "Pixels a pixel of what it follows, in each direction, or the param that says.",
+            range(kSmallestScale, kLargestScale));
+}
+
+template <class V>
+void fields(V& v, TargetDesc& t)
+{
+    v.field("format", t.formats,
+            "Preference list: the first that the device renders to and that tells surfaces apart.",
+            required());
+    v.field("holds", t.holds,
+            "What surfaces are found by here, so that its format is chosen to resolve the radius; "
+            "depth formats hold window depth without it, or a mask.");
+    v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
+    v.field("mips", t.mips, "Mip levels; 0 means down to 1x1.", range(0, 16));
+    v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
+    v.field("samples", NumberOrName<int>{t.samples, t.samples_param},
+            "Of a pixel as its pass draws it, or the int param that says; readers see their mean.",
+            range(1, kMaxSamples));
+    const bool multisampled = t.samples > 1 || !t.samples_param.empty();
+    if (multisampled && t.history)
+        v.refuse("history", Code::bad_enum,
+                 "a mean over samples of several surfaces matches none of the next frame");
+    if (multisampled && t.mips != 1)
+        v.refuse("mips", Code::out_of_range, "samples are resolved into one level alone");
+}
+
+template <class V>
+void fields(V& v, ShaderDesc& s)
+{
+    v.field("vertex", s.vertex, "GLSL file of the vertex stage.", required());
+    v.field("fragment", s.fragment, "GLSL file of the fragment stage.", required());
+    v.field("defines", s.defines, "Macros for these stages alone: numbers, booleans or text.");
+}
+
+template <class V>
+void fields(V& v, InterfaceDesc& i)
+{
+    v.itself(i.file, "The GLSL file that #include <name> stands for.");
+}
+
+template <class V>
+void fields(V& v, ClearDesc& c)
+{
+    v.itself(ClearColor{c.value}, "One number for all channels or for depth, or a list of four.");
+}
+
+template <class V>
+void fields(V& v, Condition::Term& t)
+{
+    v.itself(Scalars{t.values}, "The value to have, or a list of which any will do.");
+}
+
+template <class V>
+void fields(V& v, BypassDesc& b)
+{
+    v.itself(b.input, "The target that stands in for this output when the pass is off.");
+}
+
+template <class V>
+void fields(V& v, KeepsConstantDesc& k)
+{
+    v.itself(k.sampler, "The sampler that this output is filtered from.");
+}
+
+template <class V>
+void fields(V& v, IdentityDesc::Gives& g)
+{
+    v.itself(NumberOrName<float>{g.value, g.input}, "A constant, or the target that it equals.");
+    g.constant = g.input.empty();
+}
+
+template <class V>
+void fields(V& v, IdentityDesc& i)
+{
+    v.field("at", i.at, "The value of the param at which the pass does nothing new.", required());
+    v.field("gives", i.gives, "What each output then is.", required());
+}
+
+template <class V>
+void fields(V& v, InputDesc& i)
+{
+    v.shorthand("from", i.from, "What the sampler reads; what has its own name when absent.");
+    v.field("filter", i.filter, "How texels mix.");
+    v.field("wrap", i.wrap, "Past the edge; repeat for a generated noise when absent.");
+    i.has_filter = v.has("filter");
+    i.has_wrap = v.has("wrap");
+}
+
+template <class V>
+void fields(V& v, std::pair<Reference, Reference>& uniform)
+{
+    v.itself(uniform.second, "The param or frame value that feeds the uniform of this name.");
+}
+
+template <class V>
+void fields(V& v, StateDesc& s)
+{
+    v.field("depth_test", s.depth_test, "Less for a draw pass with depth, when absent. Less is nearer, also where a camera reverses depth.");
+    v.field("depth_write", s.depth_write, "True for a draw pass with depth, when absent.");
+    v.field("cull", s.cull, "Which side of a triangle is left out.");
+    v.field("blend", s.blend, "How a pixel joins what is there.");
+}
+
+template <class V>
+void fields(V& v, PassDesc& p)
+{
+    v.field("type", p.type, "Draws the draw list, or one triangle over the target.");
+    v.field("shader", p.shader, "The shader that runs.", required());
+    v.field("color", p.color, "Targets in the order of the shader's outputs, or just one.");
+    v.field("depth", p.depth, "The target for depth.");
+    v.field("clear", p.clear, "What to clear an attachment to first.");
+    v.field("when", p.when.terms, "Features and traits that must hold for the pass to run.");
+    v.field("bypass", p.bypass, "Which input stands in for an output when the pass is off.");
+    v.field("identity", p.identity, "Values of params at which the outputs are known unrun.");
+    v.field("keeps_constant", p.keeps_constant, "Outputs that are one constant, the background aside, where all that the sampler reads is.");
+    v.field("draws_within", NumberOrName<float>{p.draws_within, p.draws_within_param},
+            "How much a draw pass shows, in sizes of the view about its middle, or the param that says: things whose bounds lie outside are then not drawn. 0 where the shader moves vertices about.",
+            range(0, kLargestScale));
+    if (p.type != PassType::draw && v.has("draws_within"))
+        v.refuse("draws_within", Code::bad_enum, "a fullscreen pass draws no things");
+    v.field("drawn_where", p.drawn_where,
+            "A mask, in a depth format: where it is 0, outputs are what `clear` says, undrawn. They must be what the shader would write. A mask of another size than theirs is not used.");
+    if (p.type == PassType::draw)
+        v.refuse("drawn_where", Code::bad_enum, "a draw pass has a depth test of its own");
+    else if (!p.depth.empty())
+        v.refuse("drawn_where", Code::bad_enum, "the pass writes depth");
+    v.field("bounded", p.bounded,
+            "Where nothing of the draw list is seen, outputs are what `clear` says, so that the pass is drawn within the bounds of things alone. It must cover the view, without a guard band.");
+    v.field("shown_length", p.shown_length,
+            "A param in scene units: a bounded pass leaves out things so far away that this is less than a pixel there.");
+    if (p.type == PassType::draw)
+        v.refuse("bounded", Code::bad_enum, "a draw pass draws things alone");
+    if (!p.bounded && !v.has("bounded"))
+        v.refuse("shown_length", Code::bad_enum, "the pass is not bounded");
+    v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
+    v.field("uniforms", p.uniforms, "Uniforms whose names differ from what feeds them.");
+    if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
+    v.field("state", p.state, "Fixed-function state.");
+}
+
+template <class V>
+void fields(V& v, OutputDesc& o)
+{
+    v.itself(o.target, "The target behind the exported name.");
+}
+
+template <class V>
+void fields(V& v, ViewDesc& view)
+{
+    v.field("target", view.target, "The target to look at.", required());
+    v.field("scale", view.scale, "Shown is value * scale + offset.");
+    v.field("offset", view.offset, "Shown is value * scale + offset.");
+}
+
+template <class V>
+void fields(V& v, Description& d)
+{
+    v.field("format", d.format, "Version of the format.", required(range(1, 1)));
+    v.field("name", d.name, "The config's name.");
+    v.field("description", d.text, "What it is for, in a sentence or two.");
+    v.field("params", d.params, "Continuous tunables.");
+    v.field("features", d.features, "Finite switches; conditions see them, GLSL as #defines.");
+    v.field("imports", d.imports, "What the host supplies.");
+    v.field("generated", d.generated, "Arrays and small textures computed on load.");
+    v.field("targets", d.targets, "Textures that passes write.");
+    v.field("shaders", d.shaders, "Programs by name.");
+    v.field("interfaces", d.interfaces, "GLSL that one module provides and others include.");
+    v.field("passes", d.passes, "What runs; the order follows from what reads what.");
+    v.field("outputs", d.outputs, "Exported names: what keeps passes alive.");
+    v.field("views", d.views, "Debug views of targets.");
+}
+
+}  // namespace crevice::table

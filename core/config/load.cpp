@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: MIT
+// From a config's name to one merged document.
+#include "core/config/load.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "core/json/merge.h"
+#include "core/json/override.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+
+namespace crevice {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSuffix = ".json";
+constexpr std::string_view kConfigs = "configs/";
+
+bool isRelative(std::string_view path)
+{
+    return startsWith(path, "./") || startsWith(path, "../");
+}
+
+void append(Diagnostics& all, const Diagnostics& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+// The names that `extends` may use: modules by path, configs by name.
+std::vector<std::string> extendsNames(const SourceSet& sources)
+{
+    std::vector<std::string> names;
+    for (const std::string& path : sources.list()) {
+        if (!endsWith(path, kSuffix)) continue;
+        const std::size_t begin = startsWith(path, kConfigs) ? kConfigs.size() : 0;
+        names.push_back(path.substr(begin, path.size() - kSuffix.size() - begin));
+    }
+    return names;
+}
+
+// A help line for a name that is none of them: the one that lacks its folder, the nearest one, or
+// else those of its folder.
+std::string suggestModule(const SourceSet& sources, const std::string& name)
+{
+    const std::vector<std::string> names = extendsNames(sources);
+    for (const std::string& each : names)
+        if (endsWith(each, "/" + name)) return suggestName(each, names, "modules and configs");
+    std::string help = suggestName(name, names, "modules and configs");
+    const std::string folder = name.substr(0, name.find('/') + 1);
+    if (folder.empty() || startsWith(help, "did you mean")) return help;
+    std::vector<std::string> beside;
+    for (const std::string& each : names)
+        if (startsWith(each, folder)) beside.push_back(each);
+    if (beside.empty()) return help;
+    return suggestName(name, std::move(beside), "modules of '" + folder + "'");
+}
+
+std::string absenceOf(const std::string& path)
+{
+    const FileBytes file = readStart(path, 0);
+    return file.missing ? "there is no file '" + path + "'"
+                        : "the file '" + path + "' cannot be read: " + file.failure;
+}
+
+// The roots of all files of a request: its own, and the folder of the config.
+std::vector<std::string> rootsOf(const LoadRequest& request)
+{
+    std::vector<std::string> roots = request.roots;
+    const fs::path config = request.config;
+    if (endsWith(request.config, kSuffix))
+        roots.push_back(config.has_parent_path() ? config.parent_path().string() : ".");
+    return roots;
+}
+
+Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& request)
+{
+    const std::string& config = request.config;
+    const bool file = endsWith(config, kSuffix);
+    const auto roots = std::make_shared<const std::vector<std::string>>(rootsOf(request));
+    if (SourceRef source = file ? readFile(config, roots) : nullptr) return source;
+    const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
+    if (SourceRef source = sources.find(file ? config : shipped)) return source;
+    Diagnostic missing{Code::module_missing,
+                       file ? absenceOf(config) : "there is no config '" + config + "'"};
+    missing.help = suggestName(config, configNames(sources), "shipped configs");
+    if (!file) missing.help += "; the name of a file of your own ends in .json";
+    return missing;
+}
+
+// Takes the member out of the object.
+std::optional<Node> takeMember(Node& object, std::string_view key)
+{
+    if (!object.find(key)) return std::nullopt;
+    std::vector<Member>& members = object.change().members;
+    const auto at = std::find_if(members.begin(), members.end(),
+                                 [&](const Member& member) { return member.key == key; });
+    Node value = std::move(at->value);
+    members.erase(at);
+    return value;
+}
+
+Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
+{
+    return {Code::wrong_type, "found " + brief(found) + " where " + wanted + " was wanted",
+            found.place, std::move(pointer), {}, std::move(help)};
+}
+
+// True for an override of the top key, or of something below it.
+bool changes(const std::string& override, const std::string& key)
+{
+    const std::size_t end = key.size() + 1;
+    return startsWith(override, "/" + key) && end < override.size() &&
+           (override[end] == '=' || override[end] == '/');
+}
+
+// Variants are taken out of each file, so one that is still there was laid over the config.
+void checkVariantsGone(const Node& document, Diagnostics& errors)
+{
+    for (const Member& member : document.members())
+        if (member.key == "variants")
+            errors.push_back({Code::unknown_key,
+                              "found 'variants' in a variant or an override", member.key_place,
+                              "/variants", {},
+                              "write them into a file, and choose one by its name"});
+}
+
+// A name that a file, a variant or an override deletes and nothing gives anew.
+void checkNamed(const Node& document, Diagnostics& errors)
+{
+    if (document.find("name")) return;
+    for (const Member& deleted : document.deleted())
+        if (deleted.key == "name")
+            errors.push_back(wrongType(deleted.value, "a name", "/name",
+                                       "write a name, or leave the key out to keep that of 'extends'"));
+}
+
+// Where a file was asked for: nowhere for the config itself.
+struct Asked {
+    Place place = {};
+    std::string pointer = {};
+};
+
+// Reads a config's files, each once and each after all that it extends.
+class FileLoader {
+public:
+    FileLoader(const SourceSet& sources, const LoadRequest& request)
+        : sources_(sources), request_(request) {}
+
+    void load(const SourceRef& found, const Asked& asked);
+    void checkClashes();
+
+    std::vector<Node> bodies;      // without `extends` and `variants`
+    std::vector<Member> variants;  // in the same order; a name may come more than once
+    Diagnostics errors;
+
+private:
+    struct Opened {
+        std::string identity;
+        std::string name;
+    };
+    // What a file extends, and where that is written.
+    struct Extends {
+        std::optional<Node> list;
+        std::string pointer;
+    };
+    // Of a file that has been read; in the order of `bodies`.
+    struct Read {
+        std::string identity;
+        std::string name;
+        Asked asked;
+    };
+
+    bool mayOpen(const Opened& file, const Asked& asked);
+    Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
+    Extends takeExtends(Node& document);
+    void loadExtended(const Extends& extends);
+    void checkFormat(const Node& document);
+    void checkKeys(const Node& document);
+    void takeVariants(Node& document);
+
+    const SourceSet& sources_;
+    const LoadRequest& request_;
+    std::vector<Opened> open_;  // from the config to the file being read
+    std::set<std::string> done_;
+    std::vector<Read> read_;
+    std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
+};
+
+// What tells two files apart, by whatever path they were reached. A catalog path never begins with
+// '/', a canonical path on disk always does.
+std::string identityOf(const SourceText& source)
+{
+    if (!source.path.empty()) return source.path;
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(source.name, error);
+    return error ? source.name : canonical.string();
+}
+
+SourceRef copyFor(const SourceText& found, const Place& asked)
+{
+    SourceText text = found;
+    text.asked = std::make_shared<const Place>(asked);
+    return std::make_shared<const SourceText>(std::move(text));
+}
+
+void FileLoader::load(const SourceRef& found, const Asked& asked)
+{
+    const Opened file{identityOf(*found), found->name};
+    if (done_.count(file.identity) > 0 || !mayOpen(file, asked)) return;
+    const SourceRef source = asked.place.source ? copyFor(*found, asked.place) : found;
+    Result<Node> document = parseDocument(source);
+    append(errors, document.diagnostics());
+    if (document) {
+        checkFormat(*document);
+        checkKeys(*document);
+        takeMember(*document, "$schema");  // by which editors find what checks the file
+        const Extends extends = takeExtends(*document);
+        takeVariants(*document);
+        open_.push_back(file);
+        loadExtended(extends);
+        open_.pop_back();
+        bodies.push_back(std::move(*document));
+        read_.push_back({file.identity, file.name, asked});
+    }
+    done_.insert(file.identity);
+}
+
+// What is one thing only: the GLSL of a shader, the file behind an interface. Null when neither.
+const Node* glslAt(const Node& body, const char* list, const std::string& name)
+{
+    const Node* all = body.find(list);
+    const Node* value = all ? all->find(name) : nullptr;
+    const Node* file = value && value->kind == Node::Kind::object ? value->find("fragment") : value;
+    return file && file->kind == Node::Kind::string ? file : nullptr;
+}
+
+// The first thing that both files make, or nothing.
+std::optional<std::string> madeByBoth(const Node& one, const Node& other)
+{
+    for (const char* list : {"interfaces", "shaders"}) {
+        const Node* made = one.find(list);
+        if (!made) continue;
+        for (const Member& member : made->members()) {
+            const Node* mine = glslAt(one, list, member.key);
+            const Node* theirs = glslAt(other, list, member.key);
+            if (!mine || !theirs) continue;
+            if (list[0] == 'i') return "interface '" + member.key + "'";
+            if (mine->text() != theirs->text()) return "shader '" + member.key + "'";
+        }
+    }
+    return std::nullopt;
+}
+
+// Tells one clash, that of the files read last: those before are often what they extend.
+void FileLoader::checkClashes()
+{
+    for (std::size_t later = read_.size(); later-- > 1;)
+        for (std::size_t first = later; first-- > 0;) {
+            // A file is read after all that it extends.
+            if (extended_[read_[later].identity].count(read_[first].identity) > 0) continue;
+            const auto made = madeByBoth(bodies[first], bodies[later]);
+            if (!made) continue;
+            Diagnostic error{Code::module_clash, "'" + read_[later].name + "' and '" +
+                             read_[first].name + "' both make " + *made +
+                             ", and neither extends the other", read_[later].asked.place,
+                             read_[later].asked.pointer};
+            error.notes.push_back({read_[first].asked.place, "the other one was asked for here"});
+            error.help = "keep one of the two in 'extends'";
+            errors.push_back(std::move(error));
+            return;
+        }
+}
+
+bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
+{
+    std::string chain;
+    bool cycle = false;
+    for (const Opened& opened : open_) {
+        cycle = cycle || opened.identity == file.identity;
+        if (cycle) chain += opened.name + " -> ";
+    }
+    if (cycle)
+        errors.push_back({Code::module_cycle,
+                          "'extends' leads back to itself: " + chain + file.name, asked.place,
+                          asked.pointer, {},
+                          "take this entry out of 'extends'"});
+    else if (open_.size() > kMaxExtendsDepth)
+        errors.push_back({Code::module_depth, "found 'extends' more than " +
+                          std::to_string(kMaxExtendsDepth) + " deep", asked.place,
+                          asked.pointer, {},
+                          "let the config name what it needs in one list"});
+    else
+        return true;
+    return false;
+}
+
+Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string& pointer) const
+{
+    const SourceText& from = *entry.place.source;
+    const std::string& name = entry.text();
+    Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
+                       entry.place, pointer};
+    if (!isRelative(name)) {
+        const std::string path = name + std::string(kSuffix);
+        if (SourceRef source = sources_.find(path)) return source;
+        if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;
+        missing.help = suggestModule(sources_, name);
+        if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
+        return missing;
+    }
+    const bool shipped = !from.path.empty() && !isRelative(from.path);
+    const std::string path = resolvePath(locationOf(from), name);
+    if (path.empty())
+        return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
+                          entry.place, pointer, {}, "name a module, such as 'ssao/hemisphere'"};
+    Result<SourceRef> found = shipped ? Result<SourceRef>(sources_.find(path)) : openNamed(from, path);
+    if (!found) {
+        Diagnostic refused = found.diagnostics().front();
+        refused.place = entry.place;
+        refused.pointer = pointer;
+        return refused;
+    }
+    if (*found) return found;
+    missing.message = shipped ? "there is no module '" + path + "'" : absenceOf(path);
+    missing.help = "the path is seen from the folder of '" + from.name + "'";
+    if (!endsWith(name, kSuffix)) missing.help = "did you mean '" + name + std::string(kSuffix) +
+                                                 "'? " + missing.help;
+    return missing;
+}
+
+// The file's own list, or that of the chosen variant in the file; in the config itself with the
+// overrides of the list.
+FileLoader::Extends FileLoader::takeExtends(Node& document)
+{
+    Extends extends = {takeMember(document, "extends"), "/extends"};
+    const Node* named = document.find("variants");
+    const Node* variant = named ? named->find(request_.variant) : nullptr;
+    if (variant && variant->find("extends")) {
+        extends.list = *variant->find("extends");
+        extends.pointer = memberPointer("/variants", request_.variant) + "/extends";
+    }
+    if (!open_.empty()) return extends;
+    Node holder;
+    holder.kind = Node::Kind::object;
+    if (extends.list) holder.change().members.push_back({"extends", {}, std::move(*extends.list)});
+    for (const std::string& text : request_.overrides)
+        if (changes(text, "extends"))
+            append(errors, applyOverride(holder, text, rootsOf(request_)).diagnostics());
+    extends.list = takeMember(holder, "extends");
+    return extends;
+}
+
+void FileLoader::loadExtended(const Extends& extends)
+{
+    if (!extends.list) return;
+    const Node& list = *extends.list;
+    if (list.kind != Node::Kind::array) {
+        errors.push_back(wrongType(list, "a list of names", extends.pointer,
+                                   list.kind == Node::Kind::string
+                                       ? "put it in brackets: [" + jsonString(list.text()) + "]"
+                                       : "write [\"folder/module\", ...]"));
+        return;
+    }
+    for (const Node& entry : list.items()) {
+        const std::string pointer =
+            extends.pointer + "/" + std::to_string(&entry - list.items().data());
+        if (entry.kind != Node::Kind::string) {
+            errors.push_back(wrongType(entry, "a name", pointer,
+                                       "write the name of a module or config in double quotes"));
+            continue;
+        }
+        const Result<SourceRef> found = findExtended(entry, pointer);
+        if (!found) {
+            append(errors, found.diagnostics());
+            continue;
+        }
+        load(*found, {entry.place, pointer});
+        std::set<std::string>& mine = extended_[open_.back().identity];
+        const std::string theirs = identityOf(**found);
+        mine.insert(theirs);
+        mine.insert(extended_[theirs].begin(), extended_[theirs].end());
+    }
+}
+
+void FileLoader::checkFormat(const Node& document)
+{
+    const Node* format = document.find("format");
+    if (format && format->integer() && format->number() == 1) return;
+    Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted", document.place,
+                     "/format", {}, "begin the file with \"format\": 1"};
+    if (format) {
+        error.message = "found format " + brief(*format) + " where 1 was wanted";
+        error.place = format->place;
+        error.help = "this library reads format 1";
+        if (format->number() > 1) error.help += "; update crevice";
+        if (format->number() == 1 || format->text() == "1") error.help = "write \"format\": 1";
+    }
+    for (const Member& member : document.members()) {
+        const bool near = startsWith(suggestName(member.key, {"format"}, "keys"), "did you mean");
+        if (format || !near) continue;
+        error.place = member.key_place;
+        error.pointer = memberPointer("", member.key);
+        error.help = "did you mean 'format'? begin the file with \"format\": 1";
+    }
+    errors.push_back(std::move(error));
+}
+
+// A key that was meant as `extends` is told before all that is not there without it.
+void FileLoader::checkKeys(const Node& document)
+{
+    static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit",
+                                                 "inherits"};
+    for (const Member& member : document.members()) {
+        std::string help = suggestName(member.key, {"extends"}, "keys");
+        const bool near = startsWith(help, "did you mean") && member.key != "extends";
+        if (!near && kMeant.count(member.key) == 0) continue;
+        if (!near) help = "did you mean 'extends'?";
+        errors.push_back({Code::unknown_key, "found the key '" + member.key +
+                          "', which the format does not have here", member.key_place,
+                          memberPointer("", member.key), {}, std::move(help)});
+    }
+}
+
+void FileLoader::takeVariants(Node& document)
+{
+    std::optional<Node> taken = takeMember(document, "variants");
+    if (!taken) return;
+    if (taken->kind != Node::Kind::object)
+        errors.push_back(wrongType(*taken, "an object of variants", "/variants",
+                                   "write {\"name\": {what to change}, ...}"));
+    for (Member& variant : taken->change().members) {
+        takeMember(variant.value, "extends");
+        if (variant.value.kind == Node::Kind::object)
+            variants.push_back(std::move(variant));
+        else
+            errors.push_back(wrongType(variant.value, "an object",
+                                       memberPointer("/variants", variant.key),
+                                       "write what to change, as in the config itself: "
+                                       "{\"params\": ...}"));
+    }
+}
+
+std::vector<std::string> namesOf(const std::vector<Member>& variants)
+{
+    std::set<std::string> names;
+    for (const Member& variant : variants) names.insert(variant.key);
+    return {names.begin(), names.end()};
+}
+
+void applyVariant(Node& document, const FileLoader& files, const LoadRequest& request,
+                  Diagnostics& errors)
+{
+    std::vector<std::string> names = namesOf(files.variants);
+    for (const Member& variant : files.variants)
+        if (variant.key == request.variant) mergePatch(document, variant.value, errors);
+    if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
+    Diagnostic missing{Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
+                       request.config + "'", document.place, "/variants"};
+    missing.help = suggestName(request.variant, std::move(names), "variants");
+    errors.push_back(std::move(missing));
+}
+
+}  // namespace
+
+Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
+{
+    const Result<SourceRef> config = findConfig(sources, request);
+    if (!config) return config.diagnostics();
+    FileLoader files(sources, request);
+    files.load(*config, {});
+    if (files.errors.empty()) files.checkClashes();
+    if (!files.errors.empty()) return files.errors;  // merging what is not whole adds false errors
+
+    Node document;
+    document.kind = Node::Kind::object;
+    Diagnostics errors;
+    for (const Node& body : files.bodies) mergePatch(document, body, errors);
+    document.place = files.bodies.back().place;
+    const auto changes_structure = [](const std::string& text) { return startsWith(text, "/"); };
+    if (!request.variant.empty() ||
+        std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
+        document.change().origins.push_back(document.place);
+    if (!request.variant.empty()) applyVariant(document, files, request, errors);
+    for (const std::string& text : request.overrides)
+        if (!changes(text, "extends"))
+            append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
+    checkVariantsGone(document, errors);
+    checkNamed(document, errors);
+    if (!errors.empty()) return errors;
+    return document;
+}
+
+std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& request)
+{
+    const Result<SourceRef> source = findConfig(sources, request);
+    if (!source) return {};
+    FileLoader files(sources, request);
+    files.load(*source, {});
+    return namesOf(files.variants);
+}
+
+std::vector<std::string> configNames(const SourceSet& sources)
+{
+    std::vector<std::string> names;
+    for (const std::string& path : sources.list())
+        if (startsWith(path, kConfigs) && endsWith(path, kSuffix))
+            names.push_back(path.substr(kConfigs.size(),
+                                        path.size() - kConfigs.size() - kSuffix.size()));
+    return names;
+}
+
+}  // namespace crevice

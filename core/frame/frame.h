@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// What the host supplies for a frame: camera, draw list, materials, lights, textures.
+//
+// GLSL sees them under these names. All vectors are in view space unless the name says otherwise.
+//
+//   camera     mat4 clip_from_view, view_from_clip, view_from_world, world_from_view;
+//              mat4 view_from_window (from uv and depth as a texture holds it, 0..1 each)
+//   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
+//              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
+//              float normal_scale (0 without a map), occlusion_strength; sampler2D
+//              base_color_map, normal_map, occlusion_map (white when the material has none)
+//   lights     int light_count; vec4 light_position[MAX_LIGHTS] (w 1: a point, w 0: the direction
+//              towards the light); vec3 light_color[MAX_LIGHTS];
+//              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2));
+//              vec4 light_cone[MAX_LIGHTS] (of a spot clamp(dot(xyz, towards) + w, 0, 1)^2 shines,
+//              where `towards` is the unit vector to the light); vec3 ambient_light
+//   history    float history_valid (1, or 0 where there is no last frame: the first one of a plan,
+//              and the one after a cut); mat4 previous_view_from_view, previous_clip_from_view
+//              (from this frame's view space to the last one's); int frame_index, [0, 1024)
+//   pass       vec2 viewport_size, in pixels of the pass
+//
+// A frame may have further views, such as the right eye: the plan then runs once for each, and
+// camera, lights and the matrices of the last frame are those of the view at hand.
+#pragma once
+
+#include "core/gpu/device.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace crevice {
+
+/// Lights that one frame may have: 16 take 48 of the 224 uniform vectors every device has.
+constexpr int kMaxLights = 16;
+
+/// A right-handed view (the camera looks along -z) and any projection that OpenGL can express.
+/// What is placed in the world is double, so that a scene a million radii from the origin keeps its
+/// shape: only matrices relative to the camera become float.
+struct Camera {
+    glm::dmat4 view_from_world = glm::dmat4(1.0);
+    glm::mat4 clip_from_view = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
+
+    /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
+    bool orthographic() const;
+
+    /// True when what is farther has less depth. Passes then test and clear depth the other way round.
+    bool reversedDepth() const;
+};
+
+/// Light in world space.
+struct Light {
+    bool directional = false;
+    glm::dvec3 position = glm::dvec3(0.0);            ///< Of a point light.
+    glm::vec3 direction = glm::vec3(0.0f, 0.0f, -1);  ///< Of a directional light or spot.
+    glm::vec3 color = glm::vec3(1.0f);                ///< Linear, >= 0.
+    glm::vec3 attenuation = glm::vec3(1.0f, 0, 0);    ///< Constant, linear (1/unit), quadratic.
+    bool spot = false;             ///< A point light that shines in a cone.
+    float inner_angle_rad = 0.0f;  ///< Of a spot: off its direction, as far as it shines in full.
+    float outer_angle_rad = 0.8f;  ///< ... and where it ends, [inner, pi].
+};
+
+struct Material {
+    glm::vec4 base_color = glm::vec4(1.0f);  ///< Linear.
+    TextureId base_color_map = {};           ///< Null means white.
+    glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
+    float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
+    float alpha_cutoff = 0.0f;               ///< Below this alpha a pixel is discarded; 0 is opaque.
+    TextureId normal_map = {};               ///< Tangent space, n * 0.5 + 0.5, y up; null is flat.
+    float normal_scale = 1.0f;               ///< Of the map's x and y.
+    TextureId occlusion_map = {};            ///< Baked visibility in red; null is open.
+    float occlusion_strength = 1.0f;         ///< [0, 1]; 0 is open.
+
+    bool operator==(const Material& other) const;
+};
+
+/// A mesh at a place.
+struct DrawItem {
+    MeshId mesh = {};
+    std::uint32_t first = 0;  ///< First index.
+    std::uint32_t count = 0;  ///< Indices.
+    glm::dmat4 world_from_model = glm::dmat4(1.0);
+    int material = 0;  ///< Into Frame::materials.
+
+    /// A sphere around all that is drawn, in model space. Of an item that lies outside of what a pass shows
+    /// nothing is then drawn, and occlusion is worked out within what spheres cover. A radius below 0 means that
+    /// none is known.
+    glm::vec3 bounds_center = glm::vec3(0.0f);
+    float bounds_radius = -1.0f;
+
+    bool operator==(const DrawItem& other) const;
+};
+
+/// A texture for an import of that name.
+struct ImportedTexture {
+    std::string name;
+    TextureId texture = {};
+
+    /// A number that changes whenever the host draws into the texture, or puts another under the same
+    /// id; passes that read it are then run again. 0 means that it may change with every frame.
+    std::uint64_t revision = 0;
+};
+
+/// A further view of the same things.
+struct FrameView {
+    Camera camera;
+    std::vector<ImportedTexture> textures;  ///< Its own, such as its depth; else the frame's.
+};
+
+/// A frame's input. The host keeps it and changes it in place, so that a steady frame allocates
+/// nothing. What is the same as in the last frame is not drawn again: camera, lights, draws and materials
+/// are compared, and what meshes and textures hold is known by `revision`.
+struct Frame {
+    Camera camera;
+    std::vector<DrawItem> draws;
+    std::vector<Material> materials;
+    std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
+    glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
+    std::vector<ImportedTexture> textures;
+    std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic or reversed if `camera` is.
+    std::uint64_t revision = 0;  ///< To be changed when a mesh, or a material's texture, that was drawn
+                                 ///< before holds something else now: ids of what was destroyed
+                                 ///< are given out again.
+    bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
+};
+
+/// The camera of a view: 0 is `frame.camera`. Requires 0 <= view <= other_views.size().
+const Camera& cameraOf(const Frame& frame, std::size_t view);
+
+/// How near and far a camera sees along its axis, in scene units. Two that differ by less than a factor of
+/// two in each are equal, so that no plan is made anew while a camera zooms or its planes move a little;
+/// far planes past 2^20 near ones, which a float matrix no longer tells, count as none.
+struct CameraRange {
+    double near_distance = 0;  ///< 0 of an orthographic camera,
+    double far_distance = 0;   ///< ... and this its planes' distance from each other. Infinite where there
+                               ///< is no far plane; 0 where nothing is known.
+    double zoom = 0;  ///< A length covers zoom / 2 of the view's height at distance 1, or anywhere in an
+                      ///< orthographic view.
+
+    bool operator==(const CameraRange& other) const;
+};
+
+/// Of the projection as it is: off-centre, reversed, infinite or orthographic.
+CameraRange rangeOf(const Camera& camera);
+
+/// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
+struct SceneTraits {
+    int lights = 0;              ///< scene.lights
+    bool alpha_tested = false;   ///< scene.alpha_tested
+    bool specular = false;       ///< scene.specular
+    bool textured = false;       ///< scene.textured: some material has a base_color_map
+    bool orthographic = false;   ///< camera.orthographic
+    bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
+    bool normal_mapped = false;  ///< scene.normal_mapped: some material has a normal_map
+    bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
+    int views = 1;                 ///< camera.views
+    CameraRange camera = {};       ///< Formats are chosen by it, and no condition sees it.
+
+    bool operator==(const SceneTraits& other) const;
+};
+
+SceneTraits traitsOf(const Frame& frame);
+
+}  // namespace crevice

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Driver logs. After #line a driver tells the source-string number and the line:
+//
+//   Mesa                     0:5(12): error: `foo' undeclared
+//   NVIDIA                   0(5) : error C1503: undefined variable "foo"
+//   ANGLE, Qualcomm, Apple   ERROR: 0:5: 'foo' : undeclared identifier
+//   ARM                      0:5: L0001: Undefined variable 'foo'
+//   linkers                  error: vertex shader does not write `uv'
+#include "core/base/text.h"
+#include "core/glsl/preprocessor.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace crevice {
+
+namespace {
+
+constexpr std::string_view kLineEnds("\n\0", 2);  // a log may hold its own terminator
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool isWord(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || isDigit(c);
+}
+
+char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view what)
+{
+    const std::size_t begin = text.find_first_not_of(what);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(what) - begin + 1);
+}
+
+/// What is left of a line of the log, and how to take it apart.
+struct LogReader {
+    std::string_view rest;
+
+    void skipSpaces() { rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size())); }
+
+    bool take(char sign)
+    {
+        if (rest.empty() || rest[0] != sign) return false;
+        rest.remove_prefix(1);
+        return true;
+    }
+
+    /// Takes a word in any case where no further letter follows.
+    bool takeWord(std::string_view word)
+    {
+        if (rest.size() < word.size()) return false;
+        for (std::size_t i = 0; i < word.size(); ++i)
+            if (lower(rest[i]) != word[i]) return false;
+        const char next = rest.size() > word.size() ? lower(rest[word.size()]) : ' ';
+        if (next >= 'a' && next <= 'z') return false;
+        rest.remove_prefix(word.size());
+        return true;
+    }
+
+    bool takeNumber(int& number)
+    {
+        constexpr std::size_t kMostDigits = 9;  // what an int holds
+        std::size_t digits = 0;
+        while (digits < rest.size() && isDigit(rest[digits])) ++digits;
+        if (digits == 0 || digits > kMostDigits) return false;
+        number = std::atoi(std::string(rest.substr(0, digits)).c_str());
+        rest.remove_prefix(digits);
+        return true;
+    }
+};
+
+struct LogLine {
+    bool known = false;
+    bool continues = false;  ///< Mesa indents what belongs to the message before.
+    Severity severity = Severity::error;
+    int file = -1;
+    int line = 0;
+    int column = 0;
+    std::string_view message;
+};
+
+/// "error", "warning" and Mesa's "preprocessor error", with what separates them from the message.
+bool takeSeverity(LogReader& reader, Severity& severity)
+{
+    LogReader attempt = reader;
+    if (attempt.takeWord("preprocessor")) attempt.skipSpaces();
+    const bool error = attempt.takeWord("error");
+    if (!error && !attempt.takeWord("warning")) return false;
+    severity = error ? Severity::error : Severity::warning;
+    attempt.skipSpaces();
+    attempt.take(':');
+    attempt.take(' ');
+    reader = attempt;
+    return true;
+}
+
+/// "0:5(12):", "0:5:" or "0(5) :".
+bool takePlace(LogReader& reader, LogLine& line)
+{
+    LogReader attempt = reader;
+    int file = 0, number = 0, column = 0;
+    if (!attempt.takeNumber(file)) return false;
+    const bool colon = attempt.take(':');
+    if (!colon && !attempt.take('(')) return false;
+    if (!attempt.takeNumber(number) || (!colon && !attempt.take(')'))) return false;
+    if (colon && attempt.take('(') && !(attempt.takeNumber(column) && attempt.take(')')))
+        return false;
+    attempt.skipSpaces();
+    if (!attempt.take(':')) return false;
+    attempt.skipSpaces();
+    line.file = number < kLinesPerFile ? file : number / kLinesPerFile;
+    line.line = number % kLinesPerFile;
+    line.column = column;
+    reader = attempt;
+    return true;
+}
+
+LogLine readLine(std::string_view text)
+{
+    LogLine line;
+    LogReader reader = {text};
+    const bool severity_first = takeSeverity(reader, line.severity);
+    const bool place = takePlace(reader, line);
+    if (place && !severity_first) takeSeverity(reader, line.severity);
+    line.known = place || (severity_first && !reader.rest.empty());
+    line.continues = line.known && !reader.rest.empty() && reader.rest[0] == ' ';
+    line.message = trimmed(line.known ? reader.rest : text, " \t.");
+    return line;
+}
+
+/// Headings and counts that drivers put around their messages.
+bool saysNothing(std::string_view line)
+{
+    constexpr std::string_view kHeading = " info";
+    if (trimmed(line, "- \t").empty()) return true;
+    if (line.find("No code generated") != std::string_view::npos) return true;
+    return line.size() > kHeading.size() && line.substr(line.size() - kHeading.size()) == kHeading;
+}
+
+/// The first name that the message quotes as `name', 'name' or "name"; empty when there is none.
+std::string_view quotedName(std::string_view message)
+{
+    for (std::size_t at = 0; (at = message.find_first_of("`'\"", at)) != std::string_view::npos;) {
+        std::size_t end = ++at;
+        while (end < message.size() && isWord(message[end])) ++end;
+        const char next = end < message.size() ? message[end] : ' ';
+        const bool closed = next == '\'' || next == '"' || next == '(';  // `g(int)'
+        if (end > at && closed) return message.substr(at, end - at);
+    }
+    return {};
+}
+
+/// The column of the whole word `name` that is nearest to `column`; 0 when it is not there.
+int findName(std::string_view text, std::string_view name, int column)
+{
+    int nearest = 0;
+    if (name.empty()) return nearest;
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string_view::npos; ++at) {
+        const std::size_t end = at + name.size();
+        const bool begins = at == 0 || !isWord(text[at - 1]);
+        const bool ends = end == text.size() || !isWord(text[end]);
+        const int found = int(at) + 1;
+        const bool nearer = nearest == 0 || std::abs(found - column) < std::abs(nearest - column);
+        if (begins && ends && nearer) nearest = found;
+    }
+    return nearest;
+}
+
+/// The column of the author's line for one that Mesa counted after each run of spaces became one.
+int authorColumn(std::string_view text, int column)
+{
+    const auto space = [&](std::size_t i) { return text[i] == ' ' || text[i] == '\t'; };
+    int counted = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (i == 0 || !space(i) || !space(i - 1)) ++counted;
+        if (counted == column && (i + 1 == text.size() || !space(i) || !space(i + 1)))
+            return int(i) + 1;
+    }
+    return column;
+}
+
+/// Points at the name that the message quotes, or else where the driver does.
+void refine(Place& place, std::string_view message)
+{
+    const BlankedText blanked = blankComments(place.source->text);
+    const std::string_view text = lineOf(blanked.text, place.line);
+    if (place.column > 0) place.column = authorColumn(text, place.column);
+    const std::string_view name = quotedName(message);
+    const int column = findName(text, name, place.column);
+    if (column == 0) return;
+    place.column = column;
+    place.length = int(name.size());
+}
+
+Place placeIn(const GlslStage& stage, const LogLine& line)
+{
+    Place place;
+    const bool known = line.file >= 0 && std::size_t(line.file) < stage.files.size();
+    if (!stage.files.empty()) place.source = stage.files[known ? std::size_t(line.file) : 0];
+    if (!known) return place;
+    place.line = line.line;
+    place.column = line.column;
+    refine(place, line.message);
+    return place;
+}
+
+/// Adds a candidate, say, to the message "no matching function; candidates are:".
+void join(std::string& message, std::string_view more)
+{
+    if (!message.empty()) message += message.back() == ':' ? " " : "; ";
+    message += more;
+}
+
+/// The way out where the driver does not know a name: the nearest uniform, if any is near.
+std::string helpFor(const GlslStage& stage, std::string_view message)
+{
+    if (message.find("undeclared") == std::string_view::npos &&
+        message.find("undefined") == std::string_view::npos) return {};
+    std::vector<std::string> names;
+    for (const GlslUniform& uniform : stage.uniforms) names.push_back(uniform.name);
+    return suggestName(quotedName(message), std::move(names), "uniforms of this stage");
+}
+
+/// What a mistake makes of the rest of its line is no mistake of its own.
+bool follows(const Diagnostics& diagnostics, const Diagnostic& next)
+{
+    if (diagnostics.empty() || next.place.line == 0) return false;
+    const Diagnostic& last = diagnostics.back();
+    return last.severity == Severity::error && last.place.source == next.place.source &&
+           last.place.line == next.place.line;
+}
+
+}  // namespace
+
+Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log)
+{
+    Diagnostics diagnostics;
+    std::string unknown;
+    for (std::string_view rest = log; !rest.empty();) {
+        const std::size_t end = std::min(rest.find_first_of(kLineEnds), rest.size());
+        const std::string_view text = trimmed(rest.substr(0, end), " \t\r");
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (saysNothing(text)) continue;
+        const LogLine line = readLine(text);
+        if (!line.known) {
+            join(unknown, line.message);
+        } else if (line.continues && !diagnostics.empty()) {
+            join(diagnostics.back().message, line.message);
+        } else {
+            Diagnostic next{code, std::string(line.message), placeIn(stage, line)};
+            next.help = helpFor(stage, line.message);
+            next.severity = line.severity;
+            if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
+        }
+    }
+    if (unknown.empty() && diagnostics.empty()) unknown = "the driver gave no message";
+    if (!unknown.empty()) diagnostics.push_back({code, unknown, placeIn(stage, {})});
+    return diagnostics;
+}
+
+}  // namespace crevice

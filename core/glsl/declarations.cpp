@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Declarations of GLSL: enough of its grammar to read uniforms and outputs.
+#include "core/glsl/declarations.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace crevice {
+
+namespace {
+
+/// Longest array that is believed; no device has room for more uniforms.
+constexpr std::int64_t kMaxArray = 65536;
+
+constexpr std::string_view kQualifiers[] = {
+    "uniform", "in",     "out",    "const",     "flat",     "smooth",   "centroid", "invariant",
+    "precise", "sample", "patch",  "highp",     "mediump",  "lowp",     "readonly", "writeonly",
+    "shared",  "buffer", "coherent", "volatile", "restrict"};
+
+struct Qualifiers {
+    bool uniform = false;
+    bool output = false;
+    int location = -1;
+};
+
+class Scanner {
+public:
+    Scanner(GlslUnit& unit, GlslStage& stage)
+        : unit_(unit), stage_(stage), at_(unit.tokens.data()), end_(at_ + unit.tokens.size()) {}
+
+    void run()
+    {
+        while (at_ != end_) {
+            const Qualifiers qualifiers = readQualifiers();
+            if (qualifiers.uniform || qualifiers.output) readDeclaration(qualifiers);
+            skipStatement();
+        }
+    }
+
+private:
+    bool here(std::string_view text) const { return at_ != end_ && at_->is(text); }
+
+    Qualifiers readQualifiers();
+    void readLayout(Qualifiers& qualifiers);
+    void readDeclaration(const Qualifiers& qualifiers);
+    void declare(const Qualifiers& qualifiers, GlslUniform variable);
+    void readArray(GlslUniform& variable);
+    const GlslToken* closing(std::string_view open, std::string_view close) const;
+    void skipStatement();
+
+    void fail(std::string message, const GlslToken& token, std::string help)
+    {
+        unit_.errors.push_back({Code::preprocessor, std::move(message),
+                                placeOf(token, unit_.files), {}, {}, std::move(help)});
+    }
+
+    GlslUnit& unit_;
+    GlslStage& stage_;
+    const GlslToken* at_;
+    const GlslToken* end_;
+};
+
+Qualifiers Scanner::readQualifiers()
+{
+    Qualifiers qualifiers;
+    for (; at_ != end_; ++at_) {
+        if (at_->is("layout")) readLayout(qualifiers);
+        else if (!isQualifier(at_->text)) break;
+        else if (at_->is("uniform")) qualifiers.uniform = true;
+        else if (at_->is("out")) qualifiers.output = true;
+        if (at_ == end_) break;
+    }
+    return qualifiers;
+}
+
+/// Leaves the cursor at the closing parenthesis.
+void Scanner::readLayout(Qualifiers& qualifiers)
+{
+    ++at_;
+    const GlslToken* close = closing("(", ")");
+    for (; at_ != close; ++at_) {
+        if (!at_->is("location") || close - at_ < 3 || !at_[1].is("=")) continue;
+        const GlslToken* value = at_ + 2;
+        const GlslToken* last = value;
+        while (last != close && !last->is(",")) ++last;
+        const auto location = evaluate(value, last, false);
+        const bool known = location && *location >= 0 && *location < kMaxArray;
+        if (known) qualifiers.location = int(*location);
+        else fail("this location cannot be read, wanted a whole number", *value, "write 0, 1, ...");
+    }
+}
+
+/// Reads `type name, name[4], ...` up to the semicolon.
+void Scanner::readDeclaration(const Qualifiers& qualifiers)
+{
+    if (at_ == end_ || at_->kind != GlslToken::Kind::identifier) return;
+    const GlslToken& type = *at_++;
+    const bool block = here("{") || type.is("struct");
+    if (block && qualifiers.uniform)
+        fail("'" + std::string(type.text) + "' is a uniform block, which no config can fill", type,
+             "declare its members one by one: uniform float radius;");
+    if (block) return;
+
+    GlslUniform common;
+    common.type = glslTypeFromName(type.text);
+    readArray(common);
+    while (at_ != end_ && at_->kind == GlslToken::Kind::identifier) {
+        GlslUniform variable = common;
+        variable.name = at_->text;
+        variable.place = placeOf(*at_++, unit_.files);
+        readArray(variable);
+        declare(qualifiers, std::move(variable));
+        if (!here(",")) return;
+        ++at_;
+    }
+}
+
+void Scanner::declare(const Qualifiers& qualifiers, GlslUniform variable)
+{
+    if (qualifiers.uniform) {
+        stage_.uniforms.push_back(std::move(variable));
+        return;
+    }
+    const int location = qualifiers.location < 0 ? int(stage_.outputs.size()) : qualifiers.location;
+    stage_.outputs.push_back({std::move(variable.name), location, std::move(variable.place)});
+}
+
+void Scanner::readArray(GlslUniform& variable)
+{
+    if (!here("[")) return;
+    const GlslToken& open = *at_;
+    const GlslToken* close = closing("[", "]");
+    const auto count = evaluate(at_ + 1, close, false);
+    variable.array = true;
+    if (count && *count > 0 && *count <= kMaxArray) variable.count = int(*count);
+    else fail("the array size of '" + variable.name + "'" +
+                  (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
+                  " cannot be read, wanted a whole number of at least 1", open,
+              "an array size has numbers and #defines only: a param with bind 'define' is one");
+    at_ = close == end_ ? end_ : close + 1;
+}
+
+/// The sign that closes the one at the cursor, or the end.
+const GlslToken* Scanner::closing(std::string_view open, std::string_view close) const
+{
+    int depth = 0;
+    for (const GlslToken* token = at_; token != end_; ++token) {
+        if (token->is(open)) ++depth;
+        if (token->is(close) && --depth == 0) return token;
+    }
+    return end_;
+}
+
+/// Leaves the cursor behind the next semicolon or the body that comes before it.
+void Scanner::skipStatement()
+{
+    while (at_ != end_ && !here(";") && !here("{")) ++at_;
+    if (here("{")) at_ = closing("{", "}");
+    if (at_ != end_) ++at_;
+}
+
+// A line of GLSL that is `layout(...) out type name;` and no more: where its qualifiers begin and the type
+// does, and the precision among them.
+struct OutputLine {
+    std::size_t begin = 0;
+    std::size_t type = 0;
+    std::string_view precision;
+};
+
+std::optional<OutputLine> outputLine(std::string_view line, std::string_view name)
+{
+    GlslTokens tokens;
+    tokenize(line, 0, 1, tokens);
+    const std::size_t count = tokens.size();
+    if (count < 4 || !tokens[count - 1].is(";") || !tokens[count - 2].is(name)) return std::nullopt;
+    OutputLine found;
+    found.type = tokens[count - 3].text.data() - line.data();
+    found.begin = tokens[0].text.data() - line.data();
+    bool output = false;
+    std::size_t i = 0;
+    if (tokens[0].is("layout"))
+        while (i + 3 < count && !tokens[i++].is(")")) {}
+    for (; i + 3 < count; ++i) {
+        if (!isQualifier(tokens[i].text)) return std::nullopt;
+        const bool precision = tokens[i].text.back() == 'p';  // highp, mediump, lowp
+        if (precision) found.precision = tokens[i].text;
+        output = output || tokens[i].is("out");
+    }
+    return output ? std::optional(found) : std::nullopt;
+}
+
+}  // namespace
+
+bool declares(const GlslStage& stage, std::string_view uniform)
+{
+    return std::any_of(stage.uniforms.begin(), stage.uniforms.end(),
+                       [&](const GlslUniform& each) { return each.name == uniform; });
+}
+
+bool isQualifier(std::string_view word)
+{
+    return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);
+}
+
+void dropOutput(GlslStage& stage, const std::string& name)
+{
+    std::string& text = stage.text;
+    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+        end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        const std::optional<OutputLine> found = outputLine(line, name);
+        if (!found) continue;
+        const std::string precision = found->precision.empty() ? "" : std::string(found->precision) + " ";
+        text.replace(begin + found->begin, found->type - found->begin, precision);
+        const auto same = [&](const GlslOutput& output) { return output.name == name; };
+        stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
+                            stage.outputs.end());
+        return;
+    }
+}
+
+void scanDeclarations(GlslUnit& unit, GlslStage& stage)
+{
+    Scanner(unit, stage).run();
+}
+
+}  // namespace crevice

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The scan: finds what a preprocessed stage declares at its outermost level.
+#pragma once
+
+#include "core/glsl/preprocessor.h"
+
+namespace crevice {
+
+/// Appends the uniforms and outputs of `unit` to `stage`, and what is wrong with them to
+/// `unit.errors`: blocks, array sizes and locations that cannot be read.
+void scanDeclarations(GlslUnit& unit, GlslStage& stage);
+
+/// Whether the stage declares that uniform.
+bool declares(const GlslStage& stage, std::string_view uniform);
+
+/// Whether the word stands before a type: "uniform", "highp", "const".
+bool isQualifier(std::string_view word);
+
+}  // namespace crevice

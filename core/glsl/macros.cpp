@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Macro expansion and an evaluator for integer expressions.
+#include "core/glsl/macros.h"
+
+#include <cstdlib>
+
+namespace crevice {
+
+void GlslMacros::define(std::string_view name, GlslTokens body, bool function_like)
+{
+    macros_[std::string(name)] = {std::move(body), function_like, false};
+}
+
+void GlslMacros::undefine(std::string_view name)
+{
+    const auto found = macros_.find(name);
+    if (found != macros_.end()) macros_.erase(found);
+}
+
+bool GlslMacros::defined(std::string_view name) const
+{
+    return macros_.find(name) != macros_.end();
+}
+
+std::vector<std::string> GlslMacros::names() const
+{
+    std::vector<std::string> names;
+    for (const auto& macro : macros_) names.push_back(macro.first);
+    return names;
+}
+
+bool GlslMacros::expand(const GlslToken& token, GlslTokens& out)
+{
+    const auto found = macros_.find(token.text);
+    if (found == macros_.end() || found->second.function_like || found->second.open) {
+        out.push_back(token);
+        return true;
+    }
+    found->second.open = true;
+    bool ok = ++depth_ <= kMaxMacroDepth;
+    for (const GlslToken& part : found->second.body) {
+        GlslToken here = token;
+        here.kind = part.kind;
+        here.text = part.text;
+        ok = ok && ++steps_ <= kMaxMacroSteps && expand(here, out);
+    }
+    found->second.open = false;
+    --depth_;
+    return ok;
+}
+
+bool GlslMacros::expandCondition(const GlslToken* begin, const GlslToken* end, GlslTokens& out)
+{
+    for (const GlslToken* token = begin; token != end; ++token) {
+        if (!token->is("defined")) {
+            if (!expand(*token, out)) return false;
+            continue;
+        }
+        const bool parentheses = end - token > 3 && token[1].is("(") && token[3].is(")");
+        const GlslToken* name = token + (parentheses ? 2 : 1);
+        GlslToken value = *token;
+        value.kind = GlslToken::Kind::number;
+        if (name < end && name->kind == GlslToken::Kind::identifier) {
+            value.text = defined(name->text) ? "1" : "0";
+            token = parentheses ? name + 1 : name;
+        } else {
+            value.text = "?";  // no number: the condition cannot be read
+        }
+        out.push_back(value);
+    }
+    return true;
+}
+
+namespace {
+
+/// Deepest nesting of parentheses and prefix operators; keeps the recursion off the stack's end.
+constexpr int kMaxNesting = 64;
+
+/// Empty is a value that is not known; it does no harm where && or || need not look at it.
+using Value = std::optional<std::int64_t>;
+
+Value wrapped(std::uint64_t bits)
+{
+    return static_cast<std::int64_t>(bits);
+}
+
+Value divided(std::int64_t left, std::int64_t right, bool remainder)
+{
+    if (right == 0) return {};
+    if (right == -1) return remainder ? Value(0) : wrapped(0 - std::uint64_t(left));  // no overflow
+    return remainder ? left % right : left / right;
+}
+
+Value shifted(std::int64_t left, std::int64_t right, bool to_left)
+{
+    if (right < 0 || right > 63) return {};
+    return to_left ? wrapped(std::uint64_t(left) << right) : Value(left >> right);
+}
+
+Value arithmetic(std::string_view sign, std::int64_t left, std::int64_t right)
+{
+    if (sign == "+") return wrapped(std::uint64_t(left) + std::uint64_t(right));
+    if (sign == "-") return wrapped(std::uint64_t(left) - std::uint64_t(right));
+    if (sign == "*") return wrapped(std::uint64_t(left) * std::uint64_t(right));
+    if (sign == "/" || sign == "%") return divided(left, right, sign == "%");
+    if (sign == "<<" || sign == ">>") return shifted(left, right, sign == "<<");
+    if (sign == "==") return left == right;
+    if (sign == "!=") return left != right;
+    if (sign == "<") return left < right;
+    if (sign == "<=") return left <= right;
+    if (sign == ">") return left > right;
+    if (sign == ">=") return left >= right;
+    if (sign == "&") return left & right;
+    if (sign == "^") return left ^ right;
+    return left | right;
+}
+
+Value combined(std::string_view sign, Value left, Value right)
+{
+    if (!left) return {};
+    const bool logical = sign == "&&" || sign == "||";
+    if (logical && (*left != 0) == (sign == "||")) return *left != 0;
+    if (!right) return {};
+    return logical ? Value(*right != 0) : arithmetic(sign, *left, *right);
+}
+
+/// How tightly a sign binds; 0 for what is no binary operator.
+int precedence(std::string_view sign)
+{
+    static constexpr struct {
+        std::string_view sign;
+        int level;
+    } kSigns[] = {{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5},  {"==", 6},
+                  {"!=", 6}, {"<", 7},  {"<=", 7}, {">", 7},  {">=", 7}, {"<<", 8},
+                  {">>", 8}, {"+", 9},  {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
+    for (const auto& known : kSigns)
+        if (known.sign == sign) return known.level;
+    return 0;
+}
+
+/// Reads by precedence climbing.
+class Evaluator {
+public:
+    Evaluator(const GlslToken* begin, const GlslToken* end, bool unknown_is_zero)
+        : at_(begin), end_(end), unknown_is_zero_(unknown_is_zero) {}
+
+    Value run()
+    {
+        const Value value = expression(1);
+        return bad_ || at_ != end_ ? Value() : value;
+    }
+
+private:
+    Value expression(int lowest)
+    {
+        Value left = operand();
+        while (!bad_ && at_ != end_) {
+            const std::string_view sign = at_->text;
+            const int level = precedence(sign);
+            if (level < lowest || level == 0) break;
+            ++at_;
+            left = combined(sign, left, expression(level + 1));
+        }
+        return left;
+    }
+
+    Value operand()
+    {
+        if (at_ == end_ || bad_ || nesting_ == kMaxNesting) return fail();
+        const GlslToken& token = *at_++;
+        if (token.kind == GlslToken::Kind::number) return number(token);
+        if (token.kind == GlslToken::Kind::identifier) return unknown_is_zero_ ? Value(0) : Value();
+        ++nesting_;
+        const Value value = token.is("(") ? parentheses() : prefixed(token.text);
+        --nesting_;
+        return value;
+    }
+
+    Value parentheses()
+    {
+        const Value value = expression(1);
+        if (at_ == end_ || !at_->is(")")) return fail();
+        ++at_;
+        return value;
+    }
+
+    Value prefixed(std::string_view sign)
+    {
+        if (sign != "!" && sign != "-" && sign != "+" && sign != "~") return fail();
+        const Value value = operand();
+        if (!value || sign == "+") return value;
+        if (sign == "!") return *value == 0;
+        return sign == "-" ? wrapped(0 - std::uint64_t(*value)) : Value(~*value);
+    }
+
+    Value number(const GlslToken& token)
+    {
+        std::string digits(token.text);
+        if (digits.back() == 'u' || digits.back() == 'U') digits.pop_back();
+        char* end = nullptr;
+        const unsigned long long value = std::strtoull(digits.c_str(), &end, 0);
+        return digits.empty() || *end != '\0' ? fail() : wrapped(value);
+    }
+
+    Value fail()
+    {
+        bad_ = true;
+        return {};
+    }
+
+    const GlslToken* at_;
+    const GlslToken* end_;
+    bool unknown_is_zero_;
+    bool bad_ = false;
+    int nesting_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end,
+                                     bool unknown_is_zero)
+{
+    return Evaluator(begin, end, unknown_is_zero).run();
+}
+
+}  // namespace crevice

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Macros and constant expressions, as GLSL's preprocessor and its array sizes know them.
+#pragma once
+
+#include "core/glsl/lexer.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace crevice {
+
+/// Replacements that one stage may take. A shader needs some thousands; macros that double
+/// themselves over and over would otherwise fill the memory.
+constexpr int kMaxMacroSteps = 1 << 20;
+
+/// Macros that stand for macros that stand for macros ...: keeps the recursion off the stack's end.
+constexpr int kMaxMacroDepth = 256;
+
+/// The macros that are defined at one point of the text.
+class GlslMacros {
+public:
+    /// A function-like macro counts as defined and is not expanded.
+    void define(std::string_view name, GlslTokens body, bool function_like = false);
+    void undefine(std::string_view name);
+    bool defined(std::string_view name) const;
+
+    /// All names that are defined, sorted.
+    std::vector<std::string> names() const;
+
+    /// Appends `token`, or what it stands for, at the place of `token`. False when a limit is
+    /// reached.
+    bool expand(const GlslToken& token, GlslTokens& out);
+
+    /// Expands the condition of an #if, where `defined X` and `defined(X)` become 1 or 0. False
+    /// when a limit is reached.
+    bool expandCondition(const GlslToken* begin, const GlslToken* end, GlslTokens& out);
+
+private:
+    struct Macro {
+        GlslTokens body;
+        bool function_like = false;
+        bool open = false;  ///< Being expanded: its own name in it stays as it is.
+    };
+
+    std::map<std::string, Macro, std::less<>> macros_;
+    int steps_ = 0;
+    int depth_ = 0;
+};
+
+/// The value of an integer expression of ! ~ * / % + - << >> < <= > >= == != & ^ | && || and
+/// parentheses. With `unknown_is_zero`, a name counts as 0, as in #if. Empty when it cannot be
+/// read, has a name that does not count, or divides by zero where that matters.
+std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end,
+                                     bool unknown_is_zero);
+
+}  // namespace crevice

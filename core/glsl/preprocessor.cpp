@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+// Directives of GLSL: conditions, defines and includes.
+#include "core/glsl/preprocessor.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace {
+
+/// So much of a line is quoted in a message.
+constexpr std::size_t kShownBytes = 40;
+
+constexpr const char* kVersionHelp =
+    "write '#version 300 es', or '310 es' for devices that have it, above all but comments";
+constexpr const char* kConditionHelp =
+    "a condition has whole numbers, defined(NAME), macros without arguments, parentheses and "
+    "! && || == != < <= > >= + - * / %";
+constexpr const char* kIncludeHelp =
+    "write #include \"folder/file.glsl\" for a file or #include <name> for an interface";
+
+/// One #if with its #elif and #else.
+struct Branch {
+    GlslToken opened;
+    bool outer = true;    ///< What surrounds the #if is active.
+    bool active = false;  ///< The part that is being read is.
+    bool taken = false;   ///< Some part was.
+    bool in_else = false;
+};
+
+class Preprocessor {
+public:
+    Preprocessor(const std::map<std::string, SourceRef>& files,
+                 const std::map<std::string, std::string>& interfaces, GlslUnit& unit)
+        : files_(files), interfaces_(interfaces), unit_(unit) {}
+
+    void readFile(const std::string& path);
+
+private:
+    void readLine(const GlslLine& line);
+    void readFirstLine(const GlslLine& line);
+    void readDirective(const GlslLine& line);
+    void readActiveDirective(const GlslLine& line);
+    bool readBranch(const GlslLine& line);
+    void openBranch(const GlslLine& line);
+    void turnBranch(const GlslLine& line);
+    void readDefine(const GlslLine& line);
+    void readUndef(const GlslLine& line);
+    void readIncludeLine(const GlslLine& line);
+    void writeLine(int line);
+    bool resolve(const GlslInclude& include, std::string& path);
+    bool inRing(const GlslInclude& include, const std::string& path);
+    bool condition(const GlslLine& line);
+    bool undefinedName(const GlslTokens& condition);
+    bool isDefined(const GlslLine& line);
+    void spentSteps(const GlslToken& token);
+
+    // Most names come many times: finding one costs no allocation.
+    void mention(const GlslToken& token)
+    {
+        if (token.kind != GlslToken::Kind::identifier) return;
+        if (unit_.mentioned.find(token.text) == unit_.mentioned.end())
+            unit_.mentioned.emplace(token.text);
+    }
+
+    bool active() const { return branches_.empty() || branches_.back().active; }
+    int file() const { return open_numbers_.back(); }
+
+    void fail(Code code, std::string message, const Place& place, std::string help)
+    {
+        unit_.errors.push_back({code, std::move(message), place, {}, {}, std::move(help)});
+    }
+
+    void fail(std::string message, const GlslToken& token, std::string help = {})
+    {
+        fail(Code::preprocessor, std::move(message), placeOf(token, unit_.files), std::move(help));
+    }
+
+    const std::map<std::string, SourceRef>& files_;
+    const std::map<std::string, std::string>& interfaces_;
+    GlslUnit& unit_;
+    std::vector<Branch> branches_;
+    std::vector<std::string> open_paths_;  ///< The files being read, from the root on.
+    std::vector<int> open_numbers_;        ///< Their source-string numbers.
+    std::set<std::string> seen_;
+    std::set<std::string, std::less<>> undefined_;
+    bool stopped_ = false;  ///< Nothing more can be said about this text.
+};
+
+void Preprocessor::readFile(const std::string& path)
+{
+    const SourceRef& source = files_.at(path);
+    const int number = int(unit_.files.size());
+    const std::size_t outer_branches = branches_.size();
+    unit_.files.push_back(source);
+    open_paths_.push_back(path);
+    open_numbers_.push_back(number);
+    if (number > 0) writeLine(1);
+    seen_.insert(path);
+
+    BlankedText blanked = blankComments(source->text);
+    if (blanked.open_line > 0)
+        fail(Code::preprocessor, "a comment begins here and does not end",
+             {source, blanked.open_line, 1, 1}, "add '*/'");
+    unit_.blanked.push_back(std::move(blanked.text));
+    GlslLines lines(unit_.blanked.back(), number);
+    for (GlslLine line; !stopped_ && lines.next(line);) readLine(line);
+
+    for (; branches_.size() > outer_branches; branches_.pop_back())
+        if (!stopped_)
+            fail("this #" + std::string(branches_.back().opened.text) + " has no #endif",
+                 branches_.back().opened, "add '#endif' where what depends on it ends");
+    open_paths_.pop_back();
+    open_numbers_.pop_back();
+}
+
+void Preprocessor::readLine(const GlslLine& line)
+{
+    if (unit_.version.empty()) return readFirstLine(line);
+    if (line.isDirective()) return readDirective(line);
+    unit_.text += line.text;
+    for (const GlslToken& token : line.tokens) {
+        mention(token);
+        if (active() && !stopped_ && !unit_.macros.expand(token, unit_.tokens)) spentSteps(token);
+    }
+}
+
+/// Drops comments above #version, which must be the first thing that the driver sees.
+void Preprocessor::readFirstLine(const GlslLine& line)
+{
+    if (line.tokens.empty()) return;
+    const GlslTokens& tokens = line.tokens;
+    const bool version = line.isDirective() && line.directive() == "version";
+    const bool known = version && tokens.size() == 4 && tokens[3].is("es") &&
+                       (tokens[2].is("300") || tokens[2].is("310"));
+    if (!known) {
+        const std::string_view shown = utf8Prefix(line.text, line.text.find('\n'));
+        fail("the text begins with '" + std::string(utf8Prefix(shown, kShownBytes)) +
+                 "', wanted '#version 300 es' or '#version 310 es'",
+             tokens[0], kVersionHelp);
+        stopped_ = true;
+        return;
+    }
+    unit_.version = std::string(tokens[2].text) + " es";
+    writeLine(line.line + line.count);
+    unit_.macros.define("__VERSION__", {tokens[2]});
+}
+
+void Preprocessor::readDirective(const GlslLine& line)
+{
+    if (line.directive() == "include") return readIncludeLine(line);
+    unit_.text += line.text;
+    for (const GlslToken& token : line.tokens)
+        mention(token);
+    if (!readBranch(line) && active()) readActiveDirective(line);
+}
+
+void Preprocessor::readActiveDirective(const GlslLine& line)
+{
+    const std::string_view name = line.directive();
+    if (name == "define") return readDefine(line);
+    if (name == "undef") return readUndef(line);
+    if (name == "error") {
+        const std::size_t at = line.text.find("error") + 5;
+        std::string text = line.text.substr(at, line.text.size() - at - 1);
+        text.erase(0, text.find_first_not_of(" \t"));
+        return fail("#error: " + text, line.tokens[1]);
+    }
+    if (name == "version")
+        return fail("#version stands in the middle of the text", line.tokens[0],
+                    "only the file that a shader names begins with #version");
+    if (!name.empty() && name != "extension" && name != "pragma" && name != "line")
+        fail("there is no directive '#" + std::string(name) + "'", line.tokens[1],
+             suggestName(name, {"define", "elif", "else", "endif", "error", "extension", "if",
+                                "ifdef", "ifndef", "include", "pragma", "undef", "version"},
+                         "directives"));
+}
+
+/// True when the line is one of the directives of an #if.
+bool Preprocessor::readBranch(const GlslLine& line)
+{
+    const std::string_view name = line.directive();
+    if (name == "if" || name == "ifdef" || name == "ifndef") {
+        openBranch(line);
+        return true;
+    }
+    if (name != "elif" && name != "else" && name != "endif") return false;
+    if (branches_.empty() || branches_.back().opened.file != file())
+        fail("#" + std::string(name) + " without an #if in this file", line.tokens[1]);
+    else if (name == "endif")
+        branches_.pop_back();
+    else
+        turnBranch(line);
+    return true;
+}
+
+void Preprocessor::openBranch(const GlslLine& line)
+{
+    Branch branch;
+    branch.opened = line.tokens[1];
+    branch.outer = active();
+    if (branch.outer)
+        branch.active = line.directive() == "if" ? condition(line)
+                                                 : isDefined(line) == (line.directive() == "ifdef");
+    branch.taken = branch.active;
+    branches_.push_back(branch);
+}
+
+void Preprocessor::turnBranch(const GlslLine& line)
+{
+    Branch& branch = branches_.back();
+    const bool last = line.directive() == "else";
+    if (branch.in_else) fail("#" + std::string(line.directive()) + " after #else", line.tokens[1]);
+    const bool open = branch.outer && !branch.taken && !branch.in_else;
+    branch.active = open && (last || condition(line));
+    branch.taken = branch.taken || branch.active;
+    branch.in_else = branch.in_else || last;
+}
+
+bool Preprocessor::condition(const GlslLine& line)
+{
+    const GlslToken* end = line.tokens.data() + line.tokens.size();
+    GlslTokens expanded;
+    if (!unit_.macros.expandCondition(line.tokens.data() + 2, end, expanded)) {
+        spentSteps(line.tokens[1]);
+        return false;
+    }
+    const auto value = evaluate(expanded.data(), expanded.data() + expanded.size(), false);
+    if (!value && !undefinedName(expanded))
+        fail("the condition of #" + std::string(line.directive()) + " cannot be read",
+             line.tokens[line.tokens.size() > 2 ? 2 : 1], kConditionHelp);
+    return value.value_or(0) != 0;
+}
+
+/// Says so when all that is wrong with a condition is a name without a #define, which C takes for 0
+/// and GLSL ES refuses.
+bool Preprocessor::undefinedName(const GlslTokens& condition)
+{
+    if (!evaluate(condition.data(), condition.data() + condition.size(), true)) return false;
+    for (const GlslToken& token : condition) {
+        if (token.kind != GlslToken::Kind::identifier) continue;
+        if (!undefined_.emplace(token.text).second) return true;  // told once for the whole stage
+        fail("a condition has '" + std::string(token.text) + "', which is not defined", token,
+             suggestName(token.text, unit_.macros.names(), "defined") +
+                 "; features, traits and params with bind 'define' are, in upper case");
+        return true;
+    }
+    return false;
+}
+
+bool Preprocessor::isDefined(const GlslLine& line)
+{
+    if (line.tokens.size() == 3 && line.tokens[2].kind == GlslToken::Kind::identifier)
+        return unit_.macros.defined(line.tokens[2].text);
+    fail("#" + std::string(line.directive()) + " wants one name", line.tokens[1]);
+    return false;
+}
+
+void Preprocessor::readDefine(const GlslLine& line)
+{
+    const GlslTokens& tokens = line.tokens;
+    if (tokens.size() < 3 || tokens[2].kind != GlslToken::Kind::identifier)
+        return fail("#define wants a name", tokens[1]);
+    const GlslToken& name = tokens[2];
+    const bool arguments = tokens.size() > 3 && tokens[3].is("(") && tokens[3].line == name.line &&
+                           tokens[3].column == name.column + int(name.text.size());
+    unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
+}
+
+void Preprocessor::readUndef(const GlslLine& line)
+{
+    if (line.tokens.size() != 3 || line.tokens[2].kind != GlslToken::Kind::identifier)
+        return fail("#undef wants one name", line.tokens[1]);
+    unit_.macros.undefine(line.tokens[2].text);
+}
+
+/// The line itself never reaches the driver: blank lines, or the file, stand in for it.
+void Preprocessor::readIncludeLine(const GlslLine& line)
+{
+    GlslInclude include;
+    std::string path;
+    const bool wanted = active();
+    const bool read = readInclude(line, unit_.files[std::size_t(file())], include);
+    if (wanted && !read) fail("this #include cannot be read", line.tokens[1], kIncludeHelp);
+    if (!wanted || !read || !resolve(include, path) || inRing(include, path) || seen_.count(path)) {
+        unit_.text.append(std::size_t(line.count), '\n');
+        return;
+    }
+    readFile(path);
+    writeLine(line.line + line.count);
+}
+
+/// Says that what follows is that line of the file being read.
+void Preprocessor::writeLine(int line)
+{
+    unit_.text += "#line " + std::to_string(file() * kLinesPerFile + line) + " " +
+                  std::to_string(file()) + "\n";
+}
+
+/// Finds the path of an include among the files. False, with an error, when there is none.
+bool Preprocessor::resolve(const GlslInclude& include, std::string& path)
+{
+    if (!include.interface) {
+        path = resolvePath(open_paths_.back(), include.name);
+        if (files_.count(path)) return true;
+        std::vector<std::string> names;
+        for (const auto& entry : files_) names.push_back(entry.first);
+        fail(Code::include_missing, "#include names '" + include.name + "', which does not exist",
+             include.place, suggestName(include.name, std::move(names), "files"));
+        return false;
+    }
+    const auto found = interfaces_.find(include.name);
+    if (found != interfaces_.end() && files_.count(found->second)) {
+        path = found->second;
+        return true;
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : interfaces_) names.push_back(entry.first);
+    fail(Code::include_missing,
+         "no module of the config provides the interface '" + include.name + "'", include.place,
+         suggestName(include.name, std::move(names), "interfaces"));
+    return false;
+}
+
+/// True, with an error, when the file is being read already.
+bool Preprocessor::inRing(const GlslInclude& include, const std::string& path)
+{
+    const auto first = std::find(open_paths_.begin(), open_paths_.end(), path);
+    if (first == open_paths_.end()) return false;
+    std::string chain;
+    for (auto at = first; at != open_paths_.end(); ++at) chain += *at + " -> ";
+    fail(Code::include_cycle, "an #include leads back to itself: " + chain + path, include.place,
+         "move what both need into a third file");
+    return true;
+}
+
+void Preprocessor::spentSteps(const GlslToken& token)
+{
+    stopped_ = true;
+    fail("macros expand without end", token, "shorten the chain of #defines that this one begins");
+}
+
+}  // namespace
+
+void preprocess(const std::map<std::string, SourceRef>& files,
+                const std::map<std::string, std::string>& interfaces, const std::string& path,
+                const GlslDefines& defines, GlslUnit& unit)
+{
+    static const GlslDefines kBuiltIn = {{"GL_ES", "1"}, {"GL_FRAGMENT_PRECISION_HIGH", "1"}};
+    for (const GlslDefines* list : {&kBuiltIn, &defines})
+        for (const auto& [name, value] : *list) {
+            GlslTokens body;
+            tokenize(value, -1, 0, body);
+            unit.macros.define(name, std::move(body));
+        }
+    if (files.count(path) == 0) {
+        unit.errors.push_back({Code::file_missing, "there is no shader file '" + path + "'"});
+        return;
+    }
+    Preprocessor(files, interfaces, unit).readFile(path);
+    if (unit.version.empty() && unit.errors.empty())
+        unit.errors.push_back({Code::preprocessor, "the text is empty, wanted a shader",
+                               {unit.files[0], 1, 1, 1}, {}, {}, kVersionHelp});
+}
+
+Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files)
+{
+    if (token.file < 0) return {};
+    return {files[std::size_t(token.file)], token.line, token.column, int(token.text.size())};
+}
+
+bool readInclude(const GlslLine& line, const SourceRef& source, GlslInclude& include)
+{
+    const GlslTokens& tokens = line.tokens;
+    include.interface = tokens.size() == 5 && tokens[2].is("<") && tokens[4].is(">");
+    const bool quoted = tokens.size() == 3 && tokens[2].kind == GlslToken::Kind::quoted &&
+                        tokens[2].text.size() > 2 && tokens[2].text.back() == '"';
+    if (!include.interface && !quoted) return false;
+    GlslToken name = tokens[include.interface ? 3 : 2];
+    if (quoted) {
+        name.text = name.text.substr(1, name.text.size() - 2);
+        ++name.column;
+    }
+    include.name = name.text;
+    include.place = {source, name.line, name.column, int(name.text.size())};
+    return true;
+}
+
+}  // namespace crevice

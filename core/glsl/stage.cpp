@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Shader stages from GLSL files.
+#include "core/glsl/stage.h"
+
+#include "core/glsl/declarations.h"
+#include "core/glsl/preprocessor.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr struct {
+    GlslType type;
+    const char* name;
+} kTypes[] = {
+    {GlslType::float_, "float"}, {GlslType::vec2, "vec2"},   {GlslType::vec3, "vec3"},
+    {GlslType::vec4, "vec4"},    {GlslType::int_, "int"},    {GlslType::ivec2, "ivec2"},
+    {GlslType::ivec3, "ivec3"},  {GlslType::ivec4, "ivec4"}, {GlslType::uint_, "uint"},
+    {GlslType::bool_, "bool"},   {GlslType::mat3, "mat3"},   {GlslType::mat4, "mat4"},
+    {GlslType::sampler2d, "sampler2D"}, {GlslType::sampler2d_ms, "sampler2DMS"},
+};
+
+/// Values on one line and without comments, so that a #define holds all of each.
+GlslDefines cleaned(const GlslDefines& defines)
+{
+    GlslDefines clean;
+    for (const auto& [name, value] : defines) {
+        std::string text = blankComments(value).text;
+        for (char& c : text)
+            if (c == '\n' || c == '\r') c = ' ';
+        clean[name] = std::move(text);
+    }
+    return clean;
+}
+
+/// The text up to its last #include, with all the line that it stands on: they come first, and what
+/// follows is most of a file.
+std::string_view throughIncludes(std::string_view text)
+{
+    const std::size_t last = text.rfind("include");
+    if (last == text.npos) return {};
+    std::size_t end = text.find('\n', last);
+    const auto continued = [&] {
+        const std::size_t before = text[end - 1] == '\r' ? end - 2 : end - 1;
+        return text[before] == '\\';
+    };
+    while (end != text.npos && continued()) end = text.find('\n', end + 1);
+    return text.substr(0, end);
+}
+
+/// The defines that the text mentions, or that the values of such defines mention.
+std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit& unit)
+{
+    std::set<std::string> used;
+    auto reach = [&](auto& self, std::string_view name) -> void {
+        const auto found = defines.find(std::string(name));
+        if (found == defines.end() || !used.insert(found->first).second) return;
+        GlslTokens tokens;
+        tokenize(found->second, -1, 0, tokens);
+        for (const GlslToken& token : tokens) self(self, token.text);
+    };
+    for (const std::string& name : unit.mentioned) reach(reach, name);
+    return {used.begin(), used.end()};
+}
+
+std::string stageText(const GlslUnit& unit, const GlslDefines& defines,
+                      const std::vector<std::string>& used)
+{
+    std::string text = "#version " + unit.version + "\n";
+    for (const std::string& name : used) text += "#define " + name + " " + defines.at(name) + "\n";
+    return text + unit.text;
+}
+
+}  // namespace
+
+const char* glslName(GlslType type)
+{
+    for (const auto& known : kTypes)
+        if (known.type == type) return known.name;
+    return "other";
+}
+
+GlslType glslTypeFromName(std::string_view name)
+{
+    for (const auto& known : kTypes)
+        if (known.name == name) return known.type;
+    return GlslType::other;
+}
+
+bool isSampler(GlslType type)
+{
+    return type == GlslType::sampler2d || type == GlslType::sampler2d_ms;
+}
+
+std::vector<GlslInclude> findIncludes(const SourceRef& source)
+{
+    std::vector<GlslInclude> includes;
+    const BlankedText blanked = blankComments(throughIncludes(source->text));
+    GlslLines lines(blanked.text, 0);
+    for (GlslLine line; lines.next(line);) {
+        GlslInclude include;
+        const bool found = line.isDirective() && line.directive() == "include";
+        if (found && readInclude(line, source, include)) includes.push_back(std::move(include));
+    }
+    return includes;
+}
+
+Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
+                                const std::map<std::string, std::string>& interfaces,
+                                const std::string& path, const GlslDefines& defines)
+{
+    const GlslDefines clean = cleaned(defines);
+    GlslUnit unit;
+    GlslStage stage;
+    preprocess(files, interfaces, path, clean, unit);
+    if (unit.errors.empty()) scanDeclarations(unit, stage);
+    if (!unit.errors.empty()) return std::move(unit.errors);
+    stage.defines_used = usedDefines(clean, unit);
+    stage.text = stageText(unit, clean, stage.defines_used);
+    stage.files = std::move(unit.files);
+    return stage;
+}
+
+}  // namespace crevice

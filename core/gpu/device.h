@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// The abstract device: what a plan needs from a graphics API, and nothing else.
+//
+// Plain structs go in, typed ids come out; zero is null. A device belongs to one context and one
+// thread. Objects are created between frames, never inside one. Validation is core's task: a device
+// may assert that what it gets makes sense.
+#pragma once
+
+#include "core/base/image.h"
+#include "core/base/result.h"
+#include "core/glsl/stage.h"
+#include "core/gpu/format.h"
+#include "core/gpu/state.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+struct TextureId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct MeshId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct ProgramId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct FramebufferId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+
+/// Any of the above, for `Device::destroy`.
+struct ObjectId {
+    enum class Kind { texture, mesh, program, framebuffer };
+
+    Kind kind;
+    std::uint32_t value;
+
+    ObjectId(TextureId id) : kind(Kind::texture), value(id.value) {}          // NOLINT
+    ObjectId(MeshId id) : kind(Kind::mesh), value(id.value) {}                // NOLINT
+    ObjectId(ProgramId id) : kind(Kind::program), value(id.value) {}          // NOLINT
+    ObjectId(FramebufferId id) : kind(Kind::framebuffer), value(id.value) {}  // NOLINT
+};
+
+/// What a device can do; read once when it is made.
+struct DeviceCaps {
+    std::string name;      ///< Renderer and version as the driver tells them.
+    int version = 300;     ///< 300, 310 or 320; a desktop context counts as what it is compatible with.
+    bool software = false; ///< Rendered by the CPU: timer queries lie, time with finish().
+    bool compute = false;
+    int max_texture_size = 2048;
+    int max_color_attachments = 4;
+    int max_texture_units = 16;           ///< Of the fragment stage.
+    int max_fragment_uniform_vectors = 224;
+    int max_vertex_uniform_vectors = 256;
+    bool renderable[kFormatCount + 1] = {};  ///< By Format.
+
+    /// By Format: bit n is set when a pixel may have n + 1 samples; bit 0 is not looked at.
+    std::uint32_t sample_counts[kFormatCount + 1] = {};
+
+    bool canRender(Format format) const { return renderable[static_cast<int>(format)]; }
+};
+
+/// The least that every OpenGL ES 3.0 device has.
+DeviceCaps minimumCaps();
+
+struct TextureDesc {
+    std::string label = {};
+    Format format = Format::rgba8;
+    Extent extent = {};
+    int mips = 1;
+    int samples = 1;  ///< Above 1 it can be drawn into and resolved, and neither sampled nor read,
+                      ///< unless it is adopted: then sampler2DMS reads it, from OpenGL ES 3.1 on.
+};
+
+struct FramebufferDesc {
+    std::string label = {};
+    std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
+    TextureId depth = {};  ///< May be larger than a pass that clears it first and keeps nothing of it.
+
+    /// Where the above have several samples: what those whose StoreOp is store are resolved into as
+    /// a pass ends; colour to the mean, depth to one sample. The samples themselves do not stay.
+    std::vector<TextureId> resolve_color = {};
+    TextureId resolve_depth = {};
+};
+
+struct ProgramDesc {
+    std::string label = {};
+    GlslStage vertex = {};
+    GlslStage fragment = {};
+};
+
+/// Interleaved vertices: position (3 floats), normal (3), uv (2), at locations 0, 1, 2.
+struct Vertex {
+    float position[3] = {0, 0, 0};
+    float normal[3] = {0, 0, 1};
+    float uv[2] = {0, 0};
+};
+
+struct MeshDesc {
+    std::string label = {};
+    std::vector<Vertex> vertices = {};
+    std::vector<std::uint32_t> indices = {};  ///< Triangles.
+};
+
+/// The most bytes that a mesh's vertices may take, and its indices: sizes in 32-bit drivers end here.
+constexpr std::uint64_t kMaxMeshBytes = 0x7fffffff;
+
+/// Errors: CV6007 for so many vertices or indices that one of them takes more than kMaxMeshBytes.
+Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint64_t indices);
+
+/// Errors: those of `checkMeshSize`; CV6011 for an index past the last vertex.
+Status checkMesh(const MeshDesc& mesh);
+
+/// What a device knows of one of its objects. Of an id that it does not have, `exists` is false.
+struct ObjectInfo {
+    bool exists = false;
+    std::uint32_t native_name = 0;  ///< Of a texture, see Device::nativeName.
+    int samples = 1;                ///< A pixel of a texture.
+    std::uint32_t index_count = 0;  ///< Of a mesh.
+};
+
+/// A uniform that a linked program really has.
+struct UniformInfo {
+    std::string name;  ///< Without "[0]".
+    GlslType type = GlslType::float_;
+    int count = 1;
+    int location = -1;
+};
+
+struct SamplerDesc {
+    Filter filter = Filter::nearest;
+    Wrap wrap = Wrap::clamp;
+};
+
+enum class LoadOp { load, clear, discard };
+enum class StoreOp { store, discard };
+
+constexpr int kMaxColorAttachments = 8;
+
+/// Timers that a frame may run; more than any shipped config has passes.
+constexpr int kMaxTimers = 64;
+
+/// Pixels of a picture; (x, y) is the lower left one.
+struct PixelArea {
+    int x = 0, y = 0;
+    Extent extent = {};
+};
+
+/// How a pass begins and ends: its framebuffer and what happens to each attachment.
+struct PassInfo {
+    const char* label = "";
+    FramebufferId framebuffer = {};
+    Extent extent = {};
+    int color_count = 0;
+    LoadOp color_load[kMaxColorAttachments] = {};
+    StoreOp color_store[kMaxColorAttachments] = {};
+    float clear_color[kMaxColorAttachments][4] = {};
+    bool has_depth = false;
+    LoadOp depth_load = LoadOp::discard;
+    StoreOp depth_store = StoreOp::discard;
+    float clear_depth = 1.0f;
+    float at_depth = -1.0f;    ///< Window depth of all that is drawn; below 0 it has its own.
+    bool within_area = false;  ///< Draws change `area` alone; loads are of everything.
+    PixelArea area = {};
+};
+
+/// The host's own framebuffer and the rectangle to fill in it, in pixels from the lower left.
+struct HostFramebuffer {
+    std::uint32_t name = 0;  ///< The API's own name.
+    int x = 0, y = 0;
+    Extent extent = {};
+};
+
+/// One context's worth of graphics. Every function must be called with that context current. Where it
+/// is not, functions that return a Status or Result say so with CV6004 and change nothing. An id that
+/// the device does not have is an error CV6011.
+class Device {
+public:
+    virtual ~Device() = default;
+
+    virtual const DeviceCaps& caps() const = 0;
+
+    /// Creates an object; the caller owns it and gives it to `destroy`.
+    /// Errors: CV6004, CV6005, CV6007, CV6009, CV6016; CV5001 and CV5002 for programs, CV6011 for meshes.
+    /// A texture's content is undefined.
+    virtual Result<TextureId> createTexture(const TextureDesc& desc) = 0;
+    virtual Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) = 0;
+    virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
+    virtual Result<MeshId> createMesh(const MeshDesc& desc) = 0;
+
+    /// Wraps a texture that the host owns; `destroy` forgets it and leaves it alive.
+    /// Errors: CV6004; CV6011; CV6014 for samples that the device cannot read.
+    virtual Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) = 0;
+
+    /// What is known of an object of any kind, or that there is none.
+    virtual ObjectInfo info(ObjectId id) const = 0;
+
+    /// The API's own name of a texture, for a host's own shaders: with the GL device a name for
+    /// glBindTexture(GL_TEXTURE_2D, name), or GL_TEXTURE_2D_MULTISAMPLE if it was adopted with samples.
+    /// 0 of an id that the device does not have, and of samples that are drawn into and never read.
+    ///
+    /// It is the device's: read it, and neither write nor delete it. Its own parameters are GL_NEAREST and
+    /// GL_CLAMP_TO_EDGE, one level; bind a sampler object for others. The name is good for as long as the id
+    /// is; Renderer::output says how long that is.
+    std::uint32_t nativeName(TextureId id) const { return info(id).native_name; }
+
+    /// Destroys one object of any kind. A null id, and one that the device does not have, is ignored.
+    virtual void destroy(ObjectId id) = 0;
+
+    /// Replaces level 0 of a texture; channels are converted to the texture's format.
+    /// Errors: CV6004, CV6005, CV6009, CV6011, CV6016.
+    virtual Status writeTexture(TextureId id, const Image& image) = 0;
+
+    /// Reads level 0 as floats: what the GPU holds, depth included. Slow; waits for the GPU.
+    /// Errors: those of writeTexture.
+    virtual Result<Image> readTexture(TextureId id) = 0;
+
+    /// The active uniforms, without built-ins. Requires a program of the device.
+    virtual const std::vector<UniformInfo>& uniforms(ProgramId id) const = 0;
+
+    /// Brackets all drawing of a frame: keeps the host's state and puts it back.
+    /// beginFrame returns CV6004 or CV6016 where nothing can be drawn; no endFrame must follow then.
+    /// endFrame returns CV6005 with the pass's name when the driver reported an error, CV6009 when
+    /// memory ran out, and CV6016 when the context is lost: then the device is of no more use.
+    virtual Status beginFrame() = 0;
+    virtual Status endFrame() = 0;
+
+    virtual void beginPass(const PassInfo& pass) = 0;
+    virtual void endPass() = 0;
+    virtual void setProgram(ProgramId id, const StateDesc& state) = 0;
+
+    /// Binds a texture to the sampler at `location`, through texture unit `unit`.
+    virtual void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) = 0;
+
+    /// `data` holds `count` values of `type`: floats, or 32-bit ints for the integer types; matrices
+    /// by columns.
+    virtual void setUniform(int location, GlslType type, int count, const void* data) = 0;
+
+    /// Draws triangles [first, first + count) of indices.
+    virtual void draw(MeshId id, std::uint32_t first, std::uint32_t count) = 0;
+
+    /// Draws one triangle that covers the viewport; the vertex shader builds it from gl_VertexID.
+    virtual void drawFullscreen() = 0;
+
+    /// Copies a colour texture into the host's framebuffer, scaled to its rectangle.
+    /// Errors: those of writeTexture.
+    virtual Status present(TextureId id, const HostFramebuffer& host) = 0;
+
+    /// Waits until everything issued is done.
+    virtual void finish() = 0;
+
+    /// Measures the GPU's time from here to endTimer into a slot, [0, kMaxTimers). Inside a frame,
+    /// one at a time. False, for every slot and for good, where the device has no timer that can be
+    /// trusted, such as on a software renderer; endTimer must then not follow.
+    virtual bool beginTimer(int slot) = 0;
+    virtual void endTimer() = 0;
+
+    /// What the slot measured, in milliseconds; outside of frames. Waits for the GPU. Negative when
+    /// the result is void: the GPU was disturbed, or nothing was measured. The results of all slots
+    /// are forgotten when the first timer after a readTimer begins.
+    virtual double readTimer(int slot) = 0;
+};
+
+/// Whether the device has that texture, with one sample a pixel, so that it can be read and copied.
+/// Errors: CV6011.
+Status checkReadable(const Device& device, TextureId id);
+
+}  // namespace crevice

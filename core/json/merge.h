@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Merging documents: RFC 7396 merge patches that remember where each value came from.
+#pragma once
+
+#include "core/json/document.h"
+
+namespace crevice {
+
+/// Applies `patch` to `base`: objects merge key by key, null deletes, anything else replaces.
+/// A replaced value's places go into `origins` of the new one.
+///
+/// Errors: CV1101 (null for a key that is not there) and CV1102 (an object replaced by something
+/// else, or the reverse), each at the patch's place with a note for the base's. They are appended
+/// to `diagnostics`; the merge goes on so that every error is found.
+void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics);
+
+/// The smallest patch that `mergePatch` makes `now` of `base` with; it has no member where they are
+/// the same. Requires two objects.
+Node patchBetween(const Node& base, const Node& now);
+
+}  // namespace crevice

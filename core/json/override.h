@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Overrides: single values laid over a merged document, as `--set` takes them.
+#pragma once
+
+#include "core/json/document.h"
+
+#include <string>
+
+namespace crevice {
+
+/// Applies "radius=0.8", which sets the default of the param or feature of that name, or
+/// "/passes/blur/when=null", which sets or deletes what an RFC 6901 pointer names and makes the
+/// objects on the way. The value is read by parseValue; its place is in a text called
+/// "--set radius=0.8", and a file that it names is seen from the current folder and lies below that
+/// or below `roots`.
+///
+/// Errors: CV1206 when there is no name or no value, CV4004 when nothing has the name, CV1001 to
+/// CV1006 for the value, CV1101 and CV1102 as for any patch.
+Status applyOverride(Node& document, const std::string& text, const std::vector<std::string>& roots = {});
+
+}  // namespace crevice

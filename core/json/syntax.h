@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Syntax errors in plain words. document.cpp reads with a parser that says little about what it
+// could not read; this looks again at the place where it stopped.
+#pragma once
+
+#include "core/json/document.h"
+
+namespace crevice {
+
+/// Where a reader stopped.
+struct SyntaxStop {
+    enum class After { nothing, opening, key, value };
+
+    std::size_t offset = 0;           ///< Behind the last token that made sense.
+    After after = After::nothing;     ///< What that token ended. A closing bracket ends a value.
+    const Node* container = nullptr;  ///< The innermost object or array not closed yet.
+};
+
+/// What was found behind the stop and what was wanted there: CV1001, or CV1003 for a number that is
+/// well formed but out of range.
+Diagnostic explainSyntax(const SourceRef& source, const SyntaxStop& stop);
+
+/// The place of `length` bytes at `offset`.
+Place placeAt(const SourceRef& source, std::size_t offset, std::size_t length = 1);
+
+/// Bytes of white space at `offset`.
+std::size_t spaceLength(std::string_view text, std::size_t offset);
+
+/// Bytes of the longest JSON number that begins at `offset`; 0 when none does.
+std::size_t numberLength(std::string_view text, std::size_t offset);
+
+}  // namespace crevice

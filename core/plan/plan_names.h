@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The words in which plans are printed. Private to core and the tools.
+#pragma once
+
+#include "core/plan/plan.h"
+
+namespace crevice {
+
+const char* nameOf(LoadOp load);
+const char* nameOf(StoreOp store);
+const char* nameOf(InputKind kind);
+
+/// What a sampler reads: a target's, generated value's or import's name, "material" or a number.
+std::string sourceName(const Plan& plan, const PlanInput& input);
+
+/// "256x144".
+std::string sizeText(const Extent& extent);
+
+/// "288.0 KiB".
+std::string bytesText(double bytes);
+
+/// ", 4 samples"; nothing for one.
+std::string samplesText(int samples);
+
+/// Within what a fullscreen pass is drawn: "everything", "the bounds of things".
+std::string boundsText(const PlanPass& pass);
+
+/// The texture behind a target of the plan.
+const PlanTexture& textureOf(const Plan& plan, int target);
+
+}  // namespace crevice

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Which passes of a plan a frame must run: those whose input has changed since they ran last, all that read
+// what those write, and those whose picture another one has overwritten meanwhile.
+//
+// Private to the renderer, and pure: it knows textures by their numbers in the plan.
+#pragma once
+
+#include "core/plan/plan.h"
+
+#include <vector>
+
+namespace crevice {
+
+class PassCache {
+public:
+    explicit PassCache(const Plan& plan);
+
+    /// Nothing is drawn yet, or nobody knows what has been.
+    void clear();
+
+    /// Chooses for a frame. `changed`: by run (view * passes + pass), whether uniforms, draws or
+    /// imported textures of it are others than when it ran last. The passes chosen count as run from
+    /// then on. The answer is by run as well, and stays until the next call.
+    const std::vector<char>& choose(const std::vector<char>& changed);
+
+private:
+    struct PassNode {
+        std::vector<int> reads;   // targets
+        std::vector<int> writes;  // targets that are kept
+        bool remembers = false;   // reads or writes what changes with every frame
+    };
+
+    int runOf(int view, int pass) const { return view * static_cast<int>(passes_.size()) + pass; }
+    int slotOf(int view, int target) const;
+    int contentOf(int view, int target) const;
+    bool findOverwritten();
+    bool requireTarget(int view, int target);
+
+    const Plan& plan_;
+    std::vector<PassNode> passes_;
+    std::vector<int> outputs_;    // targets
+    std::vector<int> slots_;      // what each texture holds: a content, or kNothing
+    std::vector<int> next_slots_;  // ... while a frame is gone through
+    std::vector<char> runs_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+// Running a prepared plan: no allocation, no creation, no decision that could be made before.
+#include "core/run/execution.h"
+
+#include "core/frame/frame_values.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace crevice {
+namespace {
+
+// The state that culls what `state` keeps, for things that are mirrored.
+StateDesc turned(StateDesc state)
+{
+    state.cull = state.cull == Cull::back ? Cull::front : Cull::back;
+    return state;
+}
+
+/// Null where there is none of that name, or a null id behind it.
+const ImportedTexture* findTexture(const std::vector<ImportedTexture>& textures,
+                                   std::string_view name)
+{
+    for (const ImportedTexture& texture : textures)
+        if (texture.name == name) return texture.texture ? &texture : nullptr;
+    return nullptr;
+}
+
+const ImportedTexture* findTexture(const Frame& frame, std::size_t view, std::string_view name)
+{
+    const ImportedTexture* own =
+        view > 0 ? findTexture(frame.other_views[view - 1].textures, name) : nullptr;
+    return own ? own : findTexture(frame.textures, name);
+}
+
+/// The revision of what is always there: no host's, for they count from 1.
+constexpr std::uint64_t kNeverChanges = ~std::uint64_t{0};
+
+Diagnostic missing(const ImportDesc& import)
+{
+    Diagnostic error{Code::missing_import,
+                     "the frame has no texture for import '" + import.name + "'"};
+    error.place = import.place;
+    error.pointer = import.pointer;
+    error.help = "add one of that name to Frame::textures, or make the import optional";
+    return error;
+}
+
+Diagnostic unknownTexture(const ImportDesc& import, TextureId id)
+{
+    Diagnostic error{Code::bad_input, "the frame's texture '" + import.name + "' is texture " +
+                                          std::to_string(id.value) + ", which is none of this device"};
+    error.place = import.place;
+    error.pointer = import.pointer;
+    error.help = "take an id that adoptTexture or createTexture gave and that is not destroyed yet";
+    return error;
+}
+
+Diagnostic otherSamples(const ImportDesc& import, const char* pass, int samples)
+{
+    const std::string found = samples == 1 ? "one sample" : std::to_string(samples) + " samples";
+    Diagnostic error{Code::bad_input, "the frame's texture '" + import.name + "' has " + found +
+                                          " a pixel, and pass '" + pass + "' reads it as " +
+                                          (samples == 1 ? "sampler2DMS" : "sampler2D")};
+    error.place = import.place;
+    error.pointer = import.pointer;
+    error.help = samples == 1 ? "adopt it with its TextureDesc::samples, or take a module for one"
+                              : "resolve it, or take a module that reads samples";
+    return error;
+}
+
+}  // namespace
+
+Status Execution::checkImports(const Frame& frame) const
+{
+    for (const ImportDesc& import : plan_.imports)
+        if (import.type == ImportType::texture && !import.optional &&
+            !findTexture(frame.textures, import.name)) return missing(import);
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        for (const PreparedPass& pass : views_[view].passes) {
+            for (const TextureBinding& binding : pass.textures) {
+                if (binding.import < 0) continue;
+                const ImportDesc& import = plan_.imports[binding.import];
+                const ImportedTexture* found = findTexture(frame, view, import.name);
+                const ObjectInfo info = device_.info(found ? found->texture : black_.id());
+                if (!info.exists) return unknownTexture(import, found->texture);
+                if (binding.multisampled != (info.samples > 1))
+                    return otherSamples(import, pass.info.label, info.samples);
+            }
+        }
+    }
+    return {};
+}
+
+Status Execution::setImports(const Frame& frame)
+{
+    if (Status status = checkImports(frame); !status) return status;
+    for (std::size_t view = 0; view < views_.size(); ++view) {
+        for (PreparedPass& pass : views_[view].passes) {
+            for (TextureBinding& binding : pass.textures) {
+                if (binding.import < 0) continue;
+                const ImportedTexture* found =
+                    findTexture(frame, view, plan_.imports[binding.import].name);
+                const TextureId texture = found ? found->texture : black_.id();
+                const std::uint64_t revision = found ? found->revision : kNeverChanges;
+                pass.imports_changed = pass.imports_changed || revision == 0 ||
+                                       revision != binding.revision ||
+                                       texture.value != binding.texture.value;
+                binding.texture = texture;
+                binding.revision = revision;
+            }
+        }
+    }
+    return {};
+}
+
+Status Execution::run(const Frame& frame)
+{
+    if (Status status = device_.beginFrame(); !status) return status;
+    const std::vector<char>& runs = begin(frame);
+    clearNewHistories();
+    std::size_t run = 0;
+    for (const PreparedView& view : views_) {
+        setView(frame, view);
+        for (const PreparedPass& pass : view.passes)
+            if (runs[run++]) runPass(pass, view.camera);
+    }
+    return end(frame);
+}
+
+/// Takes the frame's values, and says which passes must run: by view and pass.
+const std::vector<char>& Execution::begin(const Frame& frame)
+{
+    swapHistories();
+    const bool draws_changed = takeDraws(frame);
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        PreparedView& view = views_[i];
+        const bool camera_changed = beginView(frame, view, cameraOf(frame, i));
+        for (PreparedPass& pass : view.passes) {
+            values_.setViewport(pass.info.extent);
+            const bool drawn_anew =
+                pass.type == PassType::draw && (draws_changed || camera_changed);
+            const bool sent_anew = takeUniforms(pass);
+            changed_[run++] = plan_.reruns || drawn_anew || sent_anew || pass.imports_changed;
+            pass.imports_changed = false;
+        }
+    }
+    return cache_.choose(changed_);
+}
+
+void Execution::clearNewHistories()
+{
+    if (!remembers_) clearHistories();
+    remembers_ = true;
+}
+
+/// Puts the view's values into the table. Whether its camera is another than in the last frame.
+bool Execution::beginView(const Frame& frame, PreparedView& view, const Camera& camera)
+{
+    const CameraMatrices matrices = cameraMatrices(camera);
+    const bool changed = matrices.clip_from_view != view.camera.clip_from_view ||
+                         matrices.view_from_world != view.camera.view_from_world;
+    FrameHistory& history = view.history;
+    history.valid = history.valid && !frame.camera_cut;
+    if (!history.valid) history.camera = matrices;
+    view.camera = matrices;
+    view.before = history;
+    setView(frame, view);
+    history = {true, (history.frame_index + 1) % kFrameIndices, matrices};
+    return changed;
+}
+
+/// Puts the values of a view that has begun into the table.
+void Execution::setView(const Frame& frame, const PreparedView& view)
+{
+    values_.setFrame(frame, view.camera);
+    values_.setHistory(view.before, view.camera);
+    things_.reset();
+}
+
+/// Whether things, materials or what they hold are others than in the last frame.
+bool Execution::takeDraws(const Frame& frame)
+{
+    const DrawItem no_draw;
+    const Material no_material;
+    bool changed = frame.revision != drawn_.revision;
+    drawn_.revision = frame.revision;
+    const auto take = [&changed](const auto& item, auto& taken) {
+        if (taken == item) return;
+        taken = item;
+        changed = true;
+    };
+    changed = changed || frame.draws.size() != drawn_.draws.size();
+    drawn_.draws.resize(frame.draws.size());
+    drawn_.left_out = false;
+    for (std::size_t i = 0; i < frame.draws.size(); ++i) {
+        const DrawItem& item = frame.draws[i];
+        const bool drawn = item.count > 0 && isDrawable(frame, item, device_);
+        drawn_.left_out = drawn_.left_out || (item.count > 0 && !drawn);
+        take(drawn ? item : no_draw, drawn_.draws[i]);
+    }
+    changed = changed || frame.materials.size() != drawn_.materials.size();
+    drawn_.materials.resize(frame.materials.size());
+    for (std::size_t i = 0; i < frame.materials.size(); ++i)
+        take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
+    drawn_.left_out = drawn_.left_out || !isFinite(frame.ambient_light) ||
+                      !std::all_of(frame.lights.begin(), frame.lights.end(),
+                                   [](const Light& light) { return isFinite(light); });
+    return changed;
+}
+
+/// Whether the pass's values are others than when it ran last.
+bool Execution::takeUniforms(PreparedPass& pass)
+{
+    bool changed = false;
+    std::size_t at = 0;
+    for (const UniformBinding& uniform : pass.uniforms) {
+        const std::size_t words = wordsOf(uniform.type, uniform.count);
+        const std::size_t bytes = words * sizeof(std::uint32_t);
+        const void* value = values_.data(uniform.offset);
+        changed = changed || std::memcmp(&pass.sent[at], value, bytes) != 0;
+        std::memcpy(&pass.sent[at], value, bytes);
+        at += words;
+    }
+    return changed;
+}
+
+Status Execution::end(const Frame& frame)
+{
+    Status status = device_.endFrame();
+    for (PreparedView& view : views_) view.history.valid = status.ok();
+    if (!status) cache_.clear();
+    if (!drawn_.left_out || !status) return status;
+    return warnLeftOut(frame, device_);
+}
+
+// What was written last frame is now read, and the other way round.
+void Execution::swapHistories()
+{
+    swapped_ = !swapped_;
+    for (PreparedView& view : views_) {
+        for (PreparedPass& pass : view.passes) {
+            for (TextureBinding& binding : pass.textures)
+                if (binding.other) std::swap(binding.texture, binding.other);
+            if (pass.other.id())
+                pass.info.framebuffer = (swapped_ ? pass.other : pass.framebuffer).id();
+        }
+    }
+}
+
+// Before the first frame histories hold whatever the memory held: not even a shader that multiplies
+// by `history_valid` could read that, for it may be no number.
+void Execution::clearHistories()
+{
+    for (const PreparedView& view : views_)
+        for (const PreparedPass& pass : view.passes)
+            if (pass.other.id()) clearHistory(pass);
+}
+
+void Execution::clearHistory(const PreparedPass& pass)
+{
+    PassInfo info = pass.info;
+    info.framebuffer = (swapped_ ? pass.framebuffer : pass.other).id();
+    for (int i = 0; i < info.color_count; ++i) {
+        info.color_load[i] = LoadOp::clear;
+        info.color_store[i] = StoreOp::store;
+        std::fill(std::begin(info.clear_color[i]), std::end(info.clear_color[i]), 0.0f);
+    }
+    info.depth_load = LoadOp::clear;
+    info.depth_store = StoreOp::store;
+    device_.beginPass(info);
+    device_.endPass();
+}
+
+void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
+{
+    values_.setViewport(pass.info.extent);
+    PassInfo info = pass.info;
+    info.within_area = pass.bounded;
+    if (pass.bounded) info.area = areaOf(pass, camera);
+    device_.beginPass(info);
+    if (!pass.bounded || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
+        device_.setProgram(pass.program, pass.state);
+        setTextures(pass.textures);
+        setUniforms(pass.uniforms);
+        if (pass.type == PassType::draw)
+            runDraws(pass, camera);
+        else
+            device_.drawFullscreen();
+    }
+    device_.endPass();
+}
+
+/// Where a bounded pass is drawn.
+PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& camera)
+{
+    const Extent& extent = pass.info.extent;
+    if (pass.shown_length) {
+        float length = 0;
+        std::memcpy(&length, values_.data(pass.shown_length->offset), sizeof length);
+        return pixelsOf(areaOfThings(drawn_.draws, camera, extent, length), extent);
+    }
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    if (!things_) things_ = areaOfThings(drawn_.draws, camera, extent, kAny);
+    return pixelsOf(*things_, extent);
+}
+
+void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
+{
+    bool mirrored = false;
+    for (const DrawItem& item : drawn_.draws) {
+        if (item.count == 0) continue;
+        if (pass.draws_within > 0.0f && isOutside(item, camera, pass.draws_within)) continue;
+        if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
+            mirrored = !mirrored;
+            device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);
+            setTextures(pass.textures);
+        }
+        const Material& material = drawn_.materials[item.material];
+        values_.setDraw(item, material, camera);
+        setUniforms(pass.draw_uniforms);
+        for (const TextureBinding& binding : pass.material_textures) {
+            const TextureId map = material.*kMaterialMaps[binding.map].texture;
+            device_.setTexture(binding.location, binding.unit, map ? map : white_.id(),
+                               binding.sampling);
+        }
+        device_.draw(item.mesh, item.first, item.count);
+    }
+}
+
+void Execution::setTextures(const std::vector<TextureBinding>& textures)
+{
+    for (const TextureBinding& binding : textures)
+        device_.setTexture(binding.location, binding.unit, binding.texture, binding.sampling);
+}
+
+void Execution::setUniforms(const std::vector<UniformBinding>& uniforms)
+{
+    for (const UniformBinding& uniform : uniforms)
+        device_.setUniform(uniform.location, uniform.type, uniform.count,
+                           values_.data(uniform.offset));
+}
+
+TextureId Execution::output(std::string_view name, int view) const
+{
+    if (view < 0 || view >= plan_.views) return {};
+    for (const PlanOutput& output : plan_.outputs) {
+        if (output.name != name) continue;
+        if (output.constant >= 0) return constants_[output.constant].id();
+        return targetTexture(output.target, view, swapped_);
+    }
+    return {};
+}
+
+}  // namespace crevice

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// A plan's objects on a device, and the commands that a frame of it consists of.
+//
+// Private to the renderer. Everything that can fail or allocate happens in `create`; `run` walks
+// flat lists of prepared commands.
+#pragma once
+
+#include "core/frame/frame_times.h"
+#include "core/gpu/owned.h"
+#include "core/plan/plan.h"
+#include "core/run/dirty_passes.h"
+#include "core/run/uniform_values.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace crevice {
+
+/// Programs that are kept though the plan does not need them, so that a pass or feature that was
+/// switched off comes back at once; beyond, the oldest go.
+constexpr std::size_t kMaxIdlePrograms = 32;
+
+class Execution {
+public:
+    /// Makes the plan's textures, programs and framebuffers. Programs that `previous` has under the
+    /// same key are shared with it, not compiled again, and so are the last kMaxIdlePrograms that
+    /// no plan needs now; it may be null and may die at any time.
+    ///
+    /// Errors: the device's; CV5003 and CV5004 where a linked program has a uniform that the plan
+    /// knows nothing of. Then nothing is left behind.
+    static Result<std::unique_ptr<Execution>> create(Device& device, const Description& description,
+                                                     Plan plan, const Execution* previous);
+
+    /// Takes the host's textures for the plan's imports. Requires a frame of the plan's views.
+    /// Errors: CV6010, CV6011; then nothing changed.
+    Status setImports(const Frame& frame);
+
+    /// Draws what has changed of the plan since the last frame. Requires that `checkFrame` had
+    /// nothing against the frame and that its imports were set. What cannot be drawn of it is left out
+    /// with a warning CV6011. Errors: CV6004 and then nothing changed, CV6005, CV6009, CV6016.
+    Status run(const Frame& frame);
+
+    /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
+    Result<FrameTimes> runTimed(const Frame& frame);
+
+    void setParam(const ParamDesc& param) { values_.setParam(param); }
+
+    TextureId output(std::string_view name, int view) const;
+    const Plan& plan() const { return plan_; }
+
+    /// The labels of the programs that had to be compiled for this plan.
+    const std::vector<std::string>& compiled() const { return compiled_; }
+
+private:
+    using SharedProgram = std::shared_ptr<Owned<ProgramId>>;
+
+    struct UniformBinding {
+        int location;
+        GlslType type;
+        int count;
+        std::size_t offset;  // in the value table
+    };
+
+    struct TextureBinding {
+        int location;
+        int unit;
+        TextureId texture;
+        TextureId other;  // that takes its place in every second frame; null when none does
+        SamplerDesc sampling;
+        bool multisampled = false;  // what the shader's sampler reads
+        int import = -1;  // into the plan's imports; the texture is then set a frame
+        std::uint64_t revision = 0;  // of what it holds; only an import's changes
+        int map = -1;     // of the material; set for each draw
+    };
+
+    struct PreparedPass {
+        PassInfo info;
+        ProgramId program;
+        StateDesc state;
+        PassType type;
+        float draws_within;
+        bool bounded;
+        const Value* shown_length;  // null where there is none
+        std::vector<TextureBinding> textures;
+        std::vector<TextureBinding> material_textures;  // set for each draw
+        std::vector<UniformBinding> uniforms;
+        std::vector<UniformBinding> draw_uniforms;      // sent for each draw
+        std::vector<std::uint32_t> sent;  // what `uniforms` were when it ran last
+        bool imports_changed = true;      // since then
+        Owned<FramebufferId> framebuffer;
+        Owned<FramebufferId> other;  // that takes its place in every second frame; null likewise
+    };
+
+    struct PreparedView {
+        FrameHistory history;  // for the next frame
+        FrameHistory before;   // for this one
+        CameraMatrices camera = {};
+        std::vector<PreparedPass> passes;  // the plan's
+    };
+
+    // What draw passes drew last; nothing in the place of what cannot be drawn.
+    struct DrawnList {
+        std::vector<DrawItem> draws;
+        std::vector<Material> materials;
+        std::uint64_t revision = 0;
+        bool left_out = false;  // something of the frame
+    };
+
+    Execution(Device& device, const Description& description, Plan plan);
+
+    // execution_build.cpp
+    Status build(const Execution* previous);
+    Status createTextures();
+    Status createGenerated();
+    Status createPrograms(const Execution* previous);
+    Status createPasses(int view);
+    Status createFilled(const std::string& label, Format format, const Image& image,
+                        Owned<TextureId>& texture);
+    Status createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared);
+    Status createFramebuffer(const PlanPass& pass, int view, bool swapped,
+                             Owned<FramebufferId>& framebuffer);
+    void keepIdlePrograms(const Execution& previous);
+    SharedProgram programOf(const std::string& key) const;
+    void bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
+                     PreparedPass& prepared, Diagnostics& errors);
+    void bindTexture(const PlanPass& pass, const PlanInput& input, const UniformInfo& uniform,
+                     int view, PreparedPass& prepared);
+    TextureId textureOf(const PlanInput& input, int view, bool swapped) const;
+    TextureId targetTexture(int target, int view, bool swapped) const;
+    TextureId texture(int index, int view) const;
+    TextureId historyTexture(int target, int view, bool swapped) const;
+
+    // execution_timed.cpp
+    TimingMethod timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
+                          double& clock_ms);
+    int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
+    void readTimers(FrameTimes& times);
+
+    // execution.cpp
+    const std::vector<char>& begin(const Frame& frame);
+    bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
+    void clearNewHistories();
+    void setView(const Frame& frame, const PreparedView& view);
+    Status end(const Frame& frame);
+    bool takeDraws(const Frame& frame);
+    bool takeUniforms(PreparedPass& pass);
+    void swapHistories();
+    void clearHistories();
+    void clearHistory(const PreparedPass& pass);
+    Status checkImports(const Frame& frame) const;
+    void runPass(const PreparedPass& pass, const CameraMatrices& camera);
+    void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
+    PixelArea areaOf(const PreparedPass& pass, const CameraMatrices& camera);
+    void setTextures(const std::vector<TextureBinding>& textures);
+    void setUniforms(const std::vector<UniformBinding>& uniforms);
+
+    Device& device_;
+    Plan plan_;
+    ValueTable values_;
+    PassCache cache_;
+    std::vector<char> changed_;  // by run, for cache_
+    DrawnList drawn_;
+    std::optional<ViewArea> things_;  // of the present view, once a pass has asked
+    bool swapped_ = false;    // whether histories and their targets have changed places
+    bool remembers_ = false;  // whether histories hold anything
+    std::vector<std::string> compiled_;
+
+    // Destroyed from the last to the first: framebuffers before the textures that they draw into.
+    std::vector<std::vector<Owned<TextureId>>> textures_;  // the plan's, with their copies
+    std::vector<Owned<TextureId>> constants_;
+    std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
+    Owned<TextureId> white_;  // for materials without a map
+    Owned<TextureId> black_;  // for optional imports that are absent
+    std::vector<SharedProgram> programs_;
+    std::vector<std::pair<std::string, SharedProgram>> idle_programs_;  // by key, the latest first
+    std::vector<PreparedView> views_;
+};
+
+}  // namespace crevice

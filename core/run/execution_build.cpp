@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+// Making a plan's objects and preparing its commands.
+#include "core/run/execution.h"
+
+#include "core/glsl/declarations.h"
+#include "core/sampling/generators.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace crevice {
+namespace {
+
+Image pixel(float value) { return Image({1, 1}, 4, value); }
+
+bool uses(const Plan& plan, InputKind kind)
+{
+    for (const PlanPass& pass : plan.passes)
+        for (const PlanInput& input : pass.inputs)
+            if (input.kind == kind) return true;
+    return false;
+}
+
+const PlanInput* inputOf(const PlanPass& pass, std::string_view sampler)
+{
+    for (const PlanInput& input : pass.inputs)
+        if (input.sampler == sampler) return &input;
+    return nullptr;
+}
+
+std::string_view valueOf(const PlanPass& pass, std::string_view glsl)
+{
+    for (const PlanUniform& renamed : pass.renamed_uniforms)
+        if (renamed.glsl == glsl) return renamed.value;
+    return glsl;
+}
+
+PassInfo passInfo(const PlanPass& pass)
+{
+    PassInfo info;
+    info.label = pass.name.c_str();
+    info.extent = pass.extent;
+    info.color_count = static_cast<int>(pass.color.size());
+    for (int i = 0; i < info.color_count; ++i) {
+        const PlanAttachment& color = pass.color[i];
+        info.color_load[i] = color.load;
+        info.color_store[i] = color.store;
+        std::copy(color.clear.begin(), color.clear.end(), info.clear_color[i]);
+    }
+    info.has_depth = pass.has_depth && pass.depth.target >= 0;
+    info.depth_load = pass.depth.load;
+    info.depth_store = pass.depth.store;
+    info.clear_depth = pass.depth.clear[0];
+    return info;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Execution>> Execution::create(Device& device, const Description& description,
+                                                     Plan plan, const Execution* previous)
+{
+    std::unique_ptr<Execution> execution(new Execution(device, description, std::move(plan)));
+    if (Status status = execution->build(previous); !status) return status.diagnostics();
+    return execution;
+}
+
+Execution::Execution(Device& device, const Description& description, Plan plan)
+    : device_(device),
+      plan_(std::move(plan)),
+      values_(description.params),
+      cache_(plan_),
+      changed_(plan_.passes.size() * plan_.views),
+      views_(plan_.views)
+{
+}
+
+Status Execution::build(const Execution* previous)
+{
+    Status status = createTextures();
+    if (status) status = createGenerated();
+    if (status) status = createPrograms(previous);
+    for (int view = 0; status && view < plan_.views; ++view) status = createPasses(view);
+    return status;
+}
+
+Status Execution::createTextures()
+{
+    for (const PlanTexture& texture : plan_.textures) {
+        const std::string label = texture.targets.empty() ? "unused" : texture.targets.front();
+        textures_.emplace_back();
+        for (int view = 0; view < texture.copies; ++view) {
+            const std::string of_view = view > 0 ? " of view " + std::to_string(view) : "";
+            Result<TextureId> id =
+                device_.createTexture({label + of_view, texture.format, texture.extent,
+                                       texture.mips, texture.samples});
+            if (!id) return id.diagnostics();
+            textures_.back().emplace_back(device_, *id);
+        }
+    }
+    for (const PlanConstant& constant : plan_.constants) {
+        constants_.emplace_back();
+        if (Status status = createFilled("constant", Format::rgba8, pixel(constant.value),
+                                         constants_.back()); !status) return status;
+    }
+    Status status;
+    if (uses(plan_, InputKind::material))
+        status = createFilled("white", Format::rgba8, pixel(1.0f), white_);
+    if (status && uses(plan_, InputKind::imported))
+        status = createFilled("black", Format::rgba8, pixel(0.0f), black_);
+    return status;
+}
+
+/// Creates a texture and writes the image into it.
+Status Execution::createFilled(const std::string& label, Format format, const Image& image,
+                               Owned<TextureId>& texture)
+{
+    Result<TextureId> id = device_.createTexture({label, format, image.extent, 1});
+    if (!id) return id.diagnostics();
+    texture = Owned<TextureId>(device_, *id);
+    return device_.writeTexture(*id, image);
+}
+
+Status Execution::createGenerated()
+{
+    for (const GeneratedDesc& generated : plan_.generated) {
+        generated_.emplace_back();
+        if (!generatesTexture(generated.generator)) {
+            if (Status status = values_.addKernel(generated); !status) return status;
+            continue;
+        }
+        Result<Image> noise = makeRotationNoise(generated.count, generated.seed);
+        if (!noise) return noise.diagnostics();
+        // Half floats: every OpenGL ES 3.0 device samples and filters them, and -1 to 1 fits.
+        if (Status status = createFilled(generated.name, Format::rgba16f, *noise,
+                                         generated_.back()); !status) return status;
+    }
+    return {};
+}
+
+Status Execution::createPrograms(const Execution* previous)
+{
+    for (const PlanProgram& program : plan_.programs) {
+        programs_.push_back(previous ? previous->programOf(program.key) : nullptr);
+        if (programs_.back()) continue;
+        Result<ProgramId> id =
+            device_.createProgram({program.label, program.vertex, program.fragment});
+        if (!id) {
+            Diagnostics errors = id.diagnostics();
+            for (Diagnostic& error : errors) {
+                error.pointer = program.pointer;
+                error.notes.push_back({program.place, "in shader '" + program.label + "'"});
+            }
+            return errors;
+        }
+        programs_.back() = std::make_shared<Owned<ProgramId>>(device_, *id);
+        compiled_.push_back(program.label);
+    }
+    if (previous) keepIdlePrograms(*previous);
+    return {};
+}
+
+void Execution::keepIdlePrograms(const Execution& previous)
+{
+    for (std::size_t i = 0; i < previous.plan_.programs.size(); ++i)
+        idle_programs_.emplace_back(previous.plan_.programs[i].key, previous.programs_[i]);
+    idle_programs_.insert(idle_programs_.end(), previous.idle_programs_.begin(),
+                          previous.idle_programs_.end());
+    const auto needed = [this](const auto& idle) {
+        return std::find(programs_.begin(), programs_.end(), idle.second) != programs_.end();
+    };
+    idle_programs_.erase(std::remove_if(idle_programs_.begin(), idle_programs_.end(), needed),
+                         idle_programs_.end());
+    if (idle_programs_.size() > kMaxIdlePrograms) idle_programs_.resize(kMaxIdlePrograms);
+}
+
+Execution::SharedProgram Execution::programOf(const std::string& key) const
+{
+    for (std::size_t i = 0; i < plan_.programs.size(); ++i)
+        if (plan_.programs[i].key == key) return programs_[i];
+    for (const auto& [idle, program] : idle_programs_)
+        if (idle == key) return program;
+    return nullptr;
+}
+
+Status Execution::createPasses(int view)
+{
+    Diagnostics errors;
+    std::vector<PreparedPass>& passes = views_[view].passes;
+    passes.reserve(plan_.passes.size());
+    for (const PlanPass& pass : plan_.passes) {
+        PreparedPass& prepared = passes.emplace_back();
+        prepared.info = passInfo(pass);
+        prepared.program = programs_[pass.program]->id();
+        prepared.state = pass.state;
+        if (isMasked(pass)) {
+            prepared.info.at_depth = 0.0f;
+            prepared.state.depth_test = Compare::less;
+        }
+        prepared.type = pass.type;
+        prepared.draws_within = pass.draws_within;
+        prepared.bounded = pass.bounded;
+        prepared.shown_length = pass.shown_length.empty() ? nullptr : values_.find(pass.shown_length);
+        if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
+        for (const UniformInfo& uniform : device_.uniforms(prepared.program))
+            bindUniform(pass, uniform, view, prepared, errors);
+    }
+    return errors;
+}
+
+/// One, or two where the pass writes a target whose history someone reads.
+Status Execution::createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared)
+{
+    if (Status status = createFramebuffer(pass, view, false, prepared.framebuffer); !status)
+        return status;
+    prepared.info.framebuffer = prepared.framebuffer.id();
+    const auto remembered = [this](const PlanAttachment& attachment) {
+        return attachment.target >= 0 && plan_.targets[attachment.target].history_texture >= 0;
+    };
+    if (std::none_of(pass.color.begin(), pass.color.end(), remembered) &&
+        !(pass.has_depth && remembered(pass.depth))) return {};
+    return createFramebuffer(pass, view, true, prepared.other);
+}
+
+Status Execution::createFramebuffer(const PlanPass& pass, int view, bool swapped,
+                                    Owned<FramebufferId>& framebuffer)
+{
+    FramebufferDesc desc;
+    desc.label = pass.name;
+    const auto attach = [&](const PlanAttachment& attachment, TextureId& drawn, TextureId& read) {
+        drawn = targetTexture(attachment.target, view, swapped);
+        if (attachment.target < 0) return;
+        const PlanTarget& target = plan_.targets[attachment.target];
+        if (target.drawn_texture == target.texture) return;
+        read = std::exchange(drawn, texture(target.drawn_texture, view));
+    };
+    for (const PlanAttachment& color : pass.color)
+        attach(color, desc.color.emplace_back(), desc.resolve_color.emplace_back());
+    if (pass.has_depth) attach(pass.depth, desc.depth, desc.resolve_depth);
+    Result<FramebufferId> id = device_.createFramebuffer(desc);
+    if (!id) return id.diagnostics();
+    framebuffer = Owned<FramebufferId>(device_, *id);
+    return {};
+}
+
+TextureId Execution::targetTexture(int target, int view, bool swapped) const
+{
+    if (target < 0) return {};
+    const PlanTarget& desc = plan_.targets[target];
+    const bool other = swapped && desc.history_texture >= 0;
+    return texture(other ? desc.history_texture : desc.texture, view);
+}
+
+TextureId Execution::texture(int index, int view) const
+{
+    const std::vector<Owned<TextureId>>& copies = textures_[index];
+    return copies[copies.size() > 1 ? view : 0].id();
+}
+
+TextureId Execution::historyTexture(int target, int view, bool swapped) const
+{
+    return targetTexture(target, view, !swapped);
+}
+
+/// The texture behind an input; null for those that a frame brings.
+TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) const
+{
+    switch (input.kind) {
+    case InputKind::target: return targetTexture(input.index, view, swapped);
+    case InputKind::history: return historyTexture(input.index, view, swapped);
+    case InputKind::generated: return generated_[input.index].id();
+    case InputKind::constant: return constants_[input.index].id();
+    case InputKind::imported: case InputKind::material: break;
+    }
+    return {};
+}
+
+/// Finds what feeds an active uniform. The plan was checked against a scan of the text; where the
+/// driver sees more than the scan did, the uniform would silently stay 0.
+void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
+                            PreparedPass& prepared, Diagnostics& errors)
+{
+    const PlanProgram& program = plan_.programs[pass.program];
+    const auto report = [&](Code code, const std::string& what) {
+        Diagnostic error{code, "shader '" + program.label + "' of pass '" + pass.name +
+                                   "' has uniform '" + uniform.name + "', " + what};
+        error.place = program.place;
+        error.pointer = program.pointer;
+        error.help = "declare it on a line of its own, without macros";
+        errors.push_back(std::move(error));
+    };
+    if (!declares(program.vertex, uniform.name) && !declares(program.fragment, uniform.name))
+        return report(Code::uniform_unbound, "which its text does not declare in a known form");
+    if (isSampler(uniform.type)) {
+        const PlanInput* input = inputOf(pass, uniform.name);
+        if (!input) return report(Code::uniform_unbound, "which no texture is bound to");
+        return bindTexture(pass, *input, uniform, view, prepared);
+    }
+    const Value* value = values_.find(valueOf(pass, uniform.name));
+    if (!value) return report(Code::uniform_unbound, "which nothing supplies");
+    if (value->type != uniform.type)
+        return report(Code::uniform_type, "of type " + std::string(glslName(uniform.type)) +
+                                              ", and its value is " + glslName(value->type));
+    const int count = std::min(uniform.count, value->count);
+    auto& uniforms = value->per_draw ? prepared.draw_uniforms : prepared.uniforms;
+    uniforms.push_back({uniform.location, uniform.type, count, value->offset});
+    if (!value->per_draw)
+        prepared.sent.resize(prepared.sent.size() + wordsOf(uniform.type, count));
+}
+
+void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,
+                            const UniformInfo& uniform, int view, PreparedPass& prepared)
+{
+    TextureBinding binding;
+    binding.location = uniform.location;
+    binding.multisampled = uniform.type == GlslType::sampler2d_ms;
+    binding.unit = static_cast<int>(&input - pass.inputs.data());
+    binding.texture = textureOf(input, view, false);
+    const TextureId other = textureOf(input, view, true);
+    if (other.value != binding.texture.value) binding.other = other;
+    binding.sampling = input.sampling;
+    if (input.kind == InputKind::imported) binding.import = input.index;
+    const bool material = input.kind == InputKind::material;
+    if (material) binding.map = input.index;
+    (material ? prepared.material_textures : prepared.textures).push_back(binding);
+}
+
+}  // namespace crevice

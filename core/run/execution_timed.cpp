@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Running a prepared plan with a time for each pass.
+#include "core/run/execution.h"
+
+#include <chrono>
+
+namespace crevice {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+Result<FrameTimes> Execution::runTimed(const Frame& frame)
+{
+    FrameTimes times;
+    times.pass_ms.resize(plan_.passes.size());
+    device_.finish();
+    const Clock::time_point start = Clock::now();
+    if (Status status = device_.beginFrame(); !status) return status.diagnostics();
+    cache_.clear();
+    begin(frame);
+    clearNewHistories();
+    int slot = 0;
+    for (const PreparedView& view : views_) {
+        setView(frame, view);
+        for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
+            times.method =
+                timePass(view.passes[i], slot++, view.camera, times.pass_ms[i]);
+    }
+    const Status status = end(frame);
+    if (!status) return status.diagnostics();
+    device_.finish();
+    times.total_ms = millisecondsSince(start);
+    if (times.method == TimingMethod::gpu_timer) readTimers(times);
+    return {std::move(times), status.diagnostics()};
+}
+
+/// The method is the same for every pass: the device's answer is, and so is the count of passes.
+/// Adds to `clock_ms`; with the GPU's timer that stays as it is.
+TimingMethod Execution::timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
+                                 double& clock_ms)
+{
+    if (runCount() <= kMaxTimers && device_.beginTimer(slot)) {
+        runPass(pass, camera);
+        device_.endTimer();
+        return TimingMethod::gpu_timer;
+    }
+    const Clock::time_point begin = Clock::now();
+    runPass(pass, camera);
+    device_.finish();
+    clock_ms += millisecondsSince(begin);
+    return TimingMethod::wall_clock;
+}
+
+void Execution::readTimers(FrameTimes& times)
+{
+    times.total_ms = 0;
+    for (int slot = 0; slot < runCount(); ++slot) {
+        const double ms = device_.readTimer(slot);
+        double& pass_ms = times.pass_ms[slot % times.pass_ms.size()];
+        pass_ms = ms < 0 || pass_ms < 0 ? -1 : pass_ms + ms;
+        times.total_ms = ms < 0 || times.total_ms < 0 ? -1 : times.total_ms + ms;
+    }
+}
+
+}  // namespace crevice

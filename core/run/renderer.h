@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The renderer: a description running on a device.
+//
+//     auto document = loadConfig(shippedSources(), {"learnopengl"});
+//     auto description = decode(*document, shippedSources());
+//     auto renderer = Renderer::create(device, *description, {{1920, 1080}}, traitsOf(frame));
+//     (*renderer)->render(frame);
+//     TextureId ao = (*renderer)->output("ao");
+//
+// After the first frame, `render` allocates no memory and creates no GL object, until a size, a
+// trait or a param that is bound as a define changes.
+#pragma once
+
+#include "core/config/values.h"
+#include "core/frame/frame.h"
+#include "core/frame/frame_times.h"
+#include "core/plan/plan.h"
+
+#include <memory>
+#include <string>
+
+namespace crevice {
+
+class Renderer {
+public:
+    /// Compiles the plan and creates every object that it needs. The device must outlive it.
+    ///
+    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6004 where the device's context is
+    /// not current, CV6005 to CV6009, CV6016.
+    static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
+                                                    const CompileOptions& options,
+                                                    const SceneTraits& traits);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Runs those passes of the plan whose input has changed since the last frame (Frame says how
+    /// that is known), and those after them. A frame with other traits than the plan was made for
+    /// is planned anew first; where that fails, the old plan and its pictures stay. The warnings of a
+    /// new plan come back with the one frame that it was made for: look at `diagnostics()` of what is
+    /// `ok()` as well.
+    ///
+    /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that has it:
+    /// draws with a mesh or texture that the device does not have, with indices past the mesh's, or with
+    /// a matrix, bounds or material that are not finite or not there, and lights that are not finite.
+    ///
+    /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's context is
+    /// not current, and the frame then counts as not drawn; CV6005 and CV6009 from the driver, and
+    /// CV6016 where the context is lost: destroy the renderer, and make another on a new device from the
+    /// same `description()`.
+    Status render(const Frame& frame);
+
+    /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
+    /// device has one and the plan's views have at most kMaxTimers passes together, else by the
+    /// clock, waiting for the GPU after each pass. Slower than `render`, and allocates.
+    ///
+    /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
+    Result<FrameTimes> renderTimed(const Frame& frame);
+
+    /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
+    /// bound as defines, those that a count or size is taken from, values at which a pass is or was
+    /// an identity and a radius that other formats serve better: those plan anew. Only a define, or
+    /// a pass that never ran, compiles a shader, which a warning CV5010 names; what was compiled is kept for when the value comes back.
+    ///
+    /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.
+    Status setParam(std::string_view name, const float* values, int count);
+    Status setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
+
+    /// Sets a feature ("true", "false" or an enum's word); plans anew. Warns with CV5010 where that
+    /// compiled a shader.
+    ///
+    /// Errors: CV2105, CV2106; the old value stays.
+    Status setFeature(std::string_view name, std::string_view value);
+
+    /// Puts another description, such as an edited config, in the place of the present one. What
+    /// `setParam` and `setFeature` changed stays changed; a warning CV4006 names what the new description
+    /// has no place for. Programs of the same text are not compiled again, so a variant that ran before
+    /// is there within a frame. Histories start anew.
+    ///
+    /// Errors: those of `create`; the old description and its pictures stay.
+    Status reload(Description description, const CompileOptions& options);
+
+    /// Plans anew for another size. Errors: those of `create`; the old size stays.
+    Status resize(Extent extent);
+
+    /// The texture behind an output of a view, 0 up to `plan().views`: owned by the renderer, valid
+    /// until the next plan, or the next frame where the output is a target with a history. Null
+    /// when there is none. Plans are made by resize, reload, setFeature and setParam as they say, and by
+    /// a frame of other traits: so ask after each frame. Its format and size are those of the plan's
+    /// target, and 1x1 rgba8 where the plan found the output to be constant. `Device::nativeName` has the
+    /// API's name of it.
+    TextureId output(std::string_view name, int view = 0) const;
+
+    /// What `setParam` and `setFeature` made different from the description given to `create`, as
+    /// the smallest merge patch over its config: {"params": {"radius": {"default": 0.8}}}; "{}" for
+    /// nothing. A value set back is no change.
+    std::string changes() const;
+
+    const Plan& plan() const;
+    const Description& description() const;
+
+private:
+    struct State;
+    explicit Renderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+    Values loaded_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Filling the value table from params, frames and draws.
+#include "core/run/uniform_values.h"
+
+#include "core/frame/frame_values.h"
+#include "core/sampling/generators.h"
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+// Clip space is 2 wide about 0, windows 1 from 0 on.
+const glm::dmat4 kClipFromWindow(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1);
+
+}  // namespace
+
+std::size_t wordsOf(GlslType type, int count)
+{
+    const auto words = [type] {
+        switch (type) {
+        case GlslType::vec2: return 2;
+        case GlslType::vec3: return 3;
+        case GlslType::vec4: return 4;
+        case GlslType::mat3: return 9;
+        case GlslType::mat4: return 16;
+        default: return 1;
+        }
+    };
+    return static_cast<std::size_t>(words()) * count;
+}
+
+ValueTable::ValueTable(const std::vector<ParamDesc>& params)
+{
+    for (const FrameValueInfo& info : kFrameValues)
+        add(info.name, info.type, info.count, info.import == ImportType::draw_list);
+    for (const ParamDesc& param : params) {
+        add(param.name, glslTypeOf(param.type), 1, false);
+        setParam(param);
+    }
+}
+
+std::size_t ValueTable::add(std::string name, GlslType type, int count, bool per_draw)
+{
+    values_.push_back({std::move(name), type, count, per_draw, words_.size()});
+    words_.resize(words_.size() + wordsOf(type, count));
+    return values_.size() - 1;
+}
+
+Status ValueTable::addKernel(const GeneratedDesc& kernel)
+{
+    const bool hemisphere = kernel.generator == "hemisphere_kernel";
+    Result<std::vector<glm::vec3>> offsets =
+        makeKernel({hemisphere, kernel.count, kernel.distribution, kernel.sequence, kernel.seed});
+    if (!offsets) {
+        Diagnostics errors = offsets.diagnostics();
+        for (Diagnostic& error : errors) {
+            error.place = kernel.place;
+            error.pointer = kernel.pointer;
+        }
+        return errors;
+    }
+    const std::size_t value = add(kernel.name, GlslType::vec3, kernel.count, false);
+    for (int i = 0; i < kernel.count; ++i) write(value, (*offsets)[i], i);
+    return {};
+}
+
+const Value* ValueTable::find(std::string_view name) const
+{
+    for (const Value& value : values_)
+        if (value.name == name) return &value;
+    return nullptr;
+}
+
+void ValueTable::setParam(const ParamDesc& param)
+{
+    const auto value = static_cast<std::size_t>(find(param.name) - values_.data());
+    if (param.type == ParamType::int_)
+        return write(value, static_cast<std::int32_t>(param.value[0]));
+    for (int i = 0; i < componentCount(param.type); ++i) write(value, param.value[i], i);
+}
+
+void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
+{
+    write(clip_from_view, glm::mat4(camera.clip_from_view));
+    write(view_from_clip, glm::mat4(camera.view_from_clip));
+    write(view_from_window, glm::mat4(camera.view_from_clip * kClipFromWindow));
+    write(view_from_world, glm::mat4(camera.view_from_world));
+    write(world_from_view, glm::mat4(camera.world_from_view));
+    write(ambient_light, isFinite(frame.ambient_light) ? frame.ambient_light : glm::vec3(0.0f));
+    Light dark;
+    dark.color = glm::vec3(0.0f);
+    const int count = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
+    write(light_count, static_cast<std::int32_t>(count));
+    for (int i = 0; i < count; ++i) {
+        // One that is left out keeps its place, so that shaders made for the count of lights hold.
+        const Light& light = isFinite(frame.lights[i]) ? frame.lights[i] : dark;
+        write(light_position, lightInView(light, camera.view_from_world), i);
+        write(light_color, light.color, i);
+        write(light_attenuation, light.attenuation, i);
+        write(light_cone, coneInView(light, camera.view_from_world), i);
+    }
+}
+
+void ValueTable::setHistory(const FrameHistory& history, const CameraMatrices& camera)
+{
+    const glm::dmat4 view_from_view = history.camera.view_from_world * camera.world_from_view;
+    write(history_valid, history.valid ? 1.0f : 0.0f);
+    write(frame_index, static_cast<std::int32_t>(history.frame_index));
+    write(previous_view_from_view, glm::mat4(view_from_view));
+    write(previous_clip_from_view, glm::mat4(history.camera.clip_from_view * view_from_view));
+}
+
+void ValueTable::setViewport(Extent extent)
+{
+    write(viewport_size, glm::vec2(extent.width, extent.height));
+}
+
+void ValueTable::setDraw(const DrawItem& item, const Material& material,
+                         const CameraMatrices& camera)
+{
+    const glm::dmat4 to_view = camera.view_from_world * item.world_from_model;
+    write(clip_from_model, glm::mat4(camera.clip_from_view * to_view));
+    write(view_from_model, glm::mat4(to_view));
+    write(view_normal_from_model, normalMatrix(to_view));
+    write(base_color, material.base_color);
+    write(alpha_cutoff, material.alpha_cutoff);
+    write(specular, material.specular);
+    write(shininess, material.shininess);
+    write(normal_scale, material.normal_map ? material.normal_scale : 0.0f);
+    write(occlusion_strength, material.occlusion_strength);
+}
+
+}  // namespace crevice

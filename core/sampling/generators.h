@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Numbers made on load: sample kernels and rotation noise, the same on every platform.
+//
+// Sources
+//   Mittring 2007, "Finding Next Gen: CryEngine 2", SIGGRAPH course, chapter 8 - the sphere.
+//   Filion, McNaughton 2008, "StarCraft II: Effects & Techniques" - the hemisphere.
+//   Chapman 2013, "SSAO Tutorial" - offsets that cluster near the origin, a small tiled rotation.
+//   core/sampling/sequences.h names those of the numbers behind them.
+#pragma once
+
+#include "core/base/image.h"
+#include "core/base/result.h"
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// Most offsets that one kernel may hold: as vec3 uniforms they take 128 of the 224 vectors that
+/// every OpenGL ES 3.0 device has for a fragment shader.
+constexpr int kMaxKernelSize = 128;
+
+/// Longest side of a noise texture, in pixels.
+constexpr int kMaxNoiseSize = 64;
+
+/// What a kernel is made of.
+struct KernelDesc {
+    bool hemisphere = true;                ///< Offsets with z >= 0 only.
+    int count = 16;                        ///< [1, kMaxKernelSize].
+    std::string distribution = "uniform";  ///< Where the offsets lie; see distributionNames().
+    std::string sequence = "random";       ///< How evenly they fill it; see sequenceNames().
+    unsigned seed = 1;
+};
+
+/// The offsets of a kernel, `count` of them.
+/// Errors: CV4001 for a count outside its range, CV3005 for another distribution or sequence.
+Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
+
+/// Where the offsets of a kernel lie:
+///   "uniform"           uniform in volume
+///   "cube"              uniform in the cube (-1, 1)^3, not cut to the sphere (OGLdev 45)
+///   "linear"            random direction, random length, times lerp(0.1, 1, i / n)
+///   "accelerated"       random direction, random length, times lerp(0.1, 1, (i / n)^2) (Chapman)
+const std::vector<std::string>& distributionNames();
+
+/// How evenly the offsets fill their distribution, whatever that is and for every count:
+///   "random"            independent of each other
+///   "stratified"        a Latin hypercube of azimuth, height and length
+///   "low_discrepancy"   a scrambled Sobol sequence of them; least noise, best at powers of two
+const std::vector<std::string>& sequenceNames();
+
+/// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of its
+/// own stratum, so that a size x size box filter sees all directions evenly.
+/// Errors: CV4001 for a size outside [1, kMaxNoiseSize].
+Result<Image> makeRotationNoise(int size, unsigned seed);
+
+/// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise".
+const std::vector<std::string>& generatorNames();
+bool generatesTexture(std::string_view generator);
+
+}  // namespace crevice
