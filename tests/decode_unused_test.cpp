@@ -99,3 +99,23 @@ TEST_CASE("An unused name is told where nothing else is wrong, since that might 
     description.outputs.clear();
     CHECK(onlyError(description).code == Code::no_outputs);
 }
+
+TEST_CASE("An override of a name that does not exist is an error in the override")
+{
+    for (const char* text : {"/params/raduis/default=1", "/features/soff/default=true",
+                             "/targets/ao_smoth={\"format\": [\"r8\"]}", "/imports/lihgts={\"type\": \"texture\"}",
+                             "/interfaces/sruface=surface.glsl"}) {
+        INFO(text);
+        MemorySources all = sources();
+        all.add("configs/mine.json", R"({"format": 1, "name": "mine", "extends": ["base"]})");
+        const Result<Node> document = loadConfig(all, {"mine", "", {text}});
+        REQUIRE(document.ok());
+        const Result<Description> description = decode(*document, all);
+        Diagnostics found = description ? description->unused : description.diagnostics();
+        INFO(toText(found));
+        REQUIRE_FALSE(found.empty());
+        CHECK(found[0].severity == Severity::error);
+        REQUIRE(found[0].place.source);
+        CHECK(found[0].place.source->name == "--set " + std::string(text));
+    }
+}

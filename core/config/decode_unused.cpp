@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/glsl/lexer.h"
 #include "core/glsl/stage.h"
+#include "core/json/override.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,8 +15,8 @@ namespace crevice::table {
 
 namespace {
 
-// Only what the config's own file declares is looked at: a module may well declare more than one
-// config uses, and deleting a pass leaves what fed it behind.
+// Only what the config's own file and overrides declare is looked at: a module may well declare more than
+// one config uses, and deleting a pass leaves what fed it behind.
 class UseChecker {
 public:
     UseChecker(const Node& document, const Description& description)
@@ -39,6 +40,11 @@ private:
     void collect();
     void collectPass(const PassDesc& pass);
     bool inGlsl(const std::string& word);
+    bool isOwn(const Named& each) const
+    {
+        const SourceRef& writer = each.place.source;
+        return writer == root_ || (writer && writer->path == kOverridePath);
+    }
     bool used(const Named& each) { return used_.count(each.name) > 0; }
     bool used(const ParamDesc& param);
     bool used(const FeatureDesc& feature);
@@ -128,10 +134,10 @@ void UseChecker::check(const std::vector<T>& list, const char* what, const char*
 {
     std::vector<std::string> others;
     for (const T& each : list) {
-        if (each.place.source != root_ || used(each)) continue;
+        if (!isOwn(each) || used(each)) continue;
         if (others.empty())
             for (const T& other : list)
-                if (other.place.source != root_ || used(other)) others.push_back(other.name);
+                if (!isOwn(other) || used(other)) others.push_back(other.name);
         found_.push_back({Code::unused_name, std::string(what) + " '" + each.name +
                                                  "' is used by nothing: " + readers + " names it",
                           each.place, each.pointer});
@@ -139,7 +145,7 @@ void UseChecker::check(const std::vector<T>& list, const char* what, const char*
         error.help = others.empty() ? "use it or leave it out"
                                     : suggestName(each.name, others, heading);
         // What a variant takes away may leave something unused that is well used without it.
-        if (patched_) error.severity = Severity::warning;
+        if (patched_ && each.place.source == root_) error.severity = Severity::warning;
     }
 }
 

@@ -93,7 +93,7 @@ Status applyOverride(Node& document, const std::string& text, const std::vector<
     std::vector<std::string> folders = roots;
     folders.push_back(".");  // where its files stand
     const auto source = std::make_shared<SourceText>(
-        SourceText{"--set " + text, text, "./--set", {},
+        SourceText{"--set " + text, text, kOverridePath, {},
                    std::make_shared<const std::vector<std::string>>(std::move(folders))});
     const Place place{source, 1, 1, static_cast<int>(std::min(equals, text.size()))};
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())

@@ -8,6 +8,9 @@
 
 namespace crevice {
 
+/// The path of an override's text in a SourceText: the files that it names stand in the current folder.
+constexpr const char* kOverridePath = "./--set";
+
 /// Applies "radius=0.8", which sets the default of the param or feature of that name, or
 /// "/passes/blur/when=null", which sets or deletes what an RFC 6901 pointer names and makes the
 /// objects on the way. The value is read by parseValue; its place is in a text called
