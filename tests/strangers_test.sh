@@ -118,6 +118,16 @@ full() {
     check "exit code 4, not $got: crevice $* >/dev/full" test "$got" -eq 4
     check "one message: crevice $* >/dev/full" test "$(grep -c 'CV7007: the output cannot be written' stderr.txt)" -eq 1
 }
+# closed FD ARGUMENTS...: nothing printed gets into the files that are written where that stream is closed.
+expect 0 . bench --config learnopengl --scene plane --size 16x9 --rays 4 --no-cache --repeats 1 --out closed
+for stream in 1 2; do
+    got=0
+    eval "\"\$crevice\" bench --config learnopengl --scene corner --size 16x9 --rays 4 --no-cache --repeats 1 --out closed$stream $stream>&-" || got=$?
+    check "all of closed$stream is JSON" bash -c "! grep -v '^{.*}\$' closed$stream/results.jsonl"
+done
+got=0
+"$crevice" validate learnopengl >&- 2>stderr.txt || got=$?
+check "exit code 4, not $got, where standard output is closed" test "$got" -eq 4
 full schema
 full schema --format markdown
 full --help

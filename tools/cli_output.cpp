@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -92,6 +93,12 @@ void printMessage(const char* format, ...)
     va_start(values, format);
     put(stderr, formatted(format, values));
     va_end(values);
+}
+
+void reserveStreams()
+{
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file)
+        if (fcntl(file, F_GETFD) < 0) open("/dev/null", O_RDONLY);  // the lowest free number: this one
 }
 
 int finishOutput(int exit_code)

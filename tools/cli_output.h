@@ -38,6 +38,10 @@ void printAsJson(const nlohmann::json& json);
 /// As print, to stderr.
 [[gnu::format(printf, 1, 2)]] void printMessage(const char* format, ...);
 
+/// Opens what is closed of standard input, output and error, so that no file of ours gets its number and
+/// with it what is printed. Writing to it still fails. Before anything else is opened.
+void reserveStreams();
+
 /// Ends what was printed to stdout. Returns `exit_code`, or kExitOutput, after one message, where some of it could not
 /// be written; a reader that went away is told nothing.
 int finishOutput(int exit_code);

@@ -55,6 +55,7 @@ int run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     // The project's own code does not throw; the libraries that read scenes and arguments may.
+    crevice::reserveStreams();
     try {
         return crevice::finishOutput(run(argc, argv));
     } catch (const std::exception& error) {
