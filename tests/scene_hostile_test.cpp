@@ -67,6 +67,16 @@ TEST_CASE("a mesh that loses all its faces does no harm to one that does not")
     CHECK(scene->bounds().max == glm::dvec3(1, 1, 0));
 }
 
+TEST_CASE("a scene whose triangles have no area is an error")
+{
+    const TemporaryFolder folder("scene_flat");
+    for (const char* text : {"v 0 0 0\nf 1 1 1\n", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n",
+                             "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"}) {
+        const Diagnostic error = onlyError(importScene(folder.write("flat.obj", text)));
+        CHECK(error.code == Code::scene_empty);
+    }
+}
+
 TEST_CASE("a PLY file that ends within its header is an error at once")
 {
     const TemporaryFolder folder("scene_cut");

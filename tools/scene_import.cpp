@@ -163,8 +163,8 @@ NodePlaces importNodes(const aiScene& from, Scene& scene)
 
 Diagnostic noTriangle(const std::string& path, unsigned dropped)
 {
-    Diagnostic error = {Code::scene_empty, "the scene '" + path + "' has no triangle"};
-    if (dropped > 0) error.message += " whose vertices are finite";
+    Diagnostic error = {Code::scene_empty, "the scene '" + path + "' has no triangle with an area"};
+    if (dropped > 0) error.message += " and finite vertices";
     error.help = "points and lines cast no occlusion; export the scene with its faces";
     return error;
 }
@@ -175,6 +175,25 @@ bool hasSurface(const aiScene& scene)
     for (unsigned mesh = 0; mesh < scene.mNumMeshes; ++mesh)
         for (unsigned face = 0; face < scene.mMeshes[mesh]->mNumFaces; ++face)
             if (scene.mMeshes[mesh]->mFaces[face].mNumIndices >= 3) return true;
+    return false;
+}
+
+// Whether some triangle has an area where it is drawn: a scale of 0 takes it away.
+bool hasArea(const Scene& scene)
+{
+    for (const SceneInstance& instance : scene.instances) {
+        const MeshDesc& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const auto placed = [&](std::uint32_t index) {
+            const float* p = mesh.vertices[index].position;
+            return glm::dvec3(instance.world_from_model * glm::dvec4(p[0], p[1], p[2], 1));
+        };
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 corner = placed(mesh.indices[i]);
+            const glm::dvec3 normal = glm::cross(placed(mesh.indices[i + 1]) - corner,
+                                                 placed(mesh.indices[i + 2]) - corner);
+            if (normal != glm::dvec3(0)) return true;
+        }
+    }
     return false;
 }
 
@@ -279,7 +298,7 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     if (dropped > 0) warnings.push_back(leftOutFaces(path, dropped));
     Scene result = sceneFrom(*scene, path, folder, warnings);
     if (folder.refusedAny()) warnings.push_back(folder.warning());
-    if (result.instances.empty() || result.bounds().empty()) return noTriangle(path, dropped);
+    if (!hasArea(result)) return noTriangle(path, dropped);
     return {std::move(result), std::move(warnings)};
 }
 
