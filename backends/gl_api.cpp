@@ -34,7 +34,9 @@ void silence(Value(GL_APIENTRY*& function)(Arguments...))
 
 Result<GlApi> loadGlApi(const GlLoader& load)
 {
-    assert(load);
+    if (!load)
+        return failure(Code::gl_function, "the loader of GL functions is empty",
+                       "give makeGlDevice a function such as eglGetProcAddress");
     GlApi api;
     Diagnostics errors;
 #define CREVICE_GL_LOAD(name, upper, required) \

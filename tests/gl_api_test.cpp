@@ -87,6 +87,13 @@ TEST_CASE("a context that lacks a function is refused by the function's name")
     CHECK(error.message.find("glTexStorage2D") != std::string::npos);
 }
 
+TEST_CASE("an empty loader is refused")
+{
+    const Result<GlApi> gl = loadGlApi({});
+    REQUIRE_FALSE(gl.ok());
+    CHECK(gl.diagnostics()[0].code == Code::gl_function);
+}
+
 TEST_CASE("functions that not every context has may be missing")
 {
     version = "OpenGL ES 3.0";

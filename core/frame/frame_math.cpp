@@ -68,17 +68,17 @@ std::string ownedBy(std::size_t view, const char* matrix)
 
 Status checkCamera(const Camera& camera, std::size_t view)
 {
-    const auto check = [view](const auto& matrix, const char* name) -> Status {
+    const auto check = [view](const auto& matrix, const char* name, const char* way_out) -> Status {
         if (!finite(matrix))
             return bad(ownedBy(view, name) + " is not finite",
                        "look for a zero aspect ratio, near plane or up vector");
         if (!invertible(matrix))
-            return bad(ownedBy(view, name) + " has no inverse",
-                       "near and far plane must differ, and neither width nor height be 0");
+            return bad(ownedBy(view, name) + " has no inverse", way_out);
         return {};
     };
-    if (Status status = check(camera.clip_from_view, "clip_from_view"); !status) return status;
-    return check(camera.view_from_world, "view_from_world");
+    const char* const lens = "near and far plane must differ, and neither width nor height be 0";
+    if (Status status = check(camera.clip_from_view, "clip_from_view", lens); !status) return status;
+    return check(camera.view_from_world, "view_from_world", "its three axes must be independent and not 0");
 }
 
 Status checkViews(const Frame& frame)
