@@ -10,6 +10,8 @@
 #include "tools/reference_cache.h"
 #include "tools/scene_options.h"
 
+#include "core/base/text.h"
+
 #include <CLI/CLI.hpp>
 
 #include <memory>
@@ -102,7 +104,7 @@ int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceS
     world.interrupted = measure.interrupted;
     world.say = [&progress](const std::string& line) {
         progress.wipe();
-        printMessage("%s\n", line.c_str());
+        printMessage("%s\n", printableLine(line).c_str());
     };
     world.device = open->device->caps().name;
     world.time_budget_s = time_budget;

@@ -7,6 +7,8 @@
 #include "tools/reference_cache.h"
 #include "tools/scene_options.h"
 
+#include "core/base/text.h"
+
 #include <CLI/CLI.hpp>
 
 #include <memory>
@@ -44,7 +46,7 @@ int reference(const ReferenceOptions& options)
 
     const Status written = writeImage(options.file, *truth);
     report(written.diagnostics(), false);
-    if (written) printMessage("wrote %s\n", options.file.c_str());
+    if (written) printMessage("wrote %s\n", printableLine(options.file).c_str());
     return exitCodeOf(written.diagnostics());
 }
 

@@ -8,6 +8,7 @@
 #include "tools/watched_files.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/config/load.h"
 
 #include <CLI/CLI.hpp>
@@ -36,7 +37,8 @@ struct Summary {
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
 {
     printMessage("%s: %d passes over %s, %lld triangles, %dx%d%s\n",
-                 summary.config.c_str(), static_cast<int>(summary.passes), summary.scene.c_str(),
+                 printableLine(summary.config).c_str(), static_cast<int>(summary.passes),
+                 printableLine(summary.scene).c_str(),
                  summary.triangles, summary.extent.width, summary.extent.height,
                  summary.views > 1 ? " an eye" : "");
     printMessage("on %s\n", summary.device.c_str());
@@ -50,8 +52,8 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
     printMessage("drawn in %s ms (wall clock, first frame)\n",
                  fixed(summary.ms, 1).c_str());
     for (const Picture& picture : pictures)
-        printMessage("wrote %s (%s)\n", picture.request.file.c_str(),
-                     picture.request.name.c_str());
+        printMessage("wrote %s (%s)\n", printableLine(picture.request.file).c_str(),
+                     printableLine(picture.request.name).c_str());
 }
 
 void printJson(const Summary& summary, const std::vector<Picture>& pictures,

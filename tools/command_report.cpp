@@ -7,6 +7,7 @@
 #include "tools/output_request.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -55,7 +56,7 @@ int makeReport(const ReportOptions& options)
     const Status written = writeReport(options, points, *ablation, coverage, *page);
     if (!written) return report(written.diagnostics(), false);
     print("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
-          options.out.c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
+          printableLine(options.out).c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
     if (!coverage.whole()) print("%s\n", coverageText(coverage).c_str());
     return kExitOk;
 }

@@ -10,6 +10,8 @@
 #include "tools/stress_report.h"
 #include "tools/stress_run.h"
 
+#include "core/base/text.h"
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -155,7 +157,7 @@ int measureAll(const StressCommand& command, const std::vector<StressTask>& task
     world.interrupted = interrupted;
     world.say = [&progress](const std::string& line) {
         progress.wipe();
-        printMessage("%s\n", line.c_str());
+        printMessage("%s\n", printableLine(line).c_str());
     };
     world.time_budget_s = time_budget;
     catchInterrupts();

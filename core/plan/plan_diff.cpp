@@ -252,8 +252,8 @@ std::string propertyJson(const PlanChange::Property& each)
 
 PlanDiff diffPlans(const Plan& before, const Plan& after)
 {
-    PlanDiff diff{before.config + " " + sizeText(before.extent),
-                  after.config + " " + sizeText(after.extent)};
+    PlanDiff diff{printableLine(before.config) + " " + sizeText(before.extent),
+                  printableLine(after.config) + " " + sizeText(after.extent)};
     diff.changes = changesBetween(partsOf(before), partsOf(after));
     const auto total = [&](const char* name, double from, double to) {
         diff.totals.push_back({name, from, to});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plans as drawings: passes are boxes, textures are ellipses, edges follow the data.
+#include "core/base/text.h"
 #include "core/plan/plan_names.h"
 
 #include <algorithm>
@@ -130,7 +131,7 @@ std::string toDot(const Plan& plan)
 {
     const Graph graph = graphOf(plan);
     std::string text =
-        "digraph " + quoted(plan.config, "\\\"", "\\\\") + " {\n  rankdir=LR;\n";
+        "digraph " + quoted(printableLine(plan.config), "\\\"", "\\\\") + " {\n  rankdir=LR;\n";
     for (const GraphNode& node : graph.nodes) text += dotNode(node);
     for (const auto& [from, to] : graph.edges) text += "  \"" + from + "\" -> \"" + to + "\";\n";
     return text + "}\n";

@@ -210,7 +210,7 @@ std::string outputText(const Plan& plan, const PlanOutput& output)
 
 std::string toText(const Plan& plan)
 {
-    std::string text = "plan " + plan.config + " " + sizeText(plan.extent) + ": " +
+    std::string text = "plan " + printableLine(plan.config) + " " + sizeText(plan.extent) + ": " +
                        counted(plan.passes.size(), "pass") +
                        (plan.views > 1 ? " for each of " + counted(plan.views, "view") : "") +
                        ", " + counted(textureCount(plan), "texture") + ", " +
