@@ -30,6 +30,13 @@ double now()
     return std::chrono::duration<double>(time).count();
 }
 
+// A sanitizer needs all of the address space.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 // Bytes of address space that this process has; 0 where the system does not tell.
 std::uint64_t addressSpace()
 {
@@ -54,9 +61,7 @@ void limitSelf(const ChildLimits& limits)
 {
     limitTo(RLIMIT_CORE, 0);
     limitTo(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(limits.time_s)) + 1);
-#ifndef __SANITIZE_ADDRESS__
-    limitTo(RLIMIT_AS, addressSpace() + limits.memory);
-#endif
+    if (!kSanitized) limitTo(RLIMIT_AS, addressSpace() + limits.memory);
 }
 
 // What a library says of its own end is not for the user, and no business of this process's signal handlers.
