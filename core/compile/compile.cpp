@@ -95,16 +95,14 @@ void dropRepeats(State& state)
     state.diagnostics = std::move(kept);
 }
 
-bool applies(const CompileOptions& options, std::string_view rule)
+}  // namespace
+
+bool State::applies(std::string_view rule) const
 {
     return std::none_of(options.keep.begin(), options.keep.end(), [&](const std::string& kept) {
         return kept == rule || kept == "all";
     });
 }
-
-}  // namespace
-
-bool State::applies(std::string_view rule) const { return compiler::applies(options, rule); }
 
 Diagnostic& report(State& state, Code code, std::string message, const Named& at)
 {
