@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CPU time of a frame: a plan of ten passes on the recording device, in microseconds. And of what
 // comes before it: reading a mebibyte of JSON, and the slowest shipped config from text to plan.
-#include "backends/recording_device.h"
+#include "backends/recording/device.h"
 #include "core/config/load.h"
 #include "core/run/renderer.h"
 #include "effects/catalog.h"

@@ -2,7 +2,7 @@
 // Entry of the tests that need GL. CREVICE_BACKEND chooses the context, egl when unset. Without a
 // context they are skipped, exit code 77; with CREVICE_REQUIRE_GL=1 that is a failure.
 #define CATCH_CONFIG_RUNNER
-#include "tests/gl_fixture.h"
+#include "tests/support/gl_fixture.h"
 
 #include <cstdio>
 #include <cstdlib>

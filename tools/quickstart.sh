@@ -7,8 +7,8 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 step() { printf '\n== %s\n' "$1"; }
 
-step "Packages (tools/packages.txt)"
-tools/install_packages.sh
+step "Packages (tools/scripts/packages.txt)"
+tools/scripts/install_packages.sh
 
 step "Building the crevice command in release mode, into build/release"
 cmake --preset release

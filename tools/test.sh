@@ -35,10 +35,10 @@ all_tests() {
     cmake --preset ci && cmake --build --preset ci && ctest --preset ci --parallel 2
 }
 guard() {
-    CREVICE=build/ci/tools/crevice tools/guard_bench.sh --errors-only
+    CREVICE=build/ci/tools/crevice tools/scripts/guard_bench.sh --errors-only
 }
 pictures() {
-    CREVICE=build/ci/tools/crevice tools/pictures.sh --check
+    CREVICE=build/ci/tools/crevice tools/scripts/pictures.sh --check
 }
 sanitized_tests() {
     cmake --preset asan -DCREVICE_WERROR=ON &&
@@ -54,12 +54,12 @@ fuzzers() {
     tests/fuzz/run.sh 30
 }
 
-printf '== Packages (tools/packages.txt)\n'
+printf '== Packages (tools/scripts/packages.txt)\n'
 if $quick; then
-    tools/install_packages.sh chromium
+    tools/scripts/install_packages.sh chromium
     stage "All tests" all_tests
 else
-    tools/install_packages.sh chromium clang
+    tools/scripts/install_packages.sh chromium clang
     stage "All tests" all_tests
     stage "Errors against docs/bench" guard
     stage "Pictures in docs/methods" pictures

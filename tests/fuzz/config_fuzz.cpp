@@ -2,7 +2,7 @@
 // Any text as a config over the shipped modules: merged, decoded and compiled, down to the calls of
 // a recording device. What a line of "====" parts is a module that the config may extend, as
 // "fuzz/base", then the config with its variant "fast", then one override.
-#include "backends/recording_device.h"
+#include "backends/recording/device.h"
 #include "core/config/load.h"
 #include "core/run/renderer.h"
 #include "effects/catalog.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The least that a host does: a context, a mesh, a config, a frame. Draws a cube on a floor and
 // checks its ambient occlusion. Exits with 0, 1 (wrong), or 77 (no GL on this machine).
-#include "backends/context.h"
-#include "backends/gl_device.h"
+#include "backends/context/context.h"
+#include "backends/gl/device.h"
 #include "core/config/load.h"
 #include "core/run/renderer.h"
 #include "effects/catalog.h"

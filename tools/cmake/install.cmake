@@ -10,10 +10,10 @@ install(TARGETS crevice_core crevice_backends crevice_effects EXPORT creviceTarg
 
 # Only what a host may include; the other headers are the libraries' own.
 set(public_headers
-  backends/context.h
-  backends/gl_device.h
-  backends/gl_loader.h
-  backends/recording_device.h
+  backends/context/context.h
+  backends/gl/device.h
+  backends/gl/loader.h
+  backends/recording/device.h
   core/base/codes.h
   core/config/description.h
   core/gpu/device.h

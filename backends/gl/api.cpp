@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "backends/gl/api.h"
+
+#include "backends/gl/failure.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace {
+
+/// glGetError is asked this often at most: without a current context some drivers never say no.
+constexpr int kMaxPendingErrors = 16;
+
+/// Shortest GL_MAX_LABEL_LENGTH that a driver may have, less the terminating zero.
+constexpr std::size_t kMaxLabelLength = 255;
+
+const char* const kHelp = "crevice needs OpenGL ES 3.0, and the context's own loader";
+
+Diagnostic contextLost(const std::string& what)
+{
+    return failure(Code::context_lost, what + " found the GL context lost",
+                   "destroy what was made in it, make a new context, and in that a new device and "
+                   "renderer");
+}
+
+template <class Value, class... Arguments>
+void silence(Value(GL_APIENTRY*& function)(Arguments...))
+{
+    if (function) function = [](Arguments...) -> Value { return Value(); };
+}
+
+}  // namespace
+
+Result<GlApi> loadGlApi(const GlLoader& load)
+{
+    if (!load)
+        return failure(Code::gl_function, "the loader of GL functions is empty",
+                       "give makeGlDevice a function such as eglGetProcAddress");
+    GlApi api;
+    Diagnostics errors;
+#define CREVICE_GL_LOAD(name, upper, required) \
+    api.name = reinterpret_cast<PFNGL##upper##PROC>(load("gl" #name)); \
+    if (required && !api.name) \
+        errors.push_back(failure(Code::gl_function, "the context has no function gl" #name, kHelp));
+    CREVICE_GL_FUNCTIONS(CREVICE_GL_LOAD)
+#undef CREVICE_GL_LOAD
+    if (!errors.empty()) return errors;
+    if (api.GetString(GL_VERSION)) return api;
+    if (api.GetError() == GL_CONTEXT_LOST) return contextLost("makeGlDevice");
+    return failure(Code::gl_version, "no GL context is current on this thread",
+                   "make the context current before making a device in it");
+}
+
+const char* glErrorName(GLenum error)
+{
+    switch (error) {
+    case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
+    case GL_STACK_OVERFLOW: return "GL_STACK_OVERFLOW";
+    case GL_STACK_UNDERFLOW: return "GL_STACK_UNDERFLOW";
+    case GL_CONTEXT_LOST: return "GL_CONTEXT_LOST";
+    default: return "an unknown GL error";
+    }
+}
+
+const char* framebufferStatusName(GLenum status)
+{
+    switch (status) {
+    case GL_FRAMEBUFFER_COMPLETE: return "GL_FRAMEBUFFER_COMPLETE";
+    case GL_FRAMEBUFFER_UNDEFINED: return "GL_FRAMEBUFFER_UNDEFINED";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+        return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
+    case GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS: return "GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE: return "GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE";
+    case GL_FRAMEBUFFER_UNSUPPORTED: return "GL_FRAMEBUFFER_UNSUPPORTED";
+    default: return "an unknown framebuffer status";
+    }
+}
+
+Status takeErrors(GlApi& gl, const char* what, const char* label)
+{
+    GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR) return {};
+    Code code = Code::gl_error;
+    std::string who = what;
+    if (*label) who += std::string(" '") + label + "'";
+    std::string message = who + " gave ";
+    for (int i = 0; i < kMaxPendingErrors && error != GL_NO_ERROR; ++i, error = gl.GetError()) {
+        if (error == GL_CONTEXT_LOST) {
+            abandon(gl);
+            return contextLost(who);
+        }
+        if (i > 0) message += ", ";
+        message += glErrorName(error);
+        if (error == GL_OUT_OF_MEMORY) code = Code::out_of_memory;
+    }
+    const char* help = code == Code::out_of_memory
+                           ? "render at a smaller size, or free other textures of this device"
+                           : "the driver refused a call; its name and version help with a report";
+    return failure(code, message, help);
+}
+
+void abandon(GlApi& gl)
+{
+#define CREVICE_GL_SILENCE(name, upper, required) silence(gl.name);
+    CREVICE_GL_FUNCTIONS(CREVICE_GL_SILENCE)
+#undef CREVICE_GL_SILENCE
+    gl.GetError = []() -> GLenum { return GL_CONTEXT_LOST; };
+}
+
+void noticeReset(GlApi& gl)
+{
+    if (gl.GetGraphicsResetStatus && gl.GetGraphicsResetStatus() != GL_NO_ERROR) abandon(gl);
+}
+
+void setLabel(const GlApi& gl, GLenum identifier, GLuint name, const std::string& label)
+{
+    if (!gl.ObjectLabel || label.empty()) return;
+    const auto length = static_cast<GLsizei>(std::min(label.size(), kMaxLabelLength));
+    gl.ObjectLabel(identifier, name, length, label.data());
+}
+
+}  // namespace crevice

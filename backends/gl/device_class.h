@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The class behind makeGlDevice: device.cpp makes and reads objects, frame.cpp draws.
+#pragma once
+
+#include "backends/gl/copy.h"
+#include "backends/gl/device.h"
+#include "backends/gl/timers.h"
+
+namespace crevice {
+
+class GlDevice final : public Device {
+public:
+    GlDevice(const GlApi& gl, const GlInfo& info, const GlDeviceOptions& options)
+        : gl_(gl),
+          info_(info),
+          check_errors_(options.check_errors),
+          state_(gl_, info_, options.restore_state)
+    {
+    }
+
+    /// Deletes nothing in another context than its own, nor where none is current.
+    ~GlDevice() override;
+
+    /// Reads what the context can do and makes the device's own objects.
+    Status prepare(const ProgramCache& program_cache);
+
+    const DeviceCaps& caps() const override { return caps_; }
+    Result<TextureId> createTexture(const TextureDesc& desc) override;
+    Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
+    Result<ProgramId> createProgram(const ProgramDesc& desc) override;
+    Result<MeshId> createMesh(const MeshDesc& desc) override;
+    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    ObjectInfo info(ObjectId id) const override;
+    void destroy(ObjectId id) override;
+    Status writeTexture(TextureId id, const Image& image) override;
+    Result<Image> readTexture(TextureId id) override;
+    const std::vector<UniformInfo>& uniforms(ProgramId id) const override
+    {
+        return programs_.at(id.value).uniforms;
+    }
+    Status beginFrame() override;
+    Status endFrame() override;
+    void beginPass(const PassInfo& pass) override;
+    void endPass() override;
+    void setProgram(ProgramId id, const StateDesc& state) override;
+    void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) override;
+    void setUniform(int location, GlslType type, int count, const void* data) override
+    {
+        setUniformValues(gl_, location, type, count, data);
+    }
+    void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
+    void drawFullscreen() override;
+    Status present(TextureId id, const HostFramebuffer& host) override;
+    void finish() override { gl_.Finish(); }
+    void abandon() { crevice::abandon(gl_); }
+    bool beginTimer(int slot) override { return timers_.begin(gl_, slot); }
+    void endTimer() override { timers_.end(gl_); }
+    double readTimer(int slot) override { return timers_.read(gl_, slot); }
+
+private:
+    struct TextureSlot {
+        GlTexture owned;              // nothing when adopted, or when several samples make it a
+        GlRenderbuffer renderbuffer;  // ... thing to draw into alone
+        GLuint name;                  // whichever it is
+        Format format;
+        Extent extent;
+        int samples = 1;
+
+        GLenum target() const { return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
+    };
+
+    struct FramebufferSlot {
+        GlFramebuffer drawn;
+        GlFramebuffer resolved;  // nothing where a pixel has one sample
+    };
+
+    struct MeshSlot {
+        GlVertexArray vertex_array;
+        GlBuffer vertices;
+        GlBuffer indices;
+        std::uint32_t index_count = 0;
+    };
+
+    /// Brackets a call that may come outside of a frame.
+    class Scope {
+    public:
+        explicit Scope(GlDevice& device) : state_(device.state_)
+        {
+            if (!state_.entered()) device.dropHostErrors();
+            state_.enter();
+        }
+        ~Scope() { state_.leave(); }
+        Scope(const Scope&) = delete;
+
+    private:
+        GlState& state_;
+    };
+
+    /// Makes what `isCurrent` knows the context by.
+    void markContext();
+    bool isCurrent() const;
+
+    /// Before all that the host calls. Errors: CV6004 where no context is current, or another than the
+    /// device's; CV6016 where it is lost.
+    Status checkCurrent();
+
+    /// Deletes what was destroyed. Requires that the context is current.
+    void deleteRetired();
+
+    /// The sampler object; nearest where the format takes no filter.
+    GLuint sampler(const SamplerDesc& desc, Format format) const;
+    void makeSamplers();
+    Result<TextureId> createMultisampled(const TextureDesc& desc);
+    void attach(GLenum point, TextureId id);
+    Status fill(GlFramebuffer& framebuffer, const std::string& label,
+                const std::vector<TextureId>& color, TextureId depth);
+
+    /// Leaves the running pass's framebuffer with nothing to store.
+    void resolve(const FramebufferSlot& framebuffer);
+
+    /// Before the first call of something: what the host left is not its fault. Abandons a lost context.
+    void dropHostErrors();
+
+    /// Keeps the errors of a call that returns none, for endFrame.
+    void noteErrors(const char* what, const char* label = "");
+
+    GlApi gl_;
+    GlInfo info_;
+    bool check_errors_;
+    GlState state_;
+    DeviceCaps caps_;
+    GlVertexArray mark_;  // contexts do not share vertex arrays, and no other device's has its divisor
+    GLint mark_divisor_ = 0;
+    GlProgramCache program_cache_;
+    GlCopier copier_;
+    GlSampler samplers_[2][2];
+    GlTimers timers_;
+    GlPool<TextureSlot> textures_;
+    GlPool<MeshSlot> meshes_;
+    GlPool<GlLinkedProgram> programs_;
+    GlPool<FramebufferSlot> framebuffers_;
+    PassInfo pass_ = {};
+    Diagnostics errors_;  // of this frame's passes
+};
+
+}  // namespace crevice

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// The drawing half of the GL device.
+#include "backends/gl/device_class.h"
+#include "backends/gl/failure.h"
+
+namespace crevice {
+
+namespace {
+
+GLenum compareFunction(Compare compare)
+{
+    switch (compare) {
+    case Compare::less: return GL_LESS;
+    case Compare::less_equal: return GL_LEQUAL;
+    case Compare::greater: return GL_GREATER;
+    case Compare::greater_equal: return GL_GEQUAL;
+    case Compare::equal: return GL_EQUAL;
+    case Compare::always: break;
+    }
+    return GL_ALWAYS;
+}
+
+void setBlend(const GlApi& gl, Blend blend)
+{
+    if (blend == Blend::none) return gl.Disable(GL_BLEND);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    if (blend == Blend::alpha)
+        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (blend == Blend::add) gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    if (blend == Blend::multiply)
+        gl.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_DST_ALPHA, GL_ZERO);
+}
+
+/// Tells the driver which attachments' contents are not wanted: tile memory is then neither loaded
+/// nor stored.
+template <class Op>
+void invalidate(const GlApi& gl, const PassInfo& pass, const Op* color, Op depth, Op discard)
+{
+    if (!gl.InvalidateFramebuffer) return;
+    GLenum unwanted[kMaxColorAttachments + 1];
+    GLsizei count = 0;
+    for (int i = 0; i < pass.color_count; ++i)
+        if (color[i] == discard) unwanted[count++] = GL_COLOR_ATTACHMENT0 + i;
+    if (pass.has_depth && depth == discard) unwanted[count++] = GL_DEPTH_ATTACHMENT;
+    if (count > 0) gl.InvalidateFramebuffer(GL_DRAW_FRAMEBUFFER, count, unwanted);
+}
+
+void clear(const GlApi& gl, const PassInfo& pass)
+{
+    for (int i = 0; i < pass.color_count; ++i)
+        if (pass.color_load[i] == LoadOp::clear) gl.ClearBufferfv(GL_COLOR, i, pass.clear_color[i]);
+    if (pass.has_depth && pass.depth_load == LoadOp::clear)
+        gl.ClearBufferfv(GL_DEPTH, 0, &pass.clear_depth);
+}
+
+}  // namespace
+
+GLuint GlDevice::sampler(const SamplerDesc& desc, Format format) const
+{
+    const Filter filter = canFilter(info_, format) ? desc.filter : Filter::nearest;
+    return samplers_[static_cast<int>(filter)][static_cast<int>(desc.wrap)].name();
+}
+
+void GlDevice::dropHostErrors()
+{
+    noticeReset(gl_);
+    (void)takeErrors(gl_, "the host");
+}
+
+void GlDevice::noteErrors(const char* what, const char* label)
+{
+    if (!check_errors_ || tellsLoss(errors_)) return;
+    const Status status = takeErrors(gl_, what, label);
+    errors_.insert(errors_.end(), status.diagnostics().begin(), status.diagnostics().end());
+}
+
+Status GlDevice::beginFrame()
+{
+    if (check_errors_) {
+        if (Status status = checkCurrent(); !status) return status;
+        dropHostErrors();
+    }
+    state_.enter();
+    return {};
+}
+
+Status GlDevice::endFrame()
+{
+    state_.leave();
+    noteErrors("endFrame");
+    Diagnostics errors;
+    errors.swap(errors_);
+    return errors;
+}
+
+void GlDevice::beginPass(const PassInfo& pass)
+{
+    pass_ = pass;
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass.framebuffer.value).drawn.name());
+    gl_.Viewport(0, 0, pass.extent.width, pass.extent.height);
+    state_.unmask();
+    invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
+    clear(gl_, pass);
+    if (pass.at_depth >= 0.0f) gl_.DepthRangef(pass.at_depth, pass.at_depth);
+    if (!pass.within_area) return;
+    state_.setEnabled(GL_SCISSOR_TEST, true);
+    gl_.Scissor(pass.area.x, pass.area.y, pass.area.extent.width, pass.area.extent.height);
+}
+
+void GlDevice::resolve(const FramebufferSlot& framebuffer)
+{
+    const auto blit = [&](GLbitfield what) {
+        const auto [width, height] = pass_.extent;
+        gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, what, GL_NEAREST);
+    };
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.resolved.name());
+    for (int i = 0; i < pass_.color_count; ++i) {
+        if (pass_.color_store[i] != StoreOp::store) continue;
+        GLenum buffers[kMaxColorAttachments] = {};  // none
+        buffers[i] = GL_COLOR_ATTACHMENT0 + i;
+        gl_.ReadBuffer(buffers[i]);
+        gl_.DrawBuffers(i + 1, buffers);
+        blit(GL_COLOR_BUFFER_BIT);
+        pass_.color_store[i] = StoreOp::discard;
+    }
+    if (pass_.has_depth && pass_.depth_store == StoreOp::store) blit(GL_DEPTH_BUFFER_BIT);
+    pass_.depth_store = StoreOp::discard;
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.drawn.name());
+}
+
+void GlDevice::endPass()
+{
+    if (pass_.within_area) state_.setEnabled(GL_SCISSOR_TEST, false);
+    if (pass_.at_depth >= 0.0f) gl_.DepthRangef(0.0f, 1.0f);
+    const FramebufferSlot& framebuffer = framebuffers_.at(pass_.framebuffer.value);
+    if (framebuffer.resolved.name() != 0) resolve(framebuffer);
+    invalidate(gl_, pass_, pass_.color_store, pass_.depth_store, StoreOp::discard);
+    noteErrors("pass", pass_.label);
+}
+
+void GlDevice::setProgram(ProgramId id, const StateDesc& state)
+{
+    gl_.UseProgram(programs_.at(id.value).program.name());
+    // Depth is written only while the test is on, so `always` may not switch it off then.
+    state_.setEnabled(GL_DEPTH_TEST, state.depth_test != Compare::always || state.depth_write);
+    gl_.DepthFunc(compareFunction(state.depth_test));
+    gl_.DepthMask(state.depth_write);
+    state_.setEnabled(GL_CULL_FACE, state.cull != Cull::none);
+    gl_.CullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
+    setBlend(gl_, state.blend);
+}
+
+void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& desc)
+{
+    const TextureSlot& texture = textures_.at(id.value);
+    state_.bindTexture(unit, texture.name, sampler(desc, texture.format), texture.target());
+    gl_.Uniform1i(location, unit);
+}
+
+void GlDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
+{
+    gl_.BindVertexArray(meshes_.at(id.value).vertex_array.name());
+    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(offset));
+}
+
+void GlDevice::drawFullscreen()
+{
+    copier_.drawTriangle(gl_);
+}
+
+Status GlDevice::present(TextureId id, const HostFramebuffer& host)
+{
+    if (Status status = check_errors_ ? checkCurrent() : Status(); !status) return status;
+    if (Status status = checkReadable(*this, id); !status) return status;
+    const TextureSlot& texture = textures_.at(id.value);
+    Scope scope(*this);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host.name);
+    gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
+    copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format));
+    return check_errors_ ? takeErrors(gl_, "present") : Status();
+}
+
+}  // namespace crevice

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "backends/gl/program.h"
+
+#include "backends/gl/failure.h"
+
+namespace crevice {
+
+namespace {
+
+GlslType glslType(GLenum type)
+{
+    switch (type) {
+    case GL_FLOAT: return GlslType::float_;
+    case GL_FLOAT_VEC2: return GlslType::vec2;
+    case GL_FLOAT_VEC3: return GlslType::vec3;
+    case GL_FLOAT_VEC4: return GlslType::vec4;
+    case GL_INT: return GlslType::int_;
+    case GL_INT_VEC2: return GlslType::ivec2;
+    case GL_INT_VEC3: return GlslType::ivec3;
+    case GL_INT_VEC4: return GlslType::ivec4;
+    case GL_UNSIGNED_INT: return GlslType::uint_;
+    case GL_BOOL: return GlslType::bool_;
+    case GL_FLOAT_MAT3: return GlslType::mat3;
+    case GL_FLOAT_MAT4: return GlslType::mat4;
+    case GL_SAMPLER_2D: return GlslType::sampler2d;
+    case GL_SAMPLER_2D_MULTISAMPLE: return GlslType::sampler2d_ms;
+    default: return GlslType::other;
+    }
+}
+
+template <class GetValue, class GetLog>
+std::string readLog(GLuint name, GetValue get_value, GetLog get_log)
+{
+    GLint length = 0;
+    get_value(name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(length > 0 ? length : 1, '\0');
+    GLsizei written = 0;
+    get_log(name, static_cast<GLsizei>(log.size()), &written, log.data());
+    log.resize(written);
+    return log;
+}
+
+/// The driver's words at the author's lines; never empty, though some drivers say nothing. Where it
+/// reports an error instead, memory ran out or the context is lost, and that is told.
+Diagnostics explain(GlApi& gl, const GlslStage& stage, Code code, const std::string& label,
+                    const std::string& what, const std::string& log)
+{
+    const Status errors = takeErrors(gl, "createProgram", label.c_str());
+    if (log.empty() && !errors) return errors.diagnostics();
+    Diagnostics diagnostics = explainLog(stage, code, log);
+    if (!hasErrors(diagnostics))
+        diagnostics.push_back(
+            {code, "the shader '" + label + "' does not " + what + " and the driver does not say why"});
+    return diagnostics;
+}
+
+Result<GlShader> compileStage(GlApi& gl, GLenum kind, const GlslStage& stage,
+                              const std::string& label)
+{
+    GlShader shader(gl, gl.CreateShader(kind));
+    const GLchar* text = stage.text.data();
+    const auto length = static_cast<GLint>(stage.text.size());
+    gl.ShaderSource(shader.name(), 1, &text, &length);
+    gl.CompileShader(shader.name());
+    GLint compiled = GL_FALSE;
+    gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+    if (compiled) return shader;
+    return explain(gl, stage, Code::shader_compile, label, "compile",
+                   readLog(shader.name(), gl.GetShaderiv, gl.GetShaderInfoLog));
+}
+
+std::vector<UniformInfo> readUniforms(const GlApi& gl, GLuint program)
+{
+    GLint count = 0;
+    GLint longest = 0;
+    gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    gl.GetProgramiv(program, GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
+    std::string buffer(longest + 1, '\0');
+    std::vector<UniformInfo> uniforms;
+    for (GLint i = 0; i < count; ++i) {
+        GLsizei length = 0;
+        GLint size = 0;
+        GLenum type = 0;
+        gl.GetActiveUniform(program, i, static_cast<GLsizei>(buffer.size()), &length, &size, &type,
+                            buffer.data());
+        std::string name(buffer, 0, length);
+        if (name.rfind("gl_", 0) == 0) continue;
+        const int location = gl.GetUniformLocation(program, name.c_str());
+        const bool array = name.size() > 3 && name.compare(name.size() - 3, 3, "[0]") == 0;
+        if (array) name.resize(name.size() - 3);
+        uniforms.push_back({name, glslType(type), size, location});
+    }
+    return uniforms;
+}
+
+Result<GlProgram> compile(GlApi& gl, const GlProgramCache& cache, const ProgramDesc& desc)
+{
+    Result<GlShader> vertex = compileStage(gl, GL_VERTEX_SHADER, desc.vertex, desc.label);
+    if (tellsLoss(vertex.diagnostics())) return vertex.diagnostics();
+    Result<GlShader> fragment = compileStage(gl, GL_FRAGMENT_SHADER, desc.fragment, desc.label);
+    if (!vertex || !fragment) {
+        Diagnostics errors = vertex.diagnostics();
+        errors.insert(errors.end(), fragment.diagnostics().begin(), fragment.diagnostics().end());
+        return errors;
+    }
+    GlProgram program(gl, gl.CreateProgram());
+    const GLuint shaders[] = {vertex->name(), fragment->name()};
+    for (GLuint shader : shaders) gl.AttachShader(program.name(), shader);
+    cache.announce(gl, program.name());
+    gl.LinkProgram(program.name());
+    for (GLuint shader : shaders) gl.DetachShader(program.name(), shader);
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+    if (!linked)
+        return explain(gl, desc.fragment, Code::shader_link, desc.label, "link",
+                       readLog(program.name(), gl.GetProgramiv, gl.GetProgramInfoLog));
+    return program;
+}
+
+}  // namespace
+
+Result<GlLinkedProgram> makeProgram(GlApi& gl, const GlProgramCache& cache,
+                                    const ProgramDesc& desc)
+{
+    const std::string key = cache.key(desc);
+    GlProgram program = cache.load(gl, key);
+    const bool missed = program.name() == 0;
+    if (missed) {
+        Result<GlProgram> compiled = compile(gl, cache, desc);
+        if (!compiled) return compiled.diagnostics();
+        program = std::move(*compiled);
+    }
+    setLabel(gl, GL_PROGRAM, program.name(), desc.label);
+    std::vector<UniformInfo> uniforms = readUniforms(gl, program.name());
+    if (Status status = takeErrors(gl, "createProgram", desc.label.c_str()); !status)
+        return status.diagnostics();
+    if (missed) cache.store(gl, key, program.name());
+    return GlLinkedProgram{std::move(program), std::move(uniforms)};
+}
+
+void setUniformValues(const GlApi& gl, int location, GlslType type, int count, const void* data)
+{
+    const auto* floats = static_cast<const GLfloat*>(data);
+    const auto* ints = static_cast<const GLint*>(data);
+    switch (type) {
+    case GlslType::float_: gl.Uniform1fv(location, count, floats); break;
+    case GlslType::vec2: gl.Uniform2fv(location, count, floats); break;
+    case GlslType::vec3: gl.Uniform3fv(location, count, floats); break;
+    case GlslType::vec4: gl.Uniform4fv(location, count, floats); break;
+    case GlslType::bool_:
+    case GlslType::int_: gl.Uniform1iv(location, count, ints); break;
+    case GlslType::ivec2: gl.Uniform2iv(location, count, ints); break;
+    case GlslType::ivec3: gl.Uniform3iv(location, count, ints); break;
+    case GlslType::ivec4: gl.Uniform4iv(location, count, ints); break;
+    case GlslType::uint_: gl.Uniform1uiv(location, count, static_cast<const GLuint*>(data)); break;
+    case GlslType::mat3: gl.UniformMatrix3fv(location, count, GL_FALSE, floats); break;
+    case GlslType::mat4: gl.UniformMatrix4fv(location, count, GL_FALSE, floats); break;
+    case GlslType::sampler2d:
+    case GlslType::sampler2d_ms:
+    case GlslType::other: assert(false && "set samplers with setTexture"); break;
+    }
+}
+
+}  // namespace crevice

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "backends/gl/state.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace crevice {
+
+namespace {
+
+using Where = GlWhere;
+
+struct Switch {
+    GLenum capability;
+    Where where;
+    bool wanted = false;
+};
+
+struct PixelStore {
+    GLenum parameter;
+    GLint value;  // what this library wants: rows tightly packed
+    Where where;
+};
+
+// Desktop names that the OpenGL ES headers do not have.
+constexpr GLenum kColorLogicOp = 0x0BF2;
+constexpr GLenum kDepthClamp = 0x864F;
+constexpr GLenum kFramebufferSrgb = 0x8DB9;
+constexpr GLenum kPrimitiveRestart = 0x8F9D;
+constexpr GLenum kMultisample = 0x809D;
+constexpr GLenum kSampleAlphaToOne = 0x809F;
+constexpr GLenum kPackSwapBytes = 0x0D00;
+constexpr GLenum kUnpackSwapBytes = 0x0CF0;
+
+// Wanted off but for one; passes turn on what they need. Blending stands with the draw buffers.
+constexpr Switch kSwitches[] = {
+    {GL_CULL_FACE, Where::everywhere},
+    {GL_DEPTH_TEST, Where::everywhere},
+    {GL_DITHER, Where::everywhere},
+    {GL_POLYGON_OFFSET_FILL, Where::everywhere},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, Where::everywhere},
+    {GL_RASTERIZER_DISCARD, Where::everywhere},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, Where::everywhere},
+    {GL_SAMPLE_COVERAGE, Where::everywhere},
+    {GL_SAMPLE_MASK, Where::sample_mask},
+    {GL_SAMPLE_SHADING, Where::sample_shading},
+    {GL_SCISSOR_TEST, Where::everywhere},
+    {GL_STENCIL_TEST, Where::everywhere},
+    {kColorLogicOp, Where::desktop},
+    {kDepthClamp, Where::desktop},
+    {kFramebufferSrgb, Where::desktop},
+    {kMultisample, Where::desktop, true},
+    {kSampleAlphaToOne, Where::desktop},
+    {kPrimitiveRestart, Where::desktop},
+};
+
+constexpr PixelStore kPixelStores[] = {
+    {GL_PACK_ALIGNMENT, 1, Where::everywhere},
+    {GL_PACK_ROW_LENGTH, 0, Where::everywhere},
+    {GL_PACK_SKIP_PIXELS, 0, Where::everywhere},
+    {GL_PACK_SKIP_ROWS, 0, Where::everywhere},
+    {GL_UNPACK_ALIGNMENT, 1, Where::everywhere},
+    {GL_UNPACK_ROW_LENGTH, 0, Where::everywhere},
+    {GL_UNPACK_SKIP_PIXELS, 0, Where::everywhere},
+    {GL_UNPACK_SKIP_ROWS, 0, Where::everywhere},
+    {kPackSwapBytes, 0, Where::desktop},
+    {kUnpackSwapBytes, 0, Where::desktop},
+};
+
+}  // namespace
+
+GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
+    : gl_(gl),
+      restore_(restore),
+      desktop_(info.desktop),
+      sample_mask_(info.native_version >= (info.desktop ? 320 : 310)),
+      sample_shading_(info.native_version >= (info.desktop ? 400 : 320))
+{
+    static_assert(std::size(kSwitches) <= kMaxSwitches);
+    static_assert(std::size(kPixelStores) <= kMaxPixelStores);
+    static_assert(kMaxTextureUnits <= 32);
+    GLint count = 1;
+    gl_.GetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
+    count = std::min(count, kMaxColorAttachments);
+    if (gl_.IsEnabledi) mask_count_ = count;
+    if (gl_.BlendEquationi) blend_count_ = count;
+}
+
+bool GlState::has(GlWhere where) const
+{
+    switch (where) {
+    case Where::desktop: return desktop_;
+    case Where::sample_mask: return sample_mask_;
+    case Where::sample_shading: return sample_shading_;
+    default: return true;
+    }
+}
+
+void GlState::enter()
+{
+    if (depth_++ == 0 && restore_) save();
+    for (const Switch& s : kSwitches)
+        if (has(s.where)) setEnabled(s.capability, s.wanted);
+    for (const PixelStore& store : kPixelStores)
+        if (has(store.where)) gl_.PixelStorei(store.parameter, store.value);
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl_.FrontFace(GL_CCW);
+    gl_.DepthRangef(0.0f, 1.0f);
+    unmask();
+}
+
+void GlState::leave()
+{
+    assert(depth_ > 0);
+    if (--depth_ == 0 && restore_) restore();
+}
+
+void GlState::unmask() const
+{
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_CULL_FACE);
+}
+
+void GlState::setEnabled(GLenum capability, bool enabled) const
+{
+    if (enabled)
+        gl_.Enable(capability);
+    else
+        gl_.Disable(capability);
+}
+
+void GlState::bindTexture(int unit, GLuint texture, GLuint sampler, GLenum target)
+{
+    assert(unit >= 0 && unit < kMaxTextureUnits);
+    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+    const std::uint32_t bit = std::uint32_t(1) << unit;
+    if (restore_ && depth_ > 0 && !(saved_units_ & bit)) {
+        gl_.GetIntegerv(GL_TEXTURE_BINDING_2D, &units_[unit].texture);
+        gl_.GetIntegerv(GL_SAMPLER_BINDING, &units_[unit].sampler);
+        saved_units_ |= bit;
+    }
+    const bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
+    if (restore_ && depth_ > 0 && multisampled && !(saved_multisampled_ & bit)) {
+        gl_.GetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &units_[unit].multisampled);
+        saved_multisampled_ |= bit;
+    }
+    gl_.BindTexture(target, texture);
+    gl_.BindSampler(unit, sampler);
+}
+
+void GlState::save()
+{
+    Saved& s = saved_;
+    gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &s.draw_framebuffer);
+    gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &s.read_framebuffer);
+    gl_.GetIntegerv(GL_RENDERBUFFER_BINDING, &s.renderbuffer);
+    gl_.GetIntegerv(GL_CURRENT_PROGRAM, &s.program);
+    gl_.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &s.vertex_array);
+    gl_.GetIntegerv(GL_ACTIVE_TEXTURE, &s.active_unit);
+    gl_.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &s.array_buffer);
+    gl_.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &s.pack_buffer);
+    gl_.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &s.unpack_buffer);
+    gl_.GetIntegerv(GL_VIEWPORT, s.viewport);
+    gl_.GetIntegerv(GL_SCISSOR_BOX, s.scissor);
+    gl_.GetFloatv(GL_DEPTH_RANGE, s.depth_range);
+    gl_.GetIntegerv(GL_DEPTH_FUNC, &s.depth_function);
+    gl_.GetBooleanv(GL_DEPTH_WRITEMASK, &s.depth_mask);
+    gl_.GetIntegerv(GL_CULL_FACE_MODE, &s.cull_mode);
+    gl_.GetIntegerv(GL_FRONT_FACE, &s.front_face);
+    for (std::size_t i = 0; i < std::size(kSwitches); ++i)
+        if (has(kSwitches[i].where)) s.switches[i] = gl_.IsEnabled(kSwitches[i].capability);
+    for (std::size_t i = 0; i < std::size(kPixelStores); ++i)
+        if (has(kPixelStores[i].where))
+            gl_.GetIntegerv(kPixelStores[i].parameter, &s.pixel_stores[i]);
+    for (int i = 0; i < mask_count_; ++i) saveMask(i);
+    for (int i = 0; i < blend_count_; ++i) saveBlend(i);
+}
+
+void GlState::restore()
+{
+    const Saved& s = saved_;
+    restoreUnits();
+    gl_.ActiveTexture(s.active_unit);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.draw_framebuffer);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, s.read_framebuffer);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, s.renderbuffer);
+    gl_.UseProgram(s.program);
+    gl_.BindVertexArray(s.vertex_array);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, s.array_buffer);
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, s.pack_buffer);
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, s.unpack_buffer);
+    gl_.Viewport(s.viewport[0], s.viewport[1], s.viewport[2], s.viewport[3]);
+    gl_.Scissor(s.scissor[0], s.scissor[1], s.scissor[2], s.scissor[3]);
+    gl_.DepthRangef(s.depth_range[0], s.depth_range[1]);
+    gl_.DepthFunc(s.depth_function);
+    gl_.DepthMask(s.depth_mask);
+    gl_.CullFace(s.cull_mode);
+    gl_.FrontFace(s.front_face);
+    for (std::size_t i = 0; i < std::size(kSwitches); ++i)
+        if (has(kSwitches[i].where)) setEnabled(kSwitches[i].capability, s.switches[i]);
+    for (std::size_t i = 0; i < std::size(kPixelStores); ++i)
+        if (has(kPixelStores[i].where))
+            gl_.PixelStorei(kPixelStores[i].parameter, s.pixel_stores[i]);
+    for (int i = 0; i < mask_count_; ++i) restoreMask(i);
+    for (int i = 0; i < blend_count_; ++i) restoreBlend(i);
+}
+
+void GlState::restoreUnits()
+{
+    for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+        if (!(saved_units_ >> unit & 1)) continue;
+        gl_.ActiveTexture(GL_TEXTURE0 + unit);
+        gl_.BindTexture(GL_TEXTURE_2D, units_[unit].texture);
+        gl_.BindSampler(unit, units_[unit].sampler);
+        if (saved_multisampled_ >> unit & 1)
+            gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, units_[unit].multisampled);
+    }
+    saved_units_ = saved_multisampled_ = 0;
+}
+
+void GlState::saveMask(int index)
+{
+    DrawBuffer& buffer = saved_.draw_buffers[index];
+    if (gl_.IsEnabledi) {
+        buffer.blend = gl_.IsEnabledi(GL_BLEND, index);
+        gl_.GetIntegeri_v(GL_COLOR_WRITEMASK, index, buffer.mask);
+    } else {
+        buffer.blend = gl_.IsEnabled(GL_BLEND);
+        gl_.GetIntegerv(GL_COLOR_WRITEMASK, buffer.mask);
+    }
+}
+
+void GlState::restoreMask(int index) const
+{
+    const DrawBuffer& b = saved_.draw_buffers[index];
+    auto mask = [&](int channel) { return static_cast<GLboolean>(b.mask[channel] != 0); };
+    if (gl_.IsEnabledi) {
+        (b.blend ? gl_.Enablei : gl_.Disablei)(GL_BLEND, index);
+        gl_.ColorMaski(index, mask(0), mask(1), mask(2), mask(3));
+    } else {
+        setEnabled(GL_BLEND, b.blend);
+        gl_.ColorMask(mask(0), mask(1), mask(2), mask(3));
+    }
+}
+
+void GlState::saveBlend(int index)
+{
+    DrawBuffer& buffer = saved_.draw_buffers[index];
+    auto get = [&](GLenum name, GLint& value) {
+        if (gl_.BlendEquationi)
+            gl_.GetIntegeri_v(name, index, &value);
+        else
+            gl_.GetIntegerv(name, &value);
+    };
+    get(GL_BLEND_SRC_RGB, buffer.source_rgb);
+    get(GL_BLEND_SRC_ALPHA, buffer.source_alpha);
+    get(GL_BLEND_DST_RGB, buffer.target_rgb);
+    get(GL_BLEND_DST_ALPHA, buffer.target_alpha);
+    get(GL_BLEND_EQUATION_RGB, buffer.equation_rgb);
+    get(GL_BLEND_EQUATION_ALPHA, buffer.equation_alpha);
+}
+
+void GlState::restoreBlend(int index) const
+{
+    const DrawBuffer& b = saved_.draw_buffers[index];
+    // The advanced equations of OpenGL ES 3.2 are refused by the "Separate" functions.
+    const bool one_equation = b.equation_rgb == b.equation_alpha;
+    if (gl_.BlendEquationi) {
+        gl_.BlendFuncSeparatei(index, b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
+        if (one_equation)
+            gl_.BlendEquationi(index, b.equation_rgb);
+        else
+            gl_.BlendEquationSeparatei(index, b.equation_rgb, b.equation_alpha);
+    } else {
+        gl_.BlendFuncSeparate(b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
+        if (one_equation)
+            gl_.BlendEquation(b.equation_rgb);
+        else
+            gl_.BlendEquationSeparate(b.equation_rgb, b.equation_alpha);
+    }
+}
+
+}  // namespace crevice

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The GPU's time by query objects: GL_EXT_disjoint_timer_query on OpenGL ES, timer queries on
+// desktop OpenGL.
+#pragma once
+
+#include "backends/gl/caps.h"
+#include "backends/gl/objects.h"
+
+#include <bitset>
+
+namespace crevice {
+
+/// Measures into slots as Device::beginTimer, endTimer and readTimer have it.
+class GlTimers {
+public:
+    /// No timers: `begin` always refuses.
+    GlTimers() = default;
+
+    /// Has timers where the context does; `settleOptional` must have found their functions. Do not
+    /// make any on a software renderer: llvmpipe (Mesa 22.3.6) has the extension and counts next to
+    /// nothing, 1.1 ms for a pass of 240 ms.
+    static GlTimers make(const GlApi& gl, const GlInfo& info);
+
+    bool begin(const GlApi& gl, int slot);
+    void end(const GlApi& gl) const { gl.EndQuery(GL_TIME_ELAPSED_EXT); }
+    double read(const GlApi& gl, int slot);
+
+private:
+    bool takeDisjoint(const GlApi& gl) const;
+
+    std::vector<GlQuery> queries_;  // by slot; empty where there are no timers
+    bool tells_disjoint_ = false;   // desktop OpenGL does not
+    std::bitset<kMaxTimers> measured_;
+    bool read_ = true;              // since the last timer began, or none began yet
+    bool disturbed_ = false;        // while any of the measured ones ran
+};
+
+}  // namespace crevice

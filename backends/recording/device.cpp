@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// The recording device between frames: what is created, filled, read and destroyed.
+#include "backends/recording/device.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace crevice {
+namespace {
+
+// Enough for a long frame; past it the log grows, and a test that counts allocations sees that.
+constexpr std::size_t kRecordCapacity = 1 << 13;
+constexpr std::size_t kWordCapacity = 1 << 17;
+constexpr std::size_t kPassCapacity = 1 << 8;
+
+const char* kindName(ObjectId::Kind kind)
+{
+    switch (kind) {
+    case ObjectId::Kind::texture: return "texture";
+    case ObjectId::Kind::mesh: return "mesh";
+    case ObjectId::Kind::program: return "program";
+    case ObjectId::Kind::framebuffer: return "framebuffer";
+    }
+    return "";
+}
+
+void addUniforms(std::vector<UniformInfo>& all, const GlslStage& stage)
+{
+    for (const GlslUniform& uniform : stage.uniforms) {
+        const auto same = [&](const UniformInfo& info) { return info.name == uniform.name; };
+        if (std::any_of(all.begin(), all.end(), same)) continue;
+        const int location = all.empty() ? 0 : all.back().location + all.back().count;
+        all.push_back({uniform.name, uniform.type, uniform.count, location});
+    }
+}
+
+}  // namespace
+
+DeviceCaps generousCaps()
+{
+    DeviceCaps caps;
+    caps.name = "recording device";
+    caps.version = 320;
+    caps.max_texture_size = 16384;
+    caps.max_color_attachments = kMaxColorAttachments;
+    caps.max_texture_units = 32;
+    caps.max_fragment_uniform_vectors = 1024;
+    caps.max_vertex_uniform_vectors = 1024;
+    std::fill(std::begin(caps.renderable), std::end(caps.renderable), true);
+    constexpr std::uint32_t kTwoFourEight = 1u << 1 | 1u << 3 | 1u << 7;
+    std::fill(std::begin(caps.sample_counts), std::end(caps.sample_counts), kTwoFourEight);
+    return caps;
+}
+
+RecordingDevice::RecordingDevice(DeviceCaps caps) : caps_(std::move(caps))
+{
+    records_.reserve(kRecordCapacity);
+    words_.reserve(kWordCapacity);
+    passes_.reserve(kPassCapacity);
+}
+
+int RecordingDevice::live() const
+{
+    return static_cast<int>(std::count_if(objects_.begin(), objects_.end(),
+                                          [](const auto& each) { return each.second.alive; }));
+}
+
+int RecordingDevice::live(ObjectId::Kind kind) const
+{
+    const auto counts = [&](const auto& each) {
+        return each.second.alive && each.second.kind == kind;
+    };
+    return static_cast<int>(std::count_if(objects_.begin(), objects_.end(), counts));
+}
+
+void RecordingDevice::record(Call call, std::uint32_t object, Words words)
+{
+    records_.push_back({call, object, program_, words_.size()});
+    words_.insert(words_.end(), words);
+}
+
+void RecordingDevice::blame(std::string what) { misuse_.push_back(std::move(what)); }
+
+Status RecordingDevice::checkContext(const std::string& what) const
+{
+    if (lost_) return Diagnostic{Code::context_lost, "the context of " + what + " is lost"};
+    if (!current_) return Diagnostic{Code::gl_version, "the context of " + what + " is not current"};
+    return {};
+}
+
+/// Counts an attempt; when it is the one to fail, or the context is not there, says so.
+bool RecordingDevice::failsNow(Diagnostics& errors, const std::string& what)
+{
+    ++attempts_;
+    errors = checkContext(what).diagnostics();
+    if (!errors.empty()) return true;
+    if (fail_in_ == 0 || --fail_in_ != 0) return false;
+    errors.push_back({Code::out_of_memory, "no memory is left for " + what});
+    return true;
+}
+
+std::uint32_t RecordingDevice::add(Object object, Call call)
+{
+    if (in_frame_) blame("'" + object.label + "' is created inside a frame");
+    objects_.emplace(++last_id_, std::move(object));
+    record(call, last_id_);
+    return last_id_;
+}
+
+const RecordingDevice::Object* RecordingDevice::objectOf(std::uint32_t id) const
+{
+    const auto found = objects_.find(id);
+    return found == objects_.end() ? nullptr : &found->second;
+}
+
+RecordingDevice::Object* RecordingDevice::find(ObjectId id, const char* caller)
+{
+    const auto found = objects_.find(id.value);
+    Object* object = found == objects_.end() ? nullptr : &found->second;
+    if (object && object->kind == id.kind && object->alive) return object;
+    blame(std::string(caller) + " gets a " + kindName(id.kind) + " that " +
+          (object && object->kind == id.kind ? "was destroyed: '" + object->label + "'"
+                                             : std::string("does not exist")));
+    return nullptr;
+}
+
+Result<TextureId> RecordingDevice::createTexture(const TextureDesc& desc)
+{
+    Diagnostics errors;
+    if (failsNow(errors, "texture '" + desc.label + "'")) return errors;
+    const int longest = std::max(desc.extent.width, desc.extent.height);
+    if (std::min(desc.extent.width, desc.extent.height) < 1 || longest > caps_.max_texture_size)
+        blame("texture '" + desc.label + "' has a size that cannot be");
+    Object object{ObjectId::Kind::texture, desc.label};
+    object.texture = desc;
+    return TextureId{add(std::move(object), Call::create_texture)};
+}
+
+Result<TextureId> RecordingDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
+{
+    Diagnostics errors;
+    if (failsNow(errors, "texture '" + desc.label + "'")) return errors;
+    Object object{ObjectId::Kind::texture, desc.label};
+    object.texture = desc;
+    object.native_name = native_name;
+    object.defined = true;
+    return TextureId{add(std::move(object), Call::adopt_texture)};
+}
+
+/// All that is drawn into has as many samples, and what that is resolved into has one.
+void RecordingDevice::checkAttachments(const FramebufferDesc& desc)
+{
+    int samples = 0;
+    const auto check = [&](TextureId id, bool resolved) {
+        const Object* texture = id ? find(id, "createFramebuffer") : nullptr;
+        if (!texture) return;
+        const int found = texture->texture.samples;
+        if (resolved ? found != 1 || samples == 1 : samples > 0 && found != samples)
+            blame("framebuffer '" + desc.label + "' cannot have '" + texture->label + "' with " +
+                  std::to_string(found) + " samples");
+        if (!resolved) samples = found;
+    };
+    for (const TextureId id : desc.color) check(id, false);
+    check(desc.depth, false);
+    for (const TextureId id : desc.resolve_color) check(id, true);
+    check(desc.resolve_depth, true);
+}
+
+Result<FramebufferId> RecordingDevice::createFramebuffer(const FramebufferDesc& desc)
+{
+    Diagnostics errors;
+    if (failsNow(errors, "framebuffer '" + desc.label + "'")) return errors;
+    checkAttachments(desc);
+    Object object{ObjectId::Kind::framebuffer, desc.label};
+    object.framebuffer = desc;
+    return FramebufferId{add(std::move(object), Call::create_framebuffer)};
+}
+
+Result<ProgramId> RecordingDevice::createProgram(const ProgramDesc& desc)
+{
+    Diagnostics errors;
+    if (failsNow(errors, "program '" + desc.label + "'")) return errors;
+    Object object{ObjectId::Kind::program, desc.label};
+    object.uniforms = forced_;
+    addUniforms(object.uniforms, desc.vertex);
+    addUniforms(object.uniforms, desc.fragment);
+    object.uniform_set.resize(object.uniforms.size());
+    return ProgramId{add(std::move(object), Call::create_program)};
+}
+
+Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
+{
+    if (Status status = checkMesh(desc); !status) return status.diagnostics();
+    Diagnostics errors;
+    if (failsNow(errors, "mesh '" + desc.label + "'")) return errors;
+    Object object{ObjectId::Kind::mesh, desc.label};
+    object.index_count = static_cast<std::uint32_t>(desc.indices.size());
+    return MeshId{add(std::move(object), Call::create_mesh)};
+}
+
+ObjectInfo RecordingDevice::info(ObjectId id) const
+{
+    const Object* object = objectOf(id.value);
+    if (!object || !object->alive || object->kind != id.kind) return {};
+    const bool texture = id.kind == ObjectId::Kind::texture;
+    const std::uint32_t own_name = texture ? id.value : 0;
+    return {true, object->native_name ? object->native_name : own_name, object->texture.samples,
+            object->index_count};
+}
+
+void RecordingDevice::destroy(ObjectId id)
+{
+    if (id.value == 0) return;
+    if (in_frame_) blame("an object is destroyed inside a frame");
+    Object* object = find(id, "destroy");
+    if (!object) return;
+    for (const auto& [other_id, other] : objects_) {
+        if (!other.alive || other.kind != ObjectId::Kind::framebuffer) continue;
+        if (uses(other.framebuffer, id.value))
+            blame("texture '" + object->label + "' is destroyed before framebuffer '" +
+                  other.label + "', which uses it");
+    }
+    object->alive = false;
+    record(Call::destroy, id.value);
+}
+
+Status RecordingDevice::writeTexture(TextureId id, const Image& image)
+{
+    Object* object = find(id, "writeTexture");
+    if (!object) return checkReadable(*this, id);
+    Diagnostics errors;
+    if (failsNow(errors, "the content of texture '" + object->label + "'")) return errors;
+    if (in_pass_) blame("texture '" + object->label + "' is written inside a pass");
+    if (image.extent != object->texture.extent || image.channels < 1)
+        blame("texture '" + object->label + "' is written with an image of another size");
+    object->image = image;
+    object->defined = true;
+    record(Call::write_texture, id.value);
+    return {};
+}
+
+Result<Image> RecordingDevice::readTexture(TextureId id)
+{
+    Object* object = find(id, "readTexture");
+    if (Status status = checkReadable(*this, id); !status) return status.diagnostics();
+    if (Status status = checkContext("texture '" + object->label + "'"); !status)
+        return status.diagnostics();
+    if (!object->defined) blame("texture '" + object->label + "' is read, with undefined content");
+    record(Call::read_texture, id.value);
+    if (object->image.channels > 0) return object->image;
+    return Image(object->texture.extent, formatInfo(object->texture.format).channels);
+}
+
+const std::vector<UniformInfo>& RecordingDevice::uniforms(ProgramId id) const
+{
+    return objects_.at(id.value).uniforms;
+}
+
+}  // namespace crevice

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# EGL and OSMesa draw the same picture: at most one pixel in a thousand is off by more than 2/255.
+#   backends_agree_test.sh CREVICE
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/../support/cli_checks.sh"
+
+view=(--scene room --size 320x180)
+for config in learnopengl hemisphere_bilateral; do
+    for backend in egl osmesa; do
+        got=0
+        "$crevice" render "$config" "${view[@]}" --backend "$backend" \
+            --out "color=$backend.png" --out "ao=$backend.pfm" 2>stderr.txt || got=$?
+        if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
+            sed 's/^/SKIPPED: /' stderr.txt
+            exit 77
+        fi
+        check "$config is drawn on $backend" test "$got" -eq 0
+    done
+    expect 0 'rmse' compare egl.png osmesa.png --max-abs 2/255 --max-bad-fraction 0.001
+    expect 0 'rmse' compare egl.pfm osmesa.pfm --max-abs 2/255 --max-bad-fraction 0.001
+done
+finish

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+// Objects of the GL device: formats, readback, errors, lifetimes.
+#include "tests/support/gl_fixture.h"
+
+#include "backends/gl/formats.h"
+
+#include <cmath>
+
+namespace crevice {
+
+namespace {
+
+/// The widest gap between neighbouring values of a format in 0..1.
+float stepOf(Format format)
+{
+    switch (format) {
+    case Format::rgb10_a2: return 1.0f / 1023;
+    case Format::r16f:
+    case Format::rg16f:
+    case Format::rgba16f: return 1.0f / 2048;
+    case Format::r11g11b10f: return 1.0f / 32;
+    case Format::r32f:
+    case Format::rg32f:
+    case Format::rgba32f: return 0.0f;
+    case Format::depth16: return 1.0f / 65535;
+    case Format::depth24: return 1.0f / 16777215;
+    case Format::depth32f: return 0.0f;
+    default: return 1.0f / 255;
+    }
+}
+
+bool isDepth(const FormatInfo& info)
+{
+    return info.format_class == FormatClass::depth;
+}
+
+Code onlyCode(const Diagnostics& diagnostics)
+{
+    REQUIRE(diagnostics.size() == 1);
+    CHECK_FALSE(diagnostics[0].message.empty());
+    return diagnostics[0].code;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(GlFixture, "caps tell what the context is")
+{
+    const DeviceCaps& caps = device->caps();
+    INFO(caps.name);
+    CHECK_FALSE(caps.name.empty());
+    CHECK(caps.version >= 300);
+    CHECK(caps.compute == (caps.version >= 310));
+    const DeviceCaps least = minimumCaps();
+    CHECK(caps.max_texture_size >= least.max_texture_size);
+    CHECK(caps.max_color_attachments >= least.max_color_attachments);
+    CHECK(caps.max_texture_units >= least.max_texture_units);
+    CHECK(caps.max_fragment_uniform_vectors >= least.max_fragment_uniform_vectors);
+    CHECK(caps.max_vertex_uniform_vectors >= least.max_vertex_uniform_vectors);
+    for (const FormatInfo& info : allFormats()) {
+        INFO(info.name);
+        if (info.core_renderable) CHECK(caps.canRender(info.format));
+    }
+}
+
+TEST_CASE("a bare OpenGL ES 3.0 renders to no float format, yet floats are written and read")
+{
+    GlDeviceOptions options;
+    options.ignore_extensions = true;
+    GlFixture bare(options);
+    const DeviceCaps& caps = bare.device->caps();
+    CHECK(caps.version == 300);
+    CHECK_FALSE(caps.compute);
+    for (const FormatInfo& info : allFormats()) {
+        INFO(info.name);
+        CHECK(caps.canRender(info.format) == info.core_renderable);
+    }
+    const TextureId texture = bare.texture(Format::rgba16f);
+    need(bare.device->writeTexture(texture, Image({4, 4}, 4, -2.5f)));
+    CHECK(bare.read(texture).at(3, 3, 2) == -2.5f);
+}
+
+TEST_CASE_METHOD(GlFixture, "a clear lands in every format that can be rendered to")
+{
+    const float wanted[] = {0.25f, 0.5f, 0.75f, 1.0f};
+    for (const FormatInfo& info : allFormats()) {
+        if (!device->caps().canRender(info.format)) continue;
+        INFO(info.name);
+        const TextureId target = texture(info.format);
+        const FramebufferId into = isDepth(info) ? framebuffer({}, target) : framebuffer({target});
+        PassInfo pass = wholePass(into, {4, 4}, isDepth(info) ? 0 : 1);
+        std::copy(wanted, wanted + 4, pass.clear_color[0]);
+        pass.has_depth = isDepth(info);
+        pass.depth_load = LoadOp::clear;
+        pass.clear_depth = 0.25f;
+        need(device->beginFrame());
+        device->beginPass(pass);
+        device->endPass();
+        need(device->endFrame());
+        const Image image = read(target);
+        REQUIRE(image.channels == info.channels);
+        for (int c = 0; c < info.channels; ++c)
+            CHECK(std::abs(image.at(1, 2, c) - wanted[c]) <= stepOf(info.format));
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "a shader's values land in every colour format that can be rendered to")
+{
+    const ProgramId written = program("out vec4 color; void main() { color = vec4(gl_FragCoord.xy"
+                                      " / 8.0, 0.75, 1.0); }");
+    for (const FormatInfo& info : allFormats()) {
+        if (!device->caps().canRender(info.format) || isDepth(info)) continue;
+        INFO(info.name);
+        const TextureId target = texture(info.format);
+        drawInto(target, written);
+        const Image image = read(target);
+        const float wanted[] = {2.5f / 8, 0.5f / 8, 0.75f, 1.0f};
+        for (int c = 0; c < info.channels; ++c)
+            CHECK(std::abs(image.at(2, 0, c) - wanted[c]) <= stepOf(info.format));
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "what is written to a texture is read back, in every format")
+{
+    const Extent extent = {5, 3};  // rows of odd length
+    for (const FormatInfo& info : allFormats()) {
+        INFO(info.name);
+        Image image(extent, info.channels);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = static_cast<float>(i) / image.pixels.size();
+        const TextureId id = texture(info.format, extent);
+        need(device->writeTexture(id, image));
+        const Image back = read(id);
+        REQUIRE(back.extent == extent);
+        REQUIRE(back.channels == info.channels);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            const bool two_bits = info.format == Format::rgb10_a2 && i % 4 == 3;
+            const float step = two_bits ? 1.0f / 3 : stepOf(info.format);
+            CHECK(std::abs(back.pixels[i] - image.pixels[i]) <= step);
+        }
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "floats are read back bit for bit, far outside 0..1 too")
+{
+    Image image({3, 1}, 2);
+    image.pixels = {1e30f, -1e-30f, 3.14159274f, -0.0f, 16777217.0f, INFINITY};
+    const TextureId id = texture(Format::rg32f, image.extent);
+    need(device->writeTexture(id, image));
+    CHECK(read(id).pixels == image.pixels);
+}
+
+TEST_CASE_METHOD(GlFixture, "an image's missing channels are 0, alpha 1")
+{
+    const TextureId id = texture(Format::rgba8);
+    need(device->writeTexture(id, Image({4, 4}, 1, 1.0f)));
+    const Image back = read(id);
+    CHECK(back.at(0, 0, 0) == 1.0f);
+    CHECK(back.at(0, 0, 1) == 0.0f);
+    CHECK(back.at(0, 0, 2) == 0.0f);
+    CHECK(back.at(0, 0, 3) == 1.0f);
+}
+
+TEST_CASE_METHOD(GlFixture, "an image of another size than its texture is refused")
+{
+    const Status status = device->writeTexture(texture(Format::r8), Image({4, 5}, 1));
+    CHECK(onlyCode(status.diagnostics()) == Code::bad_input);
+}
+
+TEST_CASE_METHOD(GlFixture, "depth that a shader wrote is read back exactly")
+{
+    const ProgramId written =
+        program("void main() { gl_FragDepth = (gl_FragCoord.x + 0.123) / 4.5; }");
+    for (Format format : {Format::depth16, Format::depth24, Format::depth32f}) {
+        INFO(formatInfo(format).name);
+        const TextureId depth = texture(format);
+        const FramebufferId into = framebuffer({}, depth);
+        PassInfo pass = wholePass(into, {4, 4}, 0);
+        pass.has_depth = true;
+        pass.depth_load = LoadOp::clear;
+        need(device->beginFrame());
+        device->beginPass(pass);
+        StateDesc state;
+        state.depth_write = true;  // with the test at its default, always
+        device->setProgram(written, state);
+        device->drawFullscreen();
+        device->endPass();
+        need(device->endFrame());
+        const Image image = read(depth);
+        for (int x = 0; x < 4; ++x)
+            CHECK(std::abs(image.at(x, 1) - (x + 0.623f) / 4.5f) <= stepOf(format) + 1e-7f);
+    }
+}
+
+TEST_CASE_METHOD(GlFixture, "a texture larger than the device holds is refused by name")
+{
+    TextureDesc desc;
+    desc.label = "huge";
+    desc.extent = {device->caps().max_texture_size + 1, 1};
+    const auto result = device->createTexture(desc);
+    CHECK(onlyCode(result.diagnostics()) == Code::too_big_for_device);
+    CHECK(result.diagnostics()[0].message.find("'huge'") != std::string::npos);
+}
+
+TEST_CASE_METHOD(GlFixture, "a texture that the driver refuses is an error")
+{
+    TextureDesc desc;
+    desc.label = "levels";
+    desc.extent = {4, 4};
+    desc.mips = 9;
+    const auto result = device->createTexture(desc);
+    CHECK(onlyCode(result.diagnostics()) == Code::gl_error);
+    CHECK(result.diagnostics()[0].message.find("GL_INVALID_OPERATION") != std::string::npos);
+}
+
+TEST_CASE_METHOD(GlFixture, "an incomplete framebuffer is an error with the status's name")
+{
+    const auto nothing = device->createFramebuffer({"nothing", {}, {}});
+    CHECK(onlyCode(nothing.diagnostics()) == Code::gl_error);
+    CHECK(nothing.diagnostics()[0].message.find("MISSING_ATTACHMENT") != std::string::npos);
+
+    const auto swapped = device->createFramebuffer({"swapped", {texture(Format::depth24)}, {}});
+    CHECK(onlyCode(swapped.diagnostics()) == Code::gl_error);
+    CHECK(swapped.diagnostics()[0].message.find("INCOMPLETE_ATTACHMENT") != std::string::npos);
+}
+
+TEST_CASE_METHOD(GlFixture, "more colour attachments than the device has are refused")
+{
+    const TextureId one = texture(Format::r8);
+    const std::vector<TextureId> many(device->caps().max_color_attachments + 1, one);
+    CHECK(onlyCode(device->createFramebuffer({"many", many, {}}).diagnostics()) == Code::too_many);
+}
+
+TEST_CASE_METHOD(GlFixture, "a shader that does not compile points at the author's line")
+{
+    const std::string text = "#version 300 es\nprecision highp float;\nout vec4 color;\n"
+                             "void main()\n{\n    color = vec4(no_such_name);\n}\n";
+    const auto result = device->createProgram({"broken", stage(kFullscreenVertex), stage(text)});
+    REQUIRE_FALSE(result.ok());
+    const Diagnostic& first = result.diagnostics()[0];
+    CHECK(first.code == Code::shader_compile);
+    CHECK(first.place.line == 6);
+    REQUIRE(first.place.source);
+    CHECK(first.place.source->name == "test.glsl");
+    CHECK(first.message.find("no_such_name") != std::string::npos);
+}
+
+TEST_CASE_METHOD(GlFixture, "stages that do not fit together are a link error")
+{
+    const auto result = device->createProgram(
+        {"torn", stage(kFullscreenVertex),
+         stage(fragment("in vec4 uv; out vec4 color; void main() { color = uv; }"))});
+    REQUIRE_FALSE(result.ok());
+    CHECK(result.diagnostics()[0].code == Code::shader_link);
+}
+
+/// One past every texture name in use: drivers count on from the last name they gave.
+static GLuint textureNameEnd(const GlApi& gl)
+{
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    gl.DeleteTextures(1, &name);
+    return name + 1;
+}
+
+TEST_CASE_METHOD(GlFixture, "destroying an object deletes its GL object, and ids are used again")
+{
+    const TextureId first = texture(Format::r8);
+    const FramebufferId into = framebuffer({first});
+    GLuint name = 0;
+    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate)
+        if (gl.IsTexture(candidate)) name = candidate;
+    REQUIRE(name != 0);
+    device->destroy(into);
+    device->destroy(first);
+    CHECK_FALSE(gl.IsTexture(name));
+    CHECK(texture(Format::r8).value == first.value);
+    device->destroy(TextureId{});
+}
+
+TEST_CASE_METHOD(GlFixture, "a destroyed device leaves no texture behind")
+{
+    texture(Format::rgba8);
+    need(device->createMesh(square(0)));
+    program("out vec4 color; void main() { color = vec4(1); }");
+    device.reset();
+    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate) CHECK_FALSE(gl.IsTexture(candidate));
+}
+
+TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the device")
+{
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
+    const std::uint8_t pixel[] = {255, 0, 255, 0};
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+
+    const TextureId id = need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}));
+    CHECK(read(id).pixels == std::vector<float>{1, 0, 1, 0});
+    device->destroy(id);
+    CHECK(gl.IsTexture(name));
+    need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}));
+    device.reset();
+    CHECK(gl.IsTexture(name));
+    gl.DeleteTextures(1, &name);
+}
+
+TEST_CASE_METHOD(GlFixture, "a name that is no texture cannot be adopted")
+{
+    for (std::uint32_t name : {0u, 123456u})
+        CHECK(onlyCode(device->adoptTexture(name, {}).diagnostics()) == Code::bad_input);
+}
+
+TEST_CASE_METHOD(GlFixture, "objects carry their labels where the context has labels")
+{
+    auto get_label = reinterpret_cast<PFNGLGETOBJECTLABELPROC>(
+        testContext().loader()("glGetObjectLabel"));
+    if (device->caps().version < 320 || !get_label) return;
+    texture(Format::r8, {4, 4}, "a label to find");
+    std::string found;
+    for (GLuint name = 1, end = textureNameEnd(gl); name < end; ++name) {
+        if (!gl.IsTexture(name)) continue;
+        char label[64] = {};
+        GLsizei length = 0;
+        get_label(GL_TEXTURE, name, sizeof(label), &length, label);
+        if (std::string(label) == "a label to find") found = label;
+    }
+    CHECK(found == "a label to find");
+}
+
+}  // namespace crevice

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// The GL device on a driver that runs out of memory or loses its context, at any call.
+#include "backends/gl/device.h"
+#include "tests/support/kept_programs.h"
+#include "tests/support/need.h"
+#include "tests/support/renderer_rig.h"
+#include "tests/support/watched_gl.h"
+
+#include <functional>
+#include <set>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kSize = {64, 32};
+
+/// What a host does from its first call on, a step at a time; a step that failed may be tried again.
+struct Host {
+    explicit Host(WatchedGl& on, GlDeviceOptions with = {}) : gl(on), options(std::move(with)) {}
+
+    Status makeDevice()
+    {
+        auto made = makeGlDevice(gl.loader(), options);
+        if (made) device = std::move(*made);
+        return made.diagnostics();
+    }
+
+    Status makeMesh()
+    {
+        const auto made =
+            device->createMesh({"triangle", std::vector<Vertex>(3), std::vector<std::uint32_t>(3)});
+        if (!made) return made.diagnostics();
+        frame.draws = {{*made, 0, 3, glm::dmat4(1.0), 0}};
+        frame.materials.resize(1);
+        return {};
+    }
+
+    Status makeRenderer()
+    {
+        static const Description description = rigDescription();
+        auto made = Renderer::create(*device, description, {kSize}, traitsOf(frame));
+        if (made) renderer = std::move(*made);
+        return made.diagnostics();
+    }
+
+    Status draw() { return renderer->render(frame); }
+
+    Status present()
+    {
+        return device->present(renderer->output("color"), {0, 0, 0, kSize});
+    }
+
+    Status read() { return device->readTexture(renderer->output("ao")).diagnostics(); }
+    Status resize() { return renderer->resize({30, 20}); }
+    Status define() { return renderer->setParam("samples", 9.0f); }
+
+    Status write()
+    {
+        const auto made = device->createTexture({"own", Format::r8, {2, 2}});
+        if (!made) return made.diagnostics();
+        const Status written = device->writeTexture(*made, Image({2, 2}, 1));
+        device->destroy(*made);
+        return written;
+    }
+
+    Status adopt()
+    {
+        const auto made = device->adoptTexture(1, {"host", Format::r8, {2, 2}});
+        if (made) device->destroy(*made);
+        return made.diagnostics();
+    }
+
+    using Step = Status (Host::*)();
+
+    WatchedGl& gl;
+    GlDeviceOptions options;
+    std::unique_ptr<Device> device;
+    Frame frame;
+    std::unique_ptr<Renderer> renderer;
+};
+
+const Host::Step kSteps[] = {&Host::makeDevice, &Host::makeMesh, &Host::makeRenderer, &Host::draw,
+                             &Host::present,    &Host::read,     &Host::resize,       &Host::draw,
+                             &Host::define,     &Host::write,    &Host::adopt,        &Host::draw};
+
+constexpr std::size_t kMakesRenderer = 2;
+
+/// The one code of a failure; Code::internal for several, or none.
+Code onlyCode(const Status& status)
+{
+    return status.diagnostics().size() == 1 ? status.diagnostics()[0].code : Code::internal;
+}
+
+Status doStep(Host& host, std::size_t index)
+{
+    const Host::Step step = kSteps[index];
+    return (host.*step)();
+}
+
+/// Does the steps in turn up to the first that fails, whose status comes back.
+Status failingStep(Host& host, std::size_t& index)
+{
+    for (index = 0; index < std::size(kSteps); ++index)
+        if (Status status = doStep(host, index); !status) return status;
+    return {};
+}
+
+/// All that still can be done fails alike, and neither that nor the end reaches the driver.
+void checkAbandoned(std::unique_ptr<Host> host)
+{
+    WatchedGl& gl = host->gl;
+    const int calls = gl.calls();
+    if (host->renderer)
+        for (const Host::Step step :
+             {&Host::draw, &Host::present, &Host::read, &Host::write, &Host::adopt})
+            CHECK(onlyCode((*host.*step)()) == Code::context_lost);
+    host.reset();
+    CHECK(gl.calls() == calls);
+}
+
+}  // namespace
+
+TEST_CASE("A host on a driver without faults does all steps, and leaves no name behind")
+{
+    WatchedGl gl;
+    auto host = std::make_unique<Host>(gl);
+    for (const Host::Step step : kSteps) need((*host.*step)());
+    CHECK(gl.names() > 10);
+    host.reset();
+    CHECK(gl.names() == 0);
+}
+
+TEST_CASE("A context that is lost at any call ends in one CV6016, and no call of GL after it")
+{
+    const Loss loss = GENERATE(Loss::for_ever, Loss::by_commands);
+    KeptPrograms kept;
+    const GlDeviceOptions options = GENERATE(false, true) ? kept.options() : GlDeviceOptions();
+    std::set<std::size_t> failed;
+    for (int n = 1;; n += 7) {  // of thousands of calls
+        WatchedGl gl;
+        gl.loseAt(n, loss);
+        auto host = std::make_unique<Host>(gl, options);
+        std::size_t step = 0;
+        const Status status = failingStep(*host, step);
+        if (status.ok()) break;
+        INFO("step " << step << ", call " << n << "\n" << toText(status.diagnostics()));
+        REQUIRE(onlyCode(status) == Code::context_lost);
+        checkAbandoned(std::move(host));
+        failed.insert(step);
+    }
+    CHECK(failed.size() == std::size(kSteps));
+}
+
+TEST_CASE("A context whose loss only glGetGraphicsResetStatus tells ends in CV6016 with the next step")
+{
+    for (std::size_t next = kMakesRenderer; next < std::size(kSteps); ++next) {
+        INFO("step " << next);
+        WatchedGl gl;
+        auto host = std::make_unique<Host>(gl);
+        for (std::size_t i = 0; i < next; ++i) need(doStep(*host, i));
+        gl.loseAt(1, Loss::by_status);
+        CHECK(onlyCode(doStep(*host, next)) == Code::context_lost);
+        checkAbandoned(std::move(host));
+    }
+}
+
+TEST_CASE("A device whose context the host destroyed calls no GL, and the next one is whole")
+{
+    WatchedGl gl;
+    auto host = std::make_unique<Host>(gl);
+    for (const Host::Step step : kSteps) need((*host.*step)());
+    const Description description = host->renderer->description();
+    abandonGlDevice(*host->device);
+    checkAbandoned(std::move(host));
+
+    WatchedGl other;
+    Host again(other);
+    need(again.makeDevice());
+    need(again.makeMesh());
+    auto renderer = Renderer::create(*again.device, description, {kSize}, traitsOf(again.frame));
+    need(renderer.diagnostics());
+    need((*renderer)->render(again.frame));
+    CHECK(findNamed((*renderer)->description().params, "samples")->value[0] == 9);
+}
+
+TEST_CASE("No GL context on the thread is told from one that is lost")
+{
+    WatchedGl gl;
+    gl.loseAt(1, Loss::by_status);  // glGetString gives nothing, and glGetError says nothing
+    CHECK(onlyCode(makeGlDevice(gl.loader()).diagnostics()) == Code::gl_version);
+}
+
+TEST_CASE("A host without a current context gets CV6004 for each step, and after it goes on as before")
+{
+    WatchedGl gl;
+    {
+        Host host(gl);
+        for (std::size_t i = 0; i <= kMakesRenderer; ++i) need(doStep(host, i));
+        for (std::size_t next = 1; next < std::size(kSteps); ++next) {
+            INFO("step " << next);
+            if (next == kMakesRenderer) continue;  // it would destroy the one that there is
+            const int names = gl.names();
+            gl.loseAt(1, Loss::by_nothing);
+            CHECK(onlyCode(doStep(host, next)) == Code::gl_version);
+            gl.regain();
+            CHECK(gl.names() == names);
+            need(doStep(host, next));
+        }
+        gl.loseAt(1, Loss::by_nothing);
+        CHECK(onlyCode(Renderer::create(*host.device, rigDescription(), {kSize}, {}).diagnostics()) ==
+              Code::gl_version);
+        gl.regain();
+    }
+    CHECK(gl.names() == 0);
+}
+
+TEST_CASE("What is destroyed without a current context is deleted once it is back")
+{
+    WatchedGl gl;
+    Host host(gl);
+    for (std::size_t i = 0; i <= kMakesRenderer; ++i) need(doStep(host, i));
+    const int names = gl.names();
+    gl.loseAt(1, Loss::by_nothing);
+    host.device->destroy(host.frame.draws[0].mesh);
+    CHECK_FALSE(host.device->info(host.frame.draws[0].mesh).exists);
+    gl.regain();
+    CHECK(gl.names() == names);
+    need(host.draw());
+    CHECK(gl.names() == names - 3);
+}
+
+TEST_CASE("A device that lacks memory as it is made leaves no name behind")
+{
+    WatchedGl gl;
+    int failures = 0;
+    for (int n = 1;; ++n) {
+        const int attempts = gl.attempts();
+        gl.failAt(n);
+        auto device = makeGlDevice(gl.loader());
+        gl.failAt(0);
+        if (gl.attempts() - attempts < n) break;
+        // A format that cannot be tried out counts as one that cannot be drawn into.
+        if (!device) ++failures;
+        if (!device) CHECK(onlyCode(device.diagnostics()) == Code::out_of_memory);
+        if (device) device->reset();
+        CHECK(gl.names() == 0);
+    }
+    CHECK(failures > 5);
+}
+
+TEST_CASE("A driver that is out of memory at any call is told so, and nothing stays behind")
+{
+    std::set<Code> codes;
+    for (std::size_t step = 1; step < std::size(kSteps); ++step) {
+        WatchedGl gl;
+        Host host(gl);
+        for (std::size_t i = 0; i < step; ++i) need(doStep(host, i));
+        for (int n = 1;; ++n) {
+            INFO("step " << step << ", attempt " << n);
+            const int names = gl.names(), attempts = gl.attempts();
+            gl.failAt(n);
+            const Status status = doStep(host, step);
+            gl.failAt(0);
+            if (gl.attempts() - attempts < n) {
+                need(status);
+                break;
+            }
+            REQUIRE_FALSE(status.ok());
+            INFO(toText(status.diagnostics()));
+            CHECK(onlyCode(status) != Code::internal);
+            codes.insert(onlyCode(status));
+            CHECK(gl.names() == names);
+            CHECK_FALSE(gl.errorPends());
+        }
+    }
+    CHECK(codes == std::set<Code>{Code::gl_error, Code::out_of_memory});
+}

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+// The recording device: what it logs, what it notices, how it fails.
+#include "backends/recording/device.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/need.h"
+
+using namespace crevice;
+
+namespace {
+
+// One texture, a framebuffer on it, a program and a mesh.
+struct Rig {
+    RecordingDevice device;
+    TextureId input = device.createTexture({"input", Format::r8, {8, 4}}).value();
+    TextureId target = device.createTexture({"target", Format::rgba8, {8, 4}}).value();
+    FramebufferId framebuffer = device.createFramebuffer({"draw", {target}, {}}).value();
+    ProgramId program = makeProgram();
+    MeshId mesh = device.createMesh({"cube", {{}, {}, {}}, {0, 1, 2}}).value();
+
+    ProgramId makeProgram()
+    {
+        GlslStage vertex, fragment;
+        vertex.uniforms = {{"offsets", GlslType::vec2, 3, true, {}}};
+        fragment.uniforms = {{"offsets", GlslType::vec2, 3, true, {}},
+                             {"light_count", GlslType::int_, 1, false, {}},
+                             {"image", GlslType::sampler2d, 1, false, {}}};
+        return device.createProgram({"shade", vertex, fragment}).value();
+    }
+
+    PassInfo pass() const
+    {
+        PassInfo info;
+        info.label = "draw";
+        info.framebuffer = framebuffer;
+        info.extent = {8, 4};
+        info.color_count = 1;
+        info.color_load[0] = LoadOp::discard;
+        return info;
+    }
+
+    void begin()
+    {
+        need(device.beginFrame());
+        device.beginPass(pass());
+        device.setProgram(program, {});
+    }
+
+    void bindAll()
+    {
+        const float offsets[6] = {1, 2, 3, 4, 5, 6};
+        const int lights = -7;
+        device.setUniform(0, GlslType::vec2, 3, offsets);
+        device.setUniform(3, GlslType::int_, 1, &lights);
+        device.setTexture(4, 2, input, {Filter::linear, Wrap::repeat});
+    }
+
+    void end()
+    {
+        device.endPass();
+        CHECK(device.endFrame().ok());
+    }
+
+    void destroyAll()
+    {
+        device.destroy(mesh);
+        device.destroy(program);
+        device.destroy(framebuffer);
+        device.destroy(target);
+        device.destroy(input);
+    }
+
+    bool blamed(const std::string& part) const
+    {
+        for (const std::string& text : device.misuse())
+            if (text.find(part) != std::string::npos) return true;
+        return false;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("A frame in order is logged call by call, and nothing is blamed")
+{
+    Rig rig;
+    REQUIRE(rig.device.writeTexture(rig.input, Image({8, 4}, 1, 0.5f)).ok());
+    rig.device.clearLog();
+    rig.begin();
+    rig.bindAll();
+    rig.device.draw(rig.mesh, 0, 3);
+    rig.end();
+    need(rig.device.present(rig.target, {0, 3, 4, {16, 8}}));
+
+    CHECK(rig.device.log() == "beginFrame\n"
+                              "beginPass draw 8x4 color0 discard store\n"
+                              "setProgram 'shade' depth_test always cull none blend none\n"
+                              "setUniform offsets[3] 1 2 3 4 5 6\n"
+                              "setUniform light_count -7\n"
+                              "setTexture image unit 2 <- texture 'input' linear repeat\n"
+                              "draw mesh 'cube' 0..3\n"
+                              "endPass\n"
+                              "endFrame\n"
+                              "present 'target' -> framebuffer 0 16x8 at 3,4\n");
+    CHECK(rig.device.misuse().empty());
+    CHECK(rig.device.lastUniform("offsets") == std::vector<float>{1, 2, 3, 4, 5, 6});
+    CHECK(rig.device.lastUniform("nobody").empty());
+}
+
+TEST_CASE("Creation and destruction are logged with formats, sizes and attachments")
+{
+    Rig rig;
+    rig.destroyAll();
+    CHECK(rig.device.log() == "createTexture 'input' r8 8x4\n"
+                              "createTexture 'target' rgba8 8x4\n"
+                              "createFramebuffer 'draw' color 'target'\n"
+                              "createProgram 'shade'\n"
+                              "createMesh 'cube' 3 indices\n"
+                              "destroy mesh 'cube'\n"
+                              "destroy program 'shade'\n"
+                              "destroy framebuffer 'draw'\n"
+                              "destroy texture 'target'\n"
+                              "destroy texture 'input'\n");
+    CHECK(rig.device.live() == 0);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A program has the uniforms of both stages, each once, at locations that do not overlap")
+{
+    Rig rig;
+    const std::vector<UniformInfo>& uniforms = rig.device.uniforms(rig.program);
+    REQUIRE(uniforms.size() == 3);
+    CHECK(uniforms[0].name == "offsets");
+    CHECK(uniforms[0].location == 0);
+    CHECK(uniforms[0].count == 3);
+    CHECK(uniforms[1].location == 3);
+    CHECK(uniforms[2].location == 4);
+}
+
+TEST_CASE("Live objects are counted by kind")
+{
+    Rig rig;
+    CHECK(rig.device.live() == 5);
+    CHECK(rig.device.live(ObjectId::Kind::texture) == 2);
+    CHECK(rig.device.live(ObjectId::Kind::mesh) == 1);
+    rig.device.destroy(rig.mesh);
+    CHECK(rig.device.live(ObjectId::Kind::mesh) == 0);
+    CHECK(rig.device.live() == 4);
+}
+
+TEST_CASE("The n-th attempt fails with CV6009, once")
+{
+    Rig rig;
+    const int before = rig.device.attempts();
+    rig.device.failAt(2);
+    CHECK(rig.device.createTexture({"a", Format::r8, {1, 1}}).ok());
+    const Result<MeshId> failed = rig.device.createMesh({"b", {}, {}});
+    REQUIRE_FALSE(failed.ok());
+    CHECK(failed.diagnostics()[0].code == Code::out_of_memory);
+    CHECK(rig.device.createMesh({"b", {}, {}}).ok());
+    CHECK(rig.device.attempts() - before == 3);
+    CHECK(rig.device.live(ObjectId::Kind::mesh) == 2);
+}
+
+TEST_CASE("A texture reads back what was written, and zeros otherwise")
+{
+    Rig rig;
+    const TextureId host = rig.device.adoptTexture(7, {"host", Format::rg8, {3, 2}}).value();
+    const Image zeros = rig.device.readTexture(host).value();
+    CHECK(zeros.extent == Extent{3, 2});
+    CHECK(zeros.channels == 2);
+    CHECK(zeros.at(2, 1, 1) == 0.0f);
+    REQUIRE(rig.device.writeTexture(rig.input, Image({8, 4}, 1, 0.25f)).ok());
+    CHECK(rig.device.readTexture(rig.input)->at(7, 3) == 0.25f);
+    CHECK(rig.device.misuse().empty());
+    CHECK(rig.device.readTexture(rig.target).ok());
+    CHECK(rig.blamed("undefined content"));
+}
+
+TEST_CASE("Objects that are dead, foreign or of another kind are blamed")
+{
+    Rig rig;
+    SECTION("destroyed twice")
+    {
+        rig.device.destroy(rig.mesh);
+        rig.device.destroy(rig.mesh);
+        CHECK(rig.blamed("was destroyed: 'cube'"));
+    }
+    SECTION("never made")
+    {
+        rig.device.destroy(TextureId{99});
+        CHECK(rig.blamed("does not exist"));
+    }
+    SECTION("another kind")
+    {
+        rig.device.destroy(MeshId{rig.program.value});
+        CHECK(rig.blamed("does not exist"));
+    }
+    SECTION("a texture before its framebuffer")
+    {
+        rig.device.destroy(rig.target);
+        CHECK(rig.blamed("before framebuffer 'draw'"));
+    }
+    SECTION("null is nothing to blame")
+    {
+        rig.device.destroy(TextureId{});
+        CHECK(rig.device.misuse().empty());
+    }
+}
+
+TEST_CASE("Calls out of order are blamed")
+{
+    Rig rig;
+    REQUIRE(rig.device.writeTexture(rig.input, Image({8, 4}, 1)).ok());
+    SECTION("a draw outside a pass")
+    {
+        rig.device.drawFullscreen();
+        CHECK(rig.blamed("outside a pass"));
+    }
+    SECTION("a pass outside a frame")
+    {
+        rig.device.beginPass(rig.pass());
+        CHECK(rig.blamed("outside a frame"));
+    }
+    SECTION("a frame that ends inside a pass")
+    {
+        rig.begin();
+        CHECK(rig.device.endFrame().ok());
+        CHECK(rig.blamed("endFrame"));
+    }
+    SECTION("an object made inside a frame")
+    {
+        rig.begin();
+        CHECK(rig.device.createMesh({"late", {}, {}}).ok());
+        CHECK(rig.blamed("'late' is created inside a frame"));
+    }
+    SECTION("an object destroyed inside a frame")
+    {
+        rig.begin();
+        rig.device.destroy(rig.mesh);
+        CHECK(rig.blamed("destroyed inside a frame"));
+    }
+    SECTION("a uniform without a program")
+    {
+        need(rig.device.beginFrame());
+        rig.device.beginPass(rig.pass());
+        const float value = 1;
+        rig.device.setUniform(0, GlslType::float_, 1, &value);
+        CHECK(rig.blamed("setUniform without a program"));
+    }
+}
+
+TEST_CASE("Draws whose inputs make no sense are blamed")
+{
+    Rig rig;
+    SECTION("a texture that nothing was written to")
+    {
+        rig.begin();
+        rig.bindAll();
+        CHECK(rig.blamed("undefined content"));
+    }
+    SECTION("a texture that the pass draws into")
+    {
+        rig.begin();
+        rig.device.setTexture(4, 0, rig.target, {});
+        CHECK(rig.blamed("which the pass draws into"));
+    }
+    SECTION("a uniform that was never set")
+    {
+        rig.begin();
+        rig.device.drawFullscreen();
+        CHECK(rig.blamed("uniform 'offsets' of program 'shade' was never set"));
+    }
+    SECTION("a uniform of another type")
+    {
+        rig.begin();
+        const float value = 1;
+        rig.device.setUniform(3, GlslType::float_, 1, &value);
+        CHECK(rig.blamed("another type"));
+    }
+    SECTION("a location that the program does not have")
+    {
+        rig.begin();
+        rig.device.setTexture(40, 0, rig.input, {});
+        CHECK(rig.blamed("does not have"));
+    }
+    SECTION("indices that the mesh does not have")
+    {
+        rig.begin();
+        rig.device.draw(rig.mesh, 2, 2);
+        CHECK(rig.blamed("past its last index"));
+    }
+}
+
+TEST_CASE("A texture whose content a pass discards, or that it loads unwritten, is undefined")
+{
+    Rig rig;
+    REQUIRE(rig.device.writeTexture(rig.input, Image({8, 4}, 1)).ok());
+    PassInfo pass = rig.pass();
+    SECTION("discarded on store") { pass.color_store[0] = StoreOp::discard; }
+    SECTION("loaded before anything was written") { pass.color_load[0] = LoadOp::load; }
+    need(rig.device.beginFrame());
+    rig.device.beginPass(pass);
+    rig.device.setProgram(rig.program, {});
+    rig.bindAll();
+    rig.device.drawFullscreen();
+    rig.end();
+    need(rig.device.present(rig.target, {}));
+    CHECK(rig.blamed("undefined content"));
+}
+
+TEST_CASE("A pass with other attachments or another size than its framebuffer is blamed")
+{
+    Rig rig;
+    need(rig.device.beginFrame());
+    PassInfo pass = rig.pass();
+    SECTION("size")
+    {
+        pass.extent = {4, 4};
+        rig.device.beginPass(pass);
+        CHECK(rig.blamed("another size"));
+    }
+    SECTION("count")
+    {
+        pass.color_count = 0;
+        rig.device.beginPass(pass);
+        CHECK(rig.blamed("other attachments"));
+    }
+    SECTION("depth")
+    {
+        pass.has_depth = true;
+        rig.device.beginPass(pass);
+        CHECK(rig.blamed("other attachments"));
+    }
+}

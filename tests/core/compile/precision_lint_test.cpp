@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// What a plan says of formats that are too coarse for camera and radius, and which it chooses.
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/config/load.h"
+#include "effects/catalog.h"
+#include "tests/support/renderer_rig.h"
+#include "tools/plan/planning.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+using namespace crevice;
+
+namespace {
+
+struct Setup {
+    std::string config = "hemisphere_box";
+    std::vector<std::string> overrides = {};
+    double near_distance = 0.1, far_distance = 1000;
+    int height = 540;
+    bool reversed = false;
+    std::vector<Format> depth = {};  // what the target `depth` may be stored in, where that is set
+};
+
+Description described(const Setup& setup, const SourceSet& sources = shippedSources())
+{
+    ConfigOptions options;
+    options.config = setup.config;
+    options.overrides = setup.overrides;
+    Result<Description> description = loadDescription(options, sources);
+    INFO(toText(description.diagnostics()));
+    REQUIRE(description.ok());
+    for (TargetDesc& target : description->targets)
+        if (target.name == "depth" && !setup.depth.empty()) target.formats = setup.depth;
+    return std::move(*description);
+}
+
+Setup depthIn(std::vector<Format> formats, double near_distance, double far_distance = 20)
+{
+    return {"hemisphere_box", {}, near_distance, far_distance, 540, false, std::move(formats)};
+}
+
+SceneTraits traitsFor(const Setup& setup)
+{
+    Frame frame;
+    glm::dmat4 lens = glm::perspective(glm::radians(60.0), 16.0 / 9, setup.near_distance,
+                                       setup.far_distance);
+    for (int column = 0; setup.reversed && column < 4; ++column) lens[column].z *= -1;
+    frame.camera.clip_from_view = glm::mat4(lens);
+    frame.lights.resize(1);
+    return traitsOf(frame);
+}
+
+Result<Plan> planFor(const Setup& setup, const SourceSet& sources = shippedSources())
+{
+    DeviceCaps caps = usualCaps();
+    caps.max_texture_size = 8192;
+    Result<Plan> plan = compile(described(setup, sources), traitsFor(setup), caps,
+                                {{setup.height * 16 / 9, setup.height}, {}, {}});
+    INFO(toText(plan.diagnostics()));
+    REQUIRE(plan.ok());
+    return plan;
+}
+
+Format formatOf(const Plan& plan, const std::string& name)
+{
+    const PlanTarget* target = findNamed(plan.targets, name);
+    return target ? plan.textures[target->texture].format : Format::none;
+}
+
+int warnings(const Result<Plan>& plan)
+{
+    int count = 0;
+    for (const Diagnostic& each : plan.diagnostics()) count += each.code == Code::too_coarse;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("Ordinary cameras get no warning about formats, and the first ones")
+{
+    for (const std::string& config : configNames(shippedSources()))
+        for (const double far_distance : {50.0, 1000.0})
+            for (const int height : {270, 1080}) {
+                const Description description = described({config});
+                const bool stored = findNamed(description.targets, "position") != nullptr;
+                const Result<Plan> plan = planFor({config, {}, 0.1, far_distance, height});
+                CAPTURE(config, far_distance, height, toText(plan.diagnostics()));
+                CHECK(warnings(plan) == 0);
+                if (stored && far_distance > 50) continue;
+                for (const PlanTarget& target : plan->targets) {
+                    const TargetDesc* desc = findNamed(description.targets, target.name);
+                    CHECK(formatOf(*plan, target.name) == desc->formats.front());
+                    CHECK(target.format_reason.empty());
+                }
+            }
+}
+
+TEST_CASE("A near plane that leaves depth too coarse is told once, with figures and ways out")
+{
+    const Result<Plan> plan = planFor(depthIn({Format::depth16}, 0.001));
+    REQUIRE(warnings(plan) == 1);
+    const Diagnostic& warning = *findDiagnostic(plan.diagnostics(), Code::too_coarse);
+    CHECK(warning.severity == Severity::warning);
+    CHECK(warning.message == "depth16 of 'depth' with near 0.001 resolves 6.1 at distance 20, and a "
+                             "tenth of the radius 0.5 up to 1.8 alone");
+    CHECK(warning.pointer == "/targets/depth/format");
+    CHECK(warning.help == "store it in depth24, move the near plane out to 0.13, or raise the radius to 62");
+}
+
+TEST_CASE("What a warning advises is enough")
+{
+    const Setup setup = depthIn({Format::depth16}, 0.01);
+    REQUIRE(warnings(planFor(setup)) == 1);
+    CHECK(findDiagnostic(planFor(setup).diagnostics(), Code::too_coarse)->help ==
+          "store it in depth24, move the near plane out to 0.13, or raise the radius to 6.2");
+
+    Setup moved = setup;
+    moved.near_distance = 0.13;
+    CHECK(warnings(planFor(moved)) == 0);
+    Setup stored = setup;
+    stored.depth = {Format::depth24};
+    CHECK(warnings(planFor(stored)) == 0);
+    Setup larger = setup;
+    larger.overrides = {"radius=6.2"};
+    CHECK(warnings(planFor(larger)) == 0);
+}
+
+TEST_CASE("A warning stands at the format that the config names")
+{
+    MemorySources mine;
+    mine.add("configs/coarse.json", R"({
+  "format": 1, "name": "coarse", "extends": ["hemisphere_box"],
+  "targets": { "depth": { "format": ["depth16"] } }
+})");
+    const LayeredSources sources({&mine, &shippedSources()});
+    const Result<Plan> plan = planFor({"coarse", {}, 0.001, 20}, sources);
+    REQUIRE(warnings(plan) == 1);
+    const Place& place = findDiagnostic(plan.diagnostics(), Code::too_coarse)->place;
+    REQUIRE(place.source);
+    CHECK(place.source->name == "configs/coarse.json");
+    CHECK(place.line == 3);
+}
+
+TEST_CASE("Nothing is said where no pass looks about within a radius, or no camera is known")
+{
+    CHECK(warnings(planFor({"hemisphere_box", {}, 1e-5, 1e4})) == 1);
+    CHECK(warnings(planFor({"hemisphere_box", {"intensity=0"}, 1e-5, 1e4})) == 0);
+    CHECK(warnings(planFor({"hemisphere_box", {"radius=0"}, 1e-5, 1e4})) == 0);
+    const Description description = described({"hemisphere_box"});
+    const Result<Plan> unknown = compile(description, {}, usualCaps(), {{960, 540}, {}, {}});
+    CHECK(warnings(unknown) == 0);
+}
+
+TEST_CASE("A format further down the list is taken where it serves farther, and the plan says why")
+{
+    const Setup setup = depthIn({Format::depth16, Format::depth24}, 0.02);
+    const Result<Plan> plan = planFor(setup);
+    CHECK(formatOf(*plan, "depth") == Format::depth24);
+    CHECK(plan.diagnostics().empty());
+    CHECK(toText(*plan).find("formats\n  depth: depth24 instead of depth16, which resolves 0.3 at "
+                             "distance 20, and a tenth of the radius 0.5 up to 8 alone\n") !=
+          std::string::npos);
+    CHECK(toJson(*plan).find("\"format_reason\": \"depth24 instead of depth16") != std::string::npos);
+
+    Setup ordinary = setup;
+    ordinary.near_distance = 0.2;
+    CHECK(formatOf(*planFor(ordinary), "depth") == Format::depth16);
+}
+
+TEST_CASE("Positions are stored in 32 bits where halves do not hold the units")
+{
+    for (const char* config : {"learnopengl", "ogldev45"})
+        for (const double unit : {1e-6, 1e-5, 1e-3, 1.0, 1e3, 1e5, 1e6}) {
+            CAPTURE(config, unit);
+            Setup setup = {config, {"radius=" + shortest(float(0.5 * unit))}, 0.1 * unit, 50 * unit};
+            const Result<Plan> plan = planFor(setup);
+            CHECK(warnings(plan) == 0);
+            const bool half = unit > 1.3e-3 && unit < 5e3;
+            CHECK(formatOf(*plan, "position") == (half ? Format::rgba16f : Format::rgba32f));
+        }
+}
+
+TEST_CASE("What is read linearly keeps a format that filters")
+{
+    const char* const config = R"({
+  "format": 1, "name": "mixed", "params": {"radius": {"default": 0.5}},
+  "imports": {"camera": {"type": "camera"}},
+  "targets": {"there": {"format": ["rgba16f", "rgba32f"], "holds": "view_position"},
+              "ao": {"format": ["r8"]}},
+  "shaders": {"write": {"vertex": "full.vert", "fragment": "write.frag"},
+              "read": {"vertex": "full.vert", "fragment": "read.frag"}},
+  "passes": {"write": {"shader": "write", "color": "there"},
+             "read": {"shader": "read", "color": "ao", "inputs": {"there": {"filter": "nearest"}}}},
+  "outputs": {"ao": "ao"}
+})";
+    const auto chosen = [&](const std::string& filter) {
+        std::string text = config;
+        text.replace(text.find("nearest"), 7, filter);
+        const Description description = describe(
+            text, {{"full.vert", "#version 300 es\nvoid main() {}\n"},
+                   {"write.frag", "#version 300 es\nprecision highp float;\n"
+                                  "layout(location = 0) out vec4 there;\n"},
+                   {"read.frag", "#version 300 es\nprecision highp float;\n"
+                                 "uniform highp sampler2D there;\nuniform float radius;\n"
+                                 "const vec2 steps = THERE_STEP;\n"
+                                 "layout(location = 0) out float ao;\n"}});
+        const Result<Plan> plan =
+            compile(description, traitsFor({}), usualCaps(), {{960, 540}, {}, {}});
+        INFO(toText(plan.diagnostics()));
+        REQUIRE(plan.ok());
+        CHECK(warnings(plan) == (filter == "linear"));
+        return formatOf(*plan, "there");
+    };
+    CHECK(chosen("nearest") == Format::rgba32f);
+    CHECK(chosen("linear") == Format::rgba16f);
+}
+
+TEST_CASE("A host that reverses its float depth needs no warning")
+{
+    const auto plan = [](const std::string& format, bool reversed) {
+        MemorySources mine;
+        mine.add("configs/hosted.json", R"({
+  "format": 1, "name": "hosted", "extends": ["geometry/host_depth", "ssao/hemisphere", "filter/box"],
+  "imports": { "depth": { "format": ")" + format + R"(" } } })");
+        const LayeredSources sources({&mine, &shippedSources()});
+        Setup setup = {"hosted", {}, 0.001, 1000};
+        setup.reversed = reversed;
+        return planFor(setup, sources);
+    };
+    CHECK(warnings(plan("depth32f", true)) == 0);
+    const Result<Plan> straight = plan("depth32f", false);
+    REQUIRE(warnings(straight) == 1);
+    CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reverse the depth") == 0);
+    CHECK(warnings(plan("depth24", true)) == 1);
+}
+
+TEST_CASE("A host's logarithmic depth is kept by a camera with reversed depth")
+{
+    const auto plan = [](bool reversed) {
+        MemorySources mine;
+        mine.add("configs/hosted.json", R"({
+  "format": 1, "name": "hosted",
+  "extends": ["geometry/host_log_depth", "ssao/hemisphere", "filter/box"] })");
+        const LayeredSources sources({&mine, &shippedSources()});
+        Setup setup = {"hosted", {}, 0.001, 1000};
+        setup.reversed = reversed;
+        return planFor(setup, sources);
+    };
+    CHECK(warnings(plan(true)) == 0);
+    const Result<Plan> straight = plan(false);
+    REQUIRE(warnings(straight) == 1);
+    CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reversed depth") !=
+          std::string::npos);
+}
+
+TEST_CASE("A camera whose planes and zoom move is not planned anew while formats hold")
+{
+    Rig rig;
+    const auto look = [&rig](double fov, double near_distance) {
+        rig.frame.camera.clip_from_view = glm::mat4(glm::perspective(fov, 1.5, near_distance, 1e3));
+        return rig.draw().find("createTexture") != std::string::npos;
+    };
+    look(1.0, 0.1);
+    for (int i = 0; i < 60; ++i) {
+        CAPTURE(i);
+        CHECK_FALSE(look(1.0 - 0.005 * i, 0.1 + 0.0015 * i));
+    }
+    CHECK_FALSE(look(1.0, 0.5));
+}
+
+TEST_CASE("A frame that is planned anew tells the new plan's warnings once")
+{
+    RecordingDevice device;
+    const Setup setup = depthIn({Format::depth16}, 1);
+    Frame frame;
+    frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 1.0, 10.0));
+    auto renderer = Renderer::create(device, described(setup), {{960, 540}, {}, {}}, traitsOf(frame));
+    REQUIRE(renderer.ok());
+    CHECK(findDiagnostic(renderer.diagnostics(), Code::too_coarse) == nullptr);
+    frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 1e-3, 10.0));
+    const Status stiff = (*renderer)->render(frame);
+    CHECK(stiff.ok());
+    CHECK(findDiagnostic(stiff.diagnostics(), Code::too_coarse) != nullptr);
+    CHECK((*renderer)->render(frame).diagnostics().empty());
+}
+
+TEST_CASE("A radius set at run time plans anew only where other formats serve it")
+{
+    RecordingDevice device;
+    Frame frame;
+    frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 0.1, 20.0));
+    auto renderer = Renderer::create(device, described({"learnopengl"}), {{960, 540}, {}, {}},
+                                     traitsOf(frame));
+    REQUIRE(renderer.ok());
+    const auto stored = [&] { return formatOf((*renderer)->plan(), "position"); };
+    CHECK(stored() == Format::rgba16f);
+    device.clearLog();
+    CHECK((*renderer)->setParam("radius", 0.4f).ok());
+    CHECK(device.log().find("createTexture") == std::string::npos);
+    CHECK((*renderer)->setParam("radius", 0.05f).ok());
+    CHECK(stored() == Format::rgba32f);
+    CHECK((*renderer)->setParam("radius", 0.5f).ok());
+    CHECK(stored() == Format::rgba16f);
+}

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// Shaders in a plan: what samplers, uniforms and outputs bind to, and what does not fit.
+#include "tests/support/plan_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+const std::string kHead = "#version 300 es\nprecision highp float;\n";
+const std::string kOut = "layout(location = 0) out vec4 color;\n";
+
+// One pass "p" with this GLSL, over all that a name can stand for.
+Description onePass(const std::string& fragment, const std::string& keys = "",
+                    const std::string& extra = "", const std::string& vertex = kFullVertex)
+{
+    return describe(R"({"format": 1, "name": "one",
+        "params": {"radius": {"default": 0.5}, "taps": {"type": "int", "default": 3},
+                   "tint": {"type": "vec3", "default": [1, 1, 1]},
+                   "samples": {"type": "int", "default": 4, "min": 1, "bind": "define"}},
+        "imports": {"eye": {"type": "camera"}, "things": {"type": "draw_list"},
+                    "lamps": {"type": "lights", "optional": true}, "decal": {"type": "texture"}},
+        "generated": {"kernel": {"generator": "sphere_kernel", "count": "samples"},
+                      "noise": {"generator": "rotation_noise", "count": 8}},
+        "targets": {"color": {"format": ["rgba8"]}, "ghost": {"format": ["r8"]}},
+        "shaders": {"s": {"vertex": "p.vert", "fragment": "p.frag"}},
+        "passes": {"p": {"shader": "s", "color": "color")" + (keys.empty() ? "" : ", " + keys) +
+                        "}}, \"outputs\": {\"out\": \"color\"}" +
+                        (extra.empty() ? "" : ", " + extra) + "}",
+                    {{"p.vert", vertex},
+                     {"p.frag", fragment},
+                     {"part.glsl", "uniform float deep;\n"}});
+}
+
+Description body(const std::string& declarations, const std::string& keys = "")
+{
+    return onePass(kHead + declarations + kOut + "void main() {}\n", keys);
+}
+
+}  // namespace
+
+TEST_CASE("A sampler binds to the generated texture or import of its name")
+{
+    const Plan plan = planOf(body("uniform sampler2D noise;\nuniform sampler2D decal;\n"));
+    const auto& inputs = plan.passes[0].inputs;
+    REQUIRE(inputs.size() == 2);
+    CHECK(inputs[0].kind == InputKind::generated);
+    CHECK(plan.generated.at(inputs[0].index).name == "noise");
+    CHECK(inputs[0].sampling.wrap == Wrap::repeat);
+    CHECK(inputs[1].kind == InputKind::imported);
+    CHECK(plan.imports.at(inputs[1].index).name == "decal");
+    CHECK(inputs[1].sampling.wrap == Wrap::clamp);
+    CHECK(inputs[1].sampling.filter == Filter::nearest);
+}
+
+TEST_CASE("An input renames a sampler and says how it is sampled")
+{
+    const Plan plan = planOf(body("uniform sampler2D grain;\n",
+        R"("inputs": {"grain": {"from": "noise", "filter": "linear", "wrap": "clamp"}})"));
+    const PlanInput& input = plan.passes[0].inputs.at(0);
+    CHECK(input.sampler == "grain");
+    CHECK(plan.generated.at(input.index).name == "noise");
+    CHECK(input.sampling.filter == Filter::linear);
+    CHECK(input.sampling.wrap == Wrap::clamp);
+}
+
+TEST_CASE("A material's texture is for draw passes")
+{
+    const std::string sampler = "uniform sampler2D base_color_map;\n";
+    const Plan plan = planOf(body(sampler, R"("type": "draw")"));
+    CHECK(plan.passes[0].inputs.at(0).kind == InputKind::material);
+    CHECK(plan.passes[0].inputs.at(0).sampling.wrap == Wrap::repeat);
+    const Diagnostic error = onlyError(body(sampler));
+    CHECK(error.code == Code::uniform_unbound);
+    CHECK(textAt(error.notes.at(0).place) == "base_color_map");
+}
+
+TEST_CASE("A sampler of nothing is refused where the pass names its shader, with the nearest texture")
+{
+    const Diagnostic error = onlyError(body("uniform sampler2D noize;\n"));
+    CHECK(error.code == Code::uniform_unbound);
+    CHECK(error.place.source->name == "test.json");
+    CHECK(error.notes.at(0).place.source->name == "p.frag");
+    CHECK(error.notes.at(0).place.line == 3);
+    CHECK(textAt(error.notes.at(0).place) == "noize");
+    CHECK(error.pointer == "/passes/p/shader");
+    CHECK(error.help.find("'noise'") != error.help.npos);
+}
+
+TEST_CASE("A sampler in both stages is one input")
+{
+    const std::string vertex = "#version 300 es\nuniform sampler2D noise;\nvoid main() {}\n";
+    const std::string fragment = kHead + "uniform sampler2D noise;\n" + kOut + "void main() {}\n";
+    CHECK(planOf(onePass(fragment, "", "", vertex)).passes[0].inputs.size() == 1);
+}
+
+TEST_CASE("An array of samplers is refused")
+{
+    const Diagnostic error = onlyError(body("uniform sampler2D noise[2];\n"));
+    CHECK(error.code == Code::uniform_type);
+    CHECK(textAt(error.notes.at(0).place) == "noise");
+}
+
+TEST_CASE("A mistake in GLSL that two passes share is one error")
+{
+    const Diagnostic error = onlyError(describe(R"({"format": 1,
+        "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
+        "shaders": {"s": {"vertex": "v", "fragment": "f"}},
+        "passes": {"a": {"shader": "s", "color": "x"}, "b": {"shader": "s", "color": "y"}},
+        "outputs": {"x": "x", "y": "y"}})",
+        {{"v", kFullVertex},
+         {"f", kHead + "uniform float raduis;\n" + kOut + "void main() {}\n"}}));
+    CHECK(error.code == Code::uniform_unbound);
+    CHECK(textAt(error.notes.at(0).place) == "raduis");
+}
+
+TEST_CASE("Uniforms of every source bind by name, and what they need is collected")
+{
+    const Plan plan = planOf(body("uniform float radius;\nuniform int taps;\nuniform vec3 tint;\n"
+                                  "uniform vec3 kernel[SAMPLES];\nuniform mat4 clip_from_view;\n"
+                                  "uniform vec4 light_position[MAX_LIGHTS];\n"
+                                  "uniform vec2 viewport_size;\n"));
+    CHECK(joined(namesOf(plan.imports)) == "eye, lamps");
+    CHECK(joined(namesOf(plan.generated)) == "kernel");
+    CHECK(plan.generated[0].count == 4);
+    CHECK(plan.passes[0].renamed_uniforms.empty());
+}
+
+TEST_CASE("A draw uses the draw list, and what is not used is not collected")
+{
+    CHECK(joined(namesOf(planOf(body("", R"("type": "draw")")).imports)) == "things");
+    CHECK(planOf(body("")).imports.empty());
+}
+
+TEST_CASE("Values of a draw exist in draw passes alone")
+{
+    const std::string uniform = "uniform mat4 clip_from_model;\n";
+    CHECK(planOf(body(uniform, R"("type": "draw")")).passes.size() == 1);
+    const Diagnostic error = onlyError(body(uniform));
+    CHECK(error.code == Code::uniform_unbound);
+    CHECK(error.message.find("draw") != error.message.npos);
+}
+
+TEST_CASE("A uniform that nothing supplies is refused, with the GLSL and the nearest value")
+{
+    const Diagnostic error = onlyError(body("uniform float raduis;\n"));
+    CHECK(error.code == Code::uniform_unbound);
+    CHECK(textAt(error.notes.at(0).place) == "raduis");
+    CHECK(error.help.find("'radius'") != error.help.npos);
+}
+
+TEST_CASE("A uniform of another type or length than its value is refused")
+{
+    const auto [declared, name] = GENERATE(table<std::string, std::string>({
+        {"int radius", "radius"}, {"float taps", "taps"}, {"vec4 tint", "tint"},
+        {"float radius[2]", "radius"}, {"vec3 kernel[3]", "kernel"}, {"vec3 kernel", "kernel"},
+        {"vec4 kernel[SAMPLES]", "kernel"}, {"mat3 clip_from_view", "clip_from_view"},
+        {"vec4 light_position[3]", "light_position"}, {"vec4 noise", "noise"},
+        {"float ghost", "ghost"}}));
+    const Diagnostic error = onlyError(body("uniform " + declared + ";\n"));
+    CAPTURE(declared);
+    CHECK(error.code == Code::uniform_type);
+    CHECK(textAt(error.notes.at(0).place) == name);
+    CHECK(error.pointer == "/passes/p/shader");
+    CHECK(error.help.find("uniform ") != error.help.npos);
+}
+
+TEST_CASE("A uniform can be fed from a value of another name")
+{
+    const Plan plan = planOf(body("uniform float reach;\nuniform mat4 projection;\n",
+        R"("uniforms": {"reach": "radius", "projection": "clip_from_view"})"));
+    const auto& renamed = plan.passes[0].renamed_uniforms;
+    REQUIRE(renamed.size() == 2);
+    CHECK(renamed[0].glsl == "reach");
+    CHECK(renamed[0].value == "radius");
+    CHECK(joined(namesOf(plan.imports)) == "eye");
+    CHECK(onlyError(body("uniform int reach;\n", R"("uniforms": {"reach": "radius"})")).code ==
+          Code::uniform_type);
+}
+
+TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hides is fine")
+{
+    SECTION("an input")
+    {
+        const Diagnostic error = onlyError(body("uniform sampler2D noise;\n",
+                                                R"("inputs": {"noize": "noise"})"));
+        CHECK(error.code == Code::input_unused);
+        CHECK(error.pointer == "/passes/p/inputs/noize");
+        CHECK(textAt(error.place) == "\"noize\"");
+        CHECK(error.help.find("'noise'") != error.help.npos);
+    }
+    SECTION("an input by a name far from that of what it reads, which the shader has")
+    {
+        const Diagnostic error = onlyError(body("uniform sampler2D noise;\n",
+                                                R"("inputs": {"grain": "noise"})"));
+        CHECK(error.code == Code::input_unused);
+        CHECK_THAT(error.help, Catch::StartsWith("did you mean 'noise'? the shader declares: "));
+    }
+    SECTION("a uniform")
+    {
+        const Diagnostic error =
+            onlyError(body("uniform float radius;\n", R"("uniforms": {"raduis": "radius"})"));
+        CHECK(error.code == Code::input_unused);
+        CHECK(error.pointer == "/passes/p/uniforms/raduis");
+    }
+    SECTION("hidden")
+    {
+        CHECK(planOf(body("#if SAMPLES > 90\nuniform sampler2D grain;\n#endif\n",
+                          R"("inputs": {"grain": "noise"})")).passes[0].inputs.empty());
+    }
+    SECTION("hidden in a file that is not included")
+    {
+        CHECK(planOf(body("#if SAMPLES > 90\n#include \"part.glsl\"\n#endif\n",
+                          R"("uniforms": {"deep": "radius"})")).passes.size() == 1);
+    }
+}
+
+TEST_CASE("Outputs of the shader are the pass's colour targets")
+{
+    const std::string targets = R"("targets": {"a": {"format": ["r8"]}, "b": {"format": ["r8"]}},)";
+    const auto compiled = [&](const std::string& outputs, const std::string& color) {
+        return describe("{\"format\": 1, " + targets + R"(
+            "shaders": {"s": {"vertex": "v", "fragment": "f"}},
+            "passes": {"p": {"shader": "s", "color": )" + color + R"(}}, "outputs": {"o": "a"}})",
+                        {{"v", kFullVertex}, {"f", kHead + outputs + "void main() {}\n"}});
+    };
+    const std::string both =
+        "layout(location = 0) out vec4 a;\nlayout(location = 1) out vec4 b;\n";
+    SECTION("in order")
+    {
+        CHECK(planOf(compiled(both, R"(["a", "b"])")).passes.size() == 1);
+    }
+    SECTION("an output without a target")
+    {
+        const Diagnostic error = onlyError(compiled(both, R"("a")"));
+        CHECK(error.code == Code::output_mismatch);
+        CHECK(textAt(error.notes.at(0).place) == "b");
+    }
+    SECTION("a target without an output")
+    {
+        const Diagnostic error =
+            onlyError(compiled("layout(location = 0) out vec4 a;\n", R"(["a", "b"])"));
+        CHECK(error.code == Code::output_mismatch);
+        CHECK(error.pointer == "/passes/p/color/1");
+    }
+    SECTION("the names in another order")
+    {
+        const Diagnostic error = onlyError(compiled(both, R"(["b", "a"])"));
+        CHECK(error.code == Code::output_mismatch);
+        CHECK(error.notes.at(0).place.source->name == "f");
+    }
+    SECTION("other names")
+    {
+        const std::string others =
+            "layout(location = 0) out vec4 first;\nlayout(location = 1) out vec4 second;\n";
+        CHECK(planOf(compiled(others, R"(["b", "a"])")).passes.size() == 1);
+    }
+}
+
+TEST_CASE("GLSL that cannot be read stops its pass and brings no further errors")
+{
+    const Diagnostic error =
+        onlyError(onePass(kHead + "#if (\n#endif\n" + kOut, R"("inputs": {"x": "noise"})"));
+    CHECK(error.code == Code::preprocessor);
+    CHECK(error.place.source->name == "p.frag");
+}
+
+TEST_CASE("More uniforms than the device holds are refused before the driver sees them")
+{
+    Description description = body("uniform vec3 kernel[SAMPLES];\nuniform mat4 clip_from_view;\n");
+    ParamDesc& samples = description.params[3];
+    REQUIRE(samples.name == "samples");
+    samples.value[0] = 220;  // and 4 of the matrix: as many as there are
+    CHECK(tryCompile(description).ok());
+    samples.value[0] = 221;
+    const Diagnostic error = onlyError(description);
+    CHECK(error.code == Code::too_many);
+    CHECK(error.pointer == "/passes/p");
+    CHECK(error.message.find("225") != error.message.npos);
+}

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// Textures of a plan: sizes, formats, limits, load and store operations, shared slots.
+#include "tests/support/plan_rig.h"
+
+#include <random>
+
+using namespace crevice;
+
+namespace {
+
+Sketch oneTarget(const std::string& json)
+{
+    return {{"a: -> x"}, {{"out", "x"}}, {{"x", json}}};
+}
+
+CompileOptions keeping(const std::string& rule, const std::string& output = "")
+{
+    CompileOptions options = sized();
+    options.keep = {rule};
+    if (!output.empty()) options.outputs = {output};
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("Sizes are rounded up and never vanish")
+{
+    const auto size = [](const std::string& scale, int width, int height) {
+        const std::string json = R"({"format": ["r8"], "size": {"scale": )" + scale + "}}";
+        return planOf(describe(oneTarget(json)), {}, sized(width, height)).textures[0].extent;
+    };
+    CHECK(size("0.5", 101, 64) == Extent{51, 32});
+    CHECK(size("0.25", 3, 1) == Extent{1, 1});
+    CHECK(size("2", 101, 64) == Extent{202, 128});
+    CHECK(size("0.1", 1000, 10) == Extent{100, 1});  // 0.1f is above 0.1: no 101
+}
+
+TEST_CASE("A size may follow another target's")
+{
+    const Plan plan = planOf(describe(Sketch{
+        {"a: -> half", "b: half -> quarter"}, {{"out", "quarter"}},
+        {{"half", R"({"format": ["r8"], "size": {"scale": 0.5}})"},
+         {"quarter", R"({"format": ["r8"], "size": {"of": "half", "scale": 0.5}})"}}}),
+        {}, sized(10, 6));
+    CHECK(plan.passes[0].extent == Extent{5, 3});
+    CHECK(plan.passes[1].extent == Extent{3, 2});
+}
+
+TEST_CASE("A linear read of what no device filters is refused, with formats that are")
+{
+    const auto reading = [](const char* format, const char* filter) {
+        return describe(Sketch{{"a: -> x", std::string("b: x -> y | \"inputs\": {\"x\": {\"filter\": \"") +
+                                               filter + "\"}}"},
+                               {{"out", "y"}},
+                               {{"x", std::string("{\"format\": [\"") + format + "\"]}"}}});
+    };
+    const Diagnostic error = onlyError(reading("r32f", "linear"));
+    CHECK(error.code == Code::cannot_filter);
+    CHECK(error.pointer == "/passes/b/inputs/x");
+    CHECK(error.help.find("nearest") != std::string::npos);
+    CHECK(planOf(reading("r32f", "nearest")).passes.size() == 2);
+    CHECK(planOf(reading("r16f", "linear")).passes.size() == 2);
+}
+
+TEST_CASE("A size that is not positive is refused")
+{
+    const auto [width, height] = GENERATE(table<int, int>({{0, 32}, {64, 0}, {-5, 32}}));
+    const Description description = describe(oneTarget(R"({"format": ["r8"]})"));
+    const Diagnostic error = onlyError(description, {}, ampleCaps(), sized(width, height));
+    CHECK(error.code == Code::bad_size);
+}
+
+TEST_CASE("A texture larger than the device holds is refused")
+{
+    SECTION("as one error when the picture itself is")
+    {
+        const Description description =
+            describe(Sketch{{"a: -> x y"}, {{"out", "x"}, {"o", "y"}}});
+        const Diagnostic error = onlyError(description, {}, ampleCaps(), sized(4000, 16));
+        CHECK(error.code == Code::too_big_for_device);
+        CHECK(error.message.find("2048") != error.message.npos);
+    }
+    SECTION("at the target when its scale is to blame")
+    {
+        const Diagnostic error =
+            onlyError(describe(oneTarget(R"({"format": ["r8"], "size": {"scale": 4}})")), {},
+                      ampleCaps(), sized(1000, 16));
+        CHECK(error.code == Code::too_big_for_device);
+        CHECK(error.pointer == "/targets/x");
+    }
+    SECTION("once where another target follows its size, and there where it has none itself")
+    {
+        const char* const big = R"({"format": ["r8"], "size": {"scale": 4}})";
+        const char* const follows = R"({"format": ["r8"], "size": {"of": "big"}})";
+        const auto error = [&](const std::vector<std::string>& passes) {
+            return onlyError(describe(Sketch{passes, {{"out", "x"}}, {{"big", big}, {"x", follows}}}),
+                             {}, ampleCaps(), sized(1000, 16));
+        };
+        CHECK(error({"first: -> big", "last: big -> x"}).pointer == "/targets/big");
+        const Diagnostic alone = error({"first: -> big", "last: -> x"});
+        CHECK(alone.code == Code::too_big_for_device);
+        CHECK(alone.pointer == "/targets/x");
+    }
+    SECTION("even when the size is absurd")
+    {
+        CHECK(onlyError(describe(oneTarget(R"({"format": ["r8"], "size": {"scale": 4}})")), {},
+                        ampleCaps(), sized(2147483647, 2147483647)).code ==
+              Code::too_big_for_device);
+    }
+}
+
+TEST_CASE("The first format that the device renders to is taken, and a fall-back is a warning")
+{
+    const Description description =
+        describe(oneTarget(R"({"format": ["rgba32f", "rgba16f", "rgb10_a2", "rgba8"]})"));
+    const Result<Plan> plan = compile(description, {}, minimumCaps(), sized());
+    REQUIRE(plan.ok());
+    CHECK(plan->textures[0].format == Format::rgb10_a2);
+    REQUIRE(plan.diagnostics().size() == 1);
+    CHECK(plan.diagnostics()[0].severity == Severity::warning);
+    CHECK(plan.diagnostics()[0].pointer == "/targets/x");
+    CHECK(compile(description, {}, ampleCaps(), sized()).diagnostics().empty());
+}
+
+TEST_CASE("A target whose formats the device cannot render to is refused, if it is needed")
+{
+    Sketch sketch{{"a: -> x y"},
+                  {{"x", "x"}, {"y", "y"}},
+                  {{"x", R"({"format": ["rgba32f", "r16f"]})"}}};
+    const Diagnostic error = onlyError(describe(sketch), {}, minimumCaps());
+    CHECK(error.code == Code::no_format);
+    CHECK(error.pointer == "/targets/x");
+    CHECK(error.message.find("rgba32f, r16f") != error.message.npos);
+    sketch.outputs.erase("x");
+    CHECK(compile(describe(sketch), {}, minimumCaps(), sized()).ok());
+}
+
+TEST_CASE("A depth format as colour, or a colour format as depth, is refused")
+{
+    SECTION("depth as colour")
+    {
+        const Diagnostic error = onlyError(describe(oneTarget(R"({"format": ["depth16"]})")));
+        CHECK(error.code == Code::attachment_kind);
+        CHECK(error.pointer == "/passes/a/color/0");
+    }
+    SECTION("colour as depth")
+    {
+        const Diagnostic error = onlyError(describe(Sketch{
+            {R"(a: -> x | "type": "draw", "depth": "d")"}, {{"out", "x"}},
+            {{"d", R"({"format": ["depth24", "r32f"]})"}}}));
+        CHECK(error.code == Code::attachment_kind);
+        CHECK(error.pointer == "/passes/a/depth");
+    }
+}
+
+TEST_CASE("Attachments of one pass have one size")
+{
+    const Diagnostic error = onlyError(describe(Sketch{
+        {"a: -> x y"}, {{"out", "x"}}, {{"y", R"({"format": ["r8"], "size": {"scale": 0.5}})"}}}));
+    CHECK(error.code == Code::attachment_size);
+    CHECK(error.pointer == "/passes/a/color/1");
+}
+
+TEST_CASE("More colour targets or samplers than the device has are refused")
+{
+    SECTION("colour targets")
+    {
+        const Diagnostic error =
+            onlyError(describe(Sketch{{"a: -> v w x y z"}, {{"out", "v"}}}));
+        CHECK(error.code == Code::too_many);
+        CHECK(error.pointer == "/passes/a");
+    }
+    SECTION("samplers")
+    {
+        DeviceCaps caps = ampleCaps();
+        caps.max_texture_units = 2;
+        const Diagnostic error =
+            onlyError(describe(Sketch{{"a: -> x y z", "b: x y z -> w"}, {{"out", "w"}}}), {}, caps);
+        CHECK(error.code == Code::too_many);
+        CHECK(error.pointer == "/passes/b");
+    }
+}
+
+TEST_CASE("A fullscreen pass loads nothing, and a draw, a blend and a test clear first")
+{
+    const auto load = [](const std::string& keys) {
+        const Plan plan = planOf(describe(Sketch{
+            {"a: -> x |" + keys}, {{"out", "x"}}, {{"d", R"({"format": ["depth24"]})"}}}));
+        return *attachmentOf(plan, "x");
+    };
+    CHECK(load(R"("type": "fullscreen")").load == LoadOp::discard);
+    CHECK(load(R"("type": "draw")").load == LoadOp::clear);
+    CHECK(load(R"("state": {"blend": "add"})").load == LoadOp::clear);
+    CHECK(load(R"("depth": "d", "state": {"depth_test": "less"})").load == LoadOp::clear);
+    CHECK(load(R"("type": "draw", "clear": {"x": [1, 2, 3, 4]})").clear ==
+          std::array<float, 4>{1, 2, 3, 4});
+    CHECK(load(R"("type": "draw")").clear == std::array<float, 4>{0, 0, 0, 0});
+}
+
+TEST_CASE("A shader that discards leaves pixels, so its target is cleared")
+{
+    const Description description = describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
+        "shaders": {"s": {"vertex": "v", "fragment": "f"}},
+        "passes": {"p": {"shader": "s", "color": "x"}}, "outputs": {"x": "x"}})",
+        {{"v", kFullVertex},
+         {"f", "#version 300 es\nout highp vec4 c;\nvoid main() { discard; }\n"}});
+    CHECK(planOf(description).passes[0].color[0].load == LoadOp::clear);
+}
+
+TEST_CASE("Depth is cleared to 1, needs a texture even unread, and is then not stored")
+{
+    const Sketch sketch{{R"(g: -> x | "type": "draw", "depth": "d")", "h: x -> y"}, {{"out", "y"}},
+                        {{"d", R"({"format": ["depth24"]})"}}};
+    const Plan plan = planOf(describe(sketch));
+    const PlanPass& pass = plan.passes[0];
+    REQUIRE(pass.has_depth);
+    CHECK(pass.depth.target >= 0);
+    CHECK(pass.depth.load == LoadOp::clear);
+    CHECK(pass.depth.clear[0] == 1.0f);
+    CHECK(pass.depth.store == StoreOp::discard);
+    CHECK(pass.color[0].store == StoreOp::store);
+    CHECK(pass.bytes_written == 64 * 32);  // the colour alone
+}
+
+TEST_CASE("Depth that a later pass samples is stored")
+{
+    const Plan plan = planOf(describe(Sketch{
+        {R"(g: -> x | "type": "draw", "depth": "d")", "h: x d -> y"}, {{"out", "y"}},
+        {{"d", R"({"format": ["depth24"]})"}}}));
+    CHECK(plan.passes[0].depth.store == StoreOp::store);
+    CHECK(plan.passes[0].depth.reason.find("read by h") != std::string::npos);
+}
+
+TEST_CASE("Mips are counted down to one pixel and no further")
+{
+    const auto mips = [](const std::string& count) {
+        return planOf(describe(oneTarget(R"({"format": ["rgba8"], "mips": )" + count + "}")), {},
+                      sized(9, 4));
+    };
+    CHECK(mips("0").textures[0].mips == 4);
+    CHECK(mips("9").textures[0].mips == 4);
+    CHECK(mips("2").textures[0].mips == 2);
+    CHECK(mips("2").texture_bytes == 4 * (9 * 4 + 4 * 2));
+}
+
+TEST_CASE("Targets whose lifetimes do not meet share a texture")
+{
+    const Description description = describe(Sketch{
+        {"a: -> w", "b: w -> x", "c: x -> y", "d: y -> z"}, {{"out", "z"}}});
+    const Plan plan = planOf(description);
+    CHECK(plan.textures.size() == 2);
+    CHECK(plan.textures[0].targets == std::vector<std::string>{"w", "y"});
+    CHECK(plan.texture_bytes == 2 * 64 * 32);
+    CHECK(planOf(description, {}, keeping("sharing")).textures.size() == 4);
+}
+
+TEST_CASE("Textures are not shared between formats or sizes")
+{
+    const auto textures = [](const std::string& y) {
+        return planOf(describe(Sketch{
+            {"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}, {{"y", y}}})).textures.size();
+    };
+    CHECK(textures(R"({"format": ["r8"]})") == 2);
+    CHECK(textures(R"({"format": ["rg8"]})") == 3);
+    CHECK(textures(R"({"format": ["r8"], "size": {"scale": 0.5}})") == 3);
+    CHECK(textures(R"({"format": ["r8"], "mips": 2})") == 3);
+}
+
+TEST_CASE("In graphs of every shape no two live targets share a texture and reads follow writes")
+{
+    std::mt19937 random(7);
+    const auto below = [&random](std::size_t limit) { return random() % limit; };
+    for (int round = 0; round < 60; ++round) {
+        std::vector<std::string> passes, targets;
+        for (std::size_t i = 0, count = 2 + below(9); i < count; ++i) {
+            std::set<std::string> reads;
+            for (std::size_t n = below(3); n > 0 && !targets.empty(); --n)
+                reads.insert(targets[below(targets.size())]);
+            std::string line = "p" + std::to_string(i) + ":";
+            for (const auto& each : reads) line += " " + each;
+            line += " ->";
+            for (std::size_t n = 1 + below(2); n > 0; --n) {
+                targets.push_back("t" + std::to_string(targets.size()));
+                line += " " + targets.back();
+            }
+            const auto place = static_cast<std::ptrdiff_t>(below(passes.size() + 1));
+            passes.insert(passes.begin() + place, line);
+        }
+        const Plan plan = planOf(describe(Sketch{
+            passes, {{"last", targets.back()}, {"other", targets[below(targets.size())]}}}));
+        for (std::size_t i = 0; i < plan.targets.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const PlanTarget& a = plan.targets[j];
+                const PlanTarget& b = plan.targets[i];
+                const bool meet = a.first_pass <= b.last_pass && b.first_pass <= a.last_pass;
+                CHECK_FALSE((meet && a.texture == b.texture));
+            }
+        }
+        for (int p = 0; p < static_cast<int>(plan.passes.size()); ++p)
+            for (const PlanInput& input : plan.passes[p].inputs) {
+                CHECK(plan.targets[input.index].first_pass < p);
+                CHECK(plan.targets[input.index].last_pass >= p);
+            }
+    }
+}
+
+TEST_CASE("Depth that nobody reads may be a part of a larger texture that is free, and no other target")
+{
+    const auto plan = [](const char* scratch, const char* output) {
+        return planOf(describe(Sketch{
+            {R"(first: -> a | "type": "draw", "depth": "wide")", "middle: wide a -> b",
+             std::string(R"(last: b -> lit | "type": "draw", "depth": ")") + scratch + "\""},
+            {{"color", output}},
+            {{"wide", R"({"format": ["depth24"], "size": {"scale": 1.5}})"},
+             {"a", R"({"format": ["r8"], "size": {"scale": 1.5}})"},
+             {"near", R"({"format": ["depth24"]})"},
+             {"other", R"({"format": ["depth16"]})"}},
+            R"("imports": {"scene": {"type": "draw_list"}})"}));
+    };
+    const Plan shared = plan("near", "lit");
+    const PlanAttachment* scratch = attachmentOf(shared, "near");
+    CHECK(shared.targets[scratch->target].texture ==
+          shared.targets[attachmentOf(shared, "wide")->target].texture);
+    CHECK(scratch->store == StoreOp::discard);
+    const Plan formats = plan("other", "lit");
+    CHECK(formats.targets[attachmentOf(formats, "other")->target].texture !=
+          formats.targets[attachmentOf(formats, "wide")->target].texture);
+    CHECK(shared.targets[attachmentOf(shared, "lit")->target].texture !=
+          shared.targets[attachmentOf(shared, "a")->target].texture);
+}

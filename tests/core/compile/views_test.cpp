@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// Frames of several views: how they are planned, and what each of them is given.
+#include "tests/support/plan_rig.h"
+#include "tests/support/renderer_rig.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+using namespace crevice;
+
+namespace {
+
+const char* const kKept = R"({"format": ["r8"], "history": true})";
+
+Camera eye(float x, float left = -1.0f)
+{
+    Camera camera;
+    camera.view_from_world = glm::translate(glm::mat4(1.0f), glm::vec3(-x, 0, -3));
+    camera.clip_from_view = glm::frustum(left, 1.0f, -1.0f, 1.0f, 1.0f, 10.0f);
+    return camera;
+}
+
+/// A rig whose frames have a left and a right eye with projections of their own.
+struct StereoRig : Rig {
+    explicit StereoRig(bool remembering = false) : Rig(remembering)
+    {
+        frame.camera = eye(-0.5f, -1.5f);
+        frame.other_views = {{eye(0.5f, -0.5f), {}}};
+    }
+};
+
+std::string without(std::string text, const std::string& part)
+{
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at))
+        text.erase(at, part.size());
+    return text;
+}
+
+/// What a renderer for this one camera does from one frame's first pass to its last.
+std::string passesOf(const std::string& log)
+{
+    const auto begin = log.find("beginPass");
+    return log.substr(begin, log.find("endFrame") - begin);
+}
+
+std::string passesAlone(const Camera& camera)
+{
+    Rig rig;
+    rig.frame.camera = camera;
+    return passesOf(rig.draw());
+}
+
+int count(const std::string& text, const std::string& part)
+{
+    int found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+/// The lines of a log that set a uniform, in their order.
+std::vector<std::string> sent(const std::string& log, const std::string& name)
+{
+    std::vector<std::string> lines;
+    std::istringstream stream(log);
+    for (std::string line; std::getline(stream, line);)
+        if (line.rfind("setUniform " + name + ' ', 0) == 0) lines.push_back(line);
+    return lines;
+}
+
+SceneTraits twoViews()
+{
+    SceneTraits traits;
+    traits.views = 2;
+    return traits;
+}
+
+const PlanTexture& textureOf(const Plan& plan, const std::string& target)
+{
+    return plan.textures[findNamed(plan.targets, target)->texture];
+}
+
+// A chain of passes with an output in its middle and its end, and one that remembers.
+Plan chain(const SceneTraits& traits)
+{
+    return planOf(describe(Sketch{{"a: -> x", "b: x -> y", "c: y -> z", "d: z kept_history -> kept",
+                                   "e: kept -> w"},
+                                  {{"first", "y"}, {"last", "w"}},
+                                  {{"kept", kKept}, {"w", R"({"format": ["rgba8"]})"}}}),
+                  traits);
+}
+
+}  // namespace
+
+TEST_CASE("Two views are drawn one after the other, each as a frame of its camera would be")
+{
+    StereoRig rig;
+    const std::string log = rig.draw();
+    CHECK(without(passesOf(log), " of view 1") ==
+          passesAlone(rig.frame.camera) + passesAlone(rig.frame.other_views[0].camera));
+    CHECK(passesAlone(rig.frame.camera) != passesAlone(rig.frame.other_views[0].camera));
+    CHECK(count(log, "beginFrame") == 1);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A second view takes over the programs, and needs a texture for each output alone")
+{
+    Rig rig;
+    rig.draw();
+    const int programs = rig.device.live(ObjectId::Kind::program);
+    const int textures = rig.device.live(ObjectId::Kind::texture);
+    rig.frame.other_views.resize(1);
+    const std::string log = rig.draw();
+    CHECK(count(log, "createProgram") == 0);
+    CHECK(rig.device.live(ObjectId::Kind::program) == programs);
+    CHECK(rig.device.live(ObjectId::Kind::texture) == textures + 2);
+    rig.frame.other_views.clear();
+    rig.draw();
+    CHECK(rig.device.live(ObjectId::Kind::texture) == textures);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Each view has its outputs, and a view that is not there has none")
+{
+    StereoRig rig;
+    rig.draw();
+    for (const char* name : {"ao", "color"}) {
+        CHECK(rig.renderer->output(name).value == rig.renderer->output(name, 0).value);
+        CHECK(rig.renderer->output(name, 1));
+        CHECK(rig.renderer->output(name, 1).value != rig.renderer->output(name, 0).value);
+    }
+    CHECK_FALSE(rig.renderer->output("ao", 2));
+    CHECK_FALSE(rig.renderer->output("ao", -1));
+}
+
+TEST_CASE("An output that is a constant is that in each view")
+{
+    StereoRig rig;
+    REQUIRE(rig.renderer->setFeature("soft", "false").ok());
+    REQUIRE(rig.renderer->setParam("intensity", 0.0f).ok());
+    rig.draw();
+    CHECK(rig.renderer->output("ao"));
+    CHECK(rig.renderer->output("ao", 1).value == rig.renderer->output("ao").value);
+}
+
+TEST_CASE("Each view remembers its own last frame")
+{
+    StereoRig rig(true);
+    rig.draw();
+    const auto first = rig.renderer->output("ao").value;
+    const auto first_right = rig.renderer->output("ao", 1).value;
+    const Camera before = rig.frame.other_views[0].camera;
+    rig.frame.camera = eye(3.0f);
+    rig.frame.other_views[0].camera = eye(4.0f);
+    const std::string log = rig.draw();
+
+    const std::set<std::uint32_t> all = {first, first_right, rig.renderer->output("ao").value,
+                                         rig.renderer->output("ao", 1).value};
+    CHECK(all.size() == 4);
+    const auto previous = sent(log, "previous_clip_from_view");
+    REQUIRE(previous.size() == 2);
+    CHECK(previous[0] != previous[1]);
+    const std::vector<float> right = rig.device.lastUniform("previous_clip_from_view");
+    const glm::mat4 wanted = glm::dmat4(before.clip_from_view) * before.view_from_world *
+                             glm::inverse(rig.frame.other_views[0].camera.view_from_world);
+    for (int i = 0; i < 16; ++i) CHECK(right.at(i) == Approx(wanted[i / 4][i % 4]).margin(1e-5));
+    CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history'") +
+              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao'") == 1);
+    CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao of view 1'") +
+              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history of view 1'") == 1);
+
+    rig.draw();
+    CHECK(rig.renderer->output("ao").value == first);
+    CHECK(rig.renderer->output("ao", 1).value == first_right);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A cut and a frame's number count for all views")
+{
+    StereoRig rig(true);
+    const auto values = [&](const char* name) { return sent(rig.draw(), name); };
+    using Lines = std::vector<std::string>;
+    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 0"));
+    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 1"));
+    CHECK(values("frame_index") == Lines(2, "setUniform frame_index 2"));
+    rig.frame.camera_cut = true;
+    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 0"));
+    rig.frame.camera_cut = false;
+    rig.device.failFrame();
+    CHECK_FALSE(rig.renderer->render(rig.frame).ok());
+    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 0"));
+    rig.frame.other_views.push_back(rig.frame.other_views[0]);
+    CHECK(values("history_valid") == Lines(3, "setUniform history_valid 0"));
+}
+
+TEST_CASE("A steady frame of two views creates nothing")
+{
+    StereoRig rig(GENERATE(false, true));
+    rig.draw();
+    const int attempts = rig.device.attempts();
+    rig.draw();
+    CHECK(rig.device.attempts() == attempts);
+}
+
+TEST_CASE("A view has its own textures for imports, and the frame's for the others")
+{
+    StereoRig rig;
+    const auto texture = [&](const char* name) {
+        return rig.device.adoptTexture(3, {name, Format::rgba8, {4, 4}}).value();
+    };
+    const TextureId left = texture("left"), right = texture("right");
+    rig.frame.textures = {{"decal", left}};
+    CHECK(count(rig.draw(), "setTexture decal unit 2 <- texture 'left'") == 2);
+    rig.frame.other_views[0].textures = {{"decal", right}};
+    const std::string log = rig.draw();
+    CHECK(count(log, "setTexture decal unit 2 <- texture 'left'") == 1);
+    CHECK(log.find("texture 'left'") < log.find("texture 'right'"));
+    rig.frame.textures.clear();
+    CHECK(count(rig.draw(), "setTexture decal unit 2 <- texture 'black'") == 1);
+}
+
+TEST_CASE("A frame with a view that no shader could draw is refused")
+{
+    StereoRig rig;
+    rig.draw();
+    Camera& camera = rig.frame.other_views[0].camera;
+    std::string what;
+    SECTION("not finite")
+    {
+        camera.view_from_world[3][0] = INFINITY;
+        what = "view 1's view_from_world is not finite";
+    }
+    SECTION("flat")
+    {
+        camera.clip_from_view = glm::mat4(0.0f);
+        what = "view 1's clip_from_view has no inverse";
+    }
+    SECTION("of another kind")
+    {
+        camera.clip_from_view = glm::mat4(1.0f);
+        what = "view 1 is orthographic, and the camera is not";
+    }
+    SECTION("of another kind, the other way round")
+    {
+        rig.frame.camera.clip_from_view = glm::mat4(1.0f);
+        what = "view 1 is not orthographic, and the camera is";
+    }
+    const Status status = rig.renderer->render(rig.frame);
+    REQUIRE(codeOf(status) == Code::bad_input);
+    CHECK(status.diagnostics().size() == 1);
+    CHECK(status.diagnostics().front().message == what);
+    CHECK_FALSE(status.diagnostics().front().help.empty());
+}
+
+TEST_CASE("The views of a pass are timed together")
+{
+    StereoRig rig;
+    rig.draw();
+    const auto timed = [&] {
+        Result<FrameTimes> times = rig.renderer->renderTimed(rig.frame);
+        REQUIRE(times.ok());
+        return *times;
+    };
+    CHECK(timed().method == TimingMethod::wall_clock);
+    CHECK(timed().pass_ms.size() == 4);
+    rig.device.setTimers({1, 2, 3, 4, 10, 20, 30, 40});
+    CHECK(timed().pass_ms == std::vector<double>{11, 22, 33, 44});
+    CHECK(timed().total_ms == Approx(110));
+    rig.device.setTimers({1, 2, 3, 4, 10, -1, 30, 40});
+    CHECK(timed().pass_ms == std::vector<double>{11, -1, 33, 44});
+    CHECK(timed().total_ms == -1);
+    rig.frame.other_views.resize(kMaxTimers / 4, rig.frame.other_views[0]);
+    rig.device.setTimers(std::vector<double>(kMaxTimers, 1.0));
+    CHECK(timed().method == TimingMethod::wall_clock);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Views share what ends with them, and each keeps its outputs and histories")
+{
+    const Plan one = chain({});
+    const Plan two = chain(twoViews());
+    REQUIRE(one.textures.size() == two.textures.size());
+    for (std::size_t i = 0; i < one.textures.size(); ++i) {
+        CHECK(one.textures[i].copies == 1);
+        CHECK(one.textures[i].targets == two.textures[i].targets);
+    }
+    CHECK(textureOf(two, "x").copies == 1);
+    CHECK(textureOf(two, "z").copies == 1);
+    for (const char* name : {"y", "kept", "w"}) CHECK(textureOf(two, name).copies == 2);
+    CHECK(two.textures[findNamed(two.targets, "kept")->history_texture].copies == 2);
+    CHECK(two.texture_bytes == one.texture_bytes + 64 * 32 * (1 + 2 + 4));  // y, kept twice, w
+    CHECK(two.passes[1].bytes_read == 2 * one.passes[1].bytes_read);
+    CHECK(two.passes[1].bytes_written == 2 * one.passes[1].bytes_written);
+}
+
+TEST_CASE("A plan says how many views it has and which textures each of them holds")
+{
+    const Plan one = chain({});
+    for (const std::string& text : {toText(one), toDot(one), toMermaid(one)})
+        CHECK(text.find("view") == std::string::npos);
+    CHECK(toJson(one).find("\"views\": 1,") != std::string::npos);
+
+    const Plan two = chain(twoViews());
+    CHECK(toText(two).find("sketch 64x32: 5 passes for each of 2 views, 9 textures, 30.0 KiB\n") !=
+          std::string::npos);
+    CHECK(toText(two).find("r8 64x32, one a view, 4.0 KiB: y\n") != std::string::npos);
+    CHECK(toJson(two).find("\"views\": 2,") != std::string::npos);
+    CHECK(toJson(two).find("\"bytes\": 4096, \"copies\": 2, \"targets\": [\"y\"]") !=
+          std::string::npos);
+    for (const std::string& graph : {toDot(two), toMermaid(two)}) {
+        CHECK(graph.find("64x32, 2 views\"") != std::string::npos);
+        CHECK(graph.find("one a view") != std::string::npos);
+    }
+}
+
+TEST_CASE("The number of views can be a condition and a define")
+{
+    const Description description = describe(Sketch{
+        {"a: -> x", R"(b: x -> y | "when": {"camera.views": 2}, "bypass": {"y": "x"})"},
+        {{"out", "y"}}});
+    CHECK(passNames(planOf(description)) == "a");
+    CHECK(passNames(planOf(description, twoViews())) == "a, b");
+}

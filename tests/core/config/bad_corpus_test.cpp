@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Malformed configs: one mistake gives one error, at its place, with a way out.
+#include "tests/support/bad_corpus.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <set>
+
+using namespace crevice;
+
+TEST_CASE("Every config of the corpus is told its one mistake, where it is, and the way out")
+{
+    for (const CorpusCase& config : corpusCases()) {
+        if (config.expected.find("driver")) continue;  // no text shows it: bad_corpus_gl_test.cpp
+        RecordingDevice device(capsOf(config));
+        Diagnostics told = diagnosticsOf(config, device);
+        const auto warning = [](const Diagnostic& each) { return each.severity != Severity::error; };
+        told.erase(std::remove_if(told.begin(), told.end(), warning), told.end());
+        INFO(config.name << "\n" << toText(told));
+        REQUIRE(told.size() == 1);
+        CHECK(codeName(told[0].code) == config.text("code"));
+        CHECK(placeInCorpus(told[0].place) == config.text("at"));
+        CHECK(told[0].pointer == config.text("pointer"));
+        CHECK_THAT(told[0].help, Catch::Contains(config.text("help")));
+        CHECK_FALSE(told[0].help.empty());
+        const bool needs_device = config.name.rfind("run_time/", 0) == 0;
+        CHECK((needs_device || device.log().empty()));
+    }
+}
+
+TEST_CASE("What shipped modules do together is told in the config, with a note in the module")
+{
+    const std::map<std::string, std::string> kModules = {
+        {"graph/two_modules_write", "effects/filter/bilateral.json:39:61"},
+        {"graph/writer_deleted", "effects/lighting/deferred.json:41:33"},
+        {"references/filter_missing", "effects/lighting/deferred.json:41:33"},
+        {"references/target_deleted", "effects/ssao/receivers.json:6:87"}};
+    std::size_t seen = 0;
+    for (const CorpusCase& config : corpusCases()) {
+        const auto module = kModules.find(config.name);
+        if (module == kModules.end()) continue;
+        RecordingDevice device(capsOf(config));
+        const Diagnostics told = diagnosticsOf(config, device);
+        INFO(config.name << "\n" << toText(told));
+        REQUIRE(told.size() == 1);
+        REQUIRE_FALSE(told[0].notes.empty());
+        CHECK(placeName(told[0].notes[0].place) == module->second);
+        ++seen;
+    }
+    CHECK(seen == kModules.size());
+}
+
+TEST_CASE("Every config of the corpus is in its table")
+{
+    namespace fs = std::filesystem;
+    std::set<std::string> listed, found;
+    for (const CorpusCase& config : corpusCases()) listed.insert(config.name);
+    CHECK(listed.size() >= 85);
+    for (const auto& entry : fs::recursive_directory_iterator(CorpusCase::folder())) {
+        const fs::path path = fs::path(entry.path()).lexically_relative(CorpusCase::folder());
+        const bool config = path.extension() == ".json" && path.filename() != "expected.json" &&
+                            path.parent_path().filename() != "parts";
+        if (config) found.insert((path.parent_path() / path.stem()).generic_string());
+    }
+    CHECK(listed == found);
+}
+
+TEST_CASE("A config of two MiB is refused unread")
+{
+    const std::string head = "{\"format\": 1, \"description\": \"";
+    MemorySources sources;
+    sources.add("configs/huge.json", head + std::string(2u << 20, '.') + "\"}");
+    const Result<Node> document = loadConfig(sources, {"huge"});
+    REQUIRE(document.diagnostics().size() == 1);
+    const Diagnostic& error = document.diagnostics().front();
+    CHECK(error.code == Code::too_large);
+    CHECK(placeName(error.place) == "configs/huge.json:1:1");
+    CHECK_FALSE(error.help.empty());
+}

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// Decoding: keys, types, names and ranges that are wrong.
+#include "tests/support/decode_fixture.h"
+
+using namespace crevice;
+
+TEST_CASE("an unknown key is an error at the key with the nearest one in the help", "[decode]")
+{
+    checkEach({
+        {"passses", "{}", "CV3001 /passses"},
+        {"views", R"({"v": {"target": "ao", "scales": 1}})", "CV3001 /views/v/scales"},
+        {"targets", R"({"depth": {"format": "depth24"}, "ao": {"format": "r8", "mip": 1},
+                        "ao_filtered": {"format": "r8", "size": {"follow": "ao"}}})",
+         "CV3001 /targets/ao/mip; CV3001 /targets/ao_filtered/size/follow"},
+    });
+    const auto result = decodeWith({{"views", R"({"v": {"target": "ao", "scales": 1}})"}});
+    CHECK(underlined(result.diagnostics().at(0)).find("scales") != std::string::npos);
+    CHECK(result.diagnostics().at(0).help.find("'scale'") != std::string::npos);
+}
+
+TEST_CASE("a missing key is an error at what lacks it", "[decode]")
+{
+    checkEach({
+        {"format", "", "CV3003 "},
+        {"params", R"({"samples": {"type": "int"}})", "CV3003 /params/samples"},
+        {"imports", R"({"photo": {"type": "texture"}, "eye": {}})", "CV3003 /imports/eye"},
+        {"views", R"({"v": {"scale": 1}})", "CV3003 /views/v"},
+        {"passes", R"({"p": {"color": "ao"}})", "CV3003 /passes/p"},
+        {"passes", R"({"p": {"shader": "ao", "color": "ao", "identity": {"radius": {}}}})",
+         "CV3003 /passes/p/identity/radius; CV3003 /passes/p/identity/radius"},
+        {"features", R"({"check": {"type": "enum"}})", "CV3003 /features/check"},
+    });
+}
+
+TEST_CASE("a value of another type is an error at the value", "[decode]")
+{
+    checkEach({
+        {"name", "1", "CV3002 /name"},
+        {"targets", "[]", "CV3002 /targets"},
+        {"targets", "null", "CV3002 /targets"},
+        {"outputs", R"({"ao": ["ao"]})", "CV3002 /outputs/ao"},
+        {"views", R"({"v": {"target": "ao", "scale": true}})", "CV3002 /views/v/scale"},
+        {"views", R"({"v": {"target": "ao", "scale": "abc"}})", "CV3002 /views/v/scale"},
+        {"views", R"({"v": "ao"})", "CV3002 /views/v"},
+        {"imports", R"({"photo": {"type": "texture", "optional": 1}})",
+         "CV3002 /imports/photo/optional"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "count": 16.7}})",
+         "CV3002 /generated/k/count"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "seed": 1e3}})",
+         "CV3002 /generated/k/seed"},
+        {"features", R"({"fast": {"default": "true"}})", "CV3002 /features/fast/default"},
+        {"passes", R"({"p": {"shader": "ao", "color": ["ao", 3]}})", "CV3002 /passes/p/color/1"},
+        {"passes", R"({"p": {"shader": "ao", "color": "ao", "when": {"fast": [true, {}]}}})",
+         "CV3002 /passes/p/when/fast/1"},
+        {"passes", R"({"p": {"shader": "ao", "color": "ao", "inputs": {"a": 3}}})",
+         "CV3002 /passes/p/inputs/a"},
+    });
+}
+
+TEST_CASE("a wrong type says what was found and what was wanted", "[decode]")
+{
+    const auto result = decodeWith({{"views", R"({"v": {"target": "ao", "scale": "abc"}})"}});
+    const Diagnostic& error = result.diagnostics().at(0);
+    CHECK(error.message.find("found the string \"abc\", wanted a number") != std::string::npos);
+    CHECK(underlined(error).find("abc") != std::string::npos);
+}
+
+TEST_CASE("an unknown word is an error with the allowed ones in the help", "[decode]")
+{
+    checkEach({
+        {"params", R"({"samples": {"type": "integer", "default": 1}})",
+         "CV3005 /params/samples/type"},
+        {"generated", R"({"k": {"generator": "spheer_kernel"}})", "CV3005 /generated/k/generator"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "distribution": "gauss"}})",
+         "CV3005 /generated/k/distribution"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "sequence": "sobol"}})",
+         "CV3005 /generated/k/sequence"},
+        {"features", R"({"check": {"type": "enum", "values": ["a", "b"], "default": "c"}})",
+         "CV3005 /features/check/default"},
+        {"passes", R"({"p": {"type": "blit", "shader": "ao", "color": "ao"}})",
+         "CV3005 /passes/p/type"},
+        {"passes", R"({"p": {"shader": "ao", "color": "ao", "state": {"cull": "both"}}})",
+         "CV3005 /passes/p/state/cull"},
+    });
+    const auto result = decodeWith({{"targets", R"({"depth": {"format": "depth24"},
+        "ao": {"format": ["r8", "rgba_8"]}, "ao_filtered": {"format": "none"}})"}});
+    CHECK(errorsOf(result) == "CV3005 /targets/ao/format/1; CV3005 /targets/ao_filtered/format");
+    CHECK(result.diagnostics().at(0).help.find("'rgba8'") != std::string::npos);
+}
+
+TEST_CASE("a list of another length is an error", "[decode]")
+{
+    checkEach({
+        {"params", R"({"samples": {"type": "int", "default": 1},
+                       "tint": {"type": "vec3", "default": [1, 2]}})",
+         "CV3006 /params/tint/default"},
+        {"features", R"({"check": {"type": "enum", "values": ["one"]}})",
+         "CV3006 /features/check/values"},
+        {"targets", R"({"depth": {"format": []}, "ao": {"format": "r8"},
+                        "ao_filtered": {"format": "r8"}})", "CV3006 /targets/depth/format"},
+        {"passes", R"({"p": {"shader": "ao", "color": "ao", "clear": {"ao": [0, 0, 0]}}})",
+         "CV3006 /passes/p/clear/ao"},
+        {"passes", R"({"p": {"shader": "ao", "depth": "depth", "clear": {"depth": [1, 1, 1, 1]}}})",
+         "CV3006 /passes/p/clear/depth"},
+    });
+}
+
+TEST_CASE("a vector param wants a list of numbers and cannot be a define", "[decode]")
+{
+    checkEach({
+        {"params", R"({"samples": {"type": "int", "default": 1},
+                       "a": {"type": "vec2", "default": 1}})", "CV3002 /params/a/default"},
+        {"params", R"({"samples": {"type": "int", "default": 1},
+                       "a": {"type": "vec2", "default": [1, "2"]}})", "CV3002 /params/a/default/1"},
+        {"params", R"({"samples": {"type": "int", "default": 1},
+                       "a": {"type": "vec2", "default": [1, 2], "bind": "define"}})",
+         "CV3005 /params/a/bind"},
+    });
+}
+
+TEST_CASE("a value outside its range is an error", "[decode]")
+{
+    checkEach({
+        {"format", "2", "CV4001 /format"},
+        {"params", R"({"samples": {"type": "int", "default": 65, "max": 64}})",
+         "CV4001 /params/samples/default"},
+        {"params", R"({"samples": {"type": "int", "default": 99999999}})",
+         "CV4001 /params/samples/default"},
+        {"params", R"({"samples": {"type": "int", "default": 1},
+                       "a": {"type": "vec2", "default": [0.5, 2], "max": 1}})",
+         "CV4001 /params/a/default/1"},
+        {"params", R"({"samples": {"type": "int", "default": 1, "max": 8, "soft_max": 9}})",
+         "CV4001 /params/samples/soft_max"},
+        {"params", R"({"samples": {"type": "int", "default": 1, "max": 1e300}})",
+         "CV4001 /params/samples/max"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "count": 0}})",
+         "CV4001 /generated/k/count"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "count": -1}})",
+         "CV4001 /generated/k/count"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "count": 129}})",
+         "CV4001 /generated/k/count"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "seed": 1152921504606846976}})",
+         "CV4001 /generated/k/seed"},
+        {"targets", R"({"depth": {"format": "depth24", "mips": -1},
+                        "ao": {"format": "r8", "mips": 17},
+                        "ao_filtered": {"format": "r8", "size": {"scale": 0}}})",
+         "CV4001 /targets/depth/mips; CV4001 /targets/ao/mips; "
+         "CV4001 /targets/ao_filtered/size/scale"},
+        {"views", R"({"v": {"target": "ao", "scale": 1e39}})", "CV4001 /views/v/scale"},
+        {"passes", R"({"p": {"shader": "ao", "depth": "depth", "clear": {"depth": 2}}})",
+         "CV4001 /passes/p/clear/depth"},
+    });
+}
+
+TEST_CASE("a range error names value, range and unit, and points at the number", "[decode]")
+{
+    const std::string text = "{ \"format\": 1, \"params\": {\n"
+                             "  \"radius\": { \"min\": 0.001, \"max\": 100,\n"
+                             "              \"unit\": \"scene units\", \"default\": -0.5 } } }\n";
+    const auto result = decode(parsed(text), MemorySources());
+    REQUIRE(errorsOf(result) == "CV4001 /params/radius/default");
+    const Diagnostic& error = result.diagnostics().at(0);
+    CHECK(error.message == "radius default -0.5 is outside [0.001, 100] scene units");
+    CHECK(error.place.line == 3);
+    CHECK(error.place.column == 49);
+    CHECK(underlined(error) == "-0.5");
+}
+
+TEST_CASE("a minimum above the maximum is one error, whatever the default", "[decode]")
+{
+    checkEach({
+        {"params", R"({"samples": {"type": "int", "default": 5, "min": 9, "max": 3}})",
+         "CV4002 /params/samples/min"},
+        {"params", R"({"samples": {"type": "int", "default": 5, "max": -2e29, "min": 1}})",
+         "CV4002 /params/samples/min"},
+    });
+}
+
+TEST_CASE("names are snake_case that GLSL does not reserve", "[decode]")
+{
+    const char* bad[][2] = {{"AoBlur", "'ao_blur'"}, {"ao-blur", "'ao_blur'"},
+                            {"ao__blur", "'ao_blur'"}, {"gl_blur", "'blur'"},
+                            {"2x", "'my_2x'"}, {"_blur", "'blur'"}, {"", "'name'"},
+                            {"größe", "'gr_e'"}};
+    for (const auto& [name, wanted] : bad) {
+        const std::string views = std::string("{\"") + name + "\": {\"target\": \"ao\"}}";
+        const auto result = decodeWith({{"views", views}});
+        INFO(name);
+        CHECK(errorsOf(result) == "CV3004 /views/" + std::string(name));
+        CHECK(result.diagnostics().at(0).help.find(wanted) != std::string::npos);
+    }
+    const std::string longest(64, 'a');
+    CHECK(decodeWith({{"views", "{\"" + longest + "\": {\"target\": \"ao\"}}"}}).ok());
+    const auto result = decodeWith({{"views", "{\"a" + longest + "\": {\"target\": \"ao\"}}"}});
+    CHECK(errorsOf(result) == "CV3004 /views/a" + longest);
+}
+
+TEST_CASE("words of an enum and macros have names that GLSL can spell", "[decode]")
+{
+    checkEach({
+        {"features", R"({"check": {"type": "enum", "values": ["4", "8", "no way"]}})",
+         "CV3004 /features/check/values/2"},
+        {"features", R"({"check": {"type": "enum", "values": ["a", "b", "a"]}})",
+         "CV2107 /features/check/values/2"},
+        {"features", R"({"check": {"values": ["a", "b"]}})", "CV3001 /features/check/values"},
+        {"shaders", R"({"ao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/ao.frag",
+                        "defines": {"A B": 1, "GL_ES": 1, "ok": [], "OK": 2}}})",
+         "CV3004 /shaders/ao/defines/A B; CV3004 /shaders/ao/defines/GL_ES; "
+         "CV3002 /shaders/ao/defines/ok"},
+    });
+}
+
+TEST_CASE("every error of a file is reported, in its order", "[decode]")
+{
+    const std::string text = R"({ "format": 1,
+  "views": {"v": {"target": "nowhere", "scale": "big"}},
+  "targets": {"ao": {"formats": "r8", "mips": 99}},
+  "colour": 1,
+  "params": {"Radius": {"default": "x"}}
+})";
+    const auto result = decode(parsed(text), MemorySources());
+    CHECK(errorsOf(result) ==
+          "CV2103 /views/v/target; CV3002 /views/v/scale; "
+          "CV3001 /targets/ao/formats; CV4001 /targets/ao/mips; CV3001 /colour; "
+          "CV3004 /params/Radius; CV3002 /params/Radius/default");
+    int line = 0;
+    for (const Diagnostic& each : result.diagnostics()) {
+        CHECK(each.place.line >= line);
+        CHECK_FALSE(each.help.empty());
+        line = each.place.line;
+    }
+}
+
+TEST_CASE("a document of nothing but mistakes is told a thousand of them, and how many more", "[decode]")
+{
+    std::string params = R"("samples": {"type": "int", "default": 16})";
+    for (int i = 0; i < 1500; ++i)
+        params += ", \"p" + std::to_string(i) + R"(": {"default": 1, "mni": 0})";
+    const Result<Description> result = decodeWith({{"params", "{" + params + "}"}});
+    REQUIRE(result.diagnostics().size() == 1000);
+    const Diagnostic& last = result.diagnostics().back();
+    CHECK(last.pointer == "/params/p999/mni");
+    REQUIRE_FALSE(last.notes.empty());
+    CHECK(last.notes.back().text == "500 more errors were found and are not listed");
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Decoding, the names that nothing uses: a typo makes one, and it must not pass in silence.
+#include "core/config/load.h"
+#include "tests/support/decode_fixture.h"
+#include "tests/support/plan_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+// The fixture's sources, and a config that uses all it declares.
+MemorySources sources()
+{
+    MemorySources all = glslSources();
+    all.add("configs/base.json", configText({{"name", "\"base\""}}));
+    return all;
+}
+
+Diagnostics unusedIn(const std::string& members, const LoadRequest& extra = {})
+{
+    MemorySources all = sources();
+    all.add("configs/mine.json",
+            R"({"format": 1, "name": "mine", "extends": ["base"], )" + members + "}");
+    LoadRequest request = extra;
+    request.config = "mine";
+    const Result<Node> document = loadConfig(all, request);
+    INFO(toText(document.diagnostics()));
+    REQUIRE(document.ok());
+    const Result<Description> description = decode(*document, all);
+    INFO(toText(description.diagnostics()));
+    REQUIRE(description.ok());
+    return description->unused;
+}
+
+}  // namespace
+
+TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
+{
+    const auto [members, message, help] = GENERATE(table<const char*, const char*, const char*>({
+        {R"("params": {"raduis": {"default": 1}})", "param 'raduis'", "did you mean 'radius'?"},
+        {R"("features": {"fats": {"default": true}})", "feature 'fats'", "did you mean 'fast'?"},
+        {R"("imports": {"foto": {"type": "texture"}})", "import 'foto'", "imports: camera, photo"},
+        {R"("generated": {"kernal": {"generator": "sphere_kernel", "count": 8}})",
+         "generated 'kernal'", "did you mean 'kernel'?"},
+        {R"("targets": {"ao_filterd": {"format": "r16f"}})", "target 'ao_filterd'",
+         "did you mean 'ao_filtered'?"},
+        {R"("shaders": {"aoo": {"vertex": "common/fullscreen.vert", "fragment": "ssao/ao.frag"}})",
+         "shader 'aoo'", "did you mean 'ao'?"},
+        {R"("interfaces": {"surfaec": "geometry/a.surface.glsl"})", "interface 'surfaec'",
+         "did you mean 'surface'?"},
+    }));
+    const Diagnostics unused = unusedIn(members);
+    INFO(toText(unused));
+    REQUIRE(unused.size() == 1);
+    const Diagnostic& error = unused[0];
+    CHECK(error.severity == Severity::error);
+    CHECK(error.code == Code::unused_name);
+    CHECK(error.message.find(message) == 0);
+    CHECK(error.help.find(help) == 0);
+    CHECK(error.place.source->name.find("mine.json") != std::string::npos);
+}
+
+TEST_CASE("A name that only a comment in GLSL mentions is unused")
+{
+    CHECK(unusedIn(R"("params": {"normals": {"default": 1}})").size() == 1);
+}
+
+TEST_CASE("What a deleted pass of another file leaves behind is no mistake")
+{
+    const Diagnostics unused = unusedIn(
+        R"("passes": {"blur": null}, "outputs": {"ao": "ao"}, "params": {"radius": {"default": 1}})");
+    INFO(toText(unused));
+    CHECK(unused.empty());
+}
+
+TEST_CASE("Under a variant an unused name is a warning")
+{
+    LoadRequest request;
+    request.variant = "plain";
+    const Diagnostics unused = unusedIn(
+        R"("targets": {"more": {"format": "r8"}},
+           "passes": {"more": {"shader": "ao", "color": "more"}},
+           "variants": {"plain": {"passes": {"more": null}}})", request);
+    INFO(toText(unused));
+    REQUIRE(unused.size() == 1);
+    CHECK(unused[0].severity == Severity::warning);
+    CHECK(unused[0].message.find("target 'more'") == 0);
+}
+
+TEST_CASE("An unused name is told where nothing else is wrong, since that might be why")
+{
+    Description description = describe(R"({"format": 1, "targets": {"x": {"format": "r8"}},
+        "shaders": {"a": {"vertex": "full.vert", "fragment": "a.frag"}},
+        "passes": {"a": {"shader": "a", "color": "x"}}, "outputs": {"out": "x"}})",
+        {{"full.vert", kFullVertex},
+         {"a.frag", "#version 300 es\nlayout(location = 0) out highp float x;\nvoid main() {}\n"}});
+    description.unused = {{Code::unused_name, "param 'radius' is used by nothing"}};
+    CHECK(onlyError(description).code == Code::unused_name);
+    description.outputs.clear();
+    CHECK(onlyError(description).code == Code::no_outputs);
+}
+
+TEST_CASE("An override of a name that does not exist is an error in the override")
+{
+    for (const char* text : {"/params/raduis/default=1", "/features/soff/default=true",
+                             "/targets/ao_smoth={\"format\": [\"r8\"]}", "/imports/lihgts={\"type\": \"texture\"}",
+                             "/interfaces/sruface=surface.glsl"}) {
+        INFO(text);
+        MemorySources all = sources();
+        all.add("configs/mine.json", R"({"format": 1, "name": "mine", "extends": ["base"]})");
+        const Result<Node> document = loadConfig(all, {"mine", "", {text}});
+        REQUIRE(document.ok());
+        const Result<Description> description = decode(*document, all);
+        Diagnostics found = description ? description->unused : description.diagnostics();
+        INFO(toText(found));
+        REQUIRE_FALSE(found.empty());
+        CHECK(found[0].severity == Severity::error);
+        REQUIRE(found[0].place.source);
+        CHECK(found[0].place.source->name == "--set " + std::string(text));
+    }
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Every node of every shipped config and module deleted, renamed and retyped, one at a time. What
+// comes of it is a plan, or errors that a reader can act on: at the change, or at something that
+// refers to what is no longer there. No device is called before all of that is settled.
+//
+// The whole takes long under sanitizers, so each run takes every third mutation; with
+// CREVICE_MUTATIONS=all in the environment it takes all of them.
+#include "backends/recording/device.h"
+#include "core/config/load.h"
+#include "core/run/renderer.h"
+#include "effects/catalog.h"
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <functional>
+#include <set>
+
+using namespace crevice;
+
+namespace {
+
+constexpr int kStride = 3;
+
+/// A value of another kind.
+std::string retyped(const Node& value)
+{
+    switch (value.kind) {
+    case Node::Kind::number: return "\"word\"";
+    case Node::Kind::string: return "7";
+    case Node::Kind::boolean: return "[]";
+    case Node::Kind::array: return "{\"x\": 1}";
+    default: return "true";
+    }
+}
+
+/// A text with one stretch of it replaced.
+struct Mutation {
+    std::string text;
+    std::string what;
+    int first_line = 0, last_line = 0;  ///< Of what holds the changed node.
+    std::set<std::string> names;        ///< The node's own and all below it.
+};
+
+std::string lowered(std::string text)
+{
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// All keys and texts of a value; of a module that it names, those of the module.
+void collectNames(const Node& node, std::set<std::string>& names)
+{
+    if (node.kind == Node::Kind::string && names.insert(node.text()).second)
+        for (const char* folder : {"", "configs/"})
+            if (const SourceRef module = shippedSources().find(folder + node.text() + ".json"))
+                collectNames(*parseDocument(module), names);
+    for (const Node& item : node.items()) collectNames(item, names);
+    for (const Member& member : node.members()) {
+        names.insert(member.key);
+        collectNames(member.value, names);
+    }
+}
+
+class Mutator {
+public:
+    explicit Mutator(const SourceRef& source) : text_(source->text), document_(parsed(source)) {}
+
+    /// Calls `each` with every mutation of the document.
+    void run(const std::function<void(const Mutation&)>& each)
+    {
+        visit(document_, "", each);
+    }
+
+private:
+    static Node parsed(const SourceRef& source)
+    {
+        Result<Node> document = parseDocument(source);
+        REQUIRE(document.ok());
+        return std::move(*document);
+    }
+
+    std::size_t offsetOf(const Place& place) const
+    {
+        std::size_t begin = 0;
+        for (int line = 1; line < place.line; ++line) begin = text_.find('\n', begin) + 1;
+        return begin + static_cast<std::size_t>(place.column) - 1;
+    }
+
+    /// Behind the value's last character.
+    std::size_t endOf(const Node& value) const
+    {
+        const std::size_t begin = offsetOf(value.place);
+        if (value.kind != Node::Kind::array && value.kind != Node::Kind::object)
+            return begin + static_cast<std::size_t>(value.place.length);
+        std::size_t last = begin + 1;
+        for (const Node& item : value.items()) last = endOf(item);
+        for (const Member& member : value.members()) last = endOf(member.value);
+        return text_.find(value.kind == Node::Kind::array ? ']' : '}', last) + 1;
+    }
+
+    std::string replaced(std::size_t begin, std::size_t end, const std::string& with) const
+    {
+        return text_.substr(0, begin) + with + text_.substr(end);
+    }
+
+    /// Without the stretch and the comma that parts it from its neighbour.
+    std::string without(std::size_t begin, std::size_t end) const
+    {
+        const std::size_t next = text_.find_first_not_of(" \n", end);
+        if (text_[next] == ',') return replaced(begin, next + 1, "");
+        const std::size_t before = text_.find_last_not_of(" \n", begin - 1);
+        return replaced(text_[before] == ',' ? before : begin, end, "");
+    }
+
+    void visit(const Node& node, const std::string& pointer,
+               const std::function<void(const Mutation&)>& each)
+    {
+        const auto give = [&](std::string text, const std::string& what, const std::string& name,
+                              const Node& changed) {
+            Mutation mutation{std::move(text), what, node.place.line, lineOf(endOf(node)), {name}};
+            collectNames(changed, mutation.names);
+            for (std::size_t at = pointer.find('/', 1); at < pointer.size();) {
+                const std::size_t end = std::min(pointer.find('/', at + 1), pointer.size());
+                mutation.names.insert(pointer.substr(at + 1, end - at - 1));
+                at = end;
+            }
+            each(mutation);
+        };
+        for (const Member& member : node.members()) {
+            const std::string below = pointer + "/" + member.key;
+            const std::size_t key = offsetOf(member.key_place), end = endOf(member.value);
+            const Node& value = member.value;
+            give(without(key, end), "without " + below, member.key, value);
+            give(replaced(key + 1, key + 1, "zz"), "renamed " + below, member.key, value);
+            give(replaced(offsetOf(value.place), end, retyped(value)), "retyped " + below,
+                 member.key, value);
+            visit(value, below, each);
+        }
+        for (const Node& item : node.items()) {
+            const std::string below = pointer + "/" + std::to_string(&item - node.items().data());
+            const std::size_t begin = offsetOf(item.place), end = endOf(item);
+            give(without(begin, end), "without " + below, "", item);
+            give(replaced(begin, end, retyped(item)), "retyped " + below, "", item);
+            visit(item, below, each);
+        }
+    }
+
+    int lineOf(std::size_t offset) const
+    {
+        const auto begin = text_.begin();
+        return static_cast<int>(std::count(begin, begin + static_cast<long>(offset), '\n')) + 1;
+    }
+
+    const std::string& text_;
+    Node document_;
+};
+
+/// A config that shows the module: itself, or the first shipped config that extends it.
+std::string configFor(const std::string& path)
+{
+    const std::string folder = "configs/", ending = ".json";
+    const std::string name = path.substr(0, path.size() - ending.size());
+    if (path.rfind(folder, 0) == 0) return name.substr(folder.size());
+    for (const std::string& config : configNames(shippedSources()))
+        if (shippedSources().find(folder + config + ending)->text.find("\"" + name + "\"") !=
+            std::string::npos)
+            return config;
+    return {};
+}
+
+/// Errors until there is a renderer; none when there is one.
+Diagnostics errorsOf(const SourceSet& sources, const std::string& config, RecordingDevice& device)
+{
+    const Result<Node> document = loadConfig(sources, {config});
+    if (!document) return document.diagnostics();
+    const Result<Description> description = decode(*document, sources);
+    if (!description) return description.diagnostics();
+    SceneTraits traits;
+    traits.lights = 1;
+    auto renderer = Renderer::create(device, *description, {{64, 36}, {}, {}}, traits);
+    return renderer ? Diagnostics() : renderer.diagnostics();
+}
+
+/// True at the change, or where something is told of a name that the change concerns.
+bool concerns(const Diagnostic& told, const Mutation& mutation)
+{
+    const auto inside = [&](const Place& place) {
+        const bool whole = place.line == 1 && place.column == 1;  // something it has not at all
+        return place.source && place.source->name.rfind("changed ", 0) == 0 &&
+               (whole || (place.line >= mutation.first_line && place.line <= mutation.last_line));
+    };
+    if (inside(told.place)) return true;
+    for (const Note& note : told.notes)
+        if (inside(note.place)) return true;
+    const std::string text = lowered(told.message + " " + told.pointer);
+    return std::any_of(mutation.names.begin(), mutation.names.end(), [&](const std::string& name) {
+        return !name.empty() && text.find(lowered(name)) != std::string::npos;
+    });
+}
+
+void checkTold(const Diagnostics& told, const Mutation& mutation, const RecordingDevice& device)
+{
+    for (const Diagnostic& each : told) {
+        CHECK(each.place.source);
+        CHECK(each.place.line > 0);
+        CHECK_FALSE(each.message.empty());
+        CHECK_FALSE(each.help.empty());
+        CHECK(concerns(each, mutation));
+    }
+    CHECK(device.log().empty());
+}
+
+}  // namespace
+
+TEST_CASE("Every shipped config and module, changed anywhere, plans or says where and why not")
+{
+    const char* wanted = std::getenv("CREVICE_MUTATIONS");
+    const int stride = wanted && std::string(wanted) == "all" ? 1 : kStride;
+    int count = 0, broken = 0;
+    for (const std::string& path : shippedSources().list()) {
+        const bool json = path.size() > 5 && path.compare(path.size() - 5, 5, ".json") == 0;
+        const std::string config = json ? configFor(path) : "";
+        if (config.empty()) continue;
+        Mutator(shippedSources().find(path)).run([&](const Mutation& mutation) {
+            if (++count % stride != 0) return;
+            MemorySources mine;
+            mine.add(path, mutation.text, "changed " + path);
+            const LayeredSources sources({&mine, &shippedSources()});
+            RecordingDevice device;
+            const Diagnostics told = errorsOf(sources, config, device);
+            if (told.empty()) return;
+            ++broken;
+            INFO(config << ": " << path << " " << mutation.what << "\n" << toText(told));
+            checkTold(told, mutation, device);
+        });
+    }
+    CHECK(count > 3000);
+    CHECK(broken > count / stride / 4);
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Driver logs become diagnostics in the author's files.
+#include "core/glsl/stage.h"
+
+#include "tests/support/catch.h"
+
+using namespace crevice;
+
+namespace {
+
+SourceRef textOf(const std::string& name, const std::string& text)
+{
+    return std::make_shared<SourceText>(SourceText{name, text});
+}
+
+/// Two files: what `main` includes is file 1.
+GlslStage twoFiles()
+{
+    const std::string main = "#version 300 es\n#include \"b.glsl\"\nout float x;\nvoid main() {\n"
+                             "    /* why */ x = foo + foobar;   x = ;\n}\n";
+    Result<GlslStage> stage =
+        assembleStage({{"main", textOf("main.frag", main)},
+                       {"b.glsl", textOf("b.glsl", "\nfloat f() { return bar; }\n")}},
+                      {}, "main", {});
+    REQUIRE(stage.ok());
+    return *stage;
+}
+
+Diagnostics explain(const std::string& log)
+{
+    return explainLog(twoFiles(), Code::shader_compile, log);
+}
+
+/// The only diagnostic, as "file:line:column+length message".
+std::string only(const std::string& log)
+{
+    const Diagnostics diagnostics = explain(log);
+    REQUIRE(diagnostics.size() == 1);
+    const Diagnostic& one = diagnostics[0];
+    CHECK(one.code == Code::shader_compile);
+    return placeName(one.place) + "+" + std::to_string(one.place.length) + " " + one.message;
+}
+
+}  // namespace
+
+TEST_CASE("each vendor's error is found at the author's line")
+{
+    const char* const kLogs[] = {
+        "0:5(16): error: `foo' undeclared\n",
+        "0(5) : error C1503: undefined variable \"foo\"\n",
+        "ERROR: 0:5: 'foo' : undeclared identifier\n",
+        "0:5: L0001: Undefined variable 'foo'\n",
+        "0:5: error: 'foo' undeclared.\r\n",
+        "0:5(3): preprocessor error: 'foo' is bad",
+    };
+    for (const char* log : kLogs) {
+        const std::string found = only(log);
+        INFO(found);
+        CHECK(found.find("main.frag:5:19+3 ") == 0);
+        CHECK(found.find("foo") != std::string::npos);
+        CHECK(found.find("rror:") == std::string::npos);
+        CHECK(found.back() != '.');
+    }
+    CHECK(only(kLogs[1]) == "main.frag:5:19+3 C1503: undefined variable \"foo\"");
+}
+
+TEST_CASE("an error in an included file is found there, whichever source string the driver gives")
+{
+    const std::string text = twoFiles().text;
+    CHECK(text.find("#line 100001 1\n") != std::string::npos);
+    for (const char* log :
+         {"0:100002(20): error: `bar' undeclared", "1:100002(20): error: `bar' undeclared",
+          "1(100002) : error C1503: undefined variable \"bar\"",
+          "ERROR: 1:100002: 'bar' : undeclared identifier"})
+        CHECK(only(log).find("b.glsl:2:20+3 ") == 0);
+}
+
+TEST_CASE("a driver's warning stays a warning")
+{
+    for (const char* log : {"0:5(16): warning: `foo' used uninitialized",
+                            "0(5) : warning C7050: \"foo\"", "WARNING: 0:5: 'foo' : unused"}) {
+        const Diagnostics diagnostics = explain(log);
+        REQUIRE(diagnostics.size() == 1);
+        CHECK(diagnostics[0].severity == Severity::warning);
+        CHECK(diagnostics[0].place.line == 5);
+    }
+}
+
+TEST_CASE("without a quoted name the column is the driver's, with the author's spaces and comments")
+{
+    // Mesa sees " x = foo + foobar; x = ;": each run of spaces is one column.
+    CHECK(only("0:5(24): error: syntax error, unexpected ';'").find("main.frag:5:39+1 ") == 0);
+    CHECK(only("0(5) : error C0000: syntax error").find("main.frag:5+1 ") == 0);
+}
+
+TEST_CASE("of several words the one nearest to the driver's column is meant")
+{
+    CHECK(only("0:5(2): error: `x' is bad").find("main.frag:5:15+1 ") == 0);
+    CHECK(only("0:5(21): error: `x' is bad").find("main.frag:5:35+1 ") == 0);
+}
+
+TEST_CASE("each message of a log is a diagnostic, and what Mesa indents belongs to the one before")
+{
+    const Diagnostics diagnostics =
+        explain("0:5(1): error: no matching function for call to `g(int)'; candidates are:\n"
+                "0:5(1): error:    float g(float)\n"
+                "0:5(1): error:    float g(vec2)\n"
+                "0:3(1): error: second\n");
+    REQUIRE(diagnostics.size() == 2);
+    CHECK(diagnostics[0].message == "no matching function for call to `g(int)'; candidates are: "
+                                    "float g(float); float g(vec2)");
+    CHECK(diagnostics[1].message == "second");
+    CHECK(diagnostics[1].place.line == 3);
+}
+
+TEST_CASE("a linker's error has no line but the stage's file")
+{
+    CHECK(only("error: unresolved reference to function `f'\n") ==
+          "main.frag+1 unresolved reference to function `f'");
+}
+
+TEST_CASE("headings and counts say nothing")
+{
+    const Diagnostics diagnostics =
+        explain("Fragment info\n-------------\n0(5) : error C1: a\n"
+                "ERROR: 1 compilation errors.  No code generated.\n\n");
+    CHECK(diagnostics.size() == 1);
+}
+
+TEST_CASE("lines of no known form are kept as one error at the stage's file")
+{
+    CHECK(only("internal fault 17\nplease call the vendor.\n") ==
+          "main.frag+1 internal fault 17; please call the vendor");
+}
+
+TEST_CASE("a driver that says nothing gives one error that says so")
+{
+    for (const std::string& log : {std::string(), std::string("\n\n"), std::string(1, '\0')})
+        CHECK(only(log) == "main.frag+1 the driver gave no message");
+}
+
+TEST_CASE("places that are not in the text do no harm")
+{
+    CHECK(only("7:3: error: odd").find("main.frag+1 odd") == 0);
+    CHECK(only("0:999: error: odd").find("main.frag:999+1 odd") == 0);
+    CHECK(only("0:0: error: odd").find("main.frag+1 odd") == 0);
+    CHECK(only("0:2147483647(2147483647): error: 'odd'").find("main.frag") == 0);
+    CHECK(explainLog({}, Code::shader_link, "0:5: error: odd").size() == 1);
+    for (const char* log : {"0", "0:", "0:5", "0(5", "0(5)", "error", "error:", ":", "'", "0:5(1)"})
+        CHECK(explain(log).size() == 1);
+}

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+// Documents: values with their places, and every way in which a text is none.
+#include "core/json/document.h"
+
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <ctime>
+
+using namespace crevice;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double kSanitizerFactor = 20;
+#else
+constexpr double kSanitizerFactor = 1;
+#endif
+
+SourceRef textOf(const std::string& text)
+{
+    return std::make_shared<SourceText>(SourceText{"my.json", text});
+}
+
+Node documentOf(const std::string& text)
+{
+    Result<Node> document = parseDocument(textOf(text));
+    INFO(toText(document.diagnostics()));
+    REQUIRE(document);
+    return std::move(*document);
+}
+
+// "line:column+length", and the message of the error that a text gives.
+struct Failure {
+    Code code;
+    std::string place;
+    Diagnostic diagnostic;
+};
+
+std::string spanOf(const Place& place)
+{
+    return std::to_string(place.line) + ":" + std::to_string(place.column) + "+" +
+           std::to_string(place.length);
+}
+
+Failure failureOf(const std::string& text)
+{
+    const Result<Node> document = parseDocument(textOf(text));
+    REQUIRE_FALSE(document);
+    REQUIRE(document.diagnostics().size() == 1);
+    const Diagnostic& diagnostic = document.diagnostics().front();
+    INFO(toText(diagnostic));
+    CHECK(diagnostic.place.source);
+    CHECK(diagnostic.message.back() != '.');
+    return {diagnostic.code, spanOf(diagnostic.place), diagnostic};
+}
+
+std::string nested(int levels)
+{
+    std::string text = "{\"a\":";
+    for (int i = 1; i < levels; ++i) text += '[';
+    if (levels == 1) text += '1';
+    for (int i = 1; i < levels; ++i) text += ']';
+    return text + "}";
+}
+
+}  // namespace
+
+TEST_CASE("every kind of value is read")
+{
+    const Node node = documentOf(R"({"n": null, "t": true, "f": false, "i": 3, "s": "x\n\u00e4",
+                                     "a": [1, [2]], "o": {"k": -0.5e1}})");
+    CHECK(node.find("n")->kind == Node::Kind::null);
+    CHECK(node.find("t")->boolean());
+    CHECK_FALSE(node.find("f")->boolean());
+    CHECK(node.find("i")->number() == 3);
+    CHECK(node.find("s")->text() == "x\n\xC3\xA4");
+    CHECK(node.find("a")->items().at(1).items().at(0).number() == 2);
+    CHECK(node.find("o")->find("k")->number() == -5);
+    CHECK(node.find("none") == nullptr);
+    CHECK(node.find("i")->find("x") == nullptr);
+    CHECK(node.members().size() == 7);
+    CHECK(node.members()[3].key == "i");
+}
+
+TEST_CASE("keys and values know where they stand")
+{
+    const Node node = documentOf("{\n  \"radius\" :\t{ \"min\": -12.5e3,\r\n"
+                                 "\"x\\\"y\": [ true , \"\xC3\xA4,:\" ] }\n}");
+    const Member& radius = node.members().at(0);
+    CHECK(spanOf(node.place) == "1:1+1");
+    CHECK(spanOf(radius.key_place) == "2:3+8");
+    CHECK(spanOf(radius.value.place) == "2:14+1");
+    CHECK(spanOf(radius.value.members().at(0).key_place) == "2:16+5");
+    CHECK(spanOf(radius.value.members().at(0).value.place) == "2:23+7");
+    CHECK(radius.value.members().at(0).value.text() == "-12.5e3");
+    CHECK(spanOf(radius.value.members().at(1).key_place) == "3:1+6");
+    const Node& list = radius.value.members().at(1).value;
+    CHECK(spanOf(list.place) == "3:9+1");
+    CHECK(spanOf(list.items().at(0).place) == "3:11+4");
+    CHECK(spanOf(list.items().at(1).place) == "3:18+6");
+    CHECK(list.place.source->name == "my.json");
+}
+
+TEST_CASE("the text at a value's place is that value")
+{
+    const std::string text = R"({"\u00e4\\" :[ 0,-1.5E+3 ,"\"]","" ,[],{} ,true, false,null],)"
+                             "\n\t" R"("b":"€\ud83d\ude42"})";
+    const Node node = documentOf(text);
+    std::vector<const Node*> values = {node.find("b")};
+    for (const Node& item : node.members().at(0).value.items()) values.push_back(&item);
+    for (const Node* value : values) {
+        const std::size_t line = value->place.line == 1 ? 0 : text.find('\n') + 1;
+        const bool nested_value = value->kind >= Node::Kind::array;
+        const std::string slice = text.substr(line + value->place.column - 1,
+                                              nested_value ? 2 : value->place.length);
+        const Result<Node> again = parseValue(textOf(slice));
+        REQUIRE(again);
+        CHECK(again->kind == value->kind);
+        CHECK(brief(*again) == brief(*value));
+    }
+}
+
+TEST_CASE("a number is an integer only when it is written as one and a double holds it")
+{
+    const auto integer = [](const std::string& number) {
+        const Node node = documentOf("{\"a\": " + number + "}");
+        return node.find("a")->integer();
+    };
+    for (const char* yes : {"0", "-0", "12", "-7", "9007199254740992", "-9007199254740992"})
+        CHECK(integer(yes));
+    for (const char* no : {"1.0", "1e3", "1E3", "16.7", "9007199254740994", "18446744073709551616"})
+        CHECK_FALSE(integer(no));
+}
+
+TEST_CASE("an empty text is named as such")
+{
+    for (const char* text : {"", " ", "\n\t\r\n"}) CHECK(failureOf(text).code == Code::empty_text);
+}
+
+TEST_CASE("a document is an object")
+{
+    for (const char* text : {"[1]", "3", "\"a\"", "null"}) {
+        CHECK(failureOf(text).code == Code::not_an_object);
+        CHECK(failureOf(text).place.substr(0, 4) == "1:1+");
+    }
+}
+
+TEST_CASE("the size ends at one mebibyte")
+{
+    std::string text = "{\"a\": \"";
+    text += std::string(kMaxDocumentBytes - text.size() - 2, 'x') + "\"}";
+    CHECK(parseDocument(textOf(text)));
+    CHECK(failureOf(text + " ").code == Code::too_large);
+}
+
+TEST_CASE("a mebibyte of the smallest values is read in a moment")
+{
+    std::string text = "{\"a\":[0";
+    while (text.size() < kMaxDocumentBytes - 4) text += ",0";
+    const SourceRef source = textOf(text + "]}");
+    constexpr double kMost = 0.25;  // seconds of this process: five times what it is to take
+    double least = 1e30;
+    for (int i = 0; i < 5 && least > kMost; ++i) {
+        const std::clock_t begin = std::clock();
+        CHECK(parseDocument(source).ok());
+        least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    CHECK(least <= kMost * kSanitizerFactor);
+}
+
+TEST_CASE("a mebibyte of small values is read whole")
+{
+    std::string text = "{\"a\":[";
+    while (text.size() < kMaxDocumentBytes - 32) text += "{\"k\":[1,\"x\"]},";
+    const Node node = documentOf(text + "0]}");
+    CHECK(node.find("a")->items().size() > 70000);
+}
+
+TEST_CASE("the depth ends at 64 levels")
+{
+    CHECK(parseDocument(textOf(nested(kMaxDocumentDepth))));
+    const Failure failure = failureOf(nested(kMaxDocumentDepth + 1));
+    CHECK(failure.code == Code::too_deep);
+    CHECK(failure.place == "1:69+1");
+    CHECK(failureOf("{\"a\":" + std::string(500000, '[')).code == Code::too_deep);
+}
+
+TEST_CASE("bytes that are not UTF-8 are found where they are")
+{
+    CHECK(failureOf("\xEF\xBB\xBF{}").code == Code::bad_utf8);
+    const Failure failure = failureOf("{\n\"a\": \"x\xFF\"}");
+    CHECK(failure.code == Code::bad_utf8);
+    CHECK(failure.place == "2:8+1");
+}
+
+TEST_CASE("a number that no double holds is an error")
+{
+    const Failure failure = failureOf("{\"a\": [1, -1e999]}");
+    CHECK(failure.code == Code::number_range);
+    CHECK(failure.place == "1:11+6");
+}
+
+TEST_CASE("a key that comes twice is an error with a note at the first")
+{
+    const Failure failure = failureOf("{\"a\": 1,\n \"b\": 2, \"a\": 3}");
+    CHECK(failure.code == Code::duplicate_key);
+    CHECK(failure.place == "2:10+3");
+    REQUIRE(failure.diagnostic.notes.size() == 1);
+    CHECK(spanOf(failure.diagnostic.notes[0].place) == "1:2+3");
+    CHECK(failureOf(R"({"a": 1, "\u0061": 2})").code == Code::duplicate_key);
+    CHECK(parseDocument(textOf(R"({"a": {"a": {"a": 1}}, "b": {"a": 1}})")));
+}
+
+TEST_CASE("all duplicate keys are found, and a syntax error behind them too")
+{
+    const Result<Node> document =
+        parseDocument(textOf("{\"b\": {\"x\": 1, \"x\": 2}, \"a\": 1, \"a\": 1, \"a\": 1 !}"));
+    REQUIRE(document.diagnostics().size() == 4);
+    CHECK(spanOf(document.diagnostics()[0].place) == "1:16+3");
+    CHECK(spanOf(document.diagnostics()[1].place) == "1:33+3");
+    CHECK(spanOf(document.diagnostics()[2].place) == "1:41+3");
+    CHECK(document.diagnostics()[3].code == Code::syntax);
+}
+
+TEST_CASE("a syntax error stands at the first character that cannot be")
+{
+    struct Case { const char* text; const char* place; const char* part; };
+    const Case kCases[] = {
+        {"{\"a\": 1,\n}", "1:8+1", "take the comma away"},
+        {"{\"a\": [1, 2 ,]}", "1:13+1", "take the comma away"},
+        {"{\"a\": 1\n \"b\": 2}", "2:2+3", "comma missing"},
+        {"{\"a\" 1}", "1:6+1", "where ':' was wanted"},
+        {"{\"a\": }", "1:7+1", "found '}' where a value was wanted"},
+        {"{\"a\": 1,,}", "1:9+1", "found ',' where a key was wanted"},
+        {"{radius: 1}", "1:2+6", "double quotes"},
+        {"{'a': 1}", "1:2+1", "double quotes"},
+        {"{\"a\": soft}", "1:7+4", "double quotes"},
+        {"{\xE2\x80\x9C" "a\": 1}", "1:2+3", "a curly quote"},
+        {"{\"a\": 1} // why", "1:10+1", "no comments"},
+        {"{ /* why */ }", "1:3+1", "no comments"},
+        {"{\"a\": 1 # why\n}", "1:9+1", "no comments"},
+        {"{\"a\": NaN}", "1:7+3", "finite"},
+        {"{\"a\": -Infinity}", "1:7+9", "finite"},
+        {"{\"a\": True}", "1:7+4", "true"},
+        {"{\"a\": None}", "1:7+4", "null"},
+        {"{\"a\": 01}", "1:7+2", "leading zeros"},
+        {"{\"a\": .5}", "1:7+2", "before the point"},
+        {"{\"a\": 5.}", "1:7+2", "after the point"},
+        {"{\"a\": +5}", "1:7+2", "without '+'"},
+        {"{\"a\": 0x1F}", "1:7+4", "decimal"},
+        {"{\"a\": 1.5m}", "1:7+4", "not a number"},
+        {"{\"a\": -}", "1:7+1", "not a number"},
+        {"{\"a\": \"x\ty\"}", "1:9+1", "\\t"},
+        {"{\"a\": \"C:\\dir\"}", "1:10+2", "backslash"},
+        {"{\"a\": \"\\u12g4\"}", "1:8+2", "backslash"},
+        {"{\"a\": \"\\ud800x\"}", "1:8+6", "surrogate"},
+        {"{\"a\": \"\\udc00\"}", "1:8+6", "surrogate"},
+        {"{\"a\": \"x\n}", "1:7+2", "does not end"},
+        {"{\"a", "1:2+2", "does not end"},
+        {"{\"a\": 1}}", "1:9+1", "end of the text"},
+        {"{} {}", "1:4+1", "one value"},
+        {"\"a\": 1", "1:4+1", "end of the text"},
+        {"}", "1:1+1", "where a value was wanted"},
+    };
+    for (const Case& one : kCases) {
+        INFO(one.text);
+        const Failure failure = failureOf(one.text);
+        CHECK(failure.code == Code::syntax);
+        CHECK(failure.place == one.place);
+        CHECK_THAT(failure.diagnostic.message + "; " + failure.diagnostic.help,
+                   Catch::Contains(one.part));
+    }
+}
+
+TEST_CASE("what is not closed says where it was opened")
+{
+    struct Case { const char* text; const char* place; const char* opened; };
+    const Case kCases[] = {
+        {"{\"a\": [1, 2}", "1:12+1", "1:7+1"},
+        {"{\"a\": {\"b\": 1]}", "1:14+1", "1:7+1"},
+        {"{\"a\": [1, 2\n\n", "1:11+1", "1:7+1"},
+        {"{\"a\":", "1:5+1", "1:1+1"},
+        {"{\"a\": {\"b\": 1,", "1:14+1", "1:7+1"},
+        {"{", "1:1+1", "1:1+1"},
+    };
+    for (const Case& one : kCases) {
+        INFO(one.text);
+        const Failure failure = failureOf(one.text);
+        CHECK(failure.code == Code::syntax);
+        CHECK(failure.place == one.place);
+        REQUIRE(failure.diagnostic.notes.size() == 1);
+        CHECK(spanOf(failure.diagnostic.notes[0].place) == one.opened);
+    }
+}
+
+TEST_CASE("a zero byte does not end a document")
+{
+    CHECK(failureOf(std::string("{}\0{}", 5)).place == "1:3+1");
+    CHECK(failureOf(std::string("{\"a\": 1\0}", 9)).place == "1:8+1");
+    CHECK(failureOf(std::string("{\"a\": \"\0\"}", 10)).place == "1:8+1");
+    CHECK(failureOf(std::string("\0", 1)).code == Code::syntax);
+}
+
+TEST_CASE("every truncation and every changed byte of a document gives a value or a placed error")
+{
+    const std::string good =
+        "{\"a\": [1.5e1, -0, true, null, \"x\\u00e4\\n\"], \"b\": {\"c\": {}}}\n";
+    documentOf(good);
+    const auto check = [](const std::string& text) {
+        const Result<Node> document = parseDocument(textOf(text));
+        if (document) return true;
+        const Diagnostics& errors = document.diagnostics();
+        const int line = errors.front().place.line;
+        return !toText(errors).empty() && (line > 0 || errors.front().code == Code::empty_text);
+    };
+    for (std::size_t at = 0; at < good.size(); ++at) {
+        CHECK(check(good.substr(0, at)));
+        for (int byte = 0; byte < 256; ++byte) {
+            std::string changed = good;
+            changed[at] = static_cast<char>(byte);
+            if (!check(changed)) FAIL("byte " << byte << " at " << at);
+        }
+    }
+}
+
+TEST_CASE("a value is any JSON, and a word is a string")
+{
+    const auto valueOf = [](const char* text) {
+        Result<Node> value = parseValue(textOf(text));
+        REQUIRE(value);
+        return std::move(*value);
+    };
+    CHECK(valueOf(" 0.8 ").number() == 0.8);
+    CHECK(valueOf("true").boolean());
+    CHECK(valueOf("null").kind == Node::Kind::null);
+    CHECK(valueOf("[1, 2]").items().size() == 2);
+    CHECK(valueOf("\"12\"").text() == "12");
+    CHECK(valueOf("smooth step").text() == "smooth step");
+    CHECK(valueOf(" ./a.frag ").text() == "./a.frag");
+    CHECK(spanOf(valueOf("  hard ").place) == "1:3+4");
+}
+
+TEST_CASE("a value that is meant as JSON and is none is an error, not a word")
+{
+    for (const char* text : {"0.8m", "[1, 2", "{\"a\": }", "\"x", ".5", "-x", "1.2.3", ""})
+        CHECK_FALSE(parseValue(textOf(text)));
+    CHECK(parseValue(textOf("1e999")).diagnostics().front().code == Code::number_range);
+}
+
+TEST_CASE("a value in a message is one line and short")
+{
+    const Node node = documentOf("{\"a\": [1.50, \"x\",\n null], \"b\": {\"c\": true}}");
+    CHECK(brief(node) == "{\"a\": [1.50, \"x\", null], \"b\": {\"c\": true...");
+    CHECK(brief(*node.find("a")) == "[1.50, \"x\", null]");
+    const Node wide = documentOf("{\"a\": \"" + std::string(300, 'x') + "\"}");
+    CHECK(brief(*wide.find("a")).size() == 43);
+    CHECK(brief(*documentOf("{\"a\": \"x\\ny\"}").find("a")) == "\"x\\ny\"");
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Things outside the view: never one of which a part could show, and most that are far from it.
+#include "core/base/text.h"
+#include "core/frame/frame_math.h"
+#include "core/run/renderer.h"
+
+#include "effects/catalog.h"
+#include "tests/support/catch.h"
+#include "tests/support/renderer_rig.h"
+#include "tests/support/shipped_subjects.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+using namespace crevice;
+
+namespace {
+
+const glm::mat4 kReversed = glm::scale(glm::mat4(1), glm::vec3(1, 1, -1));
+
+struct View {
+    const char* name;
+    glm::mat4 clip_from_view;
+};
+
+const View kViews[] = {
+    {"perspective", glm::perspective(0.8f, 1.7f, 0.1f, 50.0f)},
+    {"wide", glm::perspective(2.6f, 1.0f, 0.1f, 50.0f)},
+    {"off-centre", glm::frustum(-0.01f, 0.2f, 0.0f, 0.1f, 0.1f, 50.0f)},
+    {"infinite", glm::infinitePerspective(0.8f, 1.7f, 0.1f)},
+    {"reversed, infinite", kReversed * glm::infinitePerspective(0.8f, 1.7f, 0.1f)},
+    {"orthographic", glm::ortho(-3.0f, 4.0f, -1.0f, 2.0f, 0.1f, 50.0f)},
+};
+
+/// The part of the volume's half spaces that holds a point, as shaders place it.
+bool shows(const glm::mat4& clip_from_model, const glm::vec3& point, float wider)
+{
+    const glm::vec4 clip = clip_from_model * glm::vec4(point, 1);
+    return std::abs(clip.x) <= wider * clip.w && std::abs(clip.y) <= wider * clip.w &&
+           std::abs(clip.z) <= clip.w;
+}
+
+}  // namespace
+
+TEST_CASE("Nothing that has a point in the view is outside, however it is placed and stretched")
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> around(-1.0f, 1.0f);
+    const auto vector = [&] { return glm::vec3(around(random), around(random), around(random)); };
+    int left_out = 0;
+    int shown = 0;
+    for (const View& view : kViews) {
+        INFO(view.name);
+        for (int i = 0; i < 2000; ++i) {
+            Camera camera;
+            camera.clip_from_view = view.clip_from_view;
+            camera.view_from_world = glm::rotate(glm::dmat4(1), 3.0 * around(random),
+                                                 glm::dvec3(glm::normalize(vector() + 1e-3f)));
+            DrawItem item;
+            item.bounds_center = vector();
+            item.bounds_radius = std::abs(around(random));
+            glm::mat4 placed = glm::translate(glm::mat4(1), 20.0f * vector());
+            placed[0] += glm::vec4(2.0f * vector(), 0);  // shears and mirrors, too
+            placed[1] *= 3.0f * around(random);
+            item.world_from_model = placed;
+            const CameraMatrices matrices = cameraMatrices(camera);
+            const glm::mat4 clip_from_model(matrices.clip_from_view * matrices.view_from_world *
+                                            item.world_from_model);
+            const float wider = i % 2 == 0 ? 1.0f : 1.4f;
+            bool visible = false;
+            for (int k = 0; k < 60 && !visible; ++k) {
+                const glm::vec3 on = glm::normalize(vector() + 1e-4f) * item.bounds_radius;
+                visible = shows(clip_from_model, item.bounds_center + on * float(k % 2), wider);
+            }
+            const bool outside = isOutside(item, matrices, wider);
+            CHECK_FALSE((visible && outside));
+            left_out += outside;
+            shown += visible;
+        }
+    }
+    CHECK(left_out > 3000);
+    CHECK(shown > 500);
+}
+
+TEST_CASE("What shows of a thing lies in the area of things, and the area of what is far is small")
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> around(-1.0f, 1.0f);
+    const auto vector = [&] { return glm::vec3(around(random), around(random), around(random)); };
+    const Extent extent = {160, 90};
+    int shown = 0;
+    int small = 0;
+    for (const View& view : kViews) {
+        INFO(view.name);
+        Camera camera;
+        camera.clip_from_view = view.clip_from_view;
+        const CameraMatrices matrices = cameraMatrices(camera);
+        const glm::mat4 clip_from_world(matrices.clip_from_view * matrices.view_from_world);
+        for (int i = 0; i < 500; ++i) {
+            DrawItem item;
+            item.count = 3;
+            item.bounds_radius = 0.5f * std::abs(around(random));
+            item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(12.0f * vector()));
+            const PixelArea area = pixelsOf(
+                areaOfThings({item}, matrices, extent, std::numeric_limits<double>::infinity()), extent);
+            const Extent all = area.extent;
+            small += all.width > 0 && all.width * all.height < extent.width * extent.height / 20;
+            for (int k = 0; k < 40; ++k) {
+                const glm::vec3 on = glm::normalize(vector() + 1e-4f) * item.bounds_radius;
+                const glm::vec3 point = glm::vec3(item.world_from_model[3]) + on;
+                if (!shows(clip_from_world, point, 1.0f)) continue;
+                ++shown;
+                const glm::vec4 clip = clip_from_world * glm::vec4(point, 1);
+                const float x = (clip.x / clip.w * 0.5f + 0.5f) * extent.width;
+                const float y = (clip.y / clip.w * 0.5f + 0.5f) * extent.height;
+                CHECK((x >= area.x && x <= area.x + all.width));
+                CHECK((y >= area.y && y <= area.y + all.height));
+            }
+        }
+    }
+    CHECK(shown > 3000);
+    CHECK(small > 200);
+}
+
+TEST_CASE("The area of things is all of the view where one has no bounds, and none where none is drawn")
+{
+    Camera camera;
+    camera.clip_from_view = glm::perspective(0.8f, 1.0f, 0.1f, 50.0f);
+    const CameraMatrices matrices = cameraMatrices(camera);
+    const Extent extent = {100, 100};
+    const auto pixels = [&](const std::vector<DrawItem>& draws, double length) {
+        const Extent all = pixelsOf(areaOfThings(draws, matrices, extent, length), extent).extent;
+        return all.width * all.height;
+    };
+    const double any = std::numeric_limits<double>::infinity();
+    DrawItem item;
+    item.count = 3;
+    item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -20));
+    CHECK(pixels({}, any) == 0);
+    CHECK(pixels({item}, any) == 10000);
+    item.bounds_radius = 1;
+    CHECK(pixels({item}, any) > 0);
+    CHECK(pixels({item}, any) < 400);
+    // A pixel is 20 * 2 * tan(0.4) / 100 = 0.169 units there, and a little less at the near end.
+    CHECK(pixels({item}, 0.18) == pixels({item}, any));
+    CHECK(pixels({item}, 0.15) == 0);
+    item.count = 0;
+    CHECK(pixels({item}, any) == 0);
+}
+
+TEST_CASE("An item without bounds is never outside, and one that wider views show is not outside of those")
+{
+    Camera camera;
+    camera.clip_from_view = glm::perspective(0.8f, 1.0f, 0.1f, 50.0f);
+    const CameraMatrices matrices = cameraMatrices(camera);
+    DrawItem item;
+    item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 10));
+    CHECK_FALSE(isOutside(item, matrices, 1));
+    item.bounds_radius = 1;
+    CHECK(isOutside(item, matrices, 1));
+    item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(6, 0, -10));
+    CHECK(isOutside(item, matrices, 1));
+    CHECK_FALSE(isOutside(item, matrices, 1.4));
+}
+
+namespace {
+
+/// Cubes of which each lies at some x, drawn through gtao on a recording device.
+struct Cubes {
+    explicit Cubes(const std::vector<double>& places)
+    {
+        const MeshId mesh =
+            device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}).value();
+        frame.camera.clip_from_view = glm::perspective(0.8f, 2.0f, 0.1f, 50.0f);
+        frame.materials.resize(1);
+        for (const double x : places) {
+            DrawItem item = {mesh, 0, 6, glm::translate(glm::dmat4(1), glm::dvec3(x, 0, -5)), 0};
+            item.bounds_radius = 1;
+            frame.draws.push_back(item);
+        }
+    }
+
+    /// The calls of a frame, with these rules off.
+    std::vector<std::string> calls(const std::vector<std::string>& keep)
+    {
+        CompileOptions options;
+        options.extent = {64, 32};
+        options.keep = keep;
+        const auto renderer = need(
+            Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
+        device.clearLog();
+        need(renderer->render(frame));
+        std::vector<std::string> lines;
+        std::istringstream log(device.log());
+        for (std::string line; std::getline(log, line);) lines.push_back(line);
+        return lines;
+    }
+
+    RecordingDevice device;
+    Frame frame;
+};
+
+}  // namespace
+
+TEST_CASE("A frame draws what lies in the view, and all of it with the rule off")
+{
+    Cubes cubes({0, 100});
+    const auto drawn = [&](const std::vector<std::string>& keep) {
+        const std::vector<std::string> calls = cubes.calls(keep);
+        return std::count(calls.begin(), calls.end(), "draw mesh 'cube' 0..6");
+    };
+    CHECK(drawn({}) == 1);
+    CHECK(drawn({"outside"}) == 2);
+}
+
+TEST_CASE("With nothing in view occlusion and its filters are cleared and not drawn")
+{
+    const auto drawn = [](double x, const std::vector<std::string>& keep) {
+        Cubes cubes({x});
+        std::vector<std::string> passes;
+        std::string pass;
+        for (const std::string& call : cubes.calls(keep)) {
+            if (startsWith(call, "beginPass ")) pass = call.substr(10, call.find(' ', 10) - 10);
+            if (startsWith(call, "drawFullscreen")) passes.push_back(pass);
+        }
+        CHECK(cubes.device.misuse().empty());
+        return joined(passes, " ");
+    };
+    const std::string all = "receivers ssao filter_x filter_y lighting";
+    CHECK(drawn(0, {}) == all);
+    CHECK(drawn(100, {}) == "lighting");
+    CHECK(drawn(100, {"bounds"}) == all);
+}

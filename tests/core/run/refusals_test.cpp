@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Combinations of shipped modules that make no sense: one error each, with a place and the way out.
+#include "backends/recording/device.h"
+#include "core/config/load.h"
+#include "core/plan/plan.h"
+#include "effects/catalog.h"
+#include "tests/support/catch.h"
+#include "tests/support/modules.h"
+
+#include <algorithm>
+
+using namespace crevice;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// What a config that extends these modules is told; empty when it can be planned.
+Diagnostics refusal(const Names& modules, const std::string& more = "")
+{
+    const GivenConfig config(modules, more);
+    const Result<Node> document = loadConfig(config.sources(), {"given"});
+    if (!document) return document.diagnostics();
+    const Result<Description> description = decode(*document, config.sources());
+    if (!description) return description.diagnostics();
+    SceneTraits traits;
+    traits.lights = 1;
+    traits.specular = true;
+    const RecordingDevice device;
+    return compile(*description, traits, device.caps(), {{256, 144}, {}, {}}).diagnostics();
+}
+
+void checkRefused(const Names& modules, Code code, const char* named, const std::string& more = "")
+{
+    const Diagnostics diagnostics = refusal(modules, more);
+    INFO(modules.back() << "\n" << toText(diagnostics));
+    REQUIRE(diagnostics.size() == 1);
+    const Diagnostic& error = diagnostics.front();
+    CHECK(error.code == code);
+    CHECK(error.severity == Severity::error);
+    CHECK(error.place.line > 0);
+    CHECK_FALSE(error.help.empty());
+    CHECK_THAT(error.message, Catch::Contains(named));
+}
+
+/// All of `modules` two by two, either one first.
+template <class Check>
+void forPairs(const std::vector<Module>& modules, Check&& check)
+{
+    for (const Module& one : modules)
+        for (const Module& other : modules)
+            if (&one != &other) check(one, other);
+}
+
+bool extends(const Module& module, const Module& base)
+{
+    const std::string& text = shippedSources().find(module.name + ".json")->text;
+    return text.find("\"" + base.name + "\"") != std::string::npos;
+}
+
+/// One extends the other, or both add to a third, and then they may go together.
+bool related(const Module& one, const Module& other, const std::vector<Module>& all)
+{
+    return extends(one, other) || extends(other, one) ||
+           std::any_of(all.begin(), all.end(), [&](const Module& base) {
+               return extends(one, base) && extends(other, base);
+           });
+}
+
+}  // namespace
+
+TEST_CASE("Two estimators in one config are refused, whichever they are")
+{
+    forPairs(shippedEstimators(), [](const Module& one, const Module& other) {
+        if (related(one, other, shippedEstimators())) return;
+        const Names modules = {"geometry/depth_normal", one.name, other.name, "filter/box"};
+        checkRefused(modules, Code::module_clash, "shader 'ssao'");
+    });
+}
+
+TEST_CASE("Two filters in one config are refused, whichever they are")
+{
+    forPairs(shippedFilters(), [](const Module& one, const Module& other) {
+        if (related(one, other, shippedFilters())) return;
+        const Diagnostics told =
+            refusal({"geometry/depth_normal", "ssao/ssdo", one.name, other.name});
+        INFO(one.name << " " << other.name << "\n" << toText(told));
+        REQUIRE(hasErrors(told));
+        CHECK((told[0].code == Code::module_clash || told[0].code == Code::two_writers));
+        CHECK(told[0].place.line > 0);
+        CHECK_FALSE(told[0].help.empty());
+    });
+}
+
+TEST_CASE("Two inputs in one config are refused, whichever they are")
+{
+    forPairs(shippedInputs(), [](const Module& one, const Module& other) {
+        if (related(one, other, shippedInputs())) return;
+        checkRefused({one.name, other.name, "ssao/gtao", "filter/box"}, Code::module_clash,
+                     "interface 'surface'");
+    });
+}
+
+TEST_CASE("Two ways of lighting in one config are refused")
+{
+    checkRefused({"geometry/depth_normal", "ssao/gtao", "filter/box", "lighting/deferred",
+                  "lighting/forward"},
+                 Code::module_clash, "shader 'lighting'");
+}
+
+TEST_CASE("Lighting needs the colours that a host's depth does not have")
+{
+    for (const Module& input : shippedInputs()) {
+        const Names modules = {input.name, "ssao/gtao", "filter/box", "lighting/deferred"};
+        if (input.targets.count("albedo") > 0) CHECK(refusal(modules).empty());
+        else checkRefused(modules, Code::uniform_unbound, "'albedo'");
+    }
+}
+
+TEST_CASE("Bent normals are refused on an estimator that has none")
+{
+    for (const Module& estimator : shippedEstimators()) {
+        const Names modules = {"geometry/depth_normal", estimator.name, "ssao/bent_normals"};
+        const SourceRef shader = shippedSources().find(estimator.name + ".frag");
+        const bool has = shader && shader->text.find("BENT_NORMALS") != std::string::npos;
+        if (has) CHECK(refusal(modules).empty());
+        else if (estimator.targets.size() > 1) CHECK(hasErrors(refusal(modules)));
+        else checkRefused(modules, Code::output_mismatch, "'bent_normal'");
+    }
+}
+
+TEST_CASE("Layers behind the first one need a draw list, and a depth to follow")
+{
+    for (const char* layers : {"geometry/back_faces", "geometry/second_layer"})
+        checkRefused({"geometry/host_depth", "ssao/bitmask", layers, "filter/box"},
+                     Code::target_missing, "'depth'");
+}
+
+TEST_CASE("What a module lacks is named: a surface, an estimator, a filter, a bounce, normals")
+{
+    checkRefused({"ssao/gtao", "filter/box"}, Code::include_missing, "<surface>");
+    checkRefused({"geometry/depth_normal", "filter/box"}, Code::target_missing, "'ao'");
+    checkRefused({"geometry/depth_normal", "ssao/gtao", "lighting/deferred"}, Code::target_missing,
+                 "'ao_filtered'");
+    checkRefused({"geometry/depth_normal", "ssao/gtao", "filter/indirect"}, Code::target_missing,
+                 "'indirect'");
+    checkRefused({"geometry/depth_only", "ssao/gtao", "filter/box", "lighting/blinn_phong",
+                  "lighting/baked"},
+                 Code::target_missing, "'normal'");
+}

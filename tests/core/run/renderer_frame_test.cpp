@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+// What shaders see of a frame, and which frames are refused.
+#include "core/run/renderer.h"
+
+#include "core/frame/frame_math.h"
+#include "tests/support/catch.h"
+#include "tests/support/renderer_rig.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <functional>
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+glm::mat4 sentMatrix(const Rig& rig, const char* name)
+{
+    const std::vector<float> values = rig.device.lastUniform(name);
+    REQUIRE(values.size() == 16);
+    return glm::make_mat4(values.data());
+}
+
+glm::vec3 sentVector(const Rig& rig, const char* name)
+{
+    const std::vector<float> values = rig.device.lastUniform(name);
+    REQUIRE(values.size() >= 3);
+    return {values[0], values[1], values[2]};
+}
+
+float difference(const glm::mat4& a, const glm::mat4& b)
+{
+    float largest = 0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]));
+    return largest;
+}
+
+int count(const std::string& text, const std::string& part)
+{
+    int found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+bool contains(const std::string& text, const std::string& part) { return count(text, part) > 0; }
+
+void look(Frame& frame)
+{
+    frame.camera.view_from_world =
+        glm::lookAt(glm::vec3(3, 2, 5), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0));
+    frame.camera.clip_from_view = glm::perspective(1.0f, 2.0f, 0.1f, 100.0f);
+    frame.draws[0].world_from_model =
+        glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(1, 0, 2)), glm::vec3(2, 1, 0.5f));
+}
+
+// The normal of a plane spanned by two tangents, after the matrix moved them.
+void checkNormal(const glm::mat4& matrix)
+{
+    const glm::mat3 linear(matrix);
+    const glm::vec3 u(1, 2, -1), v(0.5f, -1, 3);
+    const glm::vec3 sent = normalMatrix(matrix) * glm::cross(u, v);
+    const float length = glm::length(sent);
+    CHECK(std::isfinite(length));
+    CHECK(length > 0.01f);
+    CHECK(std::abs(glm::dot(sent / length, glm::normalize(linear * u))) < 1e-5f);
+    CHECK(std::abs(glm::dot(sent / length, glm::normalize(linear * v))) < 1e-5f);
+    // What pointed away from the surface still does.
+    CHECK(glm::dot(sent, linear * glm::cross(u, v)) > 0);
+}
+
+}  // namespace
+
+TEST_CASE("Shaders get the camera's matrices and their inverses")
+{
+    Rig rig;
+    look(rig.frame);
+    rig.draw();
+    const glm::mat4 clip_from_view = sentMatrix(rig, "clip_from_view");
+    const glm::mat4 view_from_world = sentMatrix(rig, "view_from_world");
+    CHECK(clip_from_view == rig.frame.camera.clip_from_view);
+    CHECK(view_from_world == glm::mat4(rig.frame.camera.view_from_world));
+    CHECK(difference(sentMatrix(rig, "view_from_clip") * clip_from_view, glm::mat4(1)) < 1e-4f);
+    const glm::vec4 middle = sentMatrix(rig, "view_from_window") * glm::vec4(0.5f, 0.5f, 0.75f, 1);
+    CHECK(glm::length(middle - sentMatrix(rig, "view_from_clip") * glm::vec4(0, 0, 0.5f, 1)) < 1e-5f);
+    CHECK(difference(sentMatrix(rig, "world_from_view") * view_from_world, glm::mat4(1)) < 1e-5f);
+}
+
+TEST_CASE("A scene far from the origin reaches shaders as it does near it")
+{
+    Rig rig;
+    look(rig.frame);
+    rig.draw();
+    const glm::mat4 view_from_model = sentMatrix(rig, "view_from_model");
+    const glm::mat4 clip_from_model = sentMatrix(rig, "clip_from_model");
+    // In float the distance of camera and model would be lost.
+    const glm::dvec3 far_away(1e7, 3e6, -7e6);
+    glm::dmat4& view_from_world = rig.frame.camera.view_from_world;
+    view_from_world = glm::translate(view_from_world, -far_away);
+    rig.frame.draws[0].world_from_model[3] += glm::dvec4(far_away, 0);
+    rig.draw();
+    CHECK(difference(sentMatrix(rig, "view_from_model"), view_from_model) < 1e-6f);
+    CHECK(difference(sentMatrix(rig, "clip_from_model"), clip_from_model) < 1e-6f);
+}
+
+TEST_CASE("What is mirrored is culled the other way round")
+{
+    Rig rig;
+    look(rig.frame);
+    Description description = rigDescription();
+    for (PassDesc& pass : description.passes)
+        if (pass.name == "geometry") pass.state.cull = Cull::back;
+    auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
+    REQUIRE(made.ok());
+    rig.renderer = std::move(*made);
+    DrawItem mirrored = rig.frame.draws[0];
+    mirrored.world_from_model = glm::scale(mirrored.world_from_model, glm::dvec3(1, 1, -1));
+    rig.frame.draws = {rig.frame.draws[0], mirrored, rig.frame.draws[0]};
+    const auto culls = [&] {
+        const std::string log = rig.draw();
+        std::string order;
+        for (std::size_t at = 0; (at = log.find("cull ", at)) != log.npos; at += 5)
+            if (log[at + 5] != 'n') order += log[at + 5];
+        return order;
+    };
+    CHECK(culls() == "bfb");
+    rig.frame.draws.pop_back();
+    CHECK(culls() == "bf");
+    rig.frame.camera.clip_from_view[1][1] *= -1;  // a picture that is upside down
+    CHECK(culls() == "bfb");
+}
+
+TEST_CASE("Normals stay normal to what they stand on")
+{
+    const glm::mat4 one(1.0f);
+    SECTION("turned") { checkNormal(glm::rotate(one, 1.0f, glm::vec3(1, 2, 3))); }
+    SECTION("stretched") { checkNormal(glm::scale(one, glm::vec3(10, 0.1f, 1))); }
+    SECTION("mirrored") { checkNormal(glm::scale(one, glm::vec3(-1, 1, 1))); }
+    SECTION("tiny") { checkNormal(glm::scale(one, glm::vec3(1e-12f))); }
+    SECTION("huge") { checkNormal(glm::scale(one, glm::vec3(1e12f))); }
+}
+
+TEST_CASE("A normal matrix keeps rotations, and survives what has no inverse")
+{
+    const glm::mat4 rotation = glm::rotate(glm::mat4(1.0f), 0.7f, glm::vec3(1, 1, 0));
+    const glm::mat4 scaled = glm::scale(rotation, glm::vec3(5.0f));
+    CHECK(difference(glm::mat4(normalMatrix(scaled)), rotation) < 1e-6f);
+    const glm::mat4 flat = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
+    CHECK(glm::distance(glm::normalize(normalMatrix(flat) * glm::vec3(0, 1, 0)),
+                        glm::vec3(0, 1, 0)) < 1e-6f);
+    CHECK(std::isfinite(normalMatrix(glm::dmat4(0.0))[0][0]));
+}
+
+TEST_CASE("Each pass gets its own viewport size")
+{
+    Rig rig;
+    const std::string log = rig.draw();
+    CHECK(contains(log, "setUniform viewport_size 32 16"));
+    CHECK(contains(log, "setUniform viewport_size 64 32"));
+}
+
+TEST_CASE("Each draw gets its own values, and a draw of nothing is skipped")
+{
+    Rig rig;
+    rig.frame.materials.push_back({});
+    rig.frame.materials[1].base_color = glm::vec4(0.5f, 0.25f, 0.125f, 1);
+    rig.frame.draws.push_back({rig.mesh, 3, 3, glm::mat4(1.0f), 1});
+    rig.frame.draws.push_back({{}, 0, 0, glm::mat4(1.0f), 77});
+    const std::string log = rig.draw();
+    CHECK(count(log, "setUniform base_color ") == 2);
+    CHECK(contains(log, "setUniform base_color 0.5 0.25 0.125 1"));
+    CHECK(contains(log, "draw mesh 'cube' 0..6"));
+    CHECK(contains(log, "draw mesh 'cube' 3..6"));
+    CHECK(count(log, "draw mesh") == 2);
+    CHECK(count(log, "setUniform radius") == 1);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A material without a map is white, one with a map is that")
+{
+    Rig rig;
+    CHECK(contains(rig.draw(), "setTexture base_color_map unit 0 <- texture 'white'"));
+    const TextureId bricks = rig.device.adoptTexture(9, {"bricks", Format::rgba8, {4, 4}}).value();
+    rig.frame.materials[0].base_color_map = bricks;
+    CHECK(contains(rig.draw(), "base_color_map unit 0 <- texture 'bricks' linear repeat"));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Lights reach the shader in view space")
+{
+    Rig rig;
+    look(rig.frame);
+    rig.frame.lights.resize(2);
+    rig.frame.lights[0].position = glm::vec3(1, 2, 3);
+    rig.frame.lights[0].color = glm::vec3(4, 5, 6);
+    rig.frame.lights[1].directional = true;
+    rig.frame.lights[1].direction = glm::vec3(0, -10, 0);
+    rig.draw();
+    const glm::mat4 view_from_world = rig.frame.camera.view_from_world;
+    const std::vector<float> sent = rig.device.lastUniform("light_position");
+    REQUIRE(sent.size() == 4 * kMaxLights);
+    const glm::vec4 point = view_from_world * glm::vec4(1, 2, 3, 1);
+    const glm::vec4 towards = view_from_world * glm::vec4(0, 1, 0, 0);
+    for (int i = 0; i < 4; ++i) {
+        CHECK(sent[i] == Approx(point[i]).margin(1e-6));
+        CHECK(sent[4 + i] == Approx(towards[i]).margin(1e-6));
+    }
+    CHECK(rig.device.lastUniform("light_count") == std::vector<float>{2});
+    CHECK(sentVector(rig, "light_color") == glm::vec3(4, 5, 6));
+    CHECK(sentVector(rig, "light_attenuation") == glm::vec3(1, 0, 0));
+    CHECK(sentVector(rig, "ambient_light") == rig.frame.ambient_light);
+}
+
+TEST_CASE("Of more lights than there is room for the first are taken")
+{
+    Rig rig;
+    rig.frame.lights.resize(kMaxLights + 5);
+    rig.draw();
+    CHECK(rig.device.lastUniform("light_count") == std::vector<float>{float(kMaxLights)});
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A light that shines nowhere has no direction, not an invalid one")
+{
+    Light light;
+    light.directional = true;
+    light.direction = glm::vec3(0);
+    CHECK(lightInView(light, glm::dmat4(1.0)) == glm::vec4(0));
+}
+
+TEST_CASE("A spot's cone is 1 within its inner angle, 0 beyond the outer, and no other light has one")
+{
+    Light light;
+    light.direction = {0, 0, -2};
+    const glm::dmat4 place(1.0);
+    CHECK(coneInView(light, place) == glm::vec4(0, 0, 0, 1));
+    light.spot = true;
+    light.inner_angle_rad = 0.3f;
+    light.outer_angle_rad = 0.6f;
+    const auto shines = [&](float angle) {
+        const glm::vec3 towards(std::sin(angle), 0, std::cos(angle));
+        const glm::vec4 cone = coneInView(light, place);
+        return glm::dot(glm::vec3(cone), towards) + cone.w;
+    };
+    CHECK(shines(0.29f) > 1.0f);
+    CHECK(shines(0.61f) < 0.0f);
+    CHECK(shines(0.45f) == Approx(0.5).margin(0.1));
+    light.outer_angle_rad = light.inner_angle_rad;
+    CHECK(shines(0.29f) > 1.0f);
+    CHECK(shines(0.31f) < 0.0f);
+}
+
+TEST_CASE("An optional import that is absent is black, one that is there is taken")
+{
+    Rig rig;
+    CHECK(contains(rig.draw(), "<- texture 'black'"));
+    const TextureId decal = rig.device.adoptTexture(3, {"sticker", Format::rgba8, {4, 4}}).value();
+    rig.frame.textures = {{"other", {}}, {"decal", decal}};
+    CHECK(contains(rig.draw(), "setTexture decal unit 2 <- texture 'sticker' nearest clamp"));
+    rig.frame.textures[1].texture = {};
+    CHECK(contains(rig.draw(), "<- texture 'black'"));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Passes load, clear and store as the plan says, and sample as the config says")
+{
+    Rig rig;
+    const std::string log = rig.draw();
+    CHECK(contains(log, "beginPass geometry 64x32 color0 clear 0 0 0 0 store "
+                        "color1 clear 0.25 0 0 1 store depth clear 1 store\n"));
+    CHECK(contains(log, "beginPass occlusion 32x16 color0 discard store\n"));
+    CHECK(contains(log, "setProgram 'geometry' depth_test less depth_write"));
+    CHECK(contains(log, "setTexture noise unit 2 <- texture 'noise' nearest repeat"));
+    CHECK(contains(log, "setTexture source unit 0 <- texture 'ao' linear clamp"));
+}
+
+TEST_CASE("A frame that no shader could draw is refused, and the last picture stays")
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    Rig rig;
+    rig.draw();
+    Frame& frame = rig.frame;
+    std::string what;
+    SECTION("projection not finite")
+    {
+        frame.camera.clip_from_view[2][2] = nan;
+        what = "the camera's clip_from_view is not finite";
+    }
+    SECTION("projection flat")
+    {
+        frame.camera.clip_from_view = glm::scale(glm::mat4(1), glm::vec3(1, 0, 1));
+        what = "the camera's clip_from_view has no inverse";
+    }
+    SECTION("projection of dependent rows")
+    {
+        frame.camera.clip_from_view = glm::mat4(0.1f, 0.2f, 0.3f, 0.7f, 0.2f, 0.4f, 0.6f, 1.4f,
+                                                0.3f, 0.1f, 0.9f, 0.2f, 0.5f, 0.5f, 0.1f, 0.3f);
+        what = "the camera's clip_from_view has no inverse";
+    }
+    SECTION("view not finite")
+    {
+        frame.camera.view_from_world[3][0] = std::numeric_limits<float>::infinity();
+        what = "the camera's view_from_world is not finite";
+    }
+    rig.device.clearLog();
+    const Status status = rig.renderer->render(frame);
+    REQUIRE(codeOf(status) == Code::bad_input);
+    CHECK(status.diagnostics().front().message == what);
+    CHECK(rig.device.log().empty());
+}
+
+TEST_CASE("Cameras that are unusual but possible are drawn")
+{
+    Rig rig;
+    Camera& camera = rig.frame.camera;
+    glm::mat4& clip_from_view = camera.clip_from_view;
+    SECTION("planes far apart") { clip_from_view = glm::perspective(1.0f, 1.0f, 1e-9f, 1e9f); }
+    SECTION("a narrow view") { clip_from_view = glm::perspective(1e-4f, 1.0f, 1.0f, 10.0f); }
+    SECTION("a large box") { clip_from_view = glm::ortho(-1e9f, 1e9f, -1.0f, 1.0f, 0.0f, 1e9f); }
+    SECTION("a tiny box") { clip_from_view = glm::ortho(-1e-9f, 1e-9f, -1.0f, 1.0f, 0.0f, 1e-9f); }
+    SECTION("far away") { camera.view_from_world[3] = glm::vec4(1e9f, -1e9f, 1e9f, 1); }
+    SECTION("mirrored") { camera.view_from_world[0][0] = -1; }
+    rig.draw();
+    CHECK(rig.device.misuse().empty());
+}

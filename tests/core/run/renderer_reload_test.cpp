@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Reloading an edited config: all or nothing, with what was set at run time, and without compiling what
+// is there.
+#include "tests/support/renderer_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+CompileOptions options(const Rig& rig)
+{
+    CompileOptions result;
+    result.extent = rig.renderer->plan().extent;
+    return result;
+}
+
+float valueOf(const Rig& rig, const char* param)
+{
+    return findNamed(rig.renderer->description().params, param)->value[0];
+}
+
+}  // namespace
+
+TEST_CASE("A reload that fails leaves the old plan, its values and its pictures")
+{
+    Rig rig;
+    rig.device.clearLog();
+    const TextureId before = rig.renderer->output("color");
+    Description broken = rigDescription();
+    broken.outputs.clear();
+    const Status status = rig.renderer->reload(std::move(broken), options(rig));
+    CHECK_FALSE(status.ok());
+    CHECK(rig.renderer->output("color").value == before.value);
+    CHECK(rig.renderer->description().outputs.size() == 2);
+
+    rig.device.failAt(1);
+    CHECK_FALSE(rig.renderer->reload(rigDescription(), options(rig)).ok());
+    CHECK(rig.renderer->output("color").value == before.value);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("What was set at run time outlives a reload, and what was not follows the file")
+{
+    Rig rig;
+    REQUIRE(rig.renderer->setParam("radius", 2.0f).ok());
+    REQUIRE(rig.renderer->setFeature("look", "flat").ok());
+    Description edited = rigDescription();
+    for (ParamDesc& param : edited.params) {
+        if (param.name == "radius") param.value[0] = 9;
+        if (param.name == "taps") param.value[0] = 5;
+    }
+    const Status status = rig.renderer->reload(edited, options(rig));
+    REQUIRE(status.ok());
+    CHECK(status.diagnostics().empty());
+    CHECK(valueOf(rig, "radius") == 2);
+    CHECK(valueOf(rig, "taps") == 5);
+    CHECK(findNamed(rig.renderer->description().features, "look")->value == 1);
+    CHECK(rig.renderer->changes() ==
+          R"({"params": {"radius": {"default": 2}}, "features": {"look": {"default": "flat"}}})");
+
+    // Against the file as it is now: back at its value is no change.
+    REQUIRE(rig.renderer->setParam("radius", 9.0f).ok());
+    REQUIRE(rig.renderer->setFeature("look", "lit").ok());
+    CHECK(rig.renderer->changes() == "{}");
+}
+
+TEST_CASE("A value that the edited config has no place for is told, and the rest is kept")
+{
+    Rig rig;
+    REQUIRE(rig.renderer->setParam("radius", 50.0f).ok());
+    REQUIRE(rig.renderer->setParam("taps", 7.0f).ok());
+    REQUIRE(rig.renderer->setFeature("look", "flat").ok());
+    Description edited = rigDescription();
+    for (ParamDesc& param : edited.params)
+        if (param.name == "radius") param.max = 10;
+    for (FeatureDesc& feature : edited.features)
+        if (feature.name == "look") feature.values[1] = "wire";
+    const Status status = rig.renderer->reload(edited, options(rig));
+    REQUIRE(status.ok());
+    REQUIRE(status.diagnostics().size() == 2);
+    for (const Diagnostic& each : status.diagnostics()) {
+        CHECK(each.code == Code::value_dropped);
+        CHECK(each.severity == Severity::warning);
+    }
+    CHECK(valueOf(rig, "radius") == 0.5f);
+    CHECK(valueOf(rig, "taps") == 7);
+}
+
+TEST_CASE("A config that ran before comes back without compiling a shader")
+{
+    Rig rig;
+    Description other = rigDescription();
+    for (FeatureDesc& feature : other.features)
+        if (feature.name == "look") feature.value = 1;
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->reload(other, options(rig)).ok());
+    CHECK(rig.device.log().find("createProgram") != std::string::npos);
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->reload(rigDescription(), options(rig)).ok());
+    REQUIRE(rig.renderer->reload(other, options(rig)).ok());
+    CHECK(rig.device.log().find("createProgram") == std::string::npos);
+    CHECK(rig.device.misuse().empty());
+}

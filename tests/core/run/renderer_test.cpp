@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+// The renderer keeps its plan in step with params, features, size and scene.
+#include "core/run/renderer.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/renderer_rig.h"
+
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+float valueOf(const Rig& rig, const char* param)
+{
+    return findNamed(rig.renderer->description().params, param)->value[0];
+}
+
+}  // namespace
+
+TEST_CASE("A frame runs the plan's passes in order, and nothing about it is wrong")
+{
+    Rig rig;
+    const std::string log = rig.draw();
+    std::vector<std::size_t> places;
+    for (const char* pass : {"geometry 64x32", "occlusion 32x16", "filter 64x32", "lighting 64x32"})
+        places.push_back(log.find("beginPass " + std::string(pass)));
+    CHECK(std::is_sorted(places.begin(), places.end()));
+    CHECK(places.back() != std::string::npos);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Frames after the first make the same calls and create nothing")
+{
+    Rig rig;
+    const std::string first = rig.draw();
+    const int attempts = rig.device.attempts();
+    ++rig.frame.revision;
+    CHECK(rig.draw() == first);
+    CHECK(rig.device.attempts() == attempts);
+}
+
+TEST_CASE("A renderer destroys what it made, framebuffers first, and nothing else")
+{
+    Rig rig;
+    rig.draw();
+    rig.renderer.reset();
+    CHECK(rig.device.live() == 1);
+    CHECK(rig.device.live(ObjectId::Kind::mesh) == 1);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Outputs have textures with content, other names have none")
+{
+    Rig rig;
+    rig.draw();
+    CHECK(rig.device.readTexture(rig.renderer->output("ao"))->extent == Extent{64, 32});
+    CHECK(rig.device.readTexture(rig.renderer->output("color"))->channels == 4);
+    CHECK_FALSE(rig.renderer->output("normal"));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A uniform param is sent with the next frame and costs no object")
+{
+    Rig rig;
+    rig.draw();
+    CHECK(rig.device.lastUniform("radius") == std::vector<float>{0.5f});
+    const int attempts = rig.device.attempts();
+    REQUIRE(rig.renderer->setParam("radius", 2.0f).ok());
+    REQUIRE(rig.renderer->setParam("taps", 7.0f).ok());
+    const float tint[3] = {0.1f, 0.2f, 0.3f};
+    REQUIRE(rig.renderer->setParam("tint", tint, 3).ok());
+    rig.draw();
+    CHECK(rig.device.lastUniform("radius") == std::vector<float>{2.0f});
+    CHECK(rig.device.lastUniform("taps") == std::vector<float>{7.0f});
+    CHECK(rig.device.lastUniform("hue") == std::vector<float>{0.1f, 0.2f, 0.3f});
+    CHECK(rig.device.attempts() == attempts);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A param that cannot be set says why and keeps its value")
+{
+    Rig rig;
+    Renderer& renderer = *rig.renderer;
+    const float two[2] = {1, 1};
+    CHECK(codeOf(renderer.setParam("radius", -0.5f)) == Code::out_of_range);
+    CHECK(codeOf(renderer.setParam("radius", 101.0f)) == Code::out_of_range);
+    CHECK(codeOf(renderer.setParam("taps", 2.5f)) == Code::out_of_range);
+    CHECK(codeOf(renderer.setParam("radius", std::nanf(""))) == Code::not_finite);
+    CHECK(codeOf(renderer.setParam("radius", std::numeric_limits<float>::infinity())) ==
+          Code::not_finite);
+    CHECK(codeOf(renderer.setParam("radius", two, 2)) == Code::bad_length);
+    CHECK(codeOf(renderer.setParam("tint", two, 2)) == Code::bad_length);
+    CHECK(codeOf(renderer.setParam("radious", 1.0f)) == Code::unknown_param);
+    CHECK(valueOf(rig, "radius") == 0.5f);
+    CHECK(valueOf(rig, "taps") == 3.0f);
+
+    const Diagnostic error = renderer.setParam("radius", -0.5f).diagnostics().front();
+    CHECK(error.message == "radius -0.5 is outside [0.001, 100] scene units");
+    CHECK(error.pointer == "/params/radius");
+    CHECK(error.place.line > 0);
+    CHECK(contains(renderer.setParam("radious", 1.0f).diagnostics().front().help, "radius"));
+}
+
+TEST_CASE("Values at the ends of a param's range are allowed")
+{
+    Rig rig;
+    CHECK(rig.renderer->setParam("radius", 100.0f).ok());
+    CHECK(rig.renderer->setParam("taps", 1.0f).ok());
+    CHECK(rig.renderer->setParam("taps", 8.0f).ok());
+}
+
+TEST_CASE("A define compiles the one program that sees it, and its kernel follows")
+{
+    Rig rig;
+    rig.draw();
+    CHECK(rig.device.lastUniform("kernel").size() == 3 * 4);
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("samples", 16.0f).ok());
+    CHECK(contains(rig.device.log(), "createProgram 'occlusion'"));
+    CHECK_FALSE(contains(rig.device.log(), "createProgram 'geometry'"));
+    CHECK_FALSE(contains(rig.device.log(), "createProgram 'lighting'"));
+    rig.draw();
+    CHECK(rig.device.lastUniform("kernel").size() == 3 * 16);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A define that is no count, and a count that is no define, plan anew")
+{
+    Rig rig;
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("edge", 0.25f).ok());
+    CHECK(contains(rig.device.log(), "createProgram 'filter'"));
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("tile", 7.0f).ok());
+    CHECK(contains(rig.device.log(), "createTexture 'noise' rgba16f 7x7"));
+    CHECK_FALSE(contains(rig.device.log(), "createProgram"));
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A param that a size takes its scale from makes new textures and no program")
+{
+    Rig rig;
+    rig.device.clearLog();
+    REQUIRE(rig.renderer->setParam("resolution", 0.25f).ok());
+    CHECK(contains(rig.device.log(), "createTexture 'ao' r8 16x8"));
+    CHECK_FALSE(contains(rig.device.log(), "createProgram"));
+    rig.draw();
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Setting what is already so makes no new plan")
+{
+    Rig rig;
+    const int attempts = rig.device.attempts();
+    CHECK(rig.renderer->setParam("samples", 4.0f).ok());
+    CHECK(rig.renderer->setFeature("soft", "true").ok());
+    CHECK(rig.renderer->resize({64, 32}).ok());
+    CHECK(rig.device.attempts() == attempts);
+}
+
+TEST_CASE("At its identity a pass is left out, and comes back with another value")
+{
+    Rig rig;
+    REQUIRE(rig.renderer->setParam("intensity", 0.0f).ok());
+    rig.draw();
+    CHECK_FALSE(rig.ranPass("occlusion"));
+    CHECK(rig.ranPass("lighting"));
+    REQUIRE(rig.renderer->setParam("intensity", 1.5f).ok());
+    rig.draw();
+    CHECK(rig.ranPass("occlusion"));
+    CHECK(rig.device.lastUniform("intensity") == std::vector<float>{1.5f});
+
+    const int attempts = rig.device.attempts();
+    REQUIRE(rig.renderer->setParam("intensity", 2.0f).ok());
+    CHECK(rig.device.attempts() == attempts);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("An output that is a constant is a texture with that value")
+{
+    Rig rig;
+    REQUIRE(rig.renderer->setFeature("soft", "false").ok());
+    REQUIRE(rig.renderer->setParam("intensity", 0.0f).ok());
+    rig.draw();
+    const Image ao = rig.device.readTexture(rig.renderer->output("ao")).value();
+    CHECK(ao.extent == Extent{1, 1});
+    CHECK(ao.at(0, 0) == 1.0f);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A feature switches its pass off, and the bypass stands in")
+{
+    Rig rig;
+    REQUIRE(rig.renderer->setFeature("soft", "false").ok());
+    rig.draw();
+    CHECK_FALSE(rig.ranPass("filter"));
+    CHECK(contains(rig.device.log(), "setTexture smooth_ao unit"));
+    CHECK(rig.device.readTexture(rig.renderer->output("ao"))->extent == Extent{32, 16});
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A feature that cannot be set says why and keeps its value")
+{
+    Rig rig;
+    CHECK(codeOf(rig.renderer->setFeature("sofd", "true")) == Code::feature_missing);
+    CHECK(codeOf(rig.renderer->setFeature("soft", "maybe")) == Code::feature_value);
+    CHECK(codeOf(rig.renderer->setFeature("look", "bright")) == Code::feature_value);
+    CHECK(rig.renderer->setFeature("look", "flat").ok());
+    CHECK(findNamed(rig.renderer->description().features, "look")->value == 1);
+}
+
+TEST_CASE("A new size gives new textures, a size that cannot be leaves the old ones")
+{
+    Rig rig;
+    rig.draw();
+    REQUIRE(rig.renderer->resize({20, 11}).ok());
+    CHECK(rig.renderer->plan().extent == Extent{20, 11});
+    rig.draw();
+    CHECK(rig.device.lastUniform("viewport_size") == std::vector<float>{20, 11});
+    const TextureId before = rig.renderer->output("ao");
+
+    CHECK(codeOf(rig.renderer->resize({0, 10})) == Code::bad_size);
+    CHECK(codeOf(rig.renderer->resize({1 << 20, 10})) == Code::too_big_for_device);
+    CHECK(rig.renderer->plan().extent == Extent{20, 11});
+    CHECK(rig.renderer->output("ao").value == before.value);
+    rig.draw();
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("Resizing back and forth leaves no object behind")
+{
+    Rig rig;
+    const int live = rig.device.live();
+    for (int i = 0; i < 5; ++i) {
+        REQUIRE(rig.renderer->resize({10 + i, 10}).ok());
+        rig.draw();
+    }
+    CHECK(rig.device.live() == live);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A frame with other traits is planned anew, once")
+{
+    Rig rig;
+    rig.draw();
+    const int attempts = rig.device.attempts();
+    rig.frame.materials[0].specular = glm::vec3(1.0f);
+    rig.draw();
+    CHECK(rig.device.attempts() > attempts);
+    const int after = rig.device.attempts();
+    rig.draw();
+    CHECK(rig.device.attempts() == after);
+    CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("The warnings of a plan that a frame asks for come back with that frame alone")
+{
+    const Description description = describe(R"({"format": 1, "name": "unread",
+        "imports": {"scene": {"type": "draw_list"}},
+        "targets": {"color": {"format": ["rgba8"]}, "shine": {"format": ["rgba8"]}},
+        "shaders": {"plain": {"vertex": "v", "fragment": "f"}},
+        "passes": {"lit": {"type": "fullscreen", "shader": "plain", "color": "color"},
+                   "sheen": {"type": "fullscreen", "shader": "plain", "color": "shine",
+                             "when": {"scene.specular": true}}},
+        "outputs": {"color": "color"}})",
+        {{"v", "#version 300 es\nvoid main() {}\n"},
+         {"f", "#version 300 es\nprecision highp float;\nout vec4 value;\n"}});
+    Rig rig;
+    auto renderer = Renderer::create(rig.device, description, {{8, 8}}, traitsOf(rig.frame));
+    REQUIRE(renderer.ok());
+    CHECK(renderer.diagnostics().empty());
+    CHECK((*renderer)->render(rig.frame).diagnostics().empty());
+    rig.frame.materials[0].specular = glm::vec3(1.0f);
+    const Status drawn = (*renderer)->render(rig.frame);
+    CHECK(drawn.ok());
+    REQUIRE(drawn.diagnostics().size() == 1);
+    CHECK(drawn.diagnostics()[0].code == Code::pass_unread);
+    CHECK(drawn.diagnostics()[0].pointer == "/passes/sheen");
+    CHECK((*renderer)->render(rig.frame).diagnostics().empty());
+    rig.frame.materials[0].specular = glm::vec3(0.0f);
+    CHECK((*renderer)->render(rig.frame).diagnostics().empty());
+    rig.frame.materials[0].specular = glm::vec3(1.0f);
+    const Result<FrameTimes> timed = (*renderer)->renderTimed(rig.frame);
+    REQUIRE(timed.ok());
+    CHECK(timed.diagnostics().size() == 1);
+}
+
+TEST_CASE("What a plan cannot be made of is no renderer")
+{
+    RecordingDevice device;
+    const auto none = Renderer::create(device, rigDescription(), {{0, 0}}, {});
+    REQUIRE_FALSE(none.ok());
+    CHECK(none.diagnostics().front().code == Code::bad_size);
+    CHECK(device.attempts() == 0);
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The doctor: what is wrong with targets, which pass is to blame, and why.
+#include "tests/support/plan_rig.h"
+#include "tools/render/target_health.h"
+
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kSize = {4, 3};
+
+Image ramp()
+{
+    Image image(kSize, 1);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = 0.1f * float(i);
+    return image;
+}
+
+TargetHealth healthy(const std::string& target, const std::string& pass)
+{
+    TargetHealth health = examine(ramp(), ramp());
+    health.target = target;
+    health.pass = pass;
+    return health;
+}
+
+TargetHealth constant(const std::string& target, const std::string& pass, float value)
+{
+    const Image image(kSize, 1, value);
+    TargetHealth health = examine(image, image);
+    health.target = target;
+    health.pass = pass;
+    return health;
+}
+
+// Three passes in a row.
+Description chain()
+{
+    return describe(Sketch{{"first: -> x", "second: x -> y", "third: y -> z"}, {{"out", "z"}}});
+}
+
+}  // namespace
+
+TEST_CASE("An examination counts what is not finite, and tells where the first one is")
+{
+    Image image = ramp();
+    image.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
+    image.at(3, 0) = std::numeric_limits<float>::infinity();
+    const TargetHealth health = examine(image, image);
+    CHECK(health.pixels == 12);
+    CHECK(health.not_numbers == 1);
+    CHECK(health.infinite == 1);
+    CHECK(health.undefined == 0);
+    CHECK(health.first_bad.x == 2);
+    CHECK(health.first_bad.y == 1);  // from the upper row
+    CHECK(health.maximum[0] == Approx(1.1f));
+}
+
+TEST_CASE("A pixel that differs with the garbage in memory is undefined")
+{
+    Image other = ramp();
+    other.at(1, 2) += 0.5f;
+    const TargetHealth health = examine(ramp(), other);
+    CHECK(health.undefined == 1);
+    CHECK(health.first_bad.x == 1);
+    CHECK(health.first_bad.y == 0);
+    CHECK(health.bad());
+}
+
+TEST_CASE("An image of one value in each channel is constant")
+{
+    Image image(kSize, 2, 0.5f);
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 4; ++x) image.at(x, y, 1) = 0.25f;
+    CHECK(examine(image, image).constant);
+    image.at(3, 2, 1) = 0.26f;
+    CHECK_FALSE(examine(image, image).constant);
+}
+
+TEST_CASE("The first pass that is wrong is named, and those behind it are notes")
+{
+    const Description description = chain();
+    TargetHealth second = healthy("y", "second"), third = healthy("z", "third");
+    second.not_numbers = 3;
+    third.not_numbers = 7;
+    const Diagnostics found = diagnose(description, planOf(description),
+                                       {healthy("x", "first"), second, third}, {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].code == Code::target_not_finite);
+    CHECK(found[0].pointer == "/passes/second");
+    CHECK(found[0].message.find("pass 'second' writes 3 of 12 pixels") == 0);
+    REQUIRE(found[0].notes.size() == 1);
+    CHECK(found[0].notes[0].text.find("'third'") != std::string::npos);
+}
+
+TEST_CASE("What depends on garbage is an error of the pass that left it")
+{
+    const Description description = chain();
+    TargetHealth first = healthy("x", "first");
+    first.undefined = 12;
+    const Diagnostics found = diagnose(description, planOf(description), {first}, {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].code == Code::target_undefined);
+    CHECK_FALSE(found[0].help.empty());
+}
+
+TEST_CASE("An output that is the same everywhere is traced to the pass where that began")
+{
+    const Description description = chain();
+    const Diagnostics found =
+        diagnose(description, planOf(description),
+                 {healthy("x", "first"), constant("y", "second", 1), constant("z", "third", 1)}, {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].code == Code::output_constant);
+    CHECK(found[0].severity == Severity::warning);
+    CHECK(found[0].pointer == "/passes/second");
+}
+
+TEST_CASE("Nothing is said of a healthy frame")
+{
+    const Description description = chain();
+    CHECK(diagnose(description, planOf(description),
+                   {healthy("x", "first"), healthy("y", "second"), healthy("z", "third")}, {})
+              .empty());
+}

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Frames that are timed pass by pass: which clock is taken, in which order, and when it is void.
+#include "core/run/renderer.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/need.h"
+#include "tests/support/renderer_rig.h"
+
+#include <numeric>
+#include <sstream>
+
+using namespace crevice;
+
+namespace {
+
+bool isTiming(const std::string& line)
+{
+    return line == "finish" || line.find("Timer") != std::string::npos;
+}
+
+/// The log without what happens inside of passes, and the passes by name alone.
+std::string order(const std::string& log)
+{
+    std::istringstream lines(log);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+        const bool pass = line.rfind("beginPass ", 0) == 0;
+        if (pass) line.resize(line.find(' ', sizeof "beginPass"));
+        if (pass || line == "endPass" || line == "beginFrame" || line == "endFrame" ||
+            isTiming(line))
+            text += line + '\n';
+    }
+    return text;
+}
+
+std::string withoutTiming(const std::string& log)
+{
+    std::istringstream lines(log);
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        if (!isTiming(line)) text += line + '\n';
+    return text;
+}
+
+FrameTimes timed(Rig& rig)
+{
+    rig.device.clearLog();
+    Result<FrameTimes> times = rig.renderer->renderTimed(rig.frame);
+    if (!times) FAIL(toText(times.diagnostics()));
+    CHECK(rig.device.misuse().empty());
+    CHECK(times->pass_ms.size() == rig.renderer->plan().passes.size());
+    return *times;
+}
+
+/// A renderer for `count` passes, each reading the one before it.
+std::unique_ptr<Renderer> chain(RecordingDevice& device, int count)
+{
+    std::string targets, shaders, passes;
+    std::vector<TestFile> files = {{"v", "#version 300 es\nvoid main() {}\n"}};
+    for (int i = 0; i < count; ++i) {
+        const std::string n = std::to_string(i);
+        const std::string comma = i > 0 ? "," : "";
+        targets += comma + "\"t" + n + R"(": {"format": ["r8"]})";
+        shaders += comma + "\"s" + n + R"(": {"vertex": "v", "fragment": "f)" + n + "\"}";
+        passes += comma + "\"p" + n + R"(": {"shader": "s)" + n + R"(", "color": "t)" + n + "\"}";
+        const std::string input =
+            i > 0 ? "uniform sampler2D t" + std::to_string(i - 1) + ";\n" : std::string();
+        files.push_back({"f" + n, "#version 300 es\nprecision highp float;\n" + input +
+                                      "out float t" + n + ";\n"});
+    }
+    const std::string json = R"({"format": 1, "name": "chain", "targets": {)" + targets +
+                             R"(}, "shaders": {)" + shaders + R"(}, "passes": {)" + passes +
+                             R"(}, "outputs": {"ao": "t)" + std::to_string(count - 1) + "\"}}";
+    auto renderer = Renderer::create(device, describe(json, files), {{8, 8}}, {});
+    if (!renderer) FAIL(toText(renderer.diagnostics()));
+    return std::move(*renderer);
+}
+
+const std::vector<double> kFourTimes = {1.5, 0.25, 4.0, 2.0};
+
+}  // namespace
+
+TEST_CASE("A device without timers is timed by the clock, with a wait around each pass")
+{
+    Rig rig;
+    const FrameTimes times = timed(rig);
+    CHECK(times.method == TimingMethod::wall_clock);
+    CHECK(order(rig.device.log()) ==
+          "finish\nbeginFrame\n"
+          "beginTimer 0\nbeginPass geometry\nendPass\nfinish\n"
+          "beginTimer 1\nbeginPass occlusion\nendPass\nfinish\n"
+          "beginTimer 2\nbeginPass filter\nendPass\nfinish\n"
+          "beginTimer 3\nbeginPass lighting\nendPass\nfinish\n"
+          "endFrame\nfinish\n");
+}
+
+TEST_CASE("By the clock no pass takes less than nothing, and all take no more than the frame")
+{
+    Rig rig;
+    const FrameTimes times = timed(rig);
+    for (double pass : times.pass_ms) CHECK(pass >= 0);
+    const double sum = std::accumulate(times.pass_ms.begin(), times.pass_ms.end(), 0.0);
+    CHECK(sum > 0);
+    CHECK(sum <= times.total_ms * 1.000001);
+}
+
+TEST_CASE("A device's timers measure pass by pass, and are read after the frame")
+{
+    Rig rig;
+    rig.device.setTimers(kFourTimes);
+    const FrameTimes times = timed(rig);
+    CHECK(times.method == TimingMethod::gpu_timer);
+    CHECK(times.pass_ms == kFourTimes);
+    CHECK(times.total_ms == Approx(7.75));
+    CHECK(order(rig.device.log()) ==
+          "finish\nbeginFrame\n"
+          "beginTimer 0\nbeginPass geometry\nendPass\nendTimer\n"
+          "beginTimer 1\nbeginPass occlusion\nendPass\nendTimer\n"
+          "beginTimer 2\nbeginPass filter\nendPass\nendTimer\n"
+          "beginTimer 3\nbeginPass lighting\nendPass\nendTimer\n"
+          "endFrame\nfinish\n"
+          "readTimer 0\nreadTimer 1\nreadTimer 2\nreadTimer 3\n");
+}
+
+TEST_CASE("A void time makes the total void, and the next frame is measured anew")
+{
+    Rig rig;
+    rig.device.setTimers({1, 2, -1, 4});
+    const FrameTimes disturbed = timed(rig);
+    CHECK(disturbed.method == TimingMethod::gpu_timer);
+    CHECK(disturbed.total_ms == -1);
+    CHECK(disturbed.pass_ms[2] < 0);
+    CHECK(disturbed.pass_ms[3] == 4);
+    rig.device.setTimers(kFourTimes);
+    CHECK(timed(rig).total_ms == Approx(7.75));
+}
+
+TEST_CASE("A plan with more passes than timers is timed by the clock")
+{
+    RecordingDevice device;
+    device.setTimers(std::vector<double>(kMaxTimers, 1.0));
+    const auto most = chain(device, kMaxTimers)->renderTimed({});
+    REQUIRE(most.ok());
+    CHECK(most->method == TimingMethod::gpu_timer);
+    CHECK(most->total_ms == Approx(kMaxTimers));
+
+    device.clearLog();
+    const auto more = chain(device, kMaxTimers + 1)->renderTimed({});
+    REQUIRE(more.ok());
+    CHECK(more->method == TimingMethod::wall_clock);
+    CHECK(more->pass_ms.size() == kMaxTimers + 1);
+    CHECK(device.log().find("Timer") == std::string::npos);
+    CHECK(device.misuse().empty());
+}
+
+TEST_CASE("A timed frame draws just what an untimed one does")
+{
+    Rig rig;
+    rig.draw();
+    ++rig.frame.revision;
+    const std::string untimed = rig.draw();
+    CHECK(withoutTiming(untimed) == untimed);
+    SECTION("by the clock") { timed(rig); }
+    SECTION("by timers")
+    {
+        rig.device.setTimers(kFourTimes);
+        timed(rig);
+    }
+    CHECK(withoutTiming(rig.device.log()) == untimed);
+}
+
+TEST_CASE("The times follow the plan when it changes")
+{
+    Rig rig;
+    rig.device.setTimers(kFourTimes);
+    REQUIRE(rig.renderer->setFeature("soft", "false").ok());
+    CHECK(timed(rig).pass_ms == std::vector<double>{1.5, 0.25, 4.0});
+    rig.frame.materials[0].alpha_cutoff = 0.5f;  // another trait
+    CHECK(timed(rig).pass_ms == std::vector<double>{1.5, 0.25, 4.0});
+}
+
+TEST_CASE("A frame that is refused is not timed, and nothing of it is drawn")
+{
+    Rig rig;
+    rig.device.clearLog();
+    rig.frame.camera.clip_from_view[0][0] = 0;
+    const auto times = rig.renderer->renderTimed(rig.frame);
+    REQUIRE_FALSE(times.ok());
+    CHECK(times.diagnostics()[0].code == Code::bad_input);
+    CHECK(rig.device.log().empty());
+}
+
+TEST_CASE("What the driver reports of a timed frame reaches the caller, and frames go on")
+{
+    Rig rig;
+    rig.device.setTimers(kFourTimes);
+    rig.device.failFrame();
+    const auto failed = rig.renderer->renderTimed(rig.frame);
+    REQUIRE_FALSE(failed.ok());
+    CHECK(failed.diagnostics()[0].code == Code::gl_error);
+    CHECK(timed(rig).pass_ms == kFourTimes);
+}
+
+TEST_CASE("Timers out of order are blamed")
+{
+    RecordingDevice device;
+    device.setTimers({1, 2});
+    SECTION("outside a frame") { CHECK(device.beginTimer(0)); }
+    SECTION("one inside another")
+    {
+        need(device.beginFrame());
+        CHECK(device.beginTimer(0));
+        CHECK(device.misuse().empty());
+        CHECK(device.beginTimer(1));
+    }
+    SECTION("ended without a beginning") { device.endTimer(); }
+    SECTION("ended though refused")
+    {
+        device.setTimers({});
+        need(device.beginFrame());
+        CHECK_FALSE(device.beginTimer(0));
+        CHECK(device.misuse().empty());
+        device.endTimer();
+    }
+    SECTION("running when the frame ends")
+    {
+        need(device.beginFrame());
+        CHECK(device.beginTimer(0));
+        CHECK(device.endFrame().ok());
+    }
+    SECTION("read inside a frame")
+    {
+        need(device.beginFrame());
+        CHECK(device.readTimer(0) < 0);
+    }
+    SECTION("no such slot")
+    {
+        need(device.beginFrame());
+        CHECK_FALSE(device.beginTimer(kMaxTimers));
+        CHECK_FALSE(device.beginTimer(-1));
+        CHECK(device.misuse().size() == 2);
+        return;
+    }
+    CHECK(device.misuse().size() == 1);
+}
+
+TEST_CASE("A recorded timer that measured nothing is void")
+{
+    RecordingDevice device;
+    device.setTimers({1, 2});
+    CHECK(device.readTimer(0) < 0);
+    need(device.beginFrame());
+    REQUIRE(device.beginTimer(1));
+    device.endTimer();
+    REQUIRE(device.endFrame().ok());
+    CHECK(device.readTimer(0) < 0);
+    CHECK(device.readTimer(1) == 2);
+    CHECK(device.readTimer(1) == 2);
+    CHECK(device.readTimer(-1) < 0);
+    CHECK(device.readTimer(1000) < 0);
+
+    need(device.beginFrame());
+    REQUIRE(device.beginTimer(0));
+    device.endTimer();
+    REQUIRE(device.endFrame().ok());
+    CHECK(device.readTimer(0) == 1);
+    CHECK(device.readTimer(1) < 0);  // forgotten
+    CHECK(device.misuse().empty());
+}

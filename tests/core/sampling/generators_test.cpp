@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Sample kernels and rotation noise.
+#include "core/sampling/generators.h"
+
+#include "core/sampling/sequences.h"
+#include "tests/support/catch.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace crevice;
+
+namespace {
+
+std::vector<glm::vec3> kernelOf(bool hemisphere, int count, const std::string& distribution,
+                                unsigned seed, const std::string& sequence = "random")
+{
+    const auto kernel = makeKernel({hemisphere, count, distribution, sequence, seed});
+    REQUIRE(kernel.ok());
+    return *kernel;
+}
+
+/// The offsets of kernels of the largest size with the seeds 0 to 199, next to each other.
+std::vector<glm::vec3> manyOffsets(bool hemisphere, const std::string& distribution,
+                                   const std::string& sequence)
+{
+    std::vector<glm::vec3> all;
+    for (unsigned seed = 0; seed < 200; ++seed)
+        for (const glm::vec3& offset :
+             kernelOf(hemisphere, kMaxKernelSize, distribution, seed, sequence))
+            all.push_back(offset);
+    return all;
+}
+
+glm::dvec3 mean(const std::vector<glm::vec3>& offsets)
+{
+    glm::dvec3 sum(0.0);
+    for (const glm::vec3& offset : offsets) sum += glm::dvec3(offset);
+    return sum / double(offsets.size());
+}
+
+/// The share of the offsets that are shorter than `length`.
+double shareWithin(const std::vector<glm::vec3>& offsets, float length)
+{
+    const auto inside = [&](const glm::vec3& offset) { return glm::length(offset) < length; };
+    return double(std::count_if(offsets.begin(), offsets.end(), inside)) / double(offsets.size());
+}
+
+double angleInTurns(const Image& noise, int pixel)
+{
+    const double x = noise.pixels[std::size_t(pixel) * 4];
+    const double y = noise.pixels[std::size_t(pixel) * 4 + 1];
+    const double turns = std::atan2(y, x) / 6.283185307179586;
+    return turns < 0 ? turns + 1 : turns;
+}
+
+}  // namespace
+
+TEST_CASE("random numbers fill 0 to 1 evenly")
+{
+    double sum = 0, square = 0;
+    constexpr int kCount = 100000;
+    for (unsigned i = 0; i < kCount; ++i) {
+        const float number = randomFloat(7, i);
+        REQUIRE(number >= 0.0f);
+        REQUIRE(number < 1.0f);
+        sum += number;
+        square += double(number) * number;
+    }
+    CHECK(sum / kCount == Approx(0.5).margin(0.005));
+    CHECK(square / kCount == Approx(1.0 / 3).margin(0.005));
+}
+
+TEST_CASE("kernels have as many offsets as asked for, none longer than 1 but in the cube")
+{
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const auto distribution = GENERATE(from_range(distributionNames()));
+    const bool hemisphere = GENERATE(false, true);
+    const float lowest = hemisphere ? 0.0f : -1.0f;
+    for (int count = 1; count <= kMaxKernelSize; ++count) {
+        const std::vector<glm::vec3> kernel = kernelOf(hemisphere, count, distribution, 3, sequence);
+        REQUIRE(int(kernel.size()) == count);
+        for (const glm::vec3& offset : kernel) {
+            REQUIRE((distribution == "cube" || glm::length(glm::dvec3(offset)) <= 1.0));
+            for (int i = 0; i < 3; ++i) REQUIRE(std::abs(offset[i]) < 1.0f);
+            REQUIRE(offset.z > lowest);
+        }
+    }
+}
+
+TEST_CASE("a sphere favours no direction and a hemisphere has the mean height of its distribution")
+{
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const auto distribution = GENERATE(from_range(distributionNames()));
+    INFO(distribution << ", " << sequence);
+    CHECK(glm::length(mean(manyOffsets(false, distribution, sequence))) < 0.02);
+    const glm::dvec3 hemisphere = mean(manyOffsets(true, distribution, sequence));
+    CHECK(glm::length(glm::dvec2(hemisphere)) < 0.02);
+    // The mean length times the mean cosine, 1/2; of the cube half of its upper side.
+    const std::map<std::string, double> heights = {
+        {"uniform", 0.375}, {"cube", 0.5}, {"linear", 0.1375}, {"accelerated", 0.1}};
+    CHECK(hemisphere.z == Approx(heights.at(distribution)).margin(0.006));
+}
+
+TEST_CASE("the uniform kernel fills its volume and the cube reaches its corners")
+{
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const std::vector<glm::vec3> uniform = manyOffsets(false, "uniform", sequence);
+    for (float length : {0.5f, 0.75f, 0.9f})
+        CHECK(shareWithin(uniform, length) == Approx(std::pow(length, 3)).margin(0.01));
+    CHECK(shareWithin(manyOffsets(false, "cube", sequence), 1.0f) == Approx(0.5236).margin(0.01));
+}
+
+TEST_CASE("clustered kernels have the mean length that their ramp gives")
+{
+    // Half of the mean of lerp(0.1, 1, t) and of lerp(0.1, 1, t^2) over t in [0, 1).
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    const auto meanLength = [&sequence](const char* distribution) {
+        double sum = 0;
+        const std::vector<glm::vec3> offsets = manyOffsets(true, distribution, sequence);
+        for (const glm::vec3& offset : offsets) sum += glm::length(offset);
+        return sum / double(offsets.size());
+    };
+    CHECK(meanLength("linear") == Approx(0.5 * 0.55).margin(0.005));
+    CHECK(meanLength("accelerated") == Approx(0.5 * 0.4).margin(0.005));
+}
+
+TEST_CASE("the first offsets of clustered kernels are the near ones")
+{
+    const auto sequence = GENERATE(from_range(sequenceNames()));
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        const auto accelerated = kernelOf(false, 64, "accelerated", seed, sequence);
+        const auto linear = kernelOf(false, 64, "linear", seed, sequence);
+        CHECK(glm::length(accelerated[0]) <= 0.1f);
+        CHECK(glm::length(linear[0]) <= 0.1f);
+        CHECK(glm::length(accelerated[32]) <= 0.325f);
+        CHECK(glm::length(linear[32]) <= 0.55f);
+    }
+}
+
+TEST_CASE("a seed gives the same numbers again and another seed gives others")
+{
+    for (const std::string& sequence : sequenceNames())
+        for (const std::string& distribution : distributionNames()) {
+            const auto kernel = kernelOf(true, 16, distribution, 5, sequence);
+            CHECK(kernel == kernelOf(true, 16, distribution, 5, sequence));
+            CHECK(kernel != kernelOf(true, 16, distribution, 6, sequence));
+        }
+    CHECK(makeRotationNoise(4, 1)->pixels == makeRotationNoise(4, 1)->pixels);
+    CHECK(makeRotationNoise(4, 1)->pixels != makeRotationNoise(4, 2)->pixels);
+}
+
+TEST_CASE("the numbers are these on every platform")
+{
+    CHECK(randomFloat(0, 0) == 0x1.85f018p-3f);
+    CHECK(randomFloat(1, 2) == 0x1.bf61cep-1f);
+    CHECK(randomFloat(12345, 678) == 0x1.b6dd6p-3f);
+    CHECK(kernelOf(false, 4, "uniform", 1)[3] ==
+          glm::vec3(0x1.fc2224p-2f, 0x1.1fc25ep-1f, 0x1.c5d688p-3f));
+    CHECK(kernelOf(true, 4, "cube", 1)[3] ==
+          glm::vec3(0x1.282f1cp-2f, 0x1.44405cp-2f, 0x1.3fad44p-2f));
+    CHECK(kernelOf(true, 4, "linear", 1)[3] ==
+          glm::vec3(-0x1.6764d4p-4f, -0x1.57c742p-3f, 0x1.b141c6p-2f));
+    CHECK(kernelOf(true, 4, "accelerated", 1)[3] ==
+          glm::vec3(-0x1.192384p-4f, -0x1.0cec62p-3f, 0x1.52eb32p-2f));
+    const Image noise = *makeRotationNoise(4, 1);
+    CHECK(noise.at(0, 0, 0) == 0x1.7251c4p-8f);
+    CHECK(noise.at(0, 0, 1) == 0x1.fffde8p-1f);
+    CHECK(noise.at(3, 1, 0) == -0x1.e8948p-1f);
+    CHECK(noise.at(3, 1, 1) == 0x1.322904p-2f);
+    CHECK(noise.at(3, 3, 0) == -0x1.f9185ep-1f);
+    CHECK(noise.at(3, 3, 1) == -0x1.4f35bep-3f);
+}
+
+TEST_CASE("rotation noise holds unit vectors, each in a stratum of its own")
+{
+    for (int size : {1, 2, 3, 4, 5, 8, kMaxNoiseSize}) {
+        const Result<Image> noise = makeRotationNoise(size, 9);
+        REQUIRE(noise.ok());
+        CHECK(noise->extent == Extent{size, size});
+        CHECK(noise->channels == 4);
+        const int count = size * size;
+        std::set<int> strata;
+        for (int i = 0; i < count; ++i) {
+            const float* pixel = &noise->pixels[std::size_t(i) * 4];
+            CHECK(std::hypot(double(pixel[0]), double(pixel[1])) == Approx(1.0).margin(1e-6));
+            CHECK(pixel[2] == 0.0f);
+            CHECK(pixel[3] == 0.0f);
+            // The first stratum begins at half a turn.
+            strata.insert(int(std::fmod(angleInTurns(*noise, i) + 0.5, 1.0) * count));
+        }
+        CHECK(int(strata.size()) == count);
+    }
+}
+
+TEST_CASE("rotation noise is shuffled, not a ramp")
+{
+    const Image noise = *makeRotationNoise(16, 1);
+    double step = 0;
+    for (int i = 1; i < 256; ++i) {
+        const double turn = std::abs(angleInTurns(noise, i) - angleInTurns(noise, i - 1));
+        step += std::min(turn, 1 - turn) / 255;
+    }
+    CHECK(step == Approx(0.25).margin(0.03));  // what independent directions have
+}
+
+TEST_CASE("a generator that is asked for the impossible says what is possible")
+{
+    for (int count : {-1, 0, kMaxKernelSize + 1}) {
+        const auto kernel = makeKernel({true, count, "uniform", "random", 1});
+        REQUIRE(kernel.diagnostics().size() == 1);
+        CHECK(kernel.diagnostics()[0].code == Code::out_of_range);
+        CHECK(kernel.diagnostics()[0].message.find("[1, 128]") != std::string::npos);
+    }
+    for (int size : {-1, 0, kMaxNoiseSize + 1})
+        CHECK(makeRotationNoise(size, 1).diagnostics()[0].code == Code::out_of_range);
+    const auto kernel = makeKernel({true, 4, "liner", "random", 1});
+    REQUIRE(kernel.diagnostics().size() == 1);
+    CHECK(kernel.diagnostics()[0].code == Code::bad_enum);
+    CHECK(kernel.diagnostics()[0].help.find("linear") != std::string::npos);
+    const auto sequence = makeKernel({true, 4, "linear", "stratifyed", 1});
+    REQUIRE(sequence.diagnostics().size() == 1);
+    CHECK(sequence.diagnostics()[0].code == Code::bad_enum);
+    CHECK(sequence.diagnostics()[0].help.find("did you mean 'stratified'") != std::string::npos);
+}
+
+TEST_CASE("generators are known by name")
+{
+    CHECK(generatorNames() ==
+          std::vector<std::string>{"sphere_kernel", "hemisphere_kernel", "rotation_noise"});
+    CHECK(generatesTexture("rotation_noise"));
+    CHECK_FALSE(generatesTexture("sphere_kernel"));
+}

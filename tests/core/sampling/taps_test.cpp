@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// Multisampled targets: what a plan makes of them, and what a device is asked to do.
+#include "backends/recording/device.h"
+#include "core/run/renderer.h"
+#include "tests/support/plan_rig.h"
+#include "tests/support/renderer_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+std::string target(const std::string& format, const std::string& keys)
+{
+    return R"({"format": [")" + format + "\"], " + keys + "}";
+}
+
+/// A draw into colour and depth, and a pass that reads the colour.
+Sketch sketched(const std::string& samples, const std::string& extra = "")
+{
+    const std::string keys = "\"samples\": " + samples;
+    return {{R"(paint: -> color | "type": "draw", "depth": "d")", "grade: color -> graded"},
+            {{"out", "graded"}},
+            {{"color", target("rgba8", keys)}, {"d", target("depth24", keys)}},
+            extra};
+}
+
+Plan planWith(const DeviceCaps& caps, const std::string& samples)
+{
+    Result<Plan> plan = compile(describe(sketched(samples)), {}, caps, sized());
+    if (!plan) FAIL(toText(plan.diagnostics()));
+    return std::move(*plan);
+}
+
+DeviceCaps capsWith(const std::vector<int>& counts)
+{
+    DeviceCaps caps = ampleCaps();
+    for (std::uint32_t& bits : caps.sample_counts) {
+        bits = 0;
+        for (const int count : counts) bits |= 1u << (count - 1);
+    }
+    return caps;
+}
+
+/// What decoding says against a target with those keys.
+Diagnostic refusal(const std::string& keys)
+{
+    const Result<Node> document = parseDocument(std::make_shared<const SourceText>(SourceText{
+        "test.json", R"({"format": 1, "targets": {"x": )" + target("r8", keys) + "}}"}));
+    const Result<Description> description = decode(*document, MemorySources{});
+    REQUIRE(description.diagnostics().size() == 1);
+    return description.diagnostics().front();
+}
+
+}  // namespace
+
+TEST_CASE("A plan draws several samples into a texture apart and resolves what is read")
+{
+    const Plan plan = planOf(describe(sketched("4")));
+    CHECK(toText(plan) ==
+R"(plan sketch 64x32: 2 passes, 4 textures, 74.0 KiB
+passes
+  paint: draw 64x32, 4 samples, program paint, 32.0 KiB read, 40.0 KiB written
+    writes  color: rgba8 texture 1 resolved from 0, clear to 0, store (a draw does not cover every pixel; read by grade)
+    writes  d: depth24 texture 2, clear to 1, discard (a draw does not cover every pixel; nobody reads it after this pass)
+  grade: fullscreen 64x32, program grade, 8.0 KiB read, 2.0 KiB written
+    reads   color (nearest, clamp)
+    writes  graded: r8 texture 3, discard, store (every pixel is overwritten; read by output out)
+programs
+  paint: 1 of 1 variant
+  grade: 1 of 1 variant
+textures
+  0: rgba8 64x32, 4 samples, 32.0 KiB: color
+  1: rgba8 64x32, 8.0 KiB: color
+  2: depth24 64x32, 4 samples, 32.0 KiB: d
+  3: r8 64x32, 2.0 KiB: graded
+outputs
+  out: target graded
+left out
+  passes (unchanged): in a frame, those whose input is that of the frame before
+)");
+    CHECK(toJson(plan).find("\"samples\": 4") != std::string::npos);
+    CHECK(toDot(plan).find("64x32, 4 samples") != std::string::npos);
+}
+
+TEST_CASE("One sample is the plan without samples, byte for byte")
+{
+    Sketch plain = sketched("1");
+    plain.targets = {{"color", R"({"format": ["rgba8"]})"}, {"d", R"({"format": ["depth24"]})"}};
+    CHECK(toJson(planOf(describe(sketched("1")))) == toJson(planOf(describe(plain))));
+}
+
+TEST_CASE("Samples are drawn into one texture by passes that follow each other")
+{
+    const std::string keys = target("r8", R"("samples": 4)");
+    const Sketch sketch{{"a: -> x", "b: x -> y"}, {{"out", "y"}}, {{"x", keys}, {"y", keys}}};
+    const Plan plan = planOf(describe(sketch));
+    CHECK(plan.targets[0].drawn_texture == plan.targets[1].drawn_texture);
+    CHECK(plan.targets[0].texture != plan.targets[1].texture);
+    CHECK(plan.textures.size() == 3);
+}
+
+TEST_CASE("A device draws the samples, resolves what is stored, and nobody samples the rest")
+{
+    RecordingDevice device;
+    auto renderer = Renderer::create(device, describe(sketched("4")), sized(), {});
+    REQUIRE(renderer.ok());
+    REQUIRE((*renderer)->render(Frame{}).ok());
+    const std::string log = device.log();
+    const auto says = [&](const char* line) { return log.find(line) != std::string::npos; };
+    CHECK(says("createTexture 'color' rgba8 64x32 4 samples\n"));
+    CHECK(says("createTexture 'd' depth24 64x32 4 samples\n"));
+    CHECK(says("createFramebuffer 'paint' color 'color' depth 'd' resolve 'color'\n"));
+    CHECK(says("beginPass paint 64x32 color0 clear 0 0 0 0 store depth clear 1 discard\n"));
+    INFO(log);
+    CHECK(device.misuse().empty());
+}
+
+TEST_CASE("A param gives the samples, and another value plans anew")
+{
+    const std::string msaa = R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 16}})";
+    RecordingDevice device;
+    auto renderer =
+        Renderer::create(device, describe(sketched("\"msaa\"", msaa)), sized(), {});
+    REQUIRE(renderer.ok());
+    CHECK((*renderer)->plan().passes[0].samples == 1);
+    const float eight = 8;
+    REQUIRE((*renderer)->setParam("msaa", &eight, 1).ok());
+    CHECK((*renderer)->plan().passes[0].samples == 8);
+    REQUIRE((*renderer)->render(Frame{}).ok());
+    CHECK(device.misuse().empty());
+}
+
+TEST_CASE("A device draws the next count that all formats of a pass have, or says that it has fewer")
+{
+    CHECK(planWith(capsWith({2, 4, 8}), "3").passes[0].samples == 4);
+    CHECK(planWith(capsWith({4}), "2").passes[0].samples == 4);
+    DeviceCaps caps = capsWith({2, 4, 8});
+    caps.sample_counts[static_cast<int>(Format::depth24)] = 1u << 1 | 1u << 7;
+    CHECK(planWith(caps, "4").passes[0].samples == 8);
+
+    const bool any = GENERATE(true, false);
+    const Result<Plan> plan = compile(describe(sketched("16")), {},
+                                      capsWith(any ? std::vector<int>{2, 4} : std::vector<int>{}),
+                                      sized());
+    REQUIRE(plan.ok());
+    CHECK(plan->passes[0].samples == (any ? 4 : 1));
+    REQUIRE(plan.diagnostics().size() == 1);
+    const Diagnostic& warning = plan.diagnostics().front();
+    CHECK(warning.code == Code::no_samples);
+    CHECK(warning.severity == Severity::warning);
+    CHECK(warning.pointer == "/passes/paint");
+}
+
+TEST_CASE("Attachments of one pass have as many samples")
+{
+    Sketch sketch = sketched("4");
+    sketch.targets["d"] = R"({"format": ["depth24"]})";
+    const Diagnostic error = onlyError(describe(sketch));
+    CHECK(error.code == Code::attachment_samples);
+    CHECK(error.pointer == "/passes/paint/depth");
+    CHECK(error.message.find("'color' has 4 samples a pixel, 'd' has 1") != std::string::npos);
+    CHECK_FALSE(error.help.empty());
+}
+
+TEST_CASE("Samples go with neither histories nor mips, and end somewhere")
+{
+    CHECK(refusal(R"("samples": 4, "history": true)").pointer == "/targets/x/history");
+    CHECK(refusal(R"("samples": 4, "mips": 0)").pointer == "/targets/x/mips");
+    CHECK(refusal(R"("samples": 33)").code == Code::out_of_range);
+    CHECK(refusal(R"("samples": 0)").code == Code::out_of_range);
+    CHECK(refusal(R"("samples": "many")").code == Code::reference_missing);
+}
+
+TEST_CASE("A recording device blames what no device can do with samples")
+{
+    RecordingDevice device;
+    const auto texture = [&](const char* label, int samples) {
+        return *device.createTexture({label, Format::rgba8, {4, 4}, 1, samples});
+    };
+    const TextureId four = texture("four", 4);
+    const TextureId eight = texture("eight", 8);
+    const TextureId one = texture("one", 1);
+    const auto blamed = [&](const FramebufferDesc& desc) {
+        const std::size_t before = device.misuse().size();
+        (void)device.createFramebuffer(desc);
+        return device.misuse().size() > before;
+    };
+    CHECK_FALSE(blamed({"resolved", {four}, {}, {one}}));
+    CHECK(blamed({"mixed", {four, eight}}));
+    CHECK(blamed({"into samples", {four}, {}, {eight}}));
+    CHECK(blamed({"nothing to resolve", {one}, {}, {one}}));
+}
+
+namespace {
+
+/// A pass that reads what `import` says one sample at a time.
+Description reading(const std::string& import, const std::string& sampler = "sampler2DMS")
+{
+    return describe(R"({"format": 1, "imports": {"host": )" + import + R"(},
+        "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
+        "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
+        "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},
+        "outputs": {"y": "y"}})",
+        {{"v", kFullVertex},
+         {"f", "#version 310 es\nuniform highp " + sampler + " host;\nout highp vec4 c;\n"},
+         {"g", "#version 310 es\nuniform highp sampler2D x;\nout highp vec4 c;\n"}});
+}
+
+const char* const kHostTexture = R"({"type": "texture"})";
+
+DeviceCaps newerCaps()
+{
+    DeviceCaps caps = ampleCaps();
+    caps.version = 310;
+    return caps;
+}
+
+/// What a frame whose texture has that many samples is told.
+Status drawnWith(int samples, const std::string& sampler)
+{
+    RecordingDevice device;
+    auto renderer = Renderer::create(device, reading(kHostTexture, sampler), sized(), {});
+    REQUIRE(renderer.ok());
+    Frame frame;
+    frame.textures = {{"host", *device.adoptTexture(7, {"host", Format::r8, {64, 32}, 1, samples})}};
+    const Status status = (*renderer)->render(frame);
+    CHECK(device.misuse().empty());
+    return status;
+}
+
+}  // namespace
+
+TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names the way out")
+{
+    CHECK(compile(reading(kHostTexture), {}, newerCaps(), sized()).ok());
+    const Diagnostic error = onlyError(reading(kHostTexture), {}, ampleCaps());
+    CHECK(error.code == Code::sampler_version);
+    CHECK(textAt(error.notes.at(0).place) == "host");
+    CHECK(error.help.find("geometry/host_depth") != std::string::npos);
+}
+
+TEST_CASE("Samples are read of the host's textures alone, and of such as are there for certain")
+{
+    const Diagnostic optional =
+        onlyError(reading(R"({"type": "texture", "optional": true})"), {}, newerCaps());
+    CHECK(optional.code == Code::uniform_type);
+    CHECK(optional.pointer == "/imports/host");
+
+    const Diagnostic resolved = onlyError(
+        describe(R"({"format": 1, "targets": {"x": {"format": ["r8"], "samples": 4},
+            "y": {"format": ["r8"]}},
+            "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
+            "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},
+            "outputs": {"y": "y"}})",
+                 {{"v", kFullVertex},
+                  {"f", "#version 310 es\nout highp vec4 c;\n"},
+                  {"g", "#version 310 es\nuniform highp sampler2DMS x;\nout highp vec4 c;\n"}}),
+        {}, newerCaps());
+    CHECK(resolved.code == Code::uniform_type);
+    CHECK(textAt(resolved.notes.at(0).place) == "x");
+}
+
+TEST_CASE("A host's texture with other samples than its sampler reads is refused")
+{
+    CHECK(drawnWith(4, "sampler2DMS").ok());
+    CHECK(drawnWith(1, "sampler2D").ok());
+    for (const Status& status : {drawnWith(1, "sampler2DMS"), drawnWith(4, "sampler2D")}) {
+        CHECK(codeOf(status) == Code::bad_input);
+        CHECK(status.diagnostics().front().pointer == "/imports/host");
+    }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Properties that every estimator has, drawn for real.
+#include "tests/support/modules.h"
+#include "tests/support/picture.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace crevice;
+
+namespace {
+
+const char* const kTowardsCorner = "eye=0,1.5,4;at=0,0,0;fov=40";
+const char* const kBox = "filter/box";  // takes the noise out
+
+/// The module's visibility, unfiltered unless a filter is named.
+Image visibility(const std::string& module, PictureRequest request, const Scene& scene,
+                 const char* filter = nullptr)
+{
+    std::vector<std::string> modules = {"geometry/depth_normal", module};
+    if (filter) modules.push_back(filter);
+    const GivenConfig config(modules);
+    request.config = "given";
+    request.sources = &config.sources();
+    return picture(request, scene);
+}
+
+Image visibility(const std::string& module, const PictureRequest& request,
+                 const char* filter = nullptr)
+{
+    return visibility(module, request, need(loadScene(request.scene)), filter);
+}
+
+float least(const Image& image)
+{
+    float value = 1.0f;
+    for (float each : image.pixels) value = std::min(value, each);
+    return value;
+}
+
+double meanOfRows(const Image& image, int first, int last)
+{
+    double sum = 0;
+    for (int y = first; y < last; ++y)
+        for (int x = 0; x < image.extent.width; ++x) sum += image.at(x, y);
+    return sum / ((last - first) * double(image.extent.width));
+}
+
+}  // namespace
+
+TEST_CASE("A flat wall is open, however it lies to the camera")
+{
+    for (const Module& estimator : shippedEstimators()) {
+        if (!estimator.reads_normals) continue;  // probes inside the wall, and finds it grey
+        for (const char* camera : {"", "eye=0,0.4,4;at=0,0,-8;fov=60", "eye=1,9,2;at=0,0,0;fov=50",
+                                   "eye=3,4,5;at=0,0,0;ortho=4"}) {
+            PictureRequest request;
+            request.scene = "plane";
+            request.camera = camera;
+            INFO(estimator.name << " " << camera);
+            CHECK(least(visibility(estimator.name, request)) == 1.0f);
+        }
+    }
+}
+
+TEST_CASE("A corner is darker than the open floor")
+{
+    for (const Module& estimator : shippedEstimators()) {
+        PictureRequest request;
+        request.scene = "corner";
+        request.camera = kTowardsCorner;
+        const Image ao = visibility(estimator.name, request);
+        const int middle = ao.extent.height / 2;
+        INFO(estimator.name);
+        CHECK(allVisibility(ao));
+        CHECK(meanOfRows(ao, middle - 3, middle + 3) < meanOfRows(ao, 4, 12) - 0.05);
+    }
+}
+
+TEST_CASE("The occlusion vanishes as the radius tends to 0")
+{
+    for (const Module& estimator : shippedEstimators()) {
+        if (!estimator.reads_normals) continue;  // probes inside the wall, and finds it grey
+        PictureRequest request;
+        request.scene = "corner";
+        request.overrides = {"radius=1e-6"};
+        INFO(estimator.name);
+        CHECK(least(visibility(estimator.name, request)) == 1.0f);
+    }
+}
+
+TEST_CASE("A mirrored scene gives the mirrored picture")
+{
+    const Scene scene = need(loadScene("spheres"));
+    for (const Module& estimator : shippedEstimators()) {
+        PictureRequest request;
+        request.camera = "eye=0,1.2,2.4;at=0,0.4,0;fov=45";
+        request.overrides = {"radius=1"};
+        const Image plain = visibility(estimator.name, request, scene, kBox);
+        const Image swapped = mirrored(visibility(estimator.name, request, mirrored(scene), kBox));
+        INFO(estimator.name);
+        CHECK(meanChange(plain, swapped) < 0.01);
+        CHECK(meanChange(plain, mirrored(plain)) > 0.01);
+    }
+}
+
+TEST_CASE("Estimators see an orthographic view as the narrow perspective that tends to it")
+{
+    for (const Module& estimator : shippedEstimators()) {
+        PictureRequest request;
+        request.scene = "corner";
+        request.camera = "eye=0,200,200;at=0,0,0;fov=0.81";
+        const Image narrow = visibility(estimator.name, request);
+        request.camera = "eye=0,200,200;at=0,0,0;ortho=4";
+        const Image orthographic = visibility(estimator.name, request);
+        INFO(estimator.name);
+        CHECK(mean(orthographic) < 0.99);
+        CHECK(meanChange(narrow, orthographic) < 0.01);
+    }
+}
+
+TEST_CASE("Estimators draw visibility at odd and tiny sizes")
+{
+    for (const Module& estimator : shippedEstimators()) {
+        for (const Extent extent : {Extent{1, 1}, Extent{3, 2}, Extent{127, 5}}) {
+            PictureRequest request;
+            request.extent = extent;
+            INFO(estimator.name << " " << extent.width << "x" << extent.height);
+            CHECK(allVisibility(visibility(estimator.name, request)));
+        }
+    }
+}
+
+TEST_CASE("Tiles of every fourth pixel give the occlusion of hbao, whatever the size")
+{
+    for (const Extent extent : {Extent{128, 72}, Extent{126, 71}, Extent{125, 73}}) {
+        PictureRequest request;
+        request.scene = "corner";
+        request.camera = kTowardsCorner;
+        request.extent = extent;
+        request.overrides = {"radius=1"};
+        const Image whole = visibility("ssao/hbao", request, kBox);
+        const Image tiled = visibility("ssao/hbao_plus", request, kBox);
+        INFO(extent.width << "x" << extent.height);
+        CHECK(meanChange(whole, tiled) < 0.01);
+        CHECK(mean(whole) < 0.97);
+    }
+}
+
+TEST_CASE("hbao counts what stands far in front as solid where thin occluders count")
+{
+    PictureRequest request;
+    request.overrides = {"radius=0.3"};
+    const double skipped = mean(visibility("ssao/hbao", request));
+    request.overrides.push_back("thin_occluders=count");
+    CHECK(mean(visibility("ssao/hbao", request)) < skipped - 0.002);
+}
+
+TEST_CASE("The power of the occlusion lightens and contrast keeps what is open")
+{
+    const auto drawn = [](std::vector<std::string> overrides) {
+        PictureRequest request;
+        request.scene = "corner";
+        request.overrides = std::move(overrides);
+        return mean(visibility("ssao/hemisphere", request));
+    };
+    const double plain = drawn({});
+    CHECK(drawn({"power_of=occlusion"}) == Approx(plain).margin(1e-4));
+    CHECK(drawn({"power_of=occlusion", "power=2"}) > plain + 0.002);
+    CHECK(drawn({"power=2"}) < plain - 0.002);
+    CHECK(drawn({"contrast=2"}) > plain);  // all of the corner is lighter than a half
+}
+
+TEST_CASE("The bounce only adds light, and none without lights reflected")
+{
+    PictureRequest request;
+    request.config = "ssdo";
+    request.output = "color";
+    request.scene = "corner";
+    request.camera = kTowardsCorner;
+    request.overrides = {"bounce=0"};
+    const Image without = picture(request);
+    request.overrides = {"indirect=false"};
+    CHECK(meanChange(without, picture(request)) == 0.0);
+    request.overrides = {};
+    const Image with = picture(request);
+    CHECK(mean(with) > mean(without) + 0.001);
+    for (std::size_t i = 0; i < with.pixels.size(); ++i)
+        REQUIRE(with.pixels[i] >= without.pixels[i]);
+}

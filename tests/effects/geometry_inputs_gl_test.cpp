@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// What a surface is read from: stored, rebuilt from depth, or the host's own textures.
+#include "tests/support/picture.h"
+
+#include "core/config/load.h"
+#include "core/run/renderer.h"
+#include "effects/catalog.h"
+#include "tools/render/scene_upload.h"
+#include "tools/scene/camera_framing.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+const char* const kShowNormals = R"(#version 300 es
+precision highp float;
+#include <surface>
+in vec2 uv;
+layout(location = 0) out vec4 color;
+void main()
+{
+    vec3 point;
+    color = pointAt(uv, point) ? vec4(normalAt(uv) * 0.5 + 0.5, 1.0) : vec4(0.0);
+}
+)";
+
+const char* const kShow = R"({
+    "format": 1,
+    "targets": {"color": {"format": ["rgba16f", "rgba8"]}},
+    "shaders": {"show": {"vertex": "common/fullscreen.vert", "fragment": "mine/show.frag"}},
+    "passes": {"show": {"type": "fullscreen", "shader": "show", "color": ["color"]}},
+    "outputs": {"color": "color"}})";
+
+/// Normals in view space as a geometry module finds them; alpha 0 in the background.
+Image normals(const std::string& geometry, const std::string& scene, const std::string& camera,
+              Extent extent = {128, 72})
+{
+    MemorySources mine;
+    mine.add("mine/show.frag", kShowNormals);
+    mine.add("mine/show.json", kShow);
+    mine.add("configs/show.json",
+             R"({"format": 1, "extends": ["geometry/)" + geometry + R"(", "mine/show"]})");
+    const LayeredSources sources({&mine, &shippedSources()});
+    PictureRequest request;
+    request.config = "show";
+    request.scene = scene;
+    request.camera = camera;
+    request.extent = extent;
+    request.output = "color";
+    request.sources = &sources;
+    return picture(request);
+}
+
+glm::vec3 normalOf(const Image& image, int x, int y)
+{
+    return glm::vec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) * 2.0f - 1.0f;
+}
+
+/// A wall of one unit square at z = 0 that fills most of the picture of kFront.
+Scene wall()
+{
+    Scene scene;
+    MeshDesc mesh;
+    mesh.label = "wall";
+    const glm::vec2 corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (const glm::vec2& at : corners)
+        mesh.vertices.push_back({{at.x - 0.5f, at.y - 0.5f, 0}, {0, 0, 1}, {at.x, at.y}});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    scene.meshes = {mesh};
+    scene.instances.resize(1);
+    scene.materials.resize(1);
+    return scene;
+}
+
+const char* const kFront = "eye=0,0,2;at=0,0,0;fov=25";
+
+SceneTexture oneColor(const glm::vec4& color)
+{
+    SceneTexture texture{"color", Image({2, 2}, 4)};
+    for (int i = 0; i < 16; ++i) texture.image.pixels[i] = color[i % 4];
+    return texture;
+}
+
+Image target(const std::string& name, const Scene& scene, const std::string& camera = kFront,
+             const std::string& config = "hemisphere_box")
+{
+    PictureRequest request;
+    request.config = config;
+    request.camera = camera;
+    request.output = "color";
+    request.target = name;
+    return picture(request, scene);
+}
+
+/// The share of the seen surface whose normals are less than that many degrees apart.
+double shareWithin(const Image& a, const Image& b, double degrees)
+{
+    int seen = 0, near = 0;
+    for (int y = 0; y < a.extent.height; ++y)
+        for (int x = 0; x < a.extent.width; ++x) {
+            REQUIRE(a.at(x, y, 3) == b.at(x, y, 3));
+            if (a.at(x, y, 3) == 0.0f) continue;
+            const glm::vec3 u = normalOf(a, x, y), v = normalOf(b, x, y);
+            CHECK(glm::length(u) == Approx(1.0).margin(0.01));
+            ++seen;
+            const float cosine = glm::dot(u, v) / (glm::length(u) * glm::length(v));
+            near += cosine > std::cos(degrees * 0.0174533) ? 1 : 0;
+        }
+    REQUIRE(seen > 0);
+    return double(near) / seen;
+}
+
+Description describeText(const std::string& config)
+{
+    MemorySources mine;
+    mine.add("configs/host.json", config);
+    const LayeredSources sources({&mine, &shippedSources()});
+    return need(decode(need(loadConfig(sources, {"host"})), sources));
+}
+
+const char* const kDrawn = R"({"format": 1,
+    "extends": ["geometry/depth_normal", "ssao/hemisphere", "filter/bilateral_normal"],
+    "outputs": {"depth": "depth", "normal": "normal"}})";
+
+std::string hostConfig(const std::string& geometry)
+{
+    return R"({"format": 1, "extends": ["geometry/)" + geometry +
+           R"(", "ssao/hemisphere", "filter/bilateral_normal"]})";
+}
+
+/// A host that has drawn depth and normals itself.
+struct Host {
+    GlFixture gl;
+    Scene scene = need(loadScene("spheres"));
+    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
+    CompileOptions options;
+    Frame frame;
+    std::unique_ptr<Renderer> drawn;
+
+    Host()
+    {
+        options.extent = {128, 72};
+        const double aspect = 128.0 / 72.0;
+        const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", aspect));
+        frame = makeFrame(uploaded, camera, options.extent);
+        drawn = need(Renderer::create(*gl.device, describeText(kDrawn), options, traitsOf(frame)));
+        need(drawn->render(frame));
+    }
+
+    /// The occlusion by a config that draws no scene.
+    Image occlusion(const std::string& geometry, const std::vector<std::string>& textures)
+    {
+        Frame bare;
+        bare.camera = frame.camera;
+        for (const std::string& name : textures)
+            bare.textures.push_back({name, drawn->output(name)});
+        auto renderer = need(Renderer::create(*gl.device, describeText(hostConfig(geometry)),
+                                              options, traitsOf(bare)));
+        need(renderer->render(bare));
+        return gl.read(renderer->output("ao"));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Normals rebuilt from depth are those of the mesh on flat things, edges included")
+{
+    for (const char* camera : {"", "eye=3,2,4;at=0,0,0;ortho=4", "eye=0,1.5,4;at=0,0,0;fov=100"}) {
+        INFO(camera);
+        const Image stored = normals("depth_normal", "corner", camera);
+        CHECK(shareWithin(normals("depth_only", "corner", camera), stored, 2) > 0.97);
+    }
+}
+
+TEST_CASE("Normals rebuilt from depth follow round things")
+{
+    const Image stored = normals("depth_normal", "spheres", "", {256, 144});
+    const Image rebuilt = normals("depth_only", "spheres", "", {256, 144});
+    CHECK(shareWithin(rebuilt, stored, 10) > 0.9);
+}
+
+TEST_CASE("Normals rebuilt from depth have unit length in pictures of any size")
+{
+    for (const Extent extent : {Extent{1, 1}, Extent{2, 1}, Extent{1, 37}, Extent{3, 2}}) {
+        const Image stored = normals("depth_normal", "plane", "", extent);
+        shareWithin(normals("depth_only", "plane", "", extent), stored, 90);
+    }
+}
+
+TEST_CASE("The host's own depth and normals give the occlusion that ours give")
+{
+    Host host;
+    const Image ours = host.gl.read(host.drawn->output("ao"));
+    CHECK(mean(ours) < 0.99);
+    CHECK(meanChange(host.occlusion("host_depth_normal", {"depth", "normal"}), ours) == 0.0);
+    CHECK(meanChange(host.occlusion("host_depth", {"depth"}), ours) < 0.02);
+}
+
+TEST_CASE("A host that forgets its depth is told so")
+{
+    Host host;
+    Frame bare;
+    bare.camera = host.frame.camera;
+    auto renderer = need(Renderer::create(*host.gl.device, describeText(hostConfig("host_depth")),
+                                          host.options, traitsOf(bare)));
+    const Status status = renderer->render(bare);
+    REQUIRE_FALSE(status.ok());
+    CHECK(status.diagnostics().front().code == Code::missing_import);
+}
+
+TEST_CASE("A normal map tilts the normal towards growing u and v, from whichever side and scale")
+{
+    Scene scene = wall();
+    const glm::vec3 tilted = glm::normalize(glm::vec3(0.6f, 0.3f, 0.7f));
+    scene.textures = {oneColor(glm::vec4(tilted * 0.5f + 0.5f, 1.0f))};
+    scene.materials[0].normal_texture = 0;
+    const auto middle = [&](const char* camera) {
+        return glm::normalize(normalOf(target("normal", scene, camera), 64, 36));
+    };
+    CHECK(glm::distance(middle(kFront), tilted) < 0.02f);
+    const glm::vec3 mirrored = tilted * glm::vec3(-1, 1, 1);
+    CHECK(glm::distance(middle("eye=0,0,-2;at=0,0,0;fov=25"), mirrored) < 0.02f);
+    scene.instances[0].world_from_model = glm::mat4(glm::mat3(1e-6f));
+    CHECK(glm::distance(middle("eye=0,0,2e-6;at=0,0,0;fov=25"), tilted) < 0.02f);
+    scene.instances[0].world_from_model = glm::mat4(1.0f);
+
+    scene.materials[0].normal_scale = 0.0f;
+    CHECK(glm::distance(middle(kFront), glm::vec3(0, 0, 1)) < 0.02f);
+    scene.materials.push_back({});
+    scene.materials[0].normal_scale = 1.0f;
+    scene.instances[0].material = 1;
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances[1].material = 0;
+    scene.instances[1].world_from_model[3] = glm::vec4(9, 9, 9, 1);
+    CHECK(glm::distance(middle(kFront), glm::vec3(0, 0, 1)) < 0.02f);
+}
+
+TEST_CASE("What the alpha test cuts away is background to all that follows")
+{
+    Scene scene = wall();
+    SceneTexture holes{"holes", Image({2, 1}, 4, 1.0f)};
+    holes.image.at(0, 0, 3) = 0.0f;
+    scene.textures = {holes};
+    scene.materials[0].base_color_texture = 0;
+    scene.materials[0].alpha_cutoff = 0.5f;
+    const Image normal = target("normal", scene);
+    CHECK(normal.at(50, 36, 3) == 0.0f);
+    CHECK(normal.at(78, 36, 3) == 1.0f);
+    CHECK(target("ao_filtered", scene).at(50, 36) == 1.0f);
+}
+
+TEST_CASE("A wall is seen and lit from either side")
+{
+    const Scene scene = wall();
+    for (const char* camera : {kFront, "eye=0,0,-2;at=0,0,0;fov=25"})
+        CHECK(glm::distance(normalOf(target("normal", scene, camera), 64, 36), {0, 0, 1}) < 0.02f);
+}
+
+TEST_CASE("A floor is seen from above up to its horizon, where the next pixel's place is behind the camera")
+{
+    Scene floor = wall();
+    for (Vertex& vertex : floor.meshes[0].vertices)
+        vertex = {{1000 * vertex.position[0], 0, -1000 * vertex.position[1]}, {0, 1, 0}, {0, 0}};
+    for (const char* eye : {"0,1,0", "0,0.5,0", "0,0.1,0"})
+        for (const char* at : {"0,0.1,-100", "30,0.1,-100"}) {
+            INFO(eye << ' ' << at);
+            const Image normals = target("normal", floor,
+                                         "eye=" + std::string(eye) + ";at=" + at + ";fov=45");
+            for (int y = 0; y < normals.extent.height; ++y)
+                for (int x = 0; x < normals.extent.width; ++x)
+                    if (normals.at(x, y, 3) > 0.5f) CHECK(normals.at(x, y, 1) > 0.9f);
+        }
+}
+
+TEST_CASE("A guard band leaves the lit picture in its place, deferred and forward")
+{
+    for (const char* lighting : {"blinn_phong", "forward"}) {
+        INFO(lighting);
+        const auto lit = [&](const char* guard) {
+            MemorySources mine;
+            mine.add("configs/guarded.json",
+                     std::string(R"({"format": 1, "extends": ["geometry/depth_normal", "ssao/gtao",
+                                 "filter/bilateral_normal", "lighting/)") +
+                         lighting + R"("], "params": {"guard": {"default": )" + guard + "}}}");
+            const LayeredSources sources({&mine, &shippedSources()});
+            PictureRequest request;
+            request.config = "guarded";
+            request.scene = "spheres";
+            request.extent = {160, 90};
+            request.output = "color";
+            request.sources = &sources;
+            return picture(request);
+        };
+        const Image without = lit("1");
+        const Image with = lit("1.4");
+        double sum = 0;
+        for (std::size_t i = 0; i < with.pixels.size(); ++i)
+            sum += std::abs(with.pixels[i] - without.pixels[i]);
+        CHECK(sum / static_cast<double>(with.pixels.size()) < 0.005);
+    }
+}
+
+TEST_CASE("Baked occlusion joins that of the screen by the lesser of both")
+{
+    Scene scene = wall();
+    scene.textures = {oneColor({0.4f, 1, 1, 1})};
+    CHECK(target("ao_filtered", scene, kFront, "baked").at(64, 36) > 0.98f);
+    scene.materials[0].occlusion_texture = 0;
+    CHECK(target("ao_joined", scene, kFront, "baked").at(64, 36) == Approx(0.4).margin(0.01));
+    scene.materials[0].occlusion_strength = 0.5f;
+    CHECK(target("ao_joined", scene, kFront, "baked").at(64, 36) == Approx(0.7).margin(0.01));
+    CHECK(target("ao_joined", scene, kFront, "baked").at(1, 1) == 1.0f);
+}

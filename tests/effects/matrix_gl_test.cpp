@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Every estimator with every filter on every input, by pairs, drawn for real: whatever makes sense
+// runs and has the properties of visibility, and the rest is refused with a reason.
+#include "tests/support/modules.h"
+#include "tests/support/picture.h"
+
+#include "core/config/load.h"
+#include "core/run/renderer.h"
+#include "tools/render/scene_upload.h"
+#include "tools/scene/camera_framing.h"
+#include "tools/scene/mesh_shapes.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kExtent = {256, 144};
+
+struct Cell {
+    const Module* input = nullptr;
+    const Module* estimator = nullptr;
+    const Module* filter = nullptr;
+    std::vector<std::string> add_ons = {};    ///< Modules between estimator and filter.
+    std::vector<std::string> overrides = {};  ///< As `--set`.
+};
+
+std::string textOf(const Cell& cell)
+{
+    std::string text = cell.input->name + " " + cell.estimator->name + " " + cell.filter->name;
+    for (const std::string& name : cell.add_ons) text += " " + name;
+    for (const std::string& setting : cell.overrides) text += " " + setting;
+    return text;
+}
+
+/// Options that the modules of a cell have, another choice for each `index`.
+void addOptions(Cell& cell, std::size_t index)
+{
+    const auto has = [](const Module& module, const char* option) {
+        return module.options.count(option) > 0;
+    };
+    const char* const layers[] = {"", "geometry/back_faces", "geometry/second_layer"};
+    const bool drawn = !cell.input->host_textures;
+    if (drawn && has(*cell.estimator, "second_layer") && index % 3 > 0)
+        cell.add_ons.push_back(layers[index % 3]);
+    if (cell.input->targets.count("depth") && index % 5 == 2)
+        cell.add_ons.push_back(drawn ? "geometry/depth_levels" : "geometry/host_depth_levels");
+    const char* const rotations[] = {"rotation=tile", "rotation=gradient", "rotation=none"};
+    if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
+    if (has(*cell.input, "guard") && index % 4 == 0) cell.overrides.push_back("guard=1.2");
+    if (has(*cell.filter, "ao_scale") && index % 2) cell.overrides.push_back("ao_scale=0.25");
+}
+
+/// All pairs of estimator and filter, each on two inputs three apart, so that every estimator and every
+/// filter meets every input.
+std::vector<Cell> cells()
+{
+    std::vector<Cell> all;
+    const std::vector<Module>& inputs = shippedInputs();
+    std::size_t row = 0;
+    for (const Module& estimator : shippedEstimators()) {
+        std::size_t input = row++;
+        for (const Module& filter : shippedFilters()) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                all.push_back({&inputs[(input + 3 * i) % inputs.size()], &estimator, &filter});
+                addOptions(all.back(), all.size() + row);
+            }
+            ++input;
+        }
+    }
+    return all;
+}
+
+/// False when a module reads what none of the cell writes.
+bool makesSense(const Cell& cell)
+{
+    const auto missing = [&cell](const std::string& target) {
+        return cell.input->targets.count(target) + cell.estimator->targets.count(target) +
+                   cell.filter->targets.count(target) == 0;
+    };
+    const std::set<std::string>& needs = cell.filter->needs;
+    return std::none_of(needs.begin(), needs.end(), missing) &&
+           !(cell.estimator->reads_albedo && missing("albedo")) &&
+           !(cell.estimator->needs.count("depth") && missing("depth"));
+}
+
+/// A floor and a wall, closed and finite: an edge, two open faces, background all round.
+Scene edgeScene()
+{
+    Scene scene;
+    scene.meshes = {makeBox({-2, -0.2f, -2}, {2, 0, 2}), makeBox({-2, 0, -2.2f}, {2, 2.2f, -2})};
+    for (MeshDesc& mesh : scene.meshes) mesh.label = "box";
+    scene.instances.resize(2);
+    scene.instances[1].mesh = 1;
+    scene.materials.resize(1);
+    Light lamp;
+    lamp.position = {1, 2, 2};
+    scene.lights = {{"lamp", lamp}};
+    return scene;
+}
+
+/// How a host may store the distance of window depth through `clip_from_view`: linear depth, logarithmic
+/// depth with the default `log_far`, and positions.
+struct Encodings {
+    Image linear, logarithmic, positions;
+
+    Encodings(const Image& depth, const glm::mat4& clip_from_view)
+        : linear(depth.extent, 1, 0), logarithmic(depth.extent, 1, 1), positions(depth.extent, 4, 0)
+    {
+        const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(clip_from_view));
+        for (int y = 0; y < depth.extent.height; ++y)
+            for (int x = 0; x < depth.extent.width; ++x) {
+                if (depth.at(x, y) >= 1) continue;
+                const glm::dvec3 ndc = glm::dvec3((x + 0.5) / depth.extent.width,
+                                                  (y + 0.5) / depth.extent.height, depth.at(x, y)) *
+                                           2.0 - 1.0;
+                glm::dvec4 view = view_from_clip * glm::dvec4(ndc, 1);
+                view /= view.w;
+                linear.at(x, y) = float(-view.z);
+                logarithmic.at(x, y) = float(std::log1p(-view.z) / std::log1p(1000.0));
+                for (int i = 0; i < 4; ++i) positions.at(x, y, i) = float(view[i]);
+            }
+    }
+};
+
+/// What all cells share: the scene, and depth and normals as a host would have drawn them.
+struct Stage {
+    GlFixture gl;
+    Scene scene = edgeScene();
+    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
+    Frame frame, host_frame;
+    std::unique_ptr<Renderer> host;
+
+    Stage()
+    {
+        const double aspect = double(kExtent.width) / kExtent.height;
+        const SceneCamera camera = need(chooseCamera(
+            scene, uploaded.bounds(), "eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45", aspect));
+        frame = makeFrame(uploaded, camera, kExtent);
+        const GivenConfig config({"geometry/depth_normal"},
+                                 R"(, "outputs": {"depth": "depth", "normal": "normal"})");
+        const Node document = need(loadConfig(config.sources(), {"given"}));
+        host = need(Renderer::create(*gl.device, need(decode(document, config.sources())),
+                                     {kExtent, {}, {}}, traitsOf(frame)));
+        need(host->render(frame));
+        host_frame.camera = frame.camera;
+        host_frame.lights = frame.lights;
+        for (const char* name : {"depth", "normal"})
+            host_frame.textures.push_back({name, host->output(name)});
+        const Encodings stored(gl.read(host->output("depth")), frame.camera.clip_from_view);
+        give("linear_depth", Format::r32f, stored.linear);
+        give("log_depth", Format::r32f, stored.logarithmic);
+        give("position", Format::rgba32f, stored.positions);
+    }
+
+    void give(const char* name, Format format, const Image& image)
+    {
+        const TextureId texture = gl.texture(format, image.extent, name);
+        need(gl.device->writeTexture(texture, image));
+        host_frame.textures.push_back({name, texture});
+    }
+
+    const Frame& frameFor(const Cell& cell) const
+    {
+        return cell.input->host_textures ? host_frame : frame;
+    }
+
+    Result<std::unique_ptr<Renderer>> make(const Cell& cell)
+    {
+        std::vector<std::string> modules = {cell.input->name, cell.estimator->name};
+        modules.insert(modules.end(), cell.add_ons.begin(), cell.add_ons.end());
+        modules.push_back(cell.filter->name);
+        const GivenConfig config(modules, R"(, "params": {"radius": {"default": 0.6}})");
+        const Result<Node> document = loadConfig(config.sources(), {"given", {}, cell.overrides});
+        if (!document) return document.diagnostics();
+        const Result<Description> description = decode(*document, config.sources());
+        if (!description) return description.diagnostics();
+        return Renderer::create(*gl.device, *description, {kExtent, {}, {}},
+                                traitsOf(frameFor(cell)));
+    }
+
+    Image draw(Renderer& renderer, const Cell& cell)
+    {
+        const int frames = cell.filter->remembers ? 2 : 1;
+        for (int i = 0; i < frames; ++i) need(renderer.render(frameFor(cell)));
+        return gl.read(renderer.output("ao"));
+    }
+
+    /// Least and mean visibility on the rectangle between two points of the world.
+    std::pair<float, double> seen(const Image& ao, const glm::vec3& from, const glm::vec3& to) const
+    {
+        constexpr int kSteps = 12;
+        float least = 1.0f;
+        double sum = 0;
+        for (int i = 0; i < kSteps * kSteps; ++i) {
+            const glm::vec3 share = {i % kSteps / (kSteps - 1.0f), i / kSteps / (kSteps - 1.0f),
+                                     i / kSteps / (kSteps - 1.0f)};
+            const glm::vec4 clip = frame.camera.clip_from_view *
+                                   glm::mat4(frame.camera.view_from_world) *
+                                   glm::vec4(glm::mix(from, to, share), 1.0f);
+            const float value = ao.at(int((clip.x / clip.w * 0.5f + 0.5f) * kExtent.width),
+                                      int((clip.y / clip.w * 0.5f + 0.5f) * kExtent.height));
+            least = std::min(least, value);
+            sum += value;
+        }
+        return {least, sum / (kSteps * kSteps)};
+    }
+};
+
+void checkRefusal(const Diagnostics& diagnostics)
+{
+    REQUIRE(diagnostics.size() == 1);
+    const Diagnostic& error = diagnostics.front();
+    INFO(toText(diagnostics));
+    CHECK((error.code == Code::uniform_unbound || error.code == Code::target_missing));
+    CHECK(error.place.line > 0);
+    CHECK(!error.help.empty());
+}
+
+void checkVisibility(const Stage& stage, const Cell& cell, const Image& ao)
+{
+    CHECK(allVisibility(ao));
+    const auto floor = stage.seen(ao, {-1, 0, -0.4f}, {1, 0, 0.8f});
+    const auto wall = stage.seen(ao, {-1, 1.2f, -2}, {1, 1.6f, -2});
+    const auto edge = stage.seen(ao, {-1, 0, -1.9f}, {1, 0, -1.8f});
+    if (cell.estimator->reads_normals) {
+        CHECK(edge.second < floor.second - 0.05);
+        CHECK(std::min(floor.first, wall.first) >= 0.95f);
+    } else {  // half of what such a kernel probes about a wall lies inside it
+        CHECK((wall.first > 0.35f && wall.second < 0.75));
+    }
+    for (const int x : {4, kExtent.width - 5})
+        for (const int y : {4, kExtent.height - 5}) CHECK(ao.at(x, y) == 1.0f);
+}
+
+}  // namespace
+
+TEST_CASE("Estimators, filters and inputs run together by pairs, or are refused with a reason")
+{
+    Stage stage;
+    int drawn = 0;
+    for (const Cell& cell : cells()) {
+        INFO(textOf(cell));
+        auto renderer = stage.make(cell);
+        if (!makesSense(cell)) {
+            CHECK_FALSE(renderer.ok());
+            checkRefusal(renderer.diagnostics());
+            continue;
+        }
+        INFO(toText(renderer.diagnostics()));
+        REQUIRE(renderer.ok());
+        checkVisibility(stage, cell, stage.draw(**renderer, cell));
+        need((*renderer)->setParam("intensity", 0.0f));
+        CHECK(mean(stage.draw(**renderer, cell)) == 1.0);
+        ++drawn;
+    }
+    CHECK(drawn >= 100);
+}
+
+TEST_CASE("The matrix holds every pair of an estimator, a filter and an input")
+{
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const Cell& cell : cells()) {
+        pairs.insert({cell.estimator->name, cell.filter->name});
+        pairs.insert({cell.estimator->name, cell.input->name});
+        pairs.insert({cell.filter->name, cell.input->name});
+    }
+    const std::size_t estimators = shippedEstimators().size(), filters = shippedFilters().size(),
+                      inputs = shippedInputs().size();
+    CHECK(pairs.size() == estimators * filters + estimators * inputs + filters * inputs);
+    CHECK((estimators >= 8 && filters >= 12 && inputs >= 5));
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// The mean over frames, drawn for real: what it gathers, what it forgets, and what it never shows.
+#include "tests/support/picture.h"
+
+#include "core/config/load.h"
+#include "core/run/renderer.h"
+#include "effects/catalog.h"
+#include "tools/render/scene_upload.h"
+#include "tools/scene/camera_framing.h"
+
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kExtent = {128, 72};
+
+const char* const kGiven = R"({
+    "format": 1,
+    "imports": {"camera": {"type": "camera"}},
+    "params": {"radius": {"default": 0.25}},
+    "targets": {"ao": {"format": ["r16f"]}},
+    "shaders": {"ssao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/given.frag"}},
+    "passes": {"ssao": {"type": "fullscreen", "shader": "ssao", "color": ["ao"]}}})";
+
+// Another number in 0..1 for each pixel and frame.
+const char* const kNoise =
+    "fract(sin(dot(gl_FragCoord.xy + float(frame_index) * 7.31, vec2(12.9898, 78.233))) * 43758.5)";
+// Leaves the filter out.
+const char* const kRaw = "/outputs/ao=ao";
+// Stripes that stand still in the world.
+const char* const kStripes = "(fract(world.x * 2.0) < 0.5 ? 0.2 : 0.8)";
+
+/// A filter over an occlusion that a line of GLSL gives: of uv, the point in the world and the frame.
+struct Film {
+    explicit Film(const std::string& ao, const std::string& scene = "plane",
+                  const std::vector<std::string>& overrides = {})
+    {
+        MemorySources mine;
+        mine.add("ssao/given.frag", R"(#version 300 es
+precision highp float;
+precision highp int;
+#include <surface>
+uniform mat4 world_from_view;
+uniform int frame_index;
+uniform float radius;
+in vec2 uv;
+layout(location = 0) out float ao;
+void main() {
+    vec3 point;
+    bool known = pointAt(uv, point);
+    vec3 world = (world_from_view * vec4(point, 1.0)).xyz + 1e-9 * float(frame_index) * radius;
+    ao = known ? )" + ao + " : 1.0; }\n");
+        mine.add("ssao/given.json", kGiven);
+        mine.add("configs/film.json", R"({"format": 1,
+            "extends": ["geometry/depth_normal", "ssao/given", "filter/temporal"]})");
+        const LayeredSources sources({&mine, &shippedSources()});
+        const Node document = need(loadConfig(sources, {"film", {}, overrides}));
+        set = need(loadScene(scene));
+        uploaded = std::make_unique<UploadedScene>(
+            need(UploadedScene::upload(*gl.device, set)));
+        look("eye=0,2,1;at=0,0,0;fov=30");
+        renderer = need(Renderer::create(*gl.device, need(decode(document, sources)),
+                                         {kExtent, {"ao"}, {}}, traitsOf(frame)));
+    }
+
+    void look(const std::string& camera)
+    {
+        const double aspect = double(kExtent.width) / kExtent.height;
+        frame = makeFrame(*uploaded, need(chooseCamera(set, uploaded->bounds(), camera, aspect)),
+                          kExtent);
+    }
+
+    Image draw(int frames = 1)
+    {
+        for (int i = 0; i < frames; ++i) need(renderer->render(frame));
+        return gl.read(renderer->output("ao"));
+    }
+
+    GlFixture gl;
+    Scene set;
+    std::unique_ptr<UploadedScene> uploaded;
+    std::unique_ptr<Renderer> renderer;
+    Frame frame;
+};
+
+/// How far pixels lie from their mean.
+double spread(const Image& image)
+{
+    const double middle = mean(image);
+    double sum = 0;
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = 0; x < image.extent.width; ++x)
+            sum += (image.at(x, y) - middle) * (image.at(x, y) - middle);
+    return std::sqrt(sum / (double(image.extent.width) * image.extent.height));
+}
+
+/// Draws while the camera goes sideways along a wall or past a scene, a frame a step.
+Image travel(Film& film, double height, double distance)
+{
+    Image last;
+    for (int step = 0; step <= 8; ++step) {
+        const std::string x = std::to_string(step * 0.03);
+        film.look("eye=" + x + "," + std::to_string(height) + "," + std::to_string(distance) +
+                  ";at=" + x + ",0,0;fov=30");
+        last = film.draw();
+    }
+    return last;
+}
+
+}  // namespace
+
+TEST_CASE("The first frame is the picture without a history, and so is the one after a cut")
+{
+    Film film(kNoise);
+    Film raw(kNoise, "plane", {kRaw});
+    CHECK(meanChange(film.draw(), raw.draw()) == 0.0);
+    film.draw(3);
+    raw.draw(3);
+    film.frame.camera_cut = true;
+    CHECK(meanChange(film.draw(), raw.draw()) == 0.0);
+    film.frame.camera_cut = false;
+    CHECK(meanChange(film.draw(), raw.draw()) > 0.05);
+}
+
+TEST_CASE("Under a still camera noise falls and the mean stays")
+{
+    for (const char* clamp : {"history_clamp=true", "history_clamp=false"}) {
+        Film film(kNoise, "plane", {"history_weight=0.98", clamp});
+        const Image first = film.draw();
+        const Image fourth = film.draw(3);
+        const Image late = film.draw(60);
+        INFO(clamp);
+        CHECK(spread(fourth) < 0.6 * spread(first));
+        CHECK(spread(late) < 0.2 * spread(first));
+        CHECK(mean(late) == Approx(mean(first)).margin(0.01));
+    }
+}
+
+TEST_CASE("A constant stays that constant, and 1 stays 1")
+{
+    for (const char* ao : {"1.0", "0.5"}) {
+        Film film(ao);
+        const float value = film.draw().pixels.front();
+        const Image late = film.draw(20);
+        for (const float each : late.pixels) REQUIRE(each == value);
+    }
+}
+
+TEST_CASE("What the camera moves past comes along and leaves no ghost on a wall")
+{
+    for (const char* clamp : {"history_clamp=true", "history_clamp=false"}) {
+        Film film(kStripes, "plane", {clamp});
+        Film still(kStripes, "plane", {kRaw});
+        const Image moved = travel(film, 2, 1);
+        const Image now = travel(still, 2, 1);
+        INFO(clamp);
+        CHECK(allVisibility(moved));
+        CHECK(meanChange(moved, now) < 0.03);
+    }
+}
+
+TEST_CASE("A surface that comes into view has no history of the one before it")
+{
+    // Spheres are dark, what they stand before is bright.
+    const char* const ao = "(world.y > 0.01 ? 0.2 : 0.8)";
+    const auto ghost = [&](const char* cut) {
+        Film film(ao, "spheres", {"history_clamp=false", cut});
+        Film still(ao, "spheres", {kRaw});
+        return meanChange(travel(film, 1, 6), travel(still, 1, 6));
+    };
+    const double without = ghost("history_cut=1000");
+    CHECK(ghost("history_cut=0.5") < 0.5 * without);
+}
+
+TEST_CASE("What is no number is dropped")
+{
+    const std::string broken = "(mod(gl_FragCoord.x, 8.0) < 1.0 ? sqrt(-radius) : 0.5)";
+    Film film(broken);
+    CHECK(allVisibility(film.draw()));
+    CHECK(allVisibility(film.draw(4)));
+}
+
+TEST_CASE("With weight 0 every frame stands for itself")
+{
+    Film film(kNoise, "plane", {"history_weight=0"});
+    Film raw(kNoise, "plane", {kRaw});
+    CHECK(meanChange(film.draw(5), raw.draw(5)) == 0.0);
+}
+
+TEST_CASE("The noise of an estimator moves from frame to frame under the mean over frames")
+{
+    const Node document = need(loadConfig(shippedSources(), {"gtao_temporal", {}, {}}));
+    const Description description = need(decode(document, shippedSources()));
+    CHECK(findNamed(description.features, "moving_noise")->value == 1);
+    GlFixture gl;
+    const Scene scene = need(loadScene("spheres"));
+    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
+    const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", 16.0 / 9.0));
+    const Frame frame = makeFrame(uploaded, camera, kExtent);
+    auto renderer = need(Renderer::create(*gl.device, description, {kExtent, {"ao"}, {}},
+                                          traitsOf(frame)));
+    need(renderer->setParam("history_weight", 0.0f));
+    need(renderer->render(frame));
+    const Image first = gl.read(renderer->output("ao"));
+    need(renderer->render(frame));
+    CHECK(meanChange(first, gl.read(renderer->output("ao"))) > 0.005);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/gl_fixture.h"
+
+namespace crevice {
+
+const char* const kFullscreenVertex = R"(#version 300 es
+out highp vec2 uv;
+void main()
+{
+    uv = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
+    gl_Position = vec4(uv * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+const char* const kMeshVertex = R"(#version 300 es
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 2) in vec2 vertex_uv;
+out highp vec3 normal;
+out highp vec2 uv;
+void main()
+{
+    normal = vertex_normal;
+    uv = vertex_uv;
+    gl_Position = vec4(position, 1.0);
+}
+)";
+
+GlslStage stage(const std::string& text)
+{
+    GlslStage made;
+    made.text = text;
+    made.files = {std::make_shared<SourceText>(SourceText{"test.glsl", text})};
+    return made;
+}
+
+std::string fragment(const std::string& body)
+{
+    return "#version 300 es\nprecision highp float;\nprecision highp int;\n" + body;
+}
+
+PassInfo wholePass(FramebufferId framebuffer, Extent extent, int colors)
+{
+    PassInfo pass;
+    pass.label = "test pass";
+    pass.framebuffer = framebuffer;
+    pass.extent = extent;
+    pass.color_count = colors;
+    for (int i = 0; i < colors; ++i) pass.color_load[i] = LoadOp::clear;
+    return pass;
+}
+
+MeshDesc square(float z)
+{
+    MeshDesc mesh;
+    mesh.label = "square";
+    for (float y : {-1.0f, 1.0f})
+        for (float x : {-1.0f, 1.0f})
+            mesh.vertices.push_back(
+                {{x, y, z}, {0.25f, 0.5f, 1.0f}, {x * 0.5f + 0.5f, y * 0.5f + 0.5f}});
+    mesh.indices = {0, 1, 2, 2, 1, 3};
+    return mesh;
+}
+
+GlFixture::GlFixture(const GlDeviceOptions& options, Context& context)
+{
+    need(context.makeCurrent());
+    gl = need(loadGlApi(context.loader()));
+    device = need(makeGlDevice(context.loader(), options));
+}
+
+GlFixture::~GlFixture()
+{
+    CHECK(takeErrors(gl, "the test").ok());
+}
+
+TextureId GlFixture::texture(Format format, Extent extent, const char* label)
+{
+    TextureDesc desc;
+    desc.label = label;
+    desc.format = format;
+    desc.extent = extent;
+    return need(device->createTexture(desc));
+}
+
+FramebufferId GlFixture::framebuffer(std::vector<TextureId> color, TextureId depth)
+{
+    return need(device->createFramebuffer({"framebuffer", std::move(color), depth}));
+}
+
+ProgramId GlFixture::program(const std::string& fragment_body, const char* vertex)
+{
+    return need(device->createProgram({"program", stage(vertex), stage(fragment(fragment_body))}));
+}
+
+int GlFixture::location(ProgramId program, const std::string& uniform)
+{
+    for (const UniformInfo& info : device->uniforms(program))
+        if (info.name == uniform) return info.location;
+    FAIL("no uniform " << uniform);
+    return -1;
+}
+
+void GlFixture::drawInto(TextureId target, ProgramId program, Extent extent)
+{
+    const FramebufferId into = framebuffer({target});
+    need(device->beginFrame());
+    device->beginPass(wholePass(into, extent));
+    device->setProgram(program, {});
+    device->drawFullscreen();
+    device->endPass();
+    need(device->endFrame());
+    device->destroy(into);
+}
+
+}  // namespace crevice

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What GL tests share: the process's one context, a fresh device for each test, and short ways to
+// draw and read.
+#pragma once
+
+#include "backends/context/context.h"
+#include "backends/gl/api.h"
+#include "backends/gl/device.h"
+#include "tests/support/need.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// "egl" or "osmesa": what the environment variable CREVICE_BACKEND asks for.
+std::string testBackend();
+
+/// The context that the tests run in; made before the first test.
+Context& testContext();
+
+/// A vertex shader for drawFullscreen, with `uv` over the picture.
+extern const char* const kFullscreenVertex;
+
+/// A vertex shader for meshes whose positions are in clip space; passes `normal` and `uv` on.
+extern const char* const kMeshVertex;
+
+/// A stage whose driver messages point into the text "test.glsl".
+GlslStage stage(const std::string& text);
+
+/// Fragment shader text with version and precision before `body`.
+std::string fragment(const std::string& body);
+
+/// A pass over all of a framebuffer with `colors` attachments, all cleared to zero and stored.
+PassInfo wholePass(FramebufferId framebuffer, Extent extent, int colors = 1);
+
+/// A triangle list of rectangles over the clip-space square [-1, 1] at depth `z`.
+MeshDesc square(float z);
+
+class GlFixture {
+public:
+    explicit GlFixture(const GlDeviceOptions& options = {}, Context& context = testContext());
+    ~GlFixture();
+
+    TextureId texture(Format format, Extent extent = {4, 4}, const char* label = "texture");
+    FramebufferId framebuffer(std::vector<TextureId> color, TextureId depth = {});
+    ProgramId program(const std::string& fragment_body, const char* vertex = kFullscreenVertex);
+    int location(ProgramId program, const std::string& uniform);
+
+    /// Draws a fullscreen pass of `program` into `target`; the frame must end without errors.
+    void drawInto(TextureId target, ProgramId program, Extent extent = {4, 4});
+
+    Image read(TextureId id) { return need(device->readTexture(id)); }
+
+    std::unique_ptr<Device> device;
+    GlApi gl;  ///< For what the host would do itself.
+};
+
+}  // namespace crevice

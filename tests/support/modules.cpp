@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/modules.h"
+
+#include "core/config/load.h"
+#include "effects/catalog.h"
+#include "tests/support/catch.h"
+
+namespace crevice {
+namespace {
+
+const std::vector<Member>& membersOf(const Node& node, const char* key)
+{
+    static const std::vector<Member> none;
+    const Node* object = node.find(key);
+    return object ? object->members() : none;
+}
+
+std::set<std::string> keysOf(const Node& document, const char* key)
+{
+    std::set<std::string> keys;
+    for (const Member& member : membersOf(document, key)) keys.insert(member.key);
+    return keys;
+}
+
+std::string textAt(const Node& node, const char* key)
+{
+    const Node* value = node.find(key);
+    return value ? value->text() : "";
+}
+
+/// What a pass says it reads: as inputs, and as what its identities give.
+std::set<std::string> readBy(const Node& pass)
+{
+    std::set<std::string> names;
+    for (const Member& identity : membersOf(pass, "identity"))
+        for (const Member& given : membersOf(identity.value, "gives"))
+            if (given.value.kind == Node::Kind::string) names.insert(given.value.text());
+    for (const Member& input : membersOf(pass, "inputs")) {
+        const Node* from = input.value.find("from");
+        const bool renamed = input.value.kind == Node::Kind::string;
+        names.insert(renamed ? input.value.text() : from ? from->text() : input.key);
+    }
+    return names;
+}
+
+/// The text of a fragment shader and of the files of its own folder that it includes.
+std::string shaderText(const std::string& path)
+{
+    const SourceRef source = shippedSources().find(path);
+    std::string text = source ? source->text : "";
+    const std::string include = "#include \"" + path.substr(0, path.find('/') + 1);
+    for (auto at = text.find(include); at != std::string::npos; at = text.find(include, at + 1)) {
+        const auto first = text.find('"', at) + 1;
+        text += shaderText(text.substr(first, text.find('"', first) - first));
+    }
+    return text;
+}
+
+bool holds(const std::string& text, const char* part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+void readShaders(const Node& document, Module& module)
+{
+    for (const Member& shader : membersOf(document, "shaders")) {
+        const std::string text = shaderText(textAt(shader.value, "fragment"));
+        module.reads_normals = module.reads_normals || (holds(text, "#include <surface>") &&
+                                                        !holds(text, "SURFACE_WITHOUT_NORMAL"));
+        module.reads_albedo = module.reads_albedo || holds(text, "sampler2D albedo");
+    }
+}
+
+Module describe(const std::string& name, const Node& document)
+{
+    Module module;
+    module.name = name;
+    module.targets = keysOf(document, "targets");
+    module.options = keysOf(document, "params");
+    module.options.merge(keysOf(document, "features"));
+    for (const Member& target : membersOf(document, "targets"))
+        module.remembers = module.remembers || target.value.find("history");
+    for (const Member& import : membersOf(document, "imports")) {
+        if (textAt(import.value, "type") != "texture") continue;
+        module.targets.insert(import.key);
+        module.host_textures = true;
+    }
+    for (const Member& pass : membersOf(document, "passes"))
+        for (const std::string& read : readBy(pass.value))
+            if (module.targets.count(read) == 0) module.needs.insert(read);
+    readShaders(document, module);
+    return module;
+}
+
+bool everyPassHasItsShader(const Node& document)
+{
+    const std::set<std::string> shaders = keysOf(document, "shaders");
+    for (const Member& pass : membersOf(document, "passes"))
+        if (shaders.count(textAt(pass.value, "shader")) == 0) return false;
+    return true;
+}
+
+/// Not every context reads several samples a pixel.
+bool readsSamples(const Node& document)
+{
+    for (const Member& shader : membersOf(document, "shaders"))
+        if (holds(shaderText(textAt(shader.value, "fragment")), "sampler2DMS")) return true;
+    return false;
+}
+
+std::string outputAo(const Node& document)
+{
+    const Node* outputs = document.find("outputs");
+    return outputs ? textAt(*outputs, "ao") : "";
+}
+
+template <class Chosen>
+std::vector<Module> modulesBelow(const std::string& folder, Chosen&& chosen)
+{
+    std::vector<Module> modules;
+    for (const std::string& path : shippedSources().list()) {
+        const bool json = path.size() > 5 && path.compare(path.size() - 5, 5, ".json") == 0;
+        if (!json || path.rfind(folder + "/", 0) != 0) continue;
+        const std::string name = path.substr(0, path.size() - 5);
+        const GivenConfig config({name});
+        const Result<Node> document = loadConfig(config.sources(), {"given"});
+        INFO(toText(document.diagnostics()));
+        REQUIRE(document.ok());
+        if (chosen(*document)) modules.push_back(describe(name, *document));
+    }
+    return modules;
+}
+
+}  // namespace
+
+GivenConfig::GivenConfig(const std::vector<std::string>& modules, const std::string& more)
+    : layers_({&mine_, &shippedSources()})
+{
+    std::string list;
+    for (const std::string& name : modules) list += (list.empty() ? "\"" : ", \"") + name + "\"";
+    mine_.add("configs/given.json",
+              R"({"format": 1, "name": "given", "extends": [)" + list + "]" + more + "}");
+}
+
+const std::vector<Module>& shippedInputs()
+{
+    static const std::vector<Module> inputs = modulesBelow("geometry", [](const Node& document) {
+        return keysOf(document, "interfaces").count("surface") > 0 && !readsSamples(document);
+    });
+    return inputs;
+}
+
+const std::vector<Module>& shippedEstimators()
+{
+    static const std::vector<Module> estimators = modulesBelow("ssao", [](const Node& document) {
+        return outputAo(document) == "ao" && everyPassHasItsShader(document);
+    });
+    return estimators;
+}
+
+const std::vector<Module>& shippedFilters()
+{
+    static const std::vector<Module> filters = modulesBelow("filter", [](const Node& document) {
+        return outputAo(document) != "" && outputAo(document) != "ao" &&
+               everyPassHasItsShader(document);
+    });
+    return filters;
+}
+
+}  // namespace crevice

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What tests over everything that ships are about.
+#pragma once
+
+#include "tests/support/need.h"
+
+#include "core/config/description.h"
+#include "core/config/load.h"
+#include "effects/catalog.h"
+
+namespace crevice {
+
+struct Subject {
+    std::string config;
+    std::string variant;
+};
+
+/// Every shipped config, and again with each of its variants.
+inline std::vector<Subject> subjects()
+{
+    std::vector<Subject> all;
+    for (const std::string& name : configNames(shippedSources())) {
+        all.push_back({name, ""});
+        const Node document = need(parseDocument(shippedSources().find("configs/" + name + ".json")));
+        if (const Node* variants = document.find("variants"))
+            for (const Member& variant : variants->members()) all.push_back({name, variant.key});
+    }
+    return all;
+}
+
+inline Description descriptionOf(const Subject& subject)
+{
+    return need(decode(need(loadConfig(shippedSources(), {subject.config, subject.variant, {}})),
+                       shippedSources()));
+}
+
+/// With all its whole numbers, counts most of them, at one end of their ranges.
+inline Description withCounts(Description description, bool most)
+{
+    for (ParamDesc& param : description.params)
+        if (param.type == ParamType::int_)
+            param.value[0] = static_cast<float>(most ? param.max : param.min);
+    return description;
+}
+
+}  // namespace crevice

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// A whole bench on a real device: figures, pictures, a config that fails, and the same errors twice.
+#include "tools/bench/ablation.h"
+#include "tools/bench/measure.h"
+
+#include "effects/catalog.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/image/image_file.h"
+#include "tools/reference/tracer.h"
+#include "tools/render/scene_upload.h"
+
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+BenchOptions smallOptions()
+{
+    BenchOptions options;
+    options.scenes = {"spheres"};
+    options.sizes = {"64x36"};
+    options.configs = {"hemisphere_box"};
+    options.rays = 16;
+    return options;
+}
+
+/// Plans, measures all points into the folder and reads them back.
+std::vector<BenchPoint> bench(const BenchOptions& options, const SourceSet& sources,
+                              const TemporaryFolder& folder)
+{
+    GlFixture gl;
+    const BenchPlan plan = need(planBench(options, sources));
+    MeasureOptions measure;
+    measure.rays = options.rays;
+    measure.repeats = 3;
+    measure.out_folder = folder.path.string();
+    BenchMeter meter(*gl.device, plan, sources, measure);
+    BenchWorld world;
+    world.measure = [&meter](const BenchTask& task) { return meter.measure(task); };
+    world.seconds = [] { return 0.0; };
+    world.interrupted = [] { return false; };
+    world.say = [](const std::string&) {};
+    world.device = gl.device->caps().name;
+    ResultFile file = need(ResultFile::open(folder.path.string()));
+    need(runBench(plan.tasks, file, world).written);
+    return need(readBenchPoints({(folder.path / "results.jsonl").string()}));
+}
+
+}  // namespace
+
+TEST_CASE("An ablation times every rule in every situation, and a still frame is next to nothing")
+{
+    GlFixture gl;
+    BenchOptions options = smallOptions();
+    options.configs = {"gtao"};
+    const BenchPlan plan = need(planBench(options, shippedSources()));
+    const BenchTask& task = plan.tasks.at(0);
+    const std::vector<AblationRow> rows =
+        need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return false; }));
+    const std::size_t rules = std::size(kRules) + 2;  // all of them on, and none
+    REQUIRE(rows.size() == 5 * rules);
+    const auto of = [&](const std::string& situation, const std::string& rule) {
+        for (const AblationRow& row : rows)
+            if (row.situation == situation && row.rule == rule) return row;
+        FAIL("no row " << situation << ", " << rule);
+        return AblationRow();
+    };
+    for (const AblationRow& row : rows) {
+        INFO(row.situation << ' ' << row.rule);
+        CHECK(row.repeats == 3);
+        CHECK(row.ms.median > 0);
+        if (row.rule.empty()) CHECK(row.factor.median == 1.0);
+    }
+    CHECK(of("still", "").ms.median < 0.02 * of("still", "all").ms.median);
+    CHECK(of("off", "identity").left_out < of("off", "").left_out);
+    CHECK(of("off", "").left_out > of("moving camera", "").left_out);
+    CHECK(need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return true; })).empty());
+}
+
+TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a config that fails")
+{
+    if (!canTrace()) return;
+    MemorySources mine;
+    mine.add("configs/broken.json", R"({
+        "format": 1, "extends": ["hemisphere_box"], "shaders": {"ssao": {"fragment": "broken.frag"}}})");
+    mine.add("broken.frag", "#version 300 es\nlayout(location = 0) out mediump float ao;\n"
+                            "void main() { ao = nothing; }\n");
+    const LayeredSources sources({&mine, &shippedSources()});
+    const TemporaryFolder folder("bench_gl");
+    BenchOptions options = smallOptions();
+    options.configs = {"broken", "hemisphere_box"};
+    const std::vector<BenchPoint> points = bench(options, sources, folder);
+    REQUIRE(points.size() == 2);
+    CHECK(!points[0].failure.empty());
+
+    const BenchPoint& point = points[1];
+    CHECK(point.failure.empty());
+    CHECK(point.error.pixels > 0);
+    CHECK(point.error.rmse > 0.01);
+    CHECK(point.error.rmse < 0.3);
+    CHECK(point.error.rmse_fit <= point.error.rmse);
+    for (const double part : {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
+        CHECK(part >= 0.0);
+        CHECK(part < 0.3);
+    }
+    CHECK(point.budget.precision < 0.05);
+    CHECK(point.budget_failure.empty());
+    CHECK(point.error_without_ao > 0.01);
+    CHECK(point.repeats >= 3);
+    REQUIRE(point.passes.size() == 4);
+    CHECK(point.passes[0].name == "geometry");
+    CHECK(point.total.median > 0.0);
+    CHECK(point.total.q1 <= point.total.q3);
+    CHECK(point.cost.median > 0.0);
+    CHECK(point.cost.median < point.total.median);
+    CHECK(point.ratio_floor > 0.0);
+    CHECK(point.ratio_learnopengl > 0.0);
+    CHECK(point.radius_px > 1.0);
+    CHECK(point.bytes_read > 0.0);
+    CHECK(point.texture_bytes > 0.0);
+    for (const std::string& picture :
+         {point.ao_picture, point.truth_picture, point.difference_picture})
+        CHECK(need(readImage(picture)).extent == Extent{64, 36});
+}
+
+TEST_CASE("Two benches find exactly the same errors")
+{
+    if (!canTrace()) return;
+    const TemporaryFolder first("bench_gl_first"), second("bench_gl_second");
+    const std::vector<BenchPoint> a = bench(smallOptions(), shippedSources(), first);
+    const std::vector<BenchPoint> b = bench(smallOptions(), shippedSources(), second);
+    REQUIRE(a.size() == 1);
+    REQUIRE(b.size() == 1);
+    CHECK(a[0].key == b[0].key);
+    CHECK(a[0].error.rmse == b[0].error.rmse);
+    CHECK(a[0].error.p99 == b[0].error.p99);
+    CHECK(a[0].error.rmse_fit == b[0].error.rmse_fit);
+    CHECK(a[0].budget.noise == b[0].budget.noise);
+    CHECK(a[0].budget.model == b[0].budget.model);
+    CHECK(a[0].budget.precision == b[0].budget.precision);
+}
+
+TEST_CASE("A view without a surface fails each of its points and says why")
+{
+    if (!canTrace()) return;
+    const TemporaryFolder folder("bench_gl_nothing");
+    BenchOptions options = smallOptions();
+    options.camera = "eye=0,50,0;at=0,100,0;up=0,0,1";
+    const std::vector<BenchPoint> points = bench(options, shippedSources(), folder);
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].failure.find("no surface") != std::string::npos);
+}
+
+TEST_CASE("What a config converges to does not depend on its samples or seeds")
+{
+    GlFixture gl;
+    const BenchPlan plan = need(planBench([] {
+        BenchOptions options = smallOptions();
+        options.samples = {2, 32};
+        return options;
+    }(), shippedSources()));
+    const BenchView& view = plan.views[0];
+    const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));
+    const Frame frame = makeFrame(scene, view.camera, view.extent);
+    const Stage stage = {*gl.device, frame, view.extent};
+    const auto never = [] { return false; };
+    const Image few = need(convergedOcclusion(stage, plan.tasks[0].description, never));
+    const Image many = need(convergedOcclusion(stage, plan.tasks[1].description, never));
+    CHECK(few.extent == view.extent);
+    CHECK(few.pixels == many.pixels);
+}
+
+TEST_CASE("Every shipped config converges, whatever filter follows")
+{
+    GlFixture gl;
+    BenchOptions options = smallOptions();
+    options.configs = {};
+    const BenchPlan plan = need(planBench(options, shippedSources()));
+    const BenchView& view = plan.views[0];
+    const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));
+    const Frame frame = makeFrame(scene, view.camera, view.extent);
+    const Stage stage = {*gl.device, frame, view.extent};
+    const auto at_once = [] { return true; };
+    for (const BenchTask& task : plan.tasks) {
+        CAPTURE(task.point.config);
+        CHECK(need(convergedOcclusion(stage, task.description, at_once)).extent == view.extent);
+        CHECK(need(unfilteredOcclusion(stage, task.description)).extent == view.extent);
+    }
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Benches without GL: their points, keys, shards and figures.
+#include "tools/bench/bench.h"
+
+#include "core/plan/plan.h"
+#include "tests/tools/bench/small.h"
+#include "tools/bench/errors.h"
+#include "tools/bench/times.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+std::vector<std::string> keys(const BenchOptions& options)
+{
+    std::vector<std::string> all;
+    for (const BenchTask& task : plan(options).tasks) all.push_back(task.point.key);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("A bench crosses scenes, sizes, radii, configs and samples")
+{
+    BenchOptions options = smallOptions();
+    options.configs = {"learnopengl", "thesis"};
+    options.sizes = {"64x36", "32x18"};
+    options.radii = {0.25, 1};
+    const BenchPlan planned = plan(options);
+    CHECK(planned.tasks.size() == 2 * 2 * 2 * 2 * 2);
+    CHECK(planned.views.size() == 4);
+    const BenchPoint& point = planned.tasks[1].point;
+    CHECK(pointTitle(point) == "learnopengl radius=0.25 samples=16, plane, 64x36");
+    CHECK(point.family == "learnopengl");
+    CHECK(point.samples == 16);
+    CHECK(point.radius == 0.25);
+    CHECK(point.triangles > 0);
+}
+
+TEST_CASE("The key of a point is the same in every plan and changes with what decides its figures")
+{
+    const BenchOptions options = smallOptions();
+    const std::vector<std::string> first = keys(options);
+    CHECK(std::set<std::string>(first.begin(), first.end()).size() == first.size());
+    CHECK(keys(options) == first);
+
+    BenchOptions other = options;
+    other.rays = 64;
+    CHECK(keys(other).front() != first.front());
+    other = options;
+    other.version = "next";
+    CHECK(keys(other).front() != first.front());
+    other = options;
+    other.overrides = {"intensity=2"};
+    CHECK(keys(other).front() != first.front());
+    CHECK(keyOnDevice(first[0], "a") != keyOnDevice(first[0], "b"));
+}
+
+TEST_CASE("An edited shader is another point")
+{
+    const std::string text = shippedSources().find("ssao/hemisphere.frag")->text;
+    MemorySources edited;
+    edited.add("ssao/hemisphere.frag", text + "// edited\n");
+    const LayeredSources sources({&edited, &shippedSources()});
+    BenchOptions options = smallOptions();
+    options.configs = {"learnopengl"};
+    const Result<BenchPlan> other = planBench(options, sources);
+    REQUIRE(other.ok());
+    CHECK(other->tasks[0].point.key != keys(options)[0]);
+}
+
+TEST_CASE("Shards share the points out exactly, whatever their number")
+{
+    BenchOptions options = smallOptions();
+    const std::vector<std::string> all = keys(options);
+    for (const int count : {1, 2, 3, 8, 100}) {
+        std::vector<std::string> together;
+        for (int index = 1; index <= count; ++index) {
+            options.shard = {index, count};
+            for (const std::string& key : keys(options)) together.push_back(key);
+        }
+        INFO(count);
+        CHECK(together.size() == all.size());
+        CHECK(std::set<std::string>(together.begin(), together.end()) ==
+              std::set<std::string>(all.begin(), all.end()));
+    }
+}
+
+TEST_CASE("Sample counts that a config cannot take are left out with a warning")
+{
+    BenchOptions options = smallOptions();
+    options.scenes = {"plane"};
+    options.configs = {"learnopengl"};
+    options.samples = {4, 1000};
+    const BenchPlan planned = plan(options);
+    CHECK(planned.tasks.size() == 1);
+    REQUIRE(planned.diagnostics.size() == 1);
+    CHECK(planned.diagnostics[0].severity == Severity::warning);
+}
+
+TEST_CASE("Scenes, cameras and configs that are unusable become failures")
+{
+    BenchOptions options = smallOptions();
+    options.scenes = {"nowhere", "plane", "spheres"};
+    options.camera = "grazing";  // which spheres has not
+    options.configs = {"nothing", "learnopengl"};
+    const BenchPlan planned = plan(options);
+    CHECK(planned.diagnostics.size() == 2);
+    CHECK(hasErrors(planned.diagnostics));
+    REQUIRE(planned.tasks.size() == 9);
+    const auto failureOf = [&planned](std::size_t task) {
+        return planned.tasks[task].point.failure.substr(0, 7);
+    };
+    CHECK(failureOf(0) == "CV7001:");
+    CHECK(failureOf(1) == "CV7001:");
+    CHECK(planned.tasks[1].point.samples == 4);
+    CHECK(failureOf(3) == "CV1201:");
+    CHECK(failureOf(4).empty());
+    CHECK(failureOf(7) == "CV7004:");
+}
+
+TEST_CASE("A failure tells the place of its first error and passes over warnings")
+{
+    Diagnostic warning{Code::not_finite, "odd"};
+    warning.severity = Severity::warning;
+    Diagnostic error{Code::shader_compile, "syntax error"};
+    CHECK(failureText({warning, error}) == "CV5001: syntax error");
+    error.place = {std::make_shared<SourceText>(SourceText{"my.frag", "one\ntwo\n"}), 2, 3, 1};
+    CHECK(failureText({warning, error}) == "my.frag:2:3: CV5001: syntax error");
+}
+
+TEST_CASE("What is asked for twice is measured once")
+{
+    BenchOptions options = smallOptions();
+    options.configs = {"learnopengl", "learnopengl"};
+    options.sizes = {"64x36", "64x36"};
+    options.samples = {4, 4};
+    CHECK(plan(options).tasks.size() == 2);
+}
+
+TEST_CASE("Shards and lengths of time are read strictly")
+{
+    CHECK(parseShard("3/8")->index == 3);
+    for (const char* text : {"", "3", "0/8", "9/8", "-1/8", "3/8x", "/8", "3/"})
+        CHECK_FALSE(parseShard(text).ok());
+    CHECK(*parseDuration("90") == 90);
+    CHECK(*parseDuration("90s") == 90);
+    CHECK(*parseDuration("5m") == 300);
+    CHECK(*parseDuration("1.5h") == 5400);
+    for (const char* text : {"", "m", "0", "-5m", "5 m", "5d", "inf", "nan"})
+        CHECK_FALSE(parseDuration(text).ok());
+}
+
+TEST_CASE("Medians and quartiles lie between neighbours")
+{
+    const TimeFigures five = timeFigures({5, 1, 4, 2, 3});
+    CHECK(five.median == 3);
+    CHECK(five.q1 == 2);
+    CHECK(five.q3 == 4);
+    CHECK(timeFigures({1, 2}).median == 1.5);
+    CHECK(timeFigures({7}).q3 == 7);
+}
+
+TEST_CASE("The cost of the occlusion is every pass but the draw passes")
+{
+    Plan made;
+    made.passes.resize(3);
+    made.passes[0].type = PassType::draw;
+    FrameTimes times;
+    times.pass_ms = {100, 2, 0.5};
+    CHECK(occlusionCost(made, times) == 2.5);
+}
+
+TEST_CASE("The radius on screen is that of the median depth, for both kinds of projection")
+{
+    Image depth({101, 100}, 1, 1.0f);
+    Camera camera;
+    camera.clip_from_view = glm::perspective(1.0f, 1.01f, 0.1f, 100.0f);
+    CHECK(radiusOnScreen(1, camera, depth) == 0.0);
+    const auto window = [&camera](float z) {
+        const glm::vec4 clip = camera.clip_from_view * glm::vec4(0, 0, z, 1);
+        return clip.z / clip.w * 0.5f + 0.5f;
+    };
+    depth.at(0, 0) = window(-2);
+    depth.at(1, 0) = window(-4);
+    depth.at(2, 0) = window(-50);
+    CHECK(radiusOnScreen(1, camera, depth) == Approx(50 / std::tan(0.5) / 4).epsilon(1e-3));
+
+    camera.clip_from_view = glm::ortho(-3.0f, 3.0f, -2.5f, 2.5f, 0.0f, 10.0f);
+    CHECK(radiusOnScreen(1, camera, depth) == Approx(20));
+}
+
+TEST_CASE("The budget is measured where the truth is known, and -1 where a picture is missing")
+{
+    Image truth({2, 1}, 1, 0.5f);
+    truth.at(1, 0) = std::nanf("");
+    Image ao({2, 1}, 1, 0.75f), converged({2, 1}, 1, 0.625f);
+    ao.at(1, 0) = 1.0f;
+    const Image unfiltered({2, 1}, 1, 1.0f);
+    const ErrorBudget budget = budgetOf({ao, truth, converged, unfiltered, Image()});
+    CHECK(budget.sampling == 0.375);
+    CHECK(budget.noise == 0.125);
+    CHECK(budget.model == 0.125);
+    CHECK(budget.precision == -1);
+}
+
+TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides cancel")
+{
+    const std::vector<double> unit = {99, 10, 30, 10, 10};  // the first turn was another point's
+    const TimeFigures ratio = ratioFigures({5, 15, 5, 6}, unit);
+    CHECK(ratio.median == 0.5);
+    CHECK(ratio.q1 == 0.5);
+    CHECK(ratioFigures({1, 2}, {0, 0}).median == 0.0);
+    CHECK(ratioFigures({}, unit).median == 0.0);
+}
+
+TEST_CASE("The quickest turns are those that no slow moment reaches")
+{
+    std::vector<double> costs(20, 100.0);
+    costs[4] = costs[7] = costs[11] = 2.0;
+    CHECK(quickest(costs) == 2.0);
+    CHECK(quickest({3.0}) == 3.0);
+}
+
+TEST_CASE("A median is settled by more turns or by steadier ones")
+{
+    const TimeFigures steady{1.0, 0.99, 1.01}, restless{1.0, 0.8, 1.2};
+    CHECK(isSettled(steady, 4));
+    CHECK(!isSettled(restless, 7));
+    CHECK(isSettled(restless, 1000));
+}

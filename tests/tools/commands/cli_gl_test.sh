@@ -1,0 +1,176 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The crevice command where it draws: pictures on one backend, and the README's own filter.
+#   cli_gl_test.sh CREVICE README BACKEND
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/../../support/cli_checks.sh"
+readme=$2
+backend=$3
+
+small=(--scene corner --size 96x64 --backend "$backend")
+got=0
+"$crevice" render learnopengl "${small[@]}" 2>stderr.txt || got=$?
+if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
+    sed 's/^/SKIPPED: /' stderr.txt
+    exit 77
+fi
+check "render writes color.png by default" test -s color.png
+
+expect 0 'wrote ao.pfm' render learnopengl "${small[@]}" --out color=lit.png --out ao=ao.pfm
+check "both files are there" test -s lit.png -a -s ao.pfm
+expect 0 '"first_frame_ms"' render learnopengl "${small[@]}" --out ao=ao.png --json
+expect_json
+expect 0 'wrote' render learnopengl "${small[@]}" --out target.ao=raw.pfm --out normal=normal.pfm \
+    --out view_normal=normal.png --out depth=depth.pfm
+expect 5 'over' compare raw.pfm ao.pfm --max-rmse 0.0001
+
+# Two eyes are two halves of one picture, even where the plan finds it to be constant.
+expect 0 '96x64 an eye' render learnopengl "${small[@]}" --camera 'eye=0,1,3;at=0,1,0' --stereo 0.5 \
+    --out ao=eyes.pfm
+check "both eyes are beside each other" test "$(sed -n 2p eyes.pfm | tr -d '\0')" = "192 64"
+expect 0 '"views": 2' render learnopengl "${small[@]}" --stereo 0.5 --convergence 4 \
+    --set intensity=0 --out ao=eyes.pfm --json
+
+# Intensity 0 leaves the whole AO chain out; the constant still fills the picture.
+expect 0 'wrote' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm
+expect 1 'CV7006|CV7005' compare open.pfm "$readme"
+expect 0 'wrote' reference --scene corner --size 96x64 --radius 0 --rays 1 --out one.pfm
+expect 0 'rmse' compare open.pfm one.pfm --max-abs 0
+
+expect 0 'CV9003: the ambient occlusion is 1 everywhere' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm
+expect 0 'intensity is 0' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm --json
+expect_json
+
+# What shows no ambient occlusion is told with the radius to take, which then shows some.
+for scale in 0.001 1000; do
+    awk -v k=$scale '{ if ($1 == "v") print "v", $2 * k, $3 * k, $4 * k; else print }' >scaled.obj <<'EOF'
+v -2 0 -2
+v 2 0 -2
+v 2 0 2
+v -2 0 2
+v -2 3 -2
+v 2 3 -2
+f 4 3 2 1
+f 1 2 6 5
+EOF
+    scaled=(--scene scaled.obj --size 96x64 --backend "$backend")
+    for config in learnopengl gtao mobile; do
+        expect 0 'warning CV4001: radius .* at the median depth' render "$config" "${scaled[@]}" --out color=lit.png
+        radius=$(sed -n 's/.*try --set \(radius=.*\)/\1/p' stderr.txt)
+        expect 0 'wrote' render "$config" "${scaled[@]}" --out ao=ao.pfm --set "$radius"
+        check "$config at scale $scale has no more to say" eval '! grep -q warning stderr.txt'
+        expect 5 'over' compare ao.pfm open.pfm --max-rmse 0.005
+    done
+done
+expect 0 'warning CV7008: the camera sees no surface' render gtao "${small[@]}" \
+    --camera 'eye=0,1,100;at=0,1,200' --out color=lit.png
+expect 0 'wrote' render gtao "${small[@]}" --out color=lit.png
+check "a picture that shows it has nothing to say" eval '! grep -q warning stderr.txt'
+
+# What was set is saved as a config of its own, which draws the same picture.
+mkdir -p saved
+expect 0 'wrote' render thesis "${small[@]}" --variant lambert --set radius=0.8 --set power=1 \
+    --set /generated/kernel/seed=7 --set /views/view_ao=null --out color=set.png --save-patch saved/one.json
+expect 0 'wrote' render saved/one.json "${small[@]}" --out color=saved.png
+check "a saved patch draws the same picture" cmp set.png saved.png
+expect 0 'wrote' render saved/one.json "${small[@]}" --set radius=0.5 --out color=set.png --save-patch two.json
+expect 0 'wrote' render two.json "${small[@]}" --out color=saved.png
+check "so does one over a file in another folder" cmp set.png saved.png
+expect 0 'wrote' render thesis "${small[@]}" --set radius=0.5 --set bias=0.1 --save-patch three.json
+expect 0 'bias' explain three.json --why bias
+expect 0 'pass ssao .identity.: .* [0-9.]+ ms$' explain gtao --set intensity=0 --scene corner --size 64x36 --measure
+expect 2 'CV8001' explain gtao --measure
+check "a value that is the default is not in the patch" bash -c '! grep -q radius three.json'
+
+# Mediump as on a phone: another picture, by little. A build without glslang says so.
+if "$crevice" render learnopengl "${small[@]}" --precision half --out color=half.png 2>stderr.txt; then
+    expect 0 'wrote' render learnopengl "${small[@]}" --precision full --out color=full.png
+    expect 5 'over' compare full.png half.png --max-abs 0
+    expect 0 'rmse' compare full.png half.png --max-rmse 0.004
+    expect 0 'nothing is wrong' doctor learnopengl --scene corner --size 96x64 --backend "$backend" \
+        --precision half
+else
+    check "a build that cannot choose a precision says so" grep -q CV6012 stderr.txt
+fi
+
+# Programs are kept in a folder, and then none is compiled; where the driver gives none it says so.
+cached=(render learnopengl "${small[@]}" --program-cache kept/programs)
+expect 0 'wrote' render learnopengl "${small[@]}" --out color=plain.png
+expect 0 '^0 of [0-9]+ programs|driver gives no program binaries' "${cached[@]}" --out color=cold.png
+if [[ -n $(ls kept/programs) ]]; then
+    check "the files are named by keys alone" test -z "$(ls -A kept/programs | grep -vxE '[0-9a-f]{16}')"
+    programs=$(ls kept/programs | wc -l)
+    expect 0 "^$programs of $programs programs" "${cached[@]}" --out color=warm.png
+    expect 0 "\"found\": $programs" "${cached[@]}" --out color=warm.png --json
+    expect_json
+    for file in kept/programs/*; do printf 'garbage' >"$file"; done
+    expect 0 "^0 of $programs programs" "${cached[@]}" --out color=garbage.png
+    expect 0 "^$programs of $programs programs" "${cached[@]}" --out color=mended.png
+    expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}" --program-cache kept/programs
+    check "another config adds its own" test "$(ls kept/programs | wc -l)" -gt "$programs"
+    for file in warm garbage mended; do check "$file programs draw the same" cmp -s plain.png "$file.png"; done
+fi
+check "keeping programs draws the same" cmp -s plain.png cold.png
+rm -rf kept && printf 'a file' >kept
+expect 4 "CV7007: 'kept/programs'" "${cached[@]}" --out color=never.png
+
+from_readme mine.json
+from_readme cross.json
+from_readme cross.frag
+expect 0 'wrote' render mine.json "${small[@]}"
+expect 0 'wrote' render cross.json "${small[@]}" --out ao=cross.pfm
+expect 5 'over' compare cross.pfm ao.pfm --max-rmse 0.0001
+
+# The whole effect in one file is what the modules make.
+whole=$(dirname -- "$readme")/docs/written_out.json
+expect 0 'wrote' render "$whole" "${small[@]}" --out color=whole.png --out ao=whole.pfm
+expect 0 'wrote' render learnopengl "${small[@]}" --out color=modules.png --out ao=modules.pfm
+check "both have one picture" cmp -s whole.png modules.png
+check "and one occlusion" cmp -s whole.pfm modules.pfm
+check "written out it takes at most 110 lines" test "$(wc -l <"$whole")" -le 110
+
+# Live editing: a save draws again, a mistake leaves the picture, and its mending draws again.
+"$crevice" render mine.json "${small[@]}" --out ao=live.pfm --watch >watch.txt 2>&1 </dev/null &
+watcher=$!
+told() {
+    local count=$1 text=$2
+    for _ in {1..200}; do
+        (($(grep -c -- "$text" watch.txt) >= count)) && return 0
+        sleep 0.1
+    done
+    return 1
+}
+check "the watch begins" told 1 'watching'
+cp live.pfm before.pfm
+sed -i 's/0\.8/0.3/' mine.json
+check "a save draws again" told 1 'drawn again'
+check "with the new value" eval '! cmp -s live.pfm before.pfm'
+cp live.pfm before.pfm
+sed -i 's/"radius"/"raduis"/' mine.json
+check "a mistake is told" told 1 'CV2108'
+check "and leaves the picture" told 1 'the last pictures stay'
+check "as it was" cmp -s live.pfm before.pfm
+sed -i 's/"raduis"/"radius"/' mine.json
+check "its mending draws again" told 2 'drawn again'
+got=0
+kill -TERM "$watcher" && wait "$watcher" || got=$?
+check "an interrupt ends the watch in peace" test "$got" = 0
+
+# The doctor: a healthy frame, a pass that writes what is no number, and why a picture is plain.
+expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}"
+expect 0 '"state": "varies"' doctor learnopengl "${small[@]}" --json
+expect_json
+sed -i 's|ao_filtered = sum / 5.0;|ao_filtered = sqrt(sum / 5.0 - 0.9);|' cross.frag
+sed 's|"r8"|"r16f"|' cross.json >broken.json
+expect 5 "broken.json:.*CV9001: pass 'cross' writes [0-9]+ of 6144 pixels" doctor broken.json "${small[@]}"
+expect 0 "CV9003: output 'ao' is 1 everywhere" doctor learnopengl "${small[@]}" --set intensity=0
+expect 0 'intensity is 0, so ao is 1' doctor learnopengl "${small[@]}" --set intensity=0
+expect 0 'pixels at the middle distance' doctor gtao "${small[@]}" --set radius=1e-6
+expect 0 'no triangle was drawn' doctor gtao "${small[@]}" --camera 'eye=0,1,100;at=0,1,200'
+
+printf 'void main() { nonsense; }\n' >>cross.frag
+expect 1 'cross.frag:[0-9]+.*error CV50' render cross.json "${small[@]}" --out ao=never.png
+expect 1 'CV4005|CV6007' render learnopengl --scene corner --backend "$backend" --size 99999x99999 \
+    --out ao=never.png
+check "a failed render leaves no file, whole or half" test -z "$(ls -A | grep never || true)"
+finish

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Plans as text, JSON, Graphviz and Mermaid.
+#include "tests/support/plan_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+// One of everything: a draw, a condition, an identity, unread, generated, a constant, renames.
+Description everything()
+{
+    Sketch sketch{
+        {R"(geometry: base_color_map -> normal albedo | "type": "draw", "depth": "depth",
+            "clear": {"normal": [0, 0, 1, 0]})",
+         "ssao: depth normal noise -> ao",
+         R"(glow: -> light_glow |
+            "identity": {"strength": {"at": 0, "gives": {"light_glow": 0.5}}})",
+         R"(filter: ao -> smooth | "when": {"soft": true}, "bypass": {"smooth": "ao"})",
+         R"(light: visible light_glow -> color |
+            "inputs": {"visible": {"from": "smooth", "filter": "linear"}})",
+         "debug: color -> spare"},
+        {{"ao", "smooth"}, {"color", "color"}},
+        {{"depth", R"({"format": ["depth24"]})"}, {"normal", R"({"format": ["rgba16f"]})"},
+         {"albedo", R"({"format": ["rgba8"]})"}, {"color", R"({"format": ["rgba8"], "mips": 2})"}},
+        R"("params": {"strength": {"default": 0}},
+           "features": {"soft": {"type": "bool"}},
+           "imports": {"things": {"type": "draw_list"}},
+           "generated": {"noise": {"generator": "rotation_noise", "count": 4}})"};
+    return describe(sketch);
+}
+
+}  // namespace
+
+TEST_CASE("The text of a plan tells passes, textures, outputs and what is left out")
+{
+    CHECK(toText(planOf(everything())) ==
+R"(plan sketch 64x32: 3 passes, 4 textures, 36.0 KiB
+passes
+  geometry: draw 64x32, program geometry, 8.0 KiB read, 24.0 KiB written
+    reads   base_color_map of the material
+    writes  normal: rgba16f texture 0, clear to 0 0 1 0, store (a draw does not cover every pixel; read by ssao)
+    writes  albedo: no texture, nobody reads it
+    writes  depth: depth24 texture 1, clear to 1, store (a draw does not cover every pixel; read by ssao)
+  ssao: fullscreen 64x32, program ssao, 32.0 KiB read, 2.0 KiB written
+    reads   depth (nearest, clamp)
+    reads   normal (nearest, clamp)
+    reads   noise from generated noise (nearest, repeat)
+    writes  ao: r8 texture 2, discard, store (every pixel is overwritten; read by light, output ao)
+  light: fullscreen 64x32, program light, 2.0 KiB read, 8.0 KiB written
+    reads   visible from target ao (linear, clamp)
+    reads   light_glow from constant 0.5
+    writes  color: rgba8 texture 3, discard, store (every pixel is overwritten; read by output color)
+programs
+  geometry: 1 of 1 variant
+  ssao: 1 of 1 variant
+  light: 1 of 1 variant
+textures
+  0: rgba16f 64x32, 16.0 KiB: normal
+  1: depth24 64x32, 8.0 KiB: depth
+  2: r8 64x32, 2.0 KiB: ao
+  3: rgba8 64x32, 2 mips, 10.0 KiB: color
+outputs
+  ao: target ao
+  color: target color
+generated
+  noise: rotation_noise 4
+imports
+  things: draw_list
+left out
+  attachment albedo (unread): nobody reads it, nor is it worked out; saves 8.0 KiB a frame, 8.0 KiB of textures
+  pass glow (identity): strength is 0, so light_glow is 0.5; saves 2.0 KiB a frame, 2.0 KiB of textures
+  pass filter (condition): it needs soft true, and soft is false; saves 2.0 KiB a frame, 2.0 KiB of textures
+  pass debug (unread): no output asked for needs it; saves 10.0 KiB a frame, 2.0 KiB of textures
+  passes (unchanged): in a frame, those whose input is that of the frame before
+)");
+}
+
+TEST_CASE("The text does not change when a shader is reworded, and the JSON's keys do")
+{
+    const auto plan = [](const std::string& comment) {
+        return planOf(describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
+            "shaders": {"s": {"vertex": "v", "fragment": "f"}},
+            "passes": {"p": {"shader": "s", "color": "x"}}, "outputs": {"x": "x"}})",
+            {{"v", kFullVertex}, {"f", "#version 300 es\nout highp vec4 c;\nvoid main() {" +
+                                           comment + "}\n"}}));
+    };
+    CHECK(toText(plan("")) == toText(plan("c = vec4(1.0);")));
+    CHECK(toJson(plan("")) != toJson(plan("c = vec4(1.0);")));
+}
+
+TEST_CASE("Targets that share a texture are listed in turn")
+{
+    const std::string text = toText(planOf(describe(Sketch{
+        {"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}})));
+    CHECK(text.find("0: r8 64x32, 2.0 KiB: w, then y\n") != text.npos);
+}
+
+TEST_CASE("The JSON of a plan is JSON and tells the same")
+{
+    const Plan plan = planOf(everything());
+    const Result<Node> json =
+        parseDocument(std::make_shared<const SourceText>(SourceText{"plan", toJson(plan)}));
+    INFO(toText(json.diagnostics()));
+    REQUIRE(json.ok());
+    const Node* passes = json->find("passes");
+    REQUIRE(passes);
+    REQUIRE(passes->items().size() == 3);
+    const Node& geometry = passes->items()[0];
+    CHECK(geometry.find("name")->text() == "geometry");
+    CHECK(geometry.find("color")->items()[0].find("load")->text() == "clear");
+    CHECK(geometry.find("color")->items()[0].find("clear")->items()[2].number() == 1);
+    CHECK(geometry.find("color")->items()[1].find("texture")->kind == Node::Kind::null);
+    CHECK(geometry.find("depth")->find("target")->text() == "depth");
+    CHECK(passes->items()[1].find("depth")->kind == Node::Kind::null);
+    CHECK(passes->items()[2].find("inputs")->items()[1].find("kind")->text() == "constant");
+    CHECK(json->find("textures")->items()[3].find("mips")->number() == 2);
+    CHECK(json->find("programs")->items()[0].find("key")->text() == plan.programs[0].key);
+    CHECK(json->find("outputs")->items()[0].find("target")->text() == "ao");
+    CHECK(json->find("left_out")->items().size() == 5);
+    CHECK(json->find("left_out")->items()[4].find("by_frame")->boolean());
+    CHECK(json->find("texture_bytes")->number() == plan.texture_bytes);
+}
+
+TEST_CASE("An output that is a constant says so everywhere")
+{
+    const Plan plan = planOf(describe(Sketch{
+        {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})"},
+        {{"ao", "ao"}}, {}, R"("params": {"intensity": {"default": 0}})"}));
+    CHECK(toText(plan).find("ao: constant 1\n") != std::string::npos);
+    CHECK(toJson(plan).find(R"("constant": 1})") != std::string::npos);
+    CHECK(toDot(plan).find("\"constant_0\" -> \"output_ao\"") != std::string::npos);
+}
+
+TEST_CASE("The Graphviz drawing has boxes for passes, ellipses for textures, and the data's way")
+{
+    CHECK(toDot(planOf(describe(Sketch{{"a: -> x", "b: x -> y"}, {{"out", "y"}}}))) ==
+R"(digraph "sketch" {
+  rankdir=LR;
+  "pass_a" [shape=box, label="a\na 64x32"];
+  "target_x" [shape=ellipse, label="x\nr8 64x32, texture 0"];
+  "pass_b" [shape=box, label="b\nb 64x32"];
+  "target_y" [shape=ellipse, label="y\nr8 64x32, texture 1"];
+  "output_out" [shape=plaintext, label="out"];
+  "pass_a" -> "target_x";
+  "target_x" -> "pass_b";
+  "pass_b" -> "target_y";
+  "target_y" -> "output_out";
+}
+)");
+}
+
+TEST_CASE("A name with quotes and backslashes stays inside its quotes")
+{
+    Plan plan = planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}}));
+    plan.config = "my \"best\\ plan";
+    CHECK(toDot(plan).find(R"(digraph "my \"best\\ plan" {)") == 0);
+    CHECK(toJson(plan).find(R"("config": "my \"best\\ plan")") != std::string::npos);
+}
+
+TEST_CASE("The Mermaid drawing has boxes for passes, round shapes for textures, and the data's way")
+{
+    CHECK(toMermaid(planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}}))) ==
+R"(flowchart LR
+  pass_a["a<br/>a 64x32"]
+  target_x(["x<br/>r8 64x32, texture 0"])
+  output_out{{"out"}}
+  pass_a --> target_x
+  target_x --> output_out
+)");
+}

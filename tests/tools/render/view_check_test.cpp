@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// What `render` says about a picture that shows no ambient occlusion.
+#include "tools/render/view_check.h"
+
+#include "tests/support/catch.h"
+#include "tools/plan/planning.h"
+#include "tools/scene/camera_framing.h"
+
+#include "core/config/load.h"
+#include "effects/catalog.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cstdlib>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kExtent = {960, 540};
+
+// A square of side `size` that faces the camera from `distance` away.
+Scene square(double size, double distance)
+{
+    Scene scene;
+    const float s = static_cast<float>(size / 2);
+    MeshDesc mesh;
+    mesh.vertices = {{{-s, -s, 0}}, {{s, -s, 0}}, {{s, s, 0}}, {{-s, s, 0}}};
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    scene.meshes = {mesh};
+    scene.instances = {{0, glm::translate(glm::dmat4(1), {0, 0, -distance}), 0}};
+    return scene;
+}
+
+Camera cameraOf(const Scene& scene, const SceneCamera& camera = {})
+{
+    return {camera.view_from_world, clipFromView(camera, kExtent, scene.bounds())};
+}
+
+Scene scaled(Scene scene, double scale)
+{
+    for (SceneInstance& instance : scene.instances)
+        instance.world_from_model =
+            glm::scale(glm::dmat4(1), glm::dvec3(scale)) * instance.world_from_model;
+    return scene;
+}
+
+// What is said of the config in the scene, framed, at that radius; 0 leaves the config's own.
+Diagnostics saidOf(const Scene& scene, const std::string& set, const Image* ao = nullptr)
+{
+    LoadRequest request = {"gtao"};
+    if (!set.empty()) request.overrides = {set};
+    const auto document = loadConfig(shippedSources(), request);
+    REQUIRE(document.ok());
+    const auto description = decode(*document, shippedSources());
+    REQUIRE(description.ok());
+    CompileOptions options;
+    options.extent = kExtent;
+    const auto plan = compile(*description, usualTraits(), usualCaps(), options);
+    REQUIRE(plan.ok());
+    const SceneCamera camera = frameScene(scene, double(kExtent.width) / kExtent.height);
+    return checkView(*description, *plan, scene, cameraOf(scene, camera), ao);
+}
+
+const Diagnostic& only(const Diagnostics& diagnostics)
+{
+    REQUIRE(diagnostics.size() == 1);
+    CHECK(diagnostics[0].severity == Severity::warning);
+    CHECK_FALSE(diagnostics[0].help.empty());
+    return diagnostics[0];
+}
+
+Scene spheres()
+{
+    const auto scene = loadScene("spheres");
+    REQUIRE(scene.ok());
+    return *scene;
+}
+
+}  // namespace
+
+TEST_CASE("the median distance is that of what most of the view shows")
+{
+    CHECK(*medianDistance(square(100, 5), cameraOf(square(100, 5))) == Approx(5));
+    Scene two = square(100, 9);
+    two.instances.push_back({0, glm::translate(glm::dmat4(1), {50, 0, -3}), 0});
+    CHECK(*medianDistance(two, cameraOf(two)) == Approx(9).epsilon(0.7));
+    two.instances.back().world_from_model = glm::translate(glm::dmat4(1), {0, 0, -3});
+    CHECK(*medianDistance(two, cameraOf(two)) == Approx(3));
+}
+
+TEST_CASE("a floor that the camera stands on is seen though it passes behind the eye")
+{
+    Scene floor = square(100, 0);
+    floor.instances[0].world_from_model =
+        glm::rotate(glm::translate(glm::dmat4(1), {0, -1, 0}), glm::radians(-90.0), {1, 0, 0});
+    const auto distance = medianDistance(floor, cameraOf(floor));
+    REQUIRE(distance);
+    CHECK(*distance > 1);
+    CHECK(*distance < 50);
+}
+
+TEST_CASE("what is behind the camera is not in view, and what is small is")
+{
+    CHECK_FALSE(medianDistance(square(1, -5), cameraOf(square(1, -5))));
+    const Scene small = square(1e-4, 5);
+    CHECK(*medianDistance(small, cameraOf(small)) == Approx(5));
+}
+
+TEST_CASE("a radius that fits the scene is not remarked on")
+{
+    CHECK(saidOf(spheres(), "").empty());
+}
+
+TEST_CASE("a radius for another scale is told with one that fits, which then is not remarked on")
+{
+    for (const double scale : {1e-3, 1e-2, 1e2, 1e3}) {
+        const Scene scene = scaled(spheres(), scale);
+        const Diagnostic warning = only(saidOf(scene, ""));
+        CHECK(warning.code == Code::out_of_range);
+        const std::size_t at = warning.help.find("radius=");
+        REQUIRE(at != std::string::npos);
+        CHECK(saidOf(scene, warning.help.substr(at)).empty());
+        const double radius = std::atof(warning.help.c_str() + at + 7);
+        CHECK(radius > 0.25 * scale);
+        CHECK(radius < 2 * scale);
+    }
+}
+
+TEST_CASE("ambient occlusion that is 1 everywhere is told, unless the scene is flat")
+{
+    const Image open(kExtent, 1, 1.0f);
+    CHECK(only(saidOf(spheres(), "", &open)).code == Code::output_constant);
+    CHECK(only(saidOf(scaled(spheres(), 1e3), "", &open)).code == Code::output_constant);
+    CHECK(saidOf(square(10, 0), "", &open).empty());
+    Image some = open;
+    some.pixels.back() = 0.5f;
+    CHECK(saidOf(spheres(), "", &some).empty());
+}
+
+TEST_CASE("an intensity of 0 is told as the cause, and not the radius")
+{
+    const Image open(kExtent, 1, 1.0f);
+    const Diagnostic warning = only(saidOf(spheres(), "intensity=0", &open));
+    CHECK(warning.code == Code::output_constant);
+    CHECK(warning.help.find("intensity") != std::string::npos);
+}
+
+TEST_CASE("a camera that sees nothing is told with one that does")
+{
+    const Scene scene = square(1, -5);
+    Plan plan;
+    plan.extent = kExtent;
+    const auto found = checkView(Description(), plan, scene, cameraOf(scene), nullptr);
+    CHECK(only(found).code == Code::nothing_seen);
+    CHECK(only(found).help.find("eye=") != std::string::npos);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Normals and shared vertices of imported meshes.
+#include "tools/scene/mesh_normals.h"
+
+#include "tests/support/catch.h"
+#include "tools/scene/mesh_shapes.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+
+using namespace crevice;
+
+namespace {
+
+glm::vec3 normalOf(const Vertex& vertex)
+{
+    return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
+}
+
+// Two unit squares that share the edge x = 0, the right one turned up by `height` per unit.
+MeshDesc roof(float height)
+{
+    MeshDesc mesh = makeQuad({-1, 0, 1}, {1, 0, 0}, {0, 0, -2});
+    const MeshDesc right = makeQuad({0, 0, 1}, {1, height, 0}, {0, 0, -2});
+    for (const std::uint32_t index : right.indices) mesh.indices.push_back(index + 4);
+    mesh.vertices.insert(mesh.vertices.end(), right.vertices.begin(), right.vertices.end());
+    for (Vertex& vertex : mesh.vertices) {
+        std::fill_n(vertex.normal, 3, 0.0f);
+        std::fill_n(vertex.uv, 2, 0.0f);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("faces that meet at less than the crease share a normal, others do not")
+{
+    MeshDesc gentle = roof(0.5f), sharp = roof(3.0f);
+    for (MeshDesc* mesh : {&gentle, &sharp}) {
+        smoothNormals(*mesh, 60);
+        joinVertices(*mesh);
+        for (const Vertex& vertex : mesh->vertices)
+            CHECK(glm::length(normalOf(vertex)) == Approx(1));
+    }
+    CHECK(gentle.vertices.size() == 6);
+    CHECK(sharp.vertices.size() == 8);
+}
+
+TEST_CASE("faces that merely touch at a point keep their own normals")
+{
+    MeshDesc mesh;
+    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}},     {{0, 1, 0}},
+                     {{0, 0, 0}}, {{-1, 0, 0.3f}}, {{0, -1, 0}}};
+    mesh.indices = {0, 1, 2, 3, 4, 5};
+    smoothNormals(mesh, 60);
+    CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
+    CHECK(normalOf(mesh.vertices[3]) != glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("a vertex counts a face by its angle there, not by how it was cut")
+{
+    // One corner of a box whose top is cut into two triangles and whose sides are not seen as flat.
+    MeshDesc mesh;
+    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, -1}}, {{1, 0, -1}},
+                     {{0, 1, -1}}};
+    mesh.indices = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 0, 3, 6, 0, 6, 4};
+    smoothNormals(mesh, 120);
+    const glm::vec3 expected = glm::normalize(glm::vec3(-1, -1, 1));
+    CHECK(glm::length(normalOf(mesh.vertices[0]) - expected) < 1e-6);
+}
+
+TEST_CASE("joining drops vertices that are unused and keeps those that differ")
+{
+    MeshDesc mesh = makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    mesh.vertices.push_back(mesh.vertices[0]);
+    mesh.vertices.push_back({{9, 9, 9}});
+    mesh.indices[0] = 4;
+    joinVertices(mesh);
+    CHECK(mesh.vertices.size() == 4);
+    CHECK(mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+    mesh.vertices[0].uv[0] = 0.5f;
+    joinVertices(mesh);
+    CHECK(mesh.vertices.size() == 4);
+}
+
+TEST_CASE("missing normals become those of the face")
+{
+    MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
+    for (Vertex& vertex : mesh.vertices) vertex.normal[0] = vertex.normal[2] = 0;
+    fillNormals(mesh);
+    for (const Vertex& vertex : mesh.vertices) CHECK(normalOf(vertex) == glm::vec3(-1, 0, 0));
+    mesh.indices = {0, 0, 0};
+    mesh.vertices[0].normal[0] = 0;
+    fillNormals(mesh);
+    CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
+}

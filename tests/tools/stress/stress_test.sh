@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# crevice stress as a user's shell sees it: what is broken on purpose is reported at the right case.
+#   stress_test.sh CREVICE
+set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/../../support/cli_checks.sh"
+
+# --- arguments, one message each ---
+expect 0 '^plane_near_far .*' stress gtao --list
+expect 2 "there is no case 'plane_fvo'" stress gtao --case plane_fvo
+expect 1 "there is no config 'gtoa'|'gtoa'" stress gtoa --list
+expect 1 "" stress gtao --size 12 --list
+expect 2 "is not a length of time" stress gtao --time-budget never
+expect 2 "is not I/N" stress gtao --shard 3/2
+check "one message for a wrong shard" test "$(grep -c error stderr.txt)" -eq 1
+
+got=0
+small=(--size 64x36)
+"$crevice" stress gtao --case identity "${small[@]}" --out probe >stdout.txt 2>stderr.txt || got=$?
+if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
+    sed 's/^/SKIPPED: /' stderr.txt
+    exit 77
+fi
+check "identities of gtao hold" test "$got" -eq 0
+check "the page is there" test -s probe/stress.html
+
+# --- it goes on where it stopped ---
+expect 0 '4 drawn, 0 were there already' stress gtao --case identity "${small[@]}" --out again
+expect 0 '0 drawn, 4 were there already' stress gtao --case identity "${small[@]}" --out again
+expect 0 '0 drawn, 0 were there already, 4 not begun' stress gtao --case identity "${small[@]}" \
+    --time-budget 0.000001s --out late
+expect 0 '"failures": 0' stress gtao --case identity "${small[@]}" --out again --json
+expect_json
+
+# --- a shader that takes the root of what is below 0 near four points ---
+mkdir broken
+cat >broken/nan.frag <<'GLSL'
+#version 300 es
+precision highp float;
+uniform highp sampler2D ao;
+in vec2 uv;
+layout(location = 0) out float ao_filtered;
+void main()
+{
+    vec2 away = fract(uv * 2.0) - 0.5;
+    ao_filtered = texture(ao, uv).r + sqrt(min(length(away) - 0.1, 0.0));
+}
+GLSL
+cat >broken/nan.json <<'JSON'
+{
+  "format": 1, "name": "nan", "description": "Writes NaN.",
+  "extends": ["geometry/depth_normal", "ssao/hemisphere"],
+  "targets": {"ao_filtered": {"format": ["r32f", "r16f"]}},
+  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./nan.frag"}},
+  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao_filtered"]}},
+  "outputs": {"ao": "ao_filtered"}
+}
+JSON
+expect 5 "plane_fov +breaks at 45: pass 'spoil' writes [0-9]+ pixels that are not finite into 'ao_filtered'" \
+    stress broken/nan.json --case plane_fov "${small[@]}" --out nan
+check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 32
+check "the page shows it" grep -q 'data:image/png' nan/stress.html
+
+# --- a darkness that depends on where in the world's units a thing lies ---
+cat >broken/absolute.frag <<'GLSL'
+#version 300 es
+precision highp float;
+#include <surface>
+in vec2 uv;
+layout(location = 0) out float ao;
+void main()
+{
+    highp vec3 point;
+    ao = pointAt(uv, point) ? 1.0 - 0.2 * smoothstep(0.0, 50.0, -point.z) : 1.0;
+}
+GLSL
+cat >broken/absolute.json <<'JSON'
+{
+  "format": 1, "name": "absolute", "description": "Darker with absolute distance.",
+  "extends": ["geometry/depth_only"],
+  "targets": {"ao": {"format": ["r16f", "r8"]}},
+  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./absolute.frag"}},
+  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao"]}},
+  "outputs": {"ao": "ao"}
+}
+JSON
+expect 5 'units +holds from 1e0 to 1e0|units +holds at 1e0; breaks at 1e-1: mean change .*; breaks at 1e1' \
+    stress broken/absolute.json --case units --case offset "${small[@]}" --out absolute
+check "an offset changes nothing of that" grep -qE '^  offset +holds from 0 to 1e\+07$' stdout.txt
+
+finish

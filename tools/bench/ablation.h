@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Ablation: what each rule that leaves things out is worth, by itself.
+//
+// A config is drawn in situations that a host meets: a moving camera, a moving light, nothing that
+// moves, occlusion that is off, occlusion alone. In each, renderers with all rules, without one of them and
+// with none take turns (see tools/bench/times.h). What counts is a whole frame by the wall clock, the
+// wait for the GPU included.
+//
+// Results are JSON Lines, FOLDER/ablation.jsonl, one line a rule, situation, scene and config.
+#pragma once
+
+#include "core/gpu/device.h"
+#include "tools/bench/bench.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+struct AblationRow {
+    std::string config;
+    std::string scene;
+    std::string camera;
+    Extent extent;
+    std::string situation;  ///< "moving camera", "moving light", "still", "off", "ao alone".
+    std::string rule;       ///< Switched off; empty: none is, "all": all are.
+    TimeFigures ms;         ///< A frame.
+    TimeFigures factor;     ///< Over the time with all rules, turn by turn; 1 where `rule` is empty.
+    double texture_bytes = 0;
+    int left_out = 0;       ///< Things that the plan leaves out.
+    int repeats = 0;        ///< Turns.
+    std::string device;
+    std::string version;    ///< Of crevice.
+};
+
+/// One line, without the line feed.
+std::string toJsonLine(const AblationRow& row);
+
+/// Reads FOLDER/ablation.jsonl of each folder among the paths, or beside each file; none is no error. Of two
+/// lines about one thing on one device the later one holds.
+///
+/// Errors: CV7009 for a line that is no row.
+Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& paths);
+
+/// The rows of a task: every situation by every rule. `interrupted` is asked between turns; rows are then few
+/// or none.
+///
+/// Errors: those of the device and the renderer.
+Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, const BenchView& view,
+                                        int repeats, const std::function<bool()>& interrupted);
+
+/// For people: a line a situation, milliseconds with all rules, then the factors without.
+std::string toText(const std::vector<AblationRow>& rows);
+
+}  // namespace crevice

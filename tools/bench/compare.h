@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Regression guard: whether a fresh bench is worse than an older one, by errors and cost ratios,
+// never by absolute times.
+#pragma once
+
+#include "tools/bench/sample.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// How much more still counts as the same.
+struct BenchLimits {
+    /// Of an error, where device, driver and version are the same: two runs agree to the last digit
+    /// on one processor, and another kind rounds otherwise.
+    double error = 1e-6;
+    double other_error = 1e-4;  ///< Of an error, where one of them is another.
+    double ratio = 0.15;  ///< Relative. Ratios of medians on a busy machine differ by up to 10 %.
+    bool errors_only = false;  ///< Compares no ratios: for machines that are never quiet.
+};
+
+/// One figure of one point that is not what it was.
+struct BenchChange {
+    std::string point;   ///< "learnopengl samples=16, room, 960x540".
+    std::string figure;  ///< "rmse"
+    double before = 0;
+    double now = 0;
+    double limit = 0;    ///< What `now` may be at most to count as the same.
+};
+
+struct BenchComparison {
+    std::vector<BenchChange> worse;
+    std::vector<BenchChange> better;
+    std::vector<std::string> failed;        ///< Had figures, and now fail: point and reason.
+    std::vector<std::string> missing;       ///< Had figures, and are not measured now.
+    int compared = 0;                       ///< Points in both.
+    int without_ratios = 0;                 ///< Of those, measured on another device.
+
+    bool isWorse() const { return !worse.empty() || !failed.empty() || !missing.empty(); }
+};
+
+/// Points are the same where identityOf() is, whatever became of their shaders; one from the same
+/// device goes before one from another. Errors are compared always, cost ratios on one device alone.
+BenchComparison compareBenches(const std::vector<BenchPoint>& before,
+                               const std::vector<BenchPoint>& now, const BenchLimits& limits = {});
+
+}  // namespace crevice

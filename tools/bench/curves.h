@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How error and cost grow: bench points joined to curves, with a power law fitted to each.
+#pragma once
+
+#include "tools/bench/pareto.h"
+#include "tools/bench/views.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// What a curve shows; also its name in a report.
+///
+///     error_samples     rmse over depth taps      cost_samples    ms over depth taps
+///     sampling_samples  noise before the filter   cost_pixels     ms over pixels
+///     noise_samples     noise after the filter    cost_radius     ms over the radius on screen
+///                                                 cost_triangles  ms of a frame over triangles
+struct Curve {
+    std::string kind;
+    std::string label;   ///< The family for curves over samples, else the point's label.
+    std::string family;
+    std::vector<XY> points;            ///< By rising x, at least two different.
+    std::optional<PowerLaw> law;
+};
+
+/// Over samples within one view; over pixels and radius on screen of its device, scene and camera.
+std::vector<Curve> curvesOf(const std::vector<BenchPoint>& points, const ResultView& view);
+
+/// Cost over triangles, across the main views of one device.
+std::vector<Curve> curvesAcross(const std::vector<BenchPoint>& points,
+                                const std::vector<ResultView>& main_views);
+
+}  // namespace crevice

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// One point of a bench, from its description to its figures.
+#include "tools/bench/measure.h"
+
+#include "tools/bench/times.h"
+#include "tools/image/image_file.h"
+#include "tools/image/image_metrics.h"
+#include "tools/reference/reference_cache.h"
+#include "tools/render/read_output.h"
+#include "tools/render/scene_upload.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace fs = std::filesystem;
+
+namespace crevice {
+namespace {
+
+const char* const kDepthModule = "bench/depth.json";
+const char* const kFloorModule = "bench/depth_copy.json";
+
+/// Turns end at so many times the least, settled or not.
+constexpr int kMostPatience = 4;
+
+const char* const kYardstick = "learnopengl";
+
+Image withOpenBackground(Image truth)
+{
+    for (float& value : truth.pixels)
+        if (std::isnan(value)) value = 1.0f;
+    return truth;
+}
+
+/// Puts the frames' times into the point, in all and pass by pass.
+void describeFrames(const std::vector<FrameTimes>& frames, const Plan& plan, BenchPoint& point)
+{
+    point.clock = frames[0].method == TimingMethod::gpu_timer ? "query" : "wall";
+    point.repeats = static_cast<int>(frames.size());
+    std::vector<double> times(frames.size());
+    const auto figuresOf = [&frames, &times](auto time) {
+        std::transform(frames.begin(), frames.end(), times.begin(), time);
+        return timeFigures(times);
+    };
+    point.total = figuresOf([](const FrameTimes& frame) { return frame.total_ms; });
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        point.passes.push_back({plan.passes[pass].name, figuresOf([pass](const FrameTimes& frame) {
+                                    return frame.pass_ms[pass];
+                                })});
+}
+
+}  // namespace
+
+/// What tasks of one view and one truth share.
+struct BenchMeter::Setting {
+    Setting(const BenchView& seen, UploadedScene uploaded)
+        : view(seen),
+          scene(std::move(uploaded)),
+          frame(makeFrame(scene, seen.camera, seen.extent))
+    {
+    }
+
+    /// Draws the depth and takes from it what every point needs: the floor and the radius on screen.
+    Status makeFloor(Device& device, const SourceSet& sources, double radius);
+
+    void makeYardstick(Device& device, const SourceSet& sources, double radius);
+
+    /// Warms up, then so many turns, for the first point to have something to go by.
+    Status beginTurns(int count);
+
+    Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
+                                                   std::vector<std::string> outputs) const
+    {
+        return Renderer::create(device, std::move(description),
+                                {view.extent, std::move(outputs), {}}, traitsOf(frame));
+    }
+
+    /// A turn of the floor and one of the yardstick.
+    Status takeTurns();
+
+    /// Of what costs are put in relation to turn by turn: the yardstick, else the floor.
+    const std::vector<double>& unitCosts() const
+    {
+        return (yardstick_turns ? yardstick_turns : floor_turns)->costs();
+    }
+    double unitOverFloor() const
+    {
+        return quickest(unitCosts()) / quickest(floor_turns->costs());
+    }
+
+    const BenchView& view;
+    std::string reference;
+    UploadedScene scene;
+    Frame frame;
+    Result<Image> truth = Image();  ///< Or why there is none.
+    double radius_px = 0;
+    std::unique_ptr<Renderer> depth;
+    std::unique_ptr<Renderer> floor;
+    Frame floor_frame;
+    std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
+    std::optional<TurnTaker> floor_turns;
+    std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
+    std::map<std::string, Result<Image>> converged;  ///< By family.
+};
+
+Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, double radius)
+{
+    const Result<Description> drawn = loadDescription({kDepthModule, {}, {}, {}}, sources);
+    if (!drawn) return drawn.diagnostics();
+    auto depth_renderer = makeRenderer(device, *drawn, {"depth"});
+    if (!depth_renderer) return depth_renderer.diagnostics();
+    depth = std::move(*depth_renderer);
+    if (const Status done = depth->render(frame); !done) return done;
+    const Result<Image> image = readOutput(device, *depth, "depth");
+    if (!image) return image.diagnostics();
+    radius_px = radiusOnScreen(radius, frame.camera, *image);
+
+    const Result<Description> copied = loadDescription({kFloorModule, {}, {}, {}}, sources);
+    if (!copied) return copied.diagnostics();
+    floor_frame.textures = {{"depth", depth->output("depth")}};
+    auto copy = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(floor_frame));
+    if (!copy) return copy.diagnostics();
+    floor = std::move(*copy);
+    floor_turns.emplace(*floor, floor_frame);
+    return {};
+}
+
+/// Leaves it null where the device cannot draw it.
+void BenchMeter::Setting::makeYardstick(Device& device, const SourceSet& sources, double radius)
+{
+    const Result<Description> described = loadDescription({kYardstick, {}, {}, {}}, sources);
+    if (!described) return;
+    auto renderer = makeRenderer(device, *described, {"ao"});
+    if (!renderer || !(*renderer)->setParam("radius", static_cast<float>(radius))) return;
+    yardstick = std::move(*renderer);
+    yardstick_turns.emplace(*yardstick, frame);
+}
+
+Status BenchMeter::Setting::beginTurns(int count)
+{
+    if (const Status warm = takeTurns(); !warm) return warm;
+    floor_turns->restart();
+    if (yardstick_turns) yardstick_turns->restart();
+    for (int turn = 0; turn < count; ++turn)
+        if (const Status drawn = takeTurns(); !drawn) return drawn;
+    return {};
+}
+
+Status BenchMeter::Setting::takeTurns()
+{
+    if (const Status drawn = floor_turns->takeTurn(); !drawn) return drawn;
+    return yardstick_turns ? yardstick_turns->takeTurn() : Status();
+}
+
+BenchMeter::BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
+                       MeasureOptions options)
+    : device_(device), plan_(plan), sources_(sources), options_(std::move(options))
+{
+}
+
+BenchMeter::~BenchMeter() = default;
+
+/// Makes the setting of the task, unless it is the one of the task before.
+Status BenchMeter::enter(const BenchTask& task)
+{
+    const BenchView& view = plan_.views[task.view];
+    if (setting_ && setting_->reference == task.reference && &setting_->view == &view)
+        return setting_->truth.ok() ? Status() : Status(setting_->truth.diagnostics());
+    setting_.reset();
+    Result<UploadedScene> scene = UploadedScene::upload(device_, *view.scene);
+    if (!scene) return scene.diagnostics();
+    auto setting = std::make_unique<Setting>(view, std::move(*scene));
+    setting->reference = task.reference;
+
+    TraceOptions trace;
+    trace.radius = task.point.radius;
+    trace.rays = options_.rays;
+    trace.progress = options_.tracing;
+    setting->truth =
+        cachedReference(*view.scene, view.matrices(), view.extent, trace, options_.cache_folder);
+
+    if (const Status made = setting->makeFloor(device_, sources_, task.point.radius); !made)
+        return made;
+
+    setting->makeYardstick(device_, sources_, task.point.radius);
+    if (const Status timed = setting->beginTurns(options_.repeats); !timed) return timed;
+    setting_ = std::move(setting);
+    return setting_->truth.ok() ? Status() : Status(setting_->truth.diagnostics());
+}
+
+Result<BenchPoint> BenchMeter::measure(const BenchTask& task)
+{
+    if (const Status ready = enter(task); !ready) return ready.diagnostics();
+    BenchPoint point = task.point;
+    point.radius_px = setting_->radius_px;
+    point.device = device_.caps().name;
+    point.software = device_.caps().software;
+
+    const auto renderer = setting_->makeRenderer(device_, task.description, {"ao"});
+    if (!renderer) return renderer.diagnostics();
+    const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, "ao");
+    if (!ao) return ao.diagnostics();
+    if (const Status timed = measureTimes(**renderer, point); !timed) return timed.diagnostics();
+    if (const Status known = measureErrors(task, *ao, point); !known) return known.diagnostics();
+    if (const Status kept = writePictures(task, *ao, point); !kept) return kept.diagnostics();
+
+    const Plan& plan = (*renderer)->plan();
+    point.texture_bytes = plan.texture_bytes;
+    for (const PlanPass& pass : plan.passes) {
+        point.bytes_read += pass.bytes_read;
+        point.bytes_written += pass.bytes_written;
+    }
+    return point;
+}
+
+Status BenchMeter::measureTimes(Renderer& renderer, BenchPoint& point)
+{
+    TurnTaker taker(renderer, setting_->frame);
+    if (const Status warm = taker.takeTurn(); !warm) return warm;
+    taker.restart();
+    TimeFigures ratio;
+    for (int turn = 1; turn <= kMostPatience * options_.repeats; ++turn) {
+        if (options_.interrupted()) return {};
+        if (const Status drawn = taker.takeTurn(); !drawn) return drawn;
+        if (const Status drawn = setting_->takeTurns(); !drawn) return drawn;
+        ratio = ratioFigures(taker.costs(), setting_->unitCosts());
+        if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
+    }
+    if (setting_->yardstick) point.ratio_learnopengl = ratio.median;
+    point.ratio_floor = ratio.median * setting_->unitOverFloor();
+    point.cost = timeFigures(taker.costs());
+    describeFrames(taker.frames(), renderer.plan(), point);
+    return {};
+}
+
+Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchPoint& point)
+{
+    const Result<ImageDifference> figures = compareImages(ao, *setting_->truth);
+    if (!figures) return figures.diagnostics();
+    if (figures->non_finite > 0)
+        return Diagnostic{Code::not_finite, "the occlusion is not a number in " +
+                                                std::to_string(figures->non_finite) + " pixels"};
+    point.error = {figures->rmse,     figures->bias,      figures->p99,
+                   figures->rmse_fit, figures->power_fit, figures->pixels};
+    const Image open(ao.extent, 1, 1.0f);
+    if (const auto without = compareImages(open, *setting_->truth))
+        point.error_without_ao = without->rmse;
+    if (options_.budget)
+        measureBudget(task, ao, point);
+    return {};
+}
+
+void BenchMeter::measureBudget(const BenchTask& task, const Image& ao, BenchPoint& point)
+{
+    const Image none;
+    const auto taken = [&none, &point](const Result<Image>& image) -> const Image& {
+        if (image) return *image;
+        point.budget_failure = image.diagnostics().front().message;
+        return none;
+    };
+    const Stage stage = {device_, setting_->frame, setting_->view.extent};
+    const Result<Image> unfiltered = unfilteredOcclusion(stage, task.description);
+    const Result<Image> precise = preciseOcclusion(stage, task.description);
+    point.budget = budgetOf({ao, *setting_->truth, taken(converged(task)), taken(unfiltered),
+                             taken(precise)});
+}
+
+/// Kept, since all sample counts of a config converge to it.
+const Result<Image>& BenchMeter::converged(const BenchTask& task)
+{
+    const auto known = setting_->converged.find(task.point.family);
+    if (known != setting_->converged.end()) return known->second;
+    const Stage stage = {device_, setting_->frame, setting_->view.extent};
+    Result<Image> image = convergedOcclusion(stage, task.description, options_.interrupted);
+    return setting_->converged.emplace(task.point.family, std::move(image)).first->second;
+}
+
+Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchPoint& point)
+{
+    if (options_.out_folder.empty()) return {};
+    const Result<Image> difference = differencePicture(ao, *setting_->truth);
+    if (!difference) return difference.diagnostics();
+    std::error_code ignored;  // the first file tells
+    fs::create_directories(options_.out_folder + "/pictures", ignored);
+    const std::string key = keyOnDevice(task.point.key, device_.caps().name);
+    const auto write = [this](std::string& name, const std::string& file, const Image& image) {
+        name = "pictures/" + file + ".png";
+        return writePng(options_.out_folder + "/" + name, image);
+    };
+    if (const Status s = write(point.ao_picture, key + "_ao", ao); !s) return s;
+    if (const Status s = write(point.difference_picture, key + "_difference", *difference); !s)
+        return s;
+    return write(point.truth_picture, "truth_" + task.reference,
+                 withOpenBackground(*setting_->truth));
+}
+
+}  // namespace crevice

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Measuring one point of a bench on a device: its error, the parts of it, its time, its pictures.
+//
+// What is timed are the passes that the output `ao` needs. The config, a plain copy of the depth
+// texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius take turns (see
+// tools/bench/times.h) until both ratios are known to a few per cent. The cost of a config is the sum
+// over its passes other than draw passes: what it adds to a host that has a G-buffer already.
+#pragma once
+
+#include "tools/bench/bench.h"
+#include "tools/bench/errors.h"
+
+#include <map>
+
+namespace crevice {
+
+struct MeasureOptions {
+    int rays = 256;    ///< A pixel of the truth.
+    int repeats = 7;   ///< Timed turns, at least; up to four times as many where ratios do not settle.
+    bool budget = true;         ///< Measure the error budget.
+    std::string cache_folder;   ///< For truths; empty for none.
+    std::string out_folder;     ///< Pictures go to its pictures/; empty for none.
+    std::function<bool()> interrupted = [] { return false; };
+    std::function<void(double done)> tracing = {};  ///< How far a truth is.
+};
+
+/// The device, the plan and the sources must outlive it.
+class BenchMeter {
+public:
+    BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
+               MeasureOptions options);
+    ~BenchMeter();
+
+    /// The task's point with its figures. What the next task shares with this one is kept.
+    ///
+    /// Errors: CV7007 for pictures; whatever keeps the truth or the config from being drawn, CV4003
+    /// for an occlusion that is not a number somewhere.
+    Result<BenchPoint> measure(const BenchTask& task);
+
+private:
+    struct Setting;
+
+    Status enter(const BenchTask& task);
+    Status measureErrors(const BenchTask& task, const Image& ao, BenchPoint& point);
+    Status measureTimes(Renderer& renderer, BenchPoint& point);
+    Status writePictures(const BenchTask& task, const Image& ao, BenchPoint& point);
+    void measureBudget(const BenchTask& task, const Image& ao, BenchPoint& point);
+    const Result<Image>& converged(const BenchTask& task);
+
+    Device& device_;
+    const BenchPlan& plan_;
+    const SourceSet& sources_;
+    const MeasureOptions options_;
+    std::unique_ptr<Setting> setting_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+// Which points a bench measures: the product of its lists, their keys and their shards.
+#include "tools/bench/bench.h"
+
+#include "tools/measure/taps.h"
+#include "tools/reference/reference_cache.h"
+#include "tools/scene/camera_framing.h"
+#include "tools/scene/options.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/numbers.h"
+#include "core/config/load.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace crevice {
+namespace {
+
+Diagnostic usageError(std::string message, std::string help)
+{
+    Diagnostic error{Code::usage, std::move(message)};
+    error.help = std::move(help);
+    return error;
+}
+
+/// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long to be first.
+constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
+
+bool isPreset(const BenchTask& task)
+{
+    return std::find(std::begin(kPresets), std::end(kPresets), task.point.config) != std::end(kPresets);
+}
+
+/// What was asked for, whichever share of it is this machine's.
+std::string commandHash(const BenchOptions& options)
+{
+    ContentHash hash;
+    const auto add = [&hash](const auto& list, auto&& addOne) {
+        hash.add(list.size());
+        for (const auto& item : list) addOne(item);
+    };
+    for (const auto* texts : {&options.configs, &options.scenes, &options.sizes, &options.overrides})
+        add(*texts, [&hash](const std::string& text) { hash.addText(text); });
+    add(options.radii, [&hash](double radius) { hash.add(radius); });
+    add(options.samples, [&hash](int count) { hash.add(count); });
+    hash.addText(options.camera);
+    hash.add(options.rays);
+    return hash.hex();
+}
+
+class Planner {
+public:
+    Planner(const BenchOptions& options, const SourceSet& sources)
+        : options_(options), sources_(sources)
+    {
+    }
+
+    void addScene(const std::string& name, const std::vector<Extent>& extents);
+
+    BenchPlan plan;
+
+private:
+    struct Place {
+        std::string scene;
+        Extent extent;
+        std::string failure;  ///< Why there is no view; empty where the newest one is meant.
+        double radius = 0;    ///< 0: the config's own.
+    };
+
+    void addView(const std::shared_ptr<const Scene>& scene, Place& place);
+    void addConfigs(Place place);
+    void addConfig(const Place& place, const std::string& config);
+    std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
+                                                          const Description& description);
+    void addTask(const Place& place, const std::string& config,
+                 std::vector<std::string> overrides);
+    Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task);
+    const std::string& referenceOf(double radius);
+    void note(const std::string& message);
+    void tell(const Diagnostics& diagnostics);
+
+    const BenchOptions& options_;
+    const SourceSet& sources_;
+    std::set<std::string> told_;
+    std::set<std::string> keys_;
+    std::map<std::pair<std::size_t, double>, std::string> references_;
+};
+
+void Planner::note(const std::string& message)
+{
+    Diagnostic warning{Code::out_of_range, message};
+    warning.severity = Severity::warning;
+    tell({warning});
+}
+
+/// Once each.
+void Planner::tell(const Diagnostics& diagnostics)
+{
+    for (const Diagnostic& each : diagnostics)
+        if (told_.insert(toText(each)).second) plan.diagnostics.push_back(each);
+}
+
+void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
+{
+    Result<Scene> loaded = loadScene(name, options_.import);
+    tell(loaded.diagnostics());
+    std::shared_ptr<const Scene> scene;
+    if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
+    for (const Extent extent : extents) {
+        Place place = {name, extent, {}};
+        if (scene) addView(scene, place);
+        else place.failure = failureText(loaded.diagnostics());
+        addConfigs(std::move(place));
+    }
+}
+
+void Planner::addView(const std::shared_ptr<const Scene>& scene, Place& place)
+{
+    const Bounds bounds = scene->bounds();
+    const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
+    const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
+    tell(camera.diagnostics());
+    if (camera) plan.views.push_back({scene, bounds, *camera, place.extent});
+    else place.failure = failureText(camera.diagnostics());
+}
+
+void Planner::addConfigs(Place place)
+{
+    const std::vector<double> radii =
+        options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
+    const std::vector<std::string> configs =
+        options_.configs.empty() ? configNames(sources_) : options_.configs;
+    for (const double radius : radii) {
+        place.radius = radius;
+        for (const std::string& config : configs) addConfig(place, config);
+    }
+}
+
+void Planner::addConfig(const Place& place, const std::string& config)
+{
+    std::vector<std::string> overrides = options_.overrides;
+    const Result<LoadedConfig> loaded =
+        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+    if (!loaded) return addTask(place, config, overrides);
+    const Description& description = loaded->description;
+    if (place.radius > 0.0) {
+        if (findNamed(description.params, "radius"))
+            overrides.push_back("radius=" + shortest(place.radius));
+        else
+            note("'" + config + "' has no param 'radius': --radius sets that of the truth alone");
+    }
+    for (const std::vector<std::string>& samples : sampleOverrides(config, description)) {
+        std::vector<std::string> all = overrides;
+        all.insert(all.end(), samples.begin(), samples.end());
+        addTask(place, config, std::move(all));
+    }
+}
+
+/// What to set for each count of the sweep that the config can take; nothing for its own.
+std::vector<std::vector<std::string>> Planner::sampleOverrides(const std::string& config,
+                                                               const Description& description)
+{
+    if (options_.samples.empty()) return {{}};
+    if (samplesOf(description) == 0) {
+        note("'" + config + "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
+        return {{}};
+    }
+    std::vector<std::vector<std::string>> all;
+    for (const int count : options_.samples) {
+        std::vector<std::string> overrides = overridesFor(description, count);
+        if (!overrides.empty())
+            all.push_back(std::move(overrides));
+        else
+            note(std::to_string(count) + " samples are outside the ranges of '" + config +
+                 "' and left out");
+    }
+    return all;
+}
+
+/// The truth's key for the newest view. Hashing a large scene is slow, so once a radius must do.
+const std::string& Planner::referenceOf(double radius)
+{
+    std::string& key = references_[{plan.views.size(), radius}];
+    if (!key.empty()) return key;
+    const BenchView& view = plan.views.back();
+    TraceOptions trace;
+    trace.radius = radius;
+    trace.rays = options_.rays;
+    return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
+}
+
+/// What the loaded config says about the point.
+Status Planner::describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
+{
+    const ParamDesc* radius = findNamed(loaded.description.params, "radius");
+    task.point.samples = samplesOf(loaded.description);
+    task.point.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
+    if (place.radius <= 0.0 && !radius)
+        return Diagnostic{Code::unknown_param,
+                          "the config has no param 'radius', so --radius must give the truth's"};
+    if (place.failure.empty()) task.reference = referenceOf(task.point.radius);
+    task.description = loaded.description;
+    return {};
+}
+
+void Planner::addTask(const Place& place, const std::string& config,
+                      std::vector<std::string> overrides)
+{
+    BenchTask task;
+    BenchPoint& point = task.point;
+    point.config = config;
+    point.family = config;
+    for (const std::string& text : options_.overrides) point.family += " " + text;
+    point.scene = place.scene;
+    point.camera = options_.camera;
+    point.extent = place.extent;
+    point.rays = options_.rays;
+    point.version = options_.version;
+    point.failure = place.failure;
+    if (place.failure.empty()) {
+        const BenchView& view = plan.views.back();
+        task.view = plan.views.size() - 1;
+        if (point.camera.empty()) point.camera = view.camera.name;
+        point.triangles = triangleCount(*view.scene);
+    }
+
+    const Result<LoadedConfig> loaded =
+        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+    const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
+    if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
+
+    ContentHash hash;
+    hash.addText(options_.version);
+    hash.addText(config);
+    for (const std::string& text : overrides) hash.addText(text);
+    hash.addText(point.scene);
+    hash.addText(point.camera);
+    hash.add(point.extent.width);
+    hash.add(point.extent.height);
+    hash.add(place.radius);
+    hash.addText(task.reference);
+    hash.addText(loaded ? loaded->content : std::string());
+    point.key = hash.hex();
+    point.overrides = std::move(overrides);
+    if (!keys_.insert(point.key).second) return;
+    plan.planned.points.push_back(plannedId(point));
+    const auto share = static_cast<std::uint64_t>(options_.shard.count);
+    const bool mine = hash.value() % share + 1 == static_cast<std::uint64_t>(options_.shard.index);
+    if (mine) plan.tasks.push_back(std::move(task));
+}
+
+}  // namespace
+
+Result<Shard> parseShard(const std::string& text)
+{
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto index = std::from_chars(text.data(), end, shard.index);
+    if (index.ec == std::errc() && index.ptr != end && *index.ptr == '/') {
+        const auto count = std::from_chars(index.ptr + 1, end, shard.count);
+        if (count.ec == std::errc() && count.ptr == end && shard.index >= 1 &&
+            shard.index <= shard.count)
+            return shard;
+    }
+    return usageError("--shard '" + text + "' is not I/N with 1 <= I <= N", "write --shard 3/8");
+}
+
+Result<double> parseDuration(const std::string& text)
+{
+    std::string_view unit = text;
+    const double number = takeNumber(unit).value_or(0.0);
+    const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+    const double seconds = number * factor;
+    if (seconds > 0.0 && std::isfinite(seconds)) return seconds;
+    return usageError("'" + text + "' is not a length of time above 0",
+                      "write --time-budget 90s, 5m or 1.5h");
+}
+
+Camera BenchView::matrices() const
+{
+    return {camera.view_from_world, clipFromView(camera, extent, bounds)};
+}
+
+std::string pointTitle(const BenchPoint& point)
+{
+    std::string title = point.config;
+    for (const std::string& text : point.overrides) title += " " + text;
+    return title + ", " + point.scene + ", " + std::to_string(point.extent.width) + "x" +
+           std::to_string(point.extent.height);
+}
+
+const Diagnostic& firstError(const Diagnostics& diagnostics)
+{
+    const auto isError = [](const Diagnostic& each) { return each.severity == Severity::error; };
+    return *std::find_if(diagnostics.begin(), diagnostics.end(), isError);
+}
+
+std::string failureText(const Diagnostics& diagnostics)
+{
+    const Diagnostic& error = firstError(diagnostics);
+    const std::string place = placeName(error.place);
+    return (place.empty() ? "" : place + ": ") + codeName(error.code) + ": " + error.message;
+}
+
+std::string keyOnDevice(const std::string& task_key, const std::string& device)
+{
+    ContentHash hash;
+    hash.addText(task_key);
+    hash.addText(device);
+    return hash.hex();
+}
+
+Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)
+{
+    std::vector<Extent> extents;
+    for (const std::string& size : options.sizes) {
+        const Result<Extent> extent = parseSize(size);
+        if (!extent) return extent.diagnostics();
+        extents.push_back(*extent);
+    }
+    Planner planner(options, sources);
+    for (const std::string& scene : options.scenes) planner.addScene(scene, extents);
+    planner.plan.planned.command = commandHash(options);
+    if (options.configs.empty())
+        std::stable_partition(planner.plan.tasks.begin(), planner.plan.tasks.end(), isPreset);
+    return std::move(planner.plan);
+}
+
+}  // namespace crevice

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Bench results as JSON Lines. The keys are the fields' names.
+#include "tools/bench/sample.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "tools/measure/line_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <unordered_map>
+
+namespace crevice {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extent, width, height)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
+                                   camera, extent, radius, rays, radius_px, samples, triangles,
+                                   device, software, version, error, error_without_ao, budget,
+                                   budget_failure, clock, repeats, total, cost, passes,
+                                   ratio_floor, ratio_learnopengl, texture_bytes, bytes_read,
+                                   bytes_written, ao_picture, truth_picture, difference_picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, points)
+
+namespace {
+
+/// The key of a line that is no point but what is planned.
+const char* const kPlanned = "planned";
+
+/// File names may be no UTF-8; a replaced character is better than a lost point.
+std::string dump(const nlohmann::json& json)
+{
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
+bool replaceNulls(nlohmann::json& json)
+{
+    if (json.is_null()) {
+        json = 0;
+        return true;
+    }
+    bool found = false;
+    if (json.is_structured())
+        for (nlohmann::json& child : json) found = replaceNulls(child) || found;
+    return found;
+}
+
+BenchPoint parsePoint(nlohmann::json json)
+{
+    const bool not_finite = replaceNulls(json);
+    BenchPoint point = json.get<BenchPoint>();
+    if (not_finite && point.failure.empty()) point.failure = "a figure is not finite";
+    return point;
+}
+
+/// Pictures are named relative to their results file; afterwards, relative to the working folder.
+void resolvePictures(BenchPoint& point, const std::filesystem::path& folder)
+{
+    for (std::string* picture :
+         {&point.ao_picture, &point.truth_picture, &point.difference_picture})
+        if (!picture->empty()) *picture = (folder / *picture).string();
+}
+
+/// An interrupt leaves the beginning of a point and no end.
+bool isCutShort(const std::string& line) { return line.front() == '{' && line.back() != '}'; }
+
+constexpr std::size_t kExcerpt = 72;
+
+Diagnostic lineDiagnostic(const std::string& path, int number, const std::string& line,
+                          const std::string& reason)
+{
+    Diagnostic diagnostic{Code::results_broken, "this line is not a bench point: " + reason};
+    // The message shows the line's beginning; a whole line would fill the screen.
+    const std::string excerpt = std::string(static_cast<std::size_t>(number - 1), '\n') +
+                                line.substr(0, kExcerpt);
+    diagnostic.place = {std::make_shared<SourceText>(SourceText{path, excerpt}), number, 1, 1};
+    diagnostic.help = "delete the line; 'crevice bench' measures its point again";
+    return diagnostic;
+}
+
+/// Without the library's own prefix, "[json.exception.type_error.302] ".
+std::string reasonOf(const nlohmann::json::exception& error)
+{
+    const std::string text = error.what();
+    const std::size_t end = text.find("] ");
+    return end == std::string::npos ? text : text.substr(end + 2);
+}
+
+std::string resultsFile(const std::string& path)
+{
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(path, unreadable)) return path;
+    return (std::filesystem::path(path) / "results.jsonl").string();
+}
+
+class Reader {
+public:
+    void readFile(const std::string& path)
+    {
+        FileBytes file = readBytes(path, kMaxResultBytes);
+        if (!file) {
+            Diagnostic error{Code::results_broken,
+                             "no results can be read from '" + path + "': " + file.failure};
+            error.help = "'crevice bench' writes them: crevice bench --help";
+            diagnostics_.push_back(std::move(error));
+            return;
+        }
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        int number = 0;
+        for (const std::string_view text : split(file.bytes, '\n')) {
+            std::string line(text);
+            ++number;
+            if (!line.empty() && line.back() == '\r') line.pop_back();
+            if (!line.empty()) readLine(path, folder, number, line);
+        }
+    }
+
+    Result<BenchResults> take()
+    {
+        if (hasErrors(diagnostics_)) return std::move(diagnostics_);
+        return {{std::move(points_), std::move(planned_)}, std::move(diagnostics_)};
+    }
+
+private:
+    void readLine(const std::string& path, const std::filesystem::path& folder, int number,
+                  const std::string& line)
+    {
+        try {
+            nlohmann::json json = nlohmann::json::parse(line);
+            if (json.is_object() && json.contains(kPlanned)) return add(json[kPlanned].get<PlannedBench>());
+            BenchPoint point = parsePoint(std::move(json));
+            point.folder = folder.string();
+            resolvePictures(point, folder);
+            add(std::move(point));
+        } catch (const nlohmann::json::exception& error) {
+            const bool cut = isCutShort(line);
+            Diagnostic diagnostic = lineDiagnostic(path, number, line,
+                                                   cut ? "it was cut short" : reasonOf(error));
+            if (cut) diagnostic.severity = Severity::warning;
+            diagnostics_.push_back(std::move(diagnostic));
+        }
+    }
+
+    void add(PlannedBench planned)
+    {
+        const auto same = [&planned](const PlannedBench& known) {
+            return known.device == planned.device && known.command == planned.command;
+        };
+        const auto known = std::find_if(planned_.begin(), planned_.end(), same);
+        if (known == planned_.end()) planned_.push_back(std::move(planned));
+        else *known = std::move(planned);
+    }
+
+    void add(BenchPoint point)
+    {
+        const auto [place, is_new] =
+            places_.emplace(point.device + identityOf(point), points_.size());
+        if (is_new) {
+            points_.push_back(std::move(point));
+            return;
+        }
+        BenchPoint& known = points_[place->second];
+        const bool hides_figures = !point.failure.empty() && known.failure.empty();
+        if (!hides_figures || point.key != known.key) known = std::move(point);
+    }
+
+    std::vector<BenchPoint> points_;
+    std::vector<PlannedBench> planned_;
+    std::unordered_map<std::string, std::size_t> places_;
+    Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+std::string identityOf(const BenchPoint& point)
+{
+    return dump({point.config, point.overrides, point.scene, point.camera, point.extent,
+                 point.radius, point.rays});
+}
+
+std::string plannedId(const BenchPoint& point)
+{
+    ContentHash hash;
+    hash.addText(identityOf(point));
+    return hash.hex();
+}
+
+std::string toJsonLine(const BenchPoint& point)
+{
+    return dump(point);
+}
+
+std::string toJsonLine(const PlannedBench& planned)
+{
+    nlohmann::json json;
+    json[kPlanned] = planned;
+    return dump(json);
+}
+
+BenchCoverage coverageOf(const BenchResults& results)
+{
+    BenchCoverage coverage;
+    std::set<std::pair<std::string, std::string>> all;
+    for (const BenchPoint& point : results.points) {
+        all.insert({point.device, plannedId(point)});
+        ++(point.failure.empty() ? coverage.measured : coverage.failed);
+        std::vector<std::string>& configs = coverage.configs;
+        if (point.failure.empty() &&
+            std::find(configs.begin(), configs.end(), point.config) == configs.end())
+            configs.push_back(point.config);
+    }
+    for (const PlannedBench& planned : results.planned)
+        for (const std::string& id : planned.points) all.insert({planned.device, id});
+    coverage.planned = all.size();
+    return coverage;
+}
+
+std::string coverageText(const BenchCoverage& coverage)
+{
+    constexpr std::size_t kMostNamed = 8;
+    if (coverage.whole()) return "";
+    const std::vector<std::string>& all = coverage.configs;
+    const std::size_t named = std::min(all.size(), kMostNamed);
+    std::string text = std::to_string(coverage.measured) + " of " + std::to_string(coverage.planned) +
+                       " points measured";
+    if (coverage.failed > 0) text += ", " + std::to_string(coverage.failed) + " failed";
+    if (named > 0) text += ": " + joined({all.begin(), all.begin() + static_cast<long>(named)});
+    if (named < all.size()) text += " and " + std::to_string(all.size() - named) + " more configs";
+    return text + "; what to take may change with the rest";
+}
+
+Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths)
+{
+    Result<BenchResults> results = readBenchResults(paths);
+    if (!results) return results.diagnostics();
+    return {std::move(results->points), results.diagnostics()};
+}
+
+Result<BenchResults> readBenchResults(const std::vector<std::string>& paths)
+{
+    Reader reader;
+    for (const std::string& path : paths) reader.readFile(resultsFile(path));
+    return reader.take();
+}
+
+}  // namespace crevice

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// One measured point of a bench: what was drawn, how wrong it was and what it cost.
+//
+// Results are JSON Lines, one point a line, appended as they are measured. A line's key is a hash over
+// everything that decides its figures, so a run that was interrupted goes on where it stopped, and
+// shards from several machines merge by putting their files one after the other. A line before them has
+// what the run is to measure, so that a part of a bench is not taken for the whole.
+#pragma once
+
+#include "core/base/image.h"
+#include "core/base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// Median and quartiles over the repeats, milliseconds.
+struct TimeFigures {
+    double median = 0;
+    double q1 = 0;
+    double q3 = 0;
+};
+
+struct PassTime {
+    std::string name;
+    TimeFigures ms;
+};
+
+/// Against the ray-traced truth; see tools/image/image_metrics.h.
+struct ErrorFigures {
+    double rmse = 0;
+    double bias = 0;
+    double p99 = 0;
+    double rmse_fit = 0;
+    double power_fit = 1;
+    long long pixels = 0;
+};
+
+/// The parts of the error, each an rmse; -1 where it was not measured.
+struct ErrorBudget {
+    double sampling = -1;   ///< As noise, but before any filter: what its samples alone leave.
+    double noise = -1;      ///< Config against itself converged: what more samples would buy.
+    double model = -1;      ///< Converged against the truth: what another estimator would buy.
+    double precision = -1;  ///< Config against itself with 32-bit float targets: wider formats.
+};
+
+struct BenchPoint {
+    std::string key;      ///< 16 hex digits.
+    std::string failure;  ///< Why there are no figures; empty when there are.
+
+    std::string config;
+    std::vector<std::string> overrides;  ///< As --set has them.
+    std::string family;  ///< Points that differ in samples alone share it: "learnopengl".
+    std::string scene;
+    std::string camera;
+    Extent extent;
+    double radius = 0;      ///< Scene units.
+    int rays = 0;           ///< A pixel of the truth.
+    double radius_px = 0;   ///< On screen, at the median depth of what is seen.
+    int samples = 0;        ///< Depth taps a pixel; 0 for a config without such a param.
+    long long triangles = 0;
+
+    std::string device;     ///< Renderer and driver.
+    bool software = false;
+    std::string version;    ///< Of crevice.
+
+    ErrorFigures error;
+    double error_without_ao = 0;  ///< The rmse that no ambient occlusion at all has here.
+    ErrorBudget budget;
+    std::string budget_failure;  ///< Why a part of it could not be measured; else empty.
+
+    std::string clock;      ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
+    int repeats = 0;
+    TimeFigures total;  ///< All passes, those that draw the scene's geometry too.
+    TimeFigures cost;   ///< The other passes: what it adds to a host that has a G-buffer.
+    std::vector<PassTime> passes;
+    double ratio_floor = 0;        ///< Cost over that of a copy of the depth texture, same run.
+    double ratio_learnopengl = 0;  ///< Cost over that of learnopengl, same run.
+
+    double texture_bytes = 0;
+    double bytes_read = 0;     ///< Estimated, a frame.
+    double bytes_written = 0;
+
+    /// Pictures beside the results file, relative to it; empty when none were kept.
+    std::string ao_picture;
+    std::string truth_picture;
+    std::string difference_picture;
+    std::string folder;  ///< Of the results file; empty for the working folder. Not written.
+};
+
+/// What a command was to measure on a device, all shards together.
+struct PlannedBench {
+    std::string device;
+    std::string command;              ///< 16 hex digits over what was asked for.
+    std::vector<std::string> points;  ///< plannedId of each.
+};
+
+/// One line, without the line feed.
+std::string toJsonLine(const BenchPoint& point);
+std::string toJsonLine(const PlannedBench& planned);
+
+/// What was measured, the same in every run and on every device: config, overrides, scene, camera,
+/// size, radius and rays. A key says more: it changes with a shader's text, a driver or a version.
+std::string identityOf(const BenchPoint& point);
+
+/// A hash of that, 16 hex digits.
+std::string plannedId(const BenchPoint& point);
+
+struct BenchResults {
+    std::vector<BenchPoint> points;
+    std::vector<PlannedBench> planned;  ///< Of one device and command the last.
+};
+
+/// How much of a bench its results hold.
+struct BenchCoverage {
+    std::size_t measured = 0;  ///< Points with figures.
+    std::size_t failed = 0;
+    std::size_t planned = 0;   ///< These two, and points that nobody began.
+    std::vector<std::string> configs = {};  ///< That have figures, each once.
+
+    bool whole() const { return measured + failed == planned; }
+};
+
+BenchCoverage coverageOf(const BenchResults& results);
+
+/// "3 of 78 points measured: mobile, balanced, high; what to take may change with the rest". Empty of a
+/// whole bench.
+std::string coverageText(const BenchCoverage& coverage);
+
+/// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point on
+/// one device the later one holds, but a failure never hides figures of its own key. A line that an
+/// interrupt cut short is left out with a warning. Pictures come back relative to the working
+/// folder. A figure that was not finite makes its point a failure.
+///
+/// Errors: CV7009 for a file that cannot be read or a line that is no point.
+Result<BenchResults> readBenchResults(const std::vector<std::string>& paths);
+
+/// The points alone. Errors: those of readBenchResults.
+Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths);
+
+}  // namespace crevice

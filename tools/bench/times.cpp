@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Medians, costs, valid frames and turns.
+#include "tools/bench/times.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+constexpr int kTimingAttempts = 10;
+
+/// About as long as the scheduler lets another process run. Shorter turns make ratios of cheap
+/// passes restless, longer ones only cost time.
+constexpr double kTurnMs = 40.0;
+constexpr std::size_t kTurnFrames = 64;
+
+/// The half width of a median's interval of 95 % confidence is this times the interquartile range
+/// over the root of the count (McGill 1978, its factor 1.57).
+constexpr double kNotch = 1.57;
+constexpr double kSettled = 0.03;
+
+/// Of values in rising order, interpolated between neighbours.
+double quantile(const std::vector<double>& sorted, double share)
+{
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, sorted.size() - 1);
+    return sorted[low] + (sorted[high] - sorted[low]) * (place - static_cast<double>(low));
+}
+
+}  // namespace
+
+Result<FrameTimes> timeFrame(Renderer& renderer, const Frame& frame)
+{
+    for (int attempt = 0; attempt < kTimingAttempts; ++attempt) {
+        Result<FrameTimes> times = renderer.renderTimed(frame);
+        if (!times || times->total_ms >= 0.0) return times;
+    }
+    return Diagnostic{Code::gl_error, "the GPU's timer gave no valid result in " +
+                                          std::to_string(kTimingAttempts) + " frames"};
+}
+
+double occlusionCost(const Plan& plan, const FrameTimes& times)
+{
+    double sum = 0;
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        if (plan.passes[pass].type != PassType::draw) sum += times.pass_ms[pass];
+    return sum;
+}
+
+TimeFigures timeFigures(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
+}
+
+double quickest(std::vector<double> costs)
+{
+    std::sort(costs.begin(), costs.end());
+    return quantile(costs, 0.1);
+}
+
+TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units)
+{
+    std::vector<double> ratios;
+    for (auto cost = costs.rbegin(), unit = units.rbegin();
+         cost != costs.rend() && unit != units.rend(); ++cost, ++unit)
+        if (*unit > 0.0) ratios.push_back(*cost / *unit);
+    return ratios.empty() ? TimeFigures() : timeFigures(std::move(ratios));
+}
+
+bool isSettled(const TimeFigures& figures, std::size_t count)
+{
+    const double spread = kNotch * (figures.q3 - figures.q1);
+    return spread <= kSettled * figures.median * std::sqrt(static_cast<double>(count));
+}
+
+Status drawTurn(const std::function<Result<double>()>& draw)
+{
+    double elapsed_ms = 0;
+    for (std::size_t frames = 0; frames == 0 || (elapsed_ms < kTurnMs && frames < kTurnFrames); ++frames) {
+        const Result<double> ms = draw();
+        if (!ms) return ms.diagnostics();
+        elapsed_ms += *ms;
+    }
+    return {};
+}
+
+Status TurnTaker::takeTurn()
+{
+    std::vector<double> costs;
+    const Status drawn = drawTurn([&]() -> Result<double> {
+        Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
+        if (!times) return times.diagnostics();
+        costs.push_back(occlusionCost(renderer_->plan(), *times));
+        const double ms = times->total_ms;
+        frames_.push_back(std::move(*times));
+        return ms;
+    });
+    if (!drawn) return drawn;
+    costs_.push_back(timeFigures(std::move(costs)).median);
+    return {};
+}
+
+void TurnTaker::restart()
+{
+    frames_.clear();
+    costs_.clear();
+}
+
+}  // namespace crevice

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The arguments that say which config a command works on.
+#include "tools/cli/config_options.h"
+
+#include "core/base/content_hash.h"
+#include "core/plan/plan.h"
+#include "effects/catalog.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace crevice {
+namespace {
+
+constexpr std::string_view kConfigs = "configs/";
+
+bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) == kConfigs; }
+
+void addNode(ContentHash& hash, const Node& node)
+{
+    hash.add(static_cast<int>(node.kind));
+    hash.add(node.boolean());
+    hash.add(node.number());
+    hash.addText(node.kind == Node::Kind::string ? node.text() : std::string());
+    for (const Node& item : node.items()) addNode(hash, item);
+    for (const Member& member : node.members()) {
+        hash.addText(member.key);
+        addNode(hash, member.value);
+    }
+}
+
+/// One part of a checkout may link to another.
+std::vector<std::string> withFolder(std::vector<std::string> roots, const std::string& folder)
+{
+    roots.push_back(folder);
+    return roots;
+}
+
+/// CLI11's kind of check: "" is fine, anything else is what is wrong.
+std::string isCheckout(const std::string& folder)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder + "/effects", ignored)) return {};
+    if (std::filesystem::is_directory(folder + "/configs", ignored)) return {};
+    return "the folder '" + folder + "' has neither effects/ nor configs/";
+}
+
+}  // namespace
+
+void addConfigOptions(CLI::App& app, ConfigOptions& options)
+{
+    app.add_option("--variant", options.variant, "A variant that the config declares");
+    app.add_option("--set", options.overrides,
+                   "Set a param or feature (radius=0.8), or any value by its JSON pointer "
+                   "(/passes/blur/when=null); may be repeated")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addCheckoutOption(app, options.checkout);
+    addRootOption(app, options.roots);
+}
+
+LoadRequest requestOf(const ConfigOptions& options)
+{
+    return {options.config, options.variant, options.overrides, options.roots};
+}
+
+void addCheckoutOption(CLI::App& app, std::string& checkout)
+{
+    app.add_option("--effects", checkout,
+                   "Read effects/ and configs/ below this folder before those embedded")
+        ->type_name("FOLDER")
+        ->check(isCheckout);
+}
+
+void addRootOption(CLI::App& app, std::vector<std::string>& roots)
+{
+    if (CLI::Option* known = app.get_option_no_throw("--root")) {
+        known->each([&roots](const std::string& folder) { roots.push_back(folder); });
+        return;
+    }
+    app.add_option("--root", roots,
+                   "Let configs and scenes read files below this folder too, beside those below their own; may be "
+                   "repeated")
+        ->type_name("FOLDER")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(CLI::ExistingDirectory);
+}
+
+void addKeepOption(CLI::App& app, std::vector<std::string>& keep)
+{
+    std::vector<std::string> names;
+    std::string listed;
+    for (const RuleInfo& rule : kRules) {
+        names.push_back(rule.name);
+        listed += std::string(rule.name) + ", ";
+    }
+    names.push_back("all");
+    app.add_option("--keep", keep,
+                   "Switch off a rule that leaves things out: " + listed + "or all; may be repeated")
+        ->type_name("RULE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(CLI::IsMember(names));
+}
+
+CheckoutSources::CheckoutSources(std::string folder, std::vector<std::string> roots)
+    : used_(!folder.empty()), effects_(folder + "/effects", withFolder(roots, folder)),
+      configs_(folder + "/configs", withFolder(roots, folder))
+{
+}
+
+SourceRef CheckoutSources::find(std::string_view path) const
+{
+    if (used_) {
+        const SourceRef text =
+            isConfig(path) ? configs_.find(path.substr(kConfigs.size())) : effects_.find(path);
+        if (text) return text;
+    }
+    return shippedSources().find(path);
+}
+
+std::vector<std::string> CheckoutSources::list() const
+{
+    std::vector<std::string> paths = shippedSources().list();
+    if (used_) {
+        for (std::string& path : effects_.list()) paths.push_back(std::move(path));
+        for (const std::string& path : configs_.list()) paths.push_back(kConfigs.data() + path);
+    }
+    std::sort(paths.begin(), paths.end());
+    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+    return paths;
+}
+
+Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Node> document = loadConfig(sources, requestOf(options));
+    if (!document) return document.diagnostics();
+    return decode(*document, sources);
+}
+
+Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Node> document = loadConfig(sources, requestOf(options));
+    if (!document) return document.diagnostics();
+    Result<Description> description = decode(*document, sources);
+    if (!description) return description.diagnostics();
+    ContentHash hash;
+    addNode(hash, *document);
+    for (const auto& [path, source] : description->files) {
+        hash.addText(path);
+        hash.addText(source->text);
+    }
+    return LoadedConfig{std::move(*description), hash.hex()};
+}
+
+}  // namespace crevice

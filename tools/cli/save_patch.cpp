@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A config with the smallest patch over another.
+#include "tools/cli/save_patch.h"
+
+#include "core/base/text.h"
+#include "core/config/load.h"
+#include "core/json/merge.h"
+#include "tools/cli/output_request.h"
+#include "tools/image/image_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace crevice {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::string_view kSuffix = ".json";
+
+/// The config as `file` names it in `extends`: a shipped one by name, one on disk by a relative
+/// path.
+std::string extendsEntry(const std::string& config, const std::string& file)
+{
+    std::error_code error;
+    if (!endsWith(config, kSuffix)) return config;
+    if (!fs::exists(config, error)) return config.substr(0, config.size() - kSuffix.size());
+    const auto whole = [&](const std::string& name) {
+        return fs::weakly_canonical(fs::absolute(name, error), error);
+    };
+    const fs::path folder = whole(file).parent_path();
+    const std::string path = whole(config).lexically_relative(folder).generic_string();
+    return startsWith(path, "../") ? path : "./" + path;
+}
+
+}  // namespace
+
+Status checkPatchFile(const ConfigOptions& options, const std::string& file)
+{
+    std::error_code error;
+    if (!endsWith(file, kSuffix))
+        return Diagnostic{Code::usage, "--save-patch '" + file + "' does not end in .json"};
+    if (fs::equivalent(options.config, file, error))
+        return Diagnostic{Code::usage,
+                          "--save-patch '" + file + "' is the config that it would extend"};
+    return checkWritable(file);
+}
+
+Status savePatch(const ConfigOptions& options, const SourceSet& sources, const std::string& file)
+{
+    const Result<Node> base = loadConfig(sources, {options.config, {}, {}, options.roots});
+    if (!base) return base.diagnostics();
+    const Result<Node> now = loadConfig(sources, requestOf(options));
+    if (!now) return now.diagnostics();
+    nlohmann::ordered_json json = {
+        {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};
+    json.update(nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now))));
+    return writeFile(file, json.dump(2) + '\n');
+}
+
+}  // namespace crevice

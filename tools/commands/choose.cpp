@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// crevice choose: the best measured config for a time or an error, and why.
+#include "tools/bench/choice.h"
+#include "tools/cli/output.h"
+#include "tools/commands/commands.h"
+#include "tools/scene/options.h"
+
+#include "core/base/numbers.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace crevice {
+namespace {
+
+/// As many as are told of the others on either side of the limit.
+constexpr std::size_t kOthersShown = 4;
+
+struct ChooseOptions {
+    std::vector<std::string> results;
+    std::string budget;
+    double error = 0;
+    std::string size;
+    ChoiceScope scope;
+    bool json = false;
+};
+
+/// A question that was answered.
+struct Answer {
+    std::vector<BenchPoint> points;
+    Candidates candidates;
+    ChoiceLimit limit;
+    Choice choice;
+    BenchCoverage coverage;
+    Diagnostics warnings;
+
+    const Candidate& best() const { return candidates.list[choice.best]; }
+};
+
+Result<Answer> answerFor(ChooseOptions options)
+{
+    Answer answer;
+    answer.limit = {ChoiceLimit::Kind::error, options.error};
+    if (!options.budget.empty()) {
+        const Result<ChoiceLimit> budget = parseBudget(options.budget);
+        if (!budget) return budget.diagnostics();
+        answer.limit = *budget;
+    }
+    if (!options.size.empty()) {
+        const Result<Extent> extent = parseSize(options.size);
+        if (!extent) return extent.diagnostics();
+        options.scope.extent = *extent;
+    }
+    Result<BenchResults> results = readBenchResults(options.results);
+    if (!results) return results.diagnostics();
+    answer.warnings = results.diagnostics();
+    answer.coverage = coverageOf(*results);
+    answer.points = std::move(results->points);
+    Result<Candidates> candidates = findCandidates(answer.points, options.scope);
+    if (!candidates) return candidates.diagnostics();
+    answer.candidates = std::move(*candidates);
+    Result<Choice> choice = choose(answer.candidates, answer.limit);
+    if (!choice) return choice.diagnostics();
+    answer.choice = std::move(*choice);
+    return answer;
+}
+
+/// What to type to see it.
+std::string renderCommand(const BenchPoint& point)
+{
+    std::string command = "crevice render " + point.config;
+    for (const std::string& value : point.overrides)
+        if (value.rfind("radius=", 0) != 0) command += " --set " + value;
+    return command + " --scene " + point.scene;
+}
+
+void printOthers(const Answer& answer, const char* title, const std::vector<std::size_t>& others)
+{
+    if (others.empty()) return;
+    print("%s\n", title);
+    for (std::size_t i = 0; i < others.size() && i < kOthersShown; ++i) {
+        const Candidate& other = answer.candidates.list[others[i]];
+        print("  %-44s error %s   %8s ms  %7s x floor\n", other.label.c_str(),
+              fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
+              fixed(other.ratio, 1).c_str());
+    }
+    if (others.size() > kOthersShown)
+        print("  and %zu more\n", others.size() - kOthersShown);
+}
+
+void printAnswer(const Answer& answer)
+{
+    const bool by_error = answer.limit.kind == ChoiceLimit::Kind::error;
+    const Candidate& best = answer.best();
+    const Candidates& all = answer.candidates;
+    if (!answer.coverage.whole()) print("%s\n", coverageText(answer.coverage).c_str());
+    print("%s\n", best.label.c_str());
+    print("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
+          fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
+          best.slowest_view.c_str(), fixed(best.ratio, 1).c_str());
+    print("  without ambient occlusion the error is %s\n",
+          fixed(all.error_without_ao, 4).c_str());
+    print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
+          all.views.size(), all.views.size() > 1 ? "scenes" : "scene",
+          extentName(all.views[0].extent).c_str(), all.device.c_str());
+    print("why: of %zu configs, %zu have %s; this one is the %s of those\n", all.list.size(),
+          answer.choice.also.size() + 1, limitText(answer.limit).c_str(),
+          by_error ? "fastest" : "least wrong");
+    printOthers(answer, by_error ? "within the error too, but slower:"
+                                 : "within the time too, but more wrong:", answer.choice.also);
+    printOthers(answer, by_error ? "too wrong:" : "too slow:", answer.choice.beyond);
+    for (const std::string& left_out : all.left_out) print("left out: %s\n", left_out.c_str());
+    for (const std::string& label : all.harmful)
+        print("left out: %s: no better than no ambient occlusion\n", label.c_str());
+    print("see it: %s\n", renderCommand(answer.points[best.point]).c_str());
+}
+
+nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchPoint>& points)
+{
+    const BenchPoint& point = points[candidate.point];
+    return {{"config", point.config}, {"overrides", point.overrides}, {"samples", point.samples},
+            {"cost_ms", candidate.ms}, {"ratio_floor", candidate.ratio},
+            {"rmse", candidate.error}};
+}
+
+void printJson(const Answer& answer)
+{
+    const auto list = [&answer](const std::vector<std::size_t>& others) {
+        nlohmann::json json = nlohmann::json::array();
+        for (const std::size_t i : others)
+            json.push_back(toJson(answer.candidates.list[i], answer.points));
+        return json;
+    };
+    const nlohmann::json json = {{"limit", limitText(answer.limit)},
+                                 {"device", answer.candidates.device},
+                                 {"points", {{"measured", answer.coverage.measured},
+                                             {"failed", answer.coverage.failed},
+                                             {"planned", answer.coverage.planned}}},
+                                 {"best", toJson(answer.best(), answer.points)},
+                                 {"also_within", list(answer.choice.also)},
+                                 {"beyond", list(answer.choice.beyond)},
+                                 {"left_out", answer.candidates.left_out},
+                                 {"harmful", answer.candidates.harmful}};
+    printAsJson(json);
+}
+
+int chooseConfig(const ChooseOptions& options)
+{
+    const Result<Answer> answer = answerFor(options);
+    if (!answer) return report(answer.diagnostics(), options.json);
+    report(answer->warnings, false);
+    (options.json ? printJson : printAnswer)(*answer);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addChooseCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command =
+        app.add_subcommand("choose", "Name the best measured config for a time or an error");
+    auto options = std::make_shared<ChooseOptions>();
+    command->add_option("RESULTS", options->results,
+                        "Folders of 'crevice bench', or the results files in them")
+        ->required();
+    CLI::Option_group* limit = command->add_option_group("Limit");
+    limit->add_option("--budget", options->budget,
+                      "The least wrong that adds no more to a frame: 2ms, 500us, or 10x for ten "
+                      "times a copy of the depth texture");
+    limit->add_option("--error", options->error, "The cheapest whose rmse is not larger")
+        ->check(CLI::PositiveNumber);
+    limit->require_option(1);
+    command->add_option("--scene", options->scope.scene,
+                        "Only this scene; otherwise each config's worst scene counts");
+    command->add_option("--size", options->size, "Only points of this size, such as 1920x1080");
+    command->add_option("--device", options->scope.device, "Part of the name of the device");
+    command->add_flag("--json", options->json, "Print the answer as JSON");
+    command->footer("Examples:\n"
+                    "  crevice choose bench --budget 2ms\n"
+                    "  crevice choose bench --error 0.06 --scene room");
+    command->callback([options, &exit_code] { exit_code = chooseConfig(*options); });
+}
+
+}  // namespace crevice

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// crevice doctor: draws a frame in memory full of garbage and tells the first pass that goes wrong.
+#include "tools/cli/config_options.h"
+#include "tools/cli/output.h"
+#include "tools/commands/commands.h"
+#include "tools/device/open_device.h"
+#include "tools/device/poison_device.h"
+#include "tools/render/read_output.h"
+#include "tools/render/scene_upload.h"
+#include "tools/render/target_health.h"
+#include "tools/render/watched_targets.h"
+#include "tools/scene/options.h"
+
+#include "core/base/numbers.h"
+#include "core/frame/frame_math.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace crevice {
+namespace {
+
+struct DoctorOptions {
+    ConfigOptions config;
+    SceneOptions scene;
+    std::string backend;
+    std::string precision;
+    std::string program_cache;
+    int frames = 2;
+    bool json = false;
+};
+
+// Two values that no pass writes by chance; with both, whatever depends on them differs.
+constexpr float kGarbage = 0.8713f;
+constexpr float kOtherGarbage = 0.3391f;
+
+struct Checkup {
+    Plan plan;  ///< Of the config as it is.
+    std::vector<TargetHealth> health;
+    FrameFacts facts;
+    std::string device;
+    Diagnostics warnings;  ///< Of the machine, not of the config.
+};
+
+/// Draws in memory that holds the garbage and reads back all that is watched.
+Result<std::vector<Image>> drawIn(Device& device, const Description& description,
+                                  const SceneView& view, const std::vector<WatchedTarget>& watched,
+                                  const DoctorOptions& options)
+{
+    const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
+    if (!scene) return scene.diagnostics();
+    const Frame frame = makeFrame(*scene, view.camera, view.extent);
+    CompileOptions compile_options;
+    compile_options.extent = view.extent;
+    compile_options.keep = {"sharing"};
+    const auto renderer =
+        Renderer::create(device, description, compile_options, traitsOf(frame));
+    if (!renderer) return renderer.diagnostics();
+    for (int i = 0; i < options.frames; ++i)
+        if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
+    std::vector<Image> images;
+    for (const WatchedTarget& each : watched) {
+        Result<Image> image = readOutput(device, **renderer, each.output);
+        if (!image) return image.diagnostics();
+        images.push_back(std::move(*image));
+    }
+    return images;
+}
+
+/// Distance along the view axis of a depth that a perspective or orthographic projection wrote.
+double distanceOf(const glm::dmat4& view_from_clip, double depth)
+{
+    const glm::dvec4 point = view_from_clip * glm::dvec4(0, 0, depth * 2 - 1, 1);
+    return -point.z / point.w;
+}
+
+/// The size of the param `radius` in pixels at the median distance of what `depth` shows.
+void measureRadius(const Description& description, const Image& depth, const Camera& camera,
+                   FrameFacts& facts)
+{
+    const ParamDesc* radius = findNamed(description.params, "radius");
+    std::vector<float> seen;
+    for (std::size_t i = 0; i < depth.pixels.size(); i += depth.channels)
+        if (depth.pixels[i] < 1.0f) seen.push_back(depth.pixels[i]);
+    if (!radius || seen.empty()) return;
+    std::nth_element(seen.begin(), seen.begin() + seen.size() / 2, seen.end());
+    const CameraMatrices matrices = cameraMatrices(camera);
+    facts.distance = distanceOf(matrices.view_from_clip, seen[seen.size() / 2]);
+    const double scale = 0.5 * depth.extent.height * std::abs(matrices.clip_from_view[1][1]);
+    facts.radius_px = radius->value[0] * scale / (camera.orthographic() ? 1 : facts.distance);
+}
+
+Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
+                        Description description, Progress& progress)
+{
+    const Result<OpenDevice> open =
+        openDevice(options.backend, options.precision, options.program_cache);
+    if (!open) return open.diagnostics();
+    Checkup checkup;
+    checkup.device = open->context->description();
+    Device& device = *open->device;
+    const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
+    if (!scene) return scene.diagnostics();
+    const Frame frame = makeFrame(*scene, view.camera, view.extent);
+    CompileOptions compile_options;
+    compile_options.extent = view.extent;
+    Result<Plan> plan = compile(description, traitsOf(frame), device.caps(), compile_options);
+    if (!plan) return plan.diagnostics();
+
+    const std::vector<WatchedTarget> watched = watchAll(*plan, description);
+    progress.begin("drawing in garbage");
+    GarbageDevice garbage(device, kGarbage, false);
+    const auto drawn = drawIn(garbage, description, view, watched, options);
+    if (!drawn) return drawn.diagnostics();
+    GarbageDevice other(device, kOtherGarbage, true);
+    const auto redrawn = drawIn(other, description, view, watched, options);
+    if (!redrawn) return redrawn.diagnostics();
+
+    const glm::vec3& ambient = frame.ambient_light;
+    checkup.facts.lights = static_cast<int>(frame.lights.size());
+    checkup.facts.ambient = ambient.r + ambient.g + ambient.b > 0;
+    for (std::size_t i = 0; i < watched.size(); ++i) {
+        checkup.health.push_back(examine((*drawn)[i], (*redrawn)[i]));
+        checkup.health.back().target = watched[i].target;
+        checkup.health.back().pass = watched[i].pass;
+        if (watched[i].target == "depth")
+            measureRadius(description, (*drawn)[i], frame.camera, checkup.facts);
+    }
+    checkup.plan = std::move(*plan);
+    if (open->programs) checkup.warnings = open->programs->warnings();
+    return checkup;
+}
+
+std::string stateOf(const TargetHealth& health)
+{
+    if (health.not_numbers + health.infinite > 0) return "not finite";
+    if (health.undefined > 0) return "undefined";
+    return health.constant ? "constant" : "varies";
+}
+
+void printTable(const Checkup& checkup, const Diagnostics& found)
+{
+    print("%-16s %-20s %-11s %s\n", "pass", "target", "state", "least .. most by channel");
+    for (const TargetHealth& each : checkup.health) {
+        print("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(),
+              stateOf(each).c_str());
+        for (int i = 0; i < each.channels && each.minimum[i] <= each.maximum[i]; ++i)
+            print(" %s..%s", significant(each.minimum[i], 4).c_str(),
+                  significant(each.maximum[i], 4).c_str());
+        print("\n");
+    }
+    if (found.empty()) print("nothing is wrong\n");
+}
+
+void printJson(const Checkup& checkup, const Diagnostics& found)
+{
+    nlohmann::json targets = nlohmann::json::array();
+    for (const TargetHealth& each : checkup.health) {
+        nlohmann::json channels = nlohmann::json::array();
+        for (int i = 0; i < each.channels && each.minimum[i] <= each.maximum[i]; ++i)
+            channels.push_back({{"least", each.minimum[i]}, {"most", each.maximum[i]}});
+        targets.push_back({{"pass", each.pass},
+                           {"target", each.target},
+                           {"state", stateOf(each)},
+                           {"pixels", each.pixels},
+                           {"undefined", each.undefined},
+                           {"not_a_number", each.not_numbers},
+                           {"infinite", each.infinite},
+                           {"channels", channels}});
+    }
+    const nlohmann::json json = {{"device", checkup.device},
+                                 {"targets", targets},
+                                 {"diagnostics", nlohmann::json::parse(toJson(found))}};
+    printAsJson(json);
+}
+
+int doctor(const DoctorOptions& options)
+{
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
+    const Result<Description> description = loadDescription(options.config, sources);
+    if (!description) return report(description.diagnostics(), options.json);
+    Progress progress;
+    progress.begin("loading " + options.scene.scene);
+    const Result<SceneView> view = loadSceneView(options.scene);
+    if (!view) return report(view.diagnostics(), options.json);
+    const Result<Checkup> checkup = checkUp(options, *view, *description, progress);
+    progress.wipe();
+    if (!checkup) return report(checkup.diagnostics(), options.json);
+    const Diagnostics found =
+        diagnose(*description, checkup->plan, checkup->health, checkup->facts);
+    Diagnostics all = found;
+    append(all, checkup->warnings);
+    append(all, view.diagnostics());
+    if (options.json) {
+        printJson(*checkup, all);
+    } else {
+        printTable(*checkup, found);
+        report(all, false);
+    }
+    return hasErrors(found) ? kExitDiffers : kExitOk;
+}
+
+}  // namespace
+
+void addDoctorCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command =
+        app.add_subcommand("doctor", "Find the pass that makes a picture black, grey or noisy");
+    auto options = std::make_shared<DoctorOptions>();
+    command->add_option("CONFIG", options->config.config, "A shipped config's name, or a file")
+        ->required();
+    addSceneOptions(*command, options->scene);
+    addConfigOptions(*command, options->config);
+    addBackendOption(*command, options->backend);
+    addPrecisionOption(*command, options->precision);
+    addProgramCacheOption(*command, options->program_cache);
+    command->add_option("--frames", options->frames, "How many to draw before looking")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print what was found as JSON");
+    command->footer("Draws the frame twice, in memory that holds other garbage each time, and looks at each\n"
+                    "target of each pass: what is not finite, what depends on the garbage, what is the same\n"
+                    "everywhere. Exit code 5 where a pass is wrong.\n"
+                    "Example:\n"
+                    "  crevice doctor my.json --scene model.glb");
+    command->callback([options, &exit_code] { exit_code = doctor(*options); });
+}
+
+}  // namespace crevice

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// crevice explain: the plan of a config, what it leaves out and why, and where a value came from.
+#include "tools/bench/times.h"
+#include "tools/cli/config_options.h"
+#include "tools/cli/output.h"
+#include "tools/cli/output_request.h"
+#include "tools/commands/commands.h"
+#include "tools/device/open_device.h"
+#include "tools/plan/explain_value.h"
+#include "tools/plan/planning.h"
+#include "tools/render/scene_upload.h"
+#include "tools/scene/options.h"
+
+#include "backends/recording/device.h"
+#include "core/config/load.h"
+#include "core/plan/plan_diff.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace crevice {
+namespace {
+
+struct ExplainOptions {
+    ConfigOptions config;
+    std::vector<std::string> configs;  ///< One, or two to compare.
+    bool diff = false;
+    SceneOptions scene;
+    std::string backend;
+    std::vector<std::string> outputs;
+    std::vector<std::string> keep;
+    bool measure = false;
+    std::string why;
+    std::string format = "text";
+    int views = 1;
+};
+
+/// What the scene has; everything when none was named.
+Result<SceneTraits> sceneTraits(const SceneOptions& options)
+{
+    if (options.scene.empty()) return usualTraits();
+    const Result<SceneView> view = loadSceneView(options);
+    if (!view) return view.diagnostics();
+    RecordingDevice device;
+    const Result<UploadedScene> scene = UploadedScene::upload(device, view->scene);
+    if (!scene) return scene.diagnostics();
+    return {traitsOf(makeFrame(*scene, view->camera, view->extent)), view.diagnostics()};
+}
+
+/// What --backend's device can do; the usual device's abilities when none was named.
+Result<DeviceCaps> deviceCaps(const std::string& backend)
+{
+    if (backend.empty()) return usualCaps();
+    const Result<OpenDevice> open = openDevice(backend);
+    if (!open) return open.diagnostics();
+    return open->device->caps();
+}
+
+Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
+{
+    CompileOptions compile_options;
+    const Result<Extent> extent = parseSize(options.scene.size);
+    if (!extent) return extent.diagnostics();
+    compile_options.extent = *extent;
+    compile_options.keep = options.keep;
+    Result<Description> description = loadDescription(options.config, sources);
+    if (!description) return description.diagnostics();
+    for (const std::string& name : options.outputs) {
+        const Result<OutputSource> source = exposeOutput(*description, name);
+        if (!source) return source.diagnostics();
+        compile_options.outputs.push_back(source->output);
+    }
+    Result<SceneTraits> traits = sceneTraits(options.scene);
+    if (!traits) return traits.diagnostics();
+    traits->views = options.views;
+    const Result<DeviceCaps> caps = deviceCaps(options.backend);
+    if (!caps) return caps.diagnostics();
+    return compile(*description, *traits, *caps, compile_options);
+}
+
+/// Draws the scene with nothing left out and notes what each pass takes that the plan leaves out: the median
+/// of some frames.
+Status measureLeftOut(const ExplainOptions& options, const SourceSet& sources, Plan& plan)
+{
+    constexpr std::size_t kFrames = 7;
+    const Result<OpenDevice> open = openDevice(options.backend);
+    if (!open) return open.diagnostics();
+    Device& device = *open->device;
+    const Result<SceneView> view = loadSceneView(options.scene);
+    if (!view) return view.diagnostics();
+    const Result<UploadedScene> scene = UploadedScene::upload(device, view->scene);
+    if (!scene) return scene.diagnostics();
+    const Frame frame = makeFrame(*scene, view->camera, view->extent);
+    const Result<Description> description = loadDescription(options.config, sources);
+    if (!description) return description.diagnostics();
+    CompileOptions all;
+    all.extent = view->extent;
+    all.keep = {"all"};
+    const auto renderer = Renderer::create(device, *description, all, traitsOf(frame));
+    if (!renderer) return renderer.diagnostics();
+    std::vector<std::vector<double>> ms((*renderer)->plan().passes.size());
+    for (std::size_t i = 0; i < kFrames; ++i) {
+        const Result<FrameTimes> times = timeFrame(**renderer, frame);
+        if (!times) return times.diagnostics();
+        for (std::size_t pass = 0; pass < ms.size(); ++pass) ms[pass].push_back(times->pass_ms[pass]);
+    }
+    for (LeftOut& each : plan.left_out)
+        for (std::size_t pass = 0; pass < ms.size(); ++pass)
+            if (each.what == "pass " + (*renderer)->plan().passes[pass].name)
+                each.ms = timeFigures(ms[pass]).median;
+    return {};
+}
+
+int explainValue(const ExplainOptions& options, const SourceSet& sources)
+{
+    const bool json = options.format == "json";
+    const Result<Node> document = loadConfig(sources, requestOf(options.config));
+    if (!document) return report(document.diagnostics(), json);
+    const Result<FoundValue> value = findValue(*document, options.why);
+    if (value) {
+        printLines(json ? explainJson(*value) : explainText(*value));
+        return kExitOk;
+    }
+    const Result<Plan> plan = makePlan(options, sources);
+    const auto unset = findUnset(*document, options.why, plan ? &*plan : nullptr);
+    if (!unset) return report(value.diagnostics(), json);
+    printLines(json ? explainJson(*unset) : explainText(*unset));
+    return kExitOk;
+}
+
+/// The plan of the first config as it is, and of the second, or the same again, with --variant and
+/// --set.
+int explainDiff(const ExplainOptions& options, const SourceSet& sources)
+{
+    const bool json = options.format == "json";
+    ExplainOptions first = options, second = options;
+    first.config.variant.clear();
+    first.config.overrides.clear();
+    second.config.config = options.configs.back();
+    const Result<Plan> before = makePlan(first, sources);
+    if (!before) return report(before.diagnostics(), json);
+    const Result<Plan> after = makePlan(second, sources);
+    if (!after) return report(after.diagnostics(), json);
+    PlanDiff diff = diffPlans(*before, *after);
+    if (!options.config.variant.empty()) diff.after += " --variant " + options.config.variant;
+    for (const std::string& each : options.config.overrides) diff.after += " --set " + each;
+    printLines(json ? toJson(diff) : toText(diff));
+    return kExitOk;
+}
+
+/// What the arguments say together; empty where it makes sense.
+std::string misuse(const ExplainOptions& options)
+{
+    if (options.configs.size() > 1 && !options.diff) return "two configs need --diff";
+    if (options.measure && (options.diff || !options.why.empty() || options.scene.scene.empty()))
+        return "--measure explains the plan for a --scene";
+    if (!options.diff) return {};
+    if (!options.why.empty()) return "--why explains one config, --diff compares two";
+    if (options.format != "text" && options.format != "json") return "--diff prints text or json";
+    return {};
+}
+
+int explain(ExplainOptions& options)
+{
+    if (const std::string wrong = misuse(options); !wrong.empty())
+        return report({{Code::usage, wrong, {}, {}, {}, "see crevice explain --help"}}, false);
+    options.config.config = options.configs.front();
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
+    if (!options.why.empty()) return explainValue(options, sources);
+    if (options.diff) return explainDiff(options, sources);
+    Result<Plan> plan = makePlan(options, sources);
+    if (!plan) return report(plan.diagnostics(), options.format == "json");
+    if (options.measure)
+        if (const Status status = measureLeftOut(options, sources, *plan); !status)
+            return report(status.diagnostics(), options.format == "json");
+    report(plan.diagnostics(), false);
+    const std::string text = options.format == "json"      ? toJson(*plan)
+                             : options.format == "dot"     ? toDot(*plan)
+                             : options.format == "mermaid" ? toMermaid(*plan)
+                                                           : toText(*plan);
+    printLines(text);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addExplainCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command = app.add_subcommand("explain", "Show what a config does, and why");
+    auto options = std::make_shared<ExplainOptions>();
+    options->scene.scene.clear();
+    command
+        ->add_option("CONFIG", options->configs,
+                     "A shipped config's name, or a file; two with --diff")
+        ->required()
+        ->expected(1, 2);
+    command->add_flag(
+        "--diff", options->diff,
+        "Compare two plans: that of the first CONFIG, and that of the second, or of the "
+        "same, with --variant and --set");
+    addConfigOptions(*command, options->config);
+    addSceneOptions(*command, options->scene);
+    addBackendOption(*command, options->backend);
+    command
+        ->add_option("--output", options->outputs,
+                     "Plan for this output, view or target alone; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addKeepOption(*command, options->keep);
+    command->add_flag("--measure", options->measure,
+                      "Draw --scene on --backend with nothing left out, and tell what each pass that is left "
+                      "out takes there");
+    command->add_option("--views", options->views,
+                        "Plan for frames of that many views, 2 for stereo")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command->add_option("--why", options->why,
+                        "Tell which files set this value: a param's or feature's name, "
+                        "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");
+    command->add_option("--format", options->format, "text, json, dot or mermaid")
+        ->check(CLI::IsMember({"text", "json", "dot", "mermaid"}))
+        ->capture_default_str();
+    command->footer("Examples:\n"
+                    "  crevice explain learnopengl\n"
+                    "  crevice explain learnopengl --set intensity=0 --output ao\n"
+                    "  crevice explain gtao --set intensity=0 --scene room --measure\n"
+                    "  crevice explain my.json --why radius\n"
+                    "  crevice explain --diff learnopengl gtao\n"
+                    "  crevice explain --diff gtao --set slices=1\n"
+                    "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
+    command->callback([options, &exit_code] { exit_code = explain(*options); });
+}
+
+}  // namespace crevice

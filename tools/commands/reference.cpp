@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// crevice reference: the ray-traced ambient occlusion that configs are measured against.
+#include "tools/cli/output.h"
+#include "tools/cli/output_request.h"
+#include "tools/commands/commands.h"
+#include "tools/image/image_file.h"
+#include "tools/reference/reference_cache.h"
+#include "tools/scene/options.h"
+
+#include "core/base/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace crevice {
+namespace {
+
+struct ReferenceOptions : SceneOptions {
+    TraceOptions trace;
+    CacheOptions cache;
+    std::string file;
+};
+
+int reference(const ReferenceOptions& options)
+{
+    const Status writable = checkWritable(options.file);
+    if (!writable) return report(writable.diagnostics(), false);
+    Progress progress;
+    progress.begin("loading " + options.scene);
+    const Result<SceneView> view = loadSceneView(options);
+    progress.wipe();
+    report(view.diagnostics(), false);
+    if (!view) return exitCodeOf(view.diagnostics());
+
+    progress.begin("tracing");
+    TraceOptions trace = options.trace;
+    trace.progress = [&progress](double done) { progress.update(done); };
+    const Camera camera = {view->camera.view_from_world,
+                           clipFromView(view->camera, view->extent, view->bounds)};
+    const Result<Image> truth =
+        cachedReference(view->scene, camera, view->extent, trace, options.cache.path());
+    progress.wipe();
+    report(truth.diagnostics(), false);
+    if (!truth) return exitCodeOf(truth.diagnostics());
+
+    const Status written = writeImage(options.file, *truth);
+    report(written.diagnostics(), false);
+    if (written) printMessage("wrote %s\n", printableLine(options.file).c_str());
+    return exitCodeOf(written.diagnostics());
+}
+
+}  // namespace
+
+void addReferenceCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command = app.add_subcommand("reference", "Ray-trace the true ambient occlusion");
+    auto options = std::make_shared<ReferenceOptions>();
+    addSceneOptions(*command, *options);
+    command->add_option("--radius", options->trace.radius, "How far an occluder may be, scene units")
+        ->capture_default_str();
+    command->add_option("--rays", options->trace.rays, "Rays a pixel")->capture_default_str();
+    addCacheOptions(*command, options->cache);
+    command->add_option("--out", options->file, "The picture: 1 is open; background is not a number")
+        ->type_name("FILE.pfm")
+        ->required();
+    command->footer("Examples:\n"
+                    "  crevice reference --radius 1 --rays 256 --out truth.pfm\n"
+                    "  crevice render learnopengl --set radius=1 --out ao=ao.pfm\n"
+                    "  crevice compare ao.pfm truth.pfm");
+    command->callback([options, &exit_code] { exit_code = reference(*options); });
+}
+
+}  // namespace crevice

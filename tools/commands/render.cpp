@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// crevice render: draws a scene through a config and writes what was asked for.
+#include "tools/cli/output.h"
+#include "tools/cli/save_patch.h"
+#include "tools/cli/watched_files.h"
+#include "tools/commands/commands.h"
+#include "tools/render/session.h"
+#include "tools/render/view_check.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/config/load.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace crevice {
+namespace {
+
+/// What the run tells when it is done.
+struct Summary {
+    std::string config, scene, device;
+    Extent extent;  ///< Of a view.
+    int views = 1;
+    long long triangles = 0;
+    std::size_t passes = 0;
+    double create_ms = 0;  ///< Wall clock of planning and compiling.
+    double ms = 0;         ///< Wall clock of the first frame, the wait for the GPU included.
+    const ProgramFolder* programs = nullptr;  ///< Null without --program-cache.
+};
+
+void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
+{
+    printMessage("%s: %d passes over %s, %lld triangles, %dx%d%s\n",
+                 printableLine(summary.config).c_str(), static_cast<int>(summary.passes),
+                 printableLine(summary.scene).c_str(),
+                 summary.triangles, summary.extent.width, summary.extent.height,
+                 summary.views > 1 ? " an eye" : "");
+    printMessage("on %s\n", summary.device.c_str());
+    printMessage("planned and compiled in %s ms (wall clock)\n",
+                 fixed(summary.create_ms, 1).c_str());
+    if (const ProgramFolder* programs = summary.programs; programs && programs->asked() > 0)
+        printMessage("%d of %d programs came from the cache\n", programs->found(),
+                     programs->asked());
+    else if (programs)
+        printMessage("nothing is kept: the driver gives no program binaries\n");
+    printMessage("drawn in %s ms (wall clock, first frame)\n",
+                 fixed(summary.ms, 1).c_str());
+    for (const Picture& picture : pictures)
+        printMessage("wrote %s (%s)\n", printableLine(picture.request.file).c_str(),
+                     printableLine(picture.request.name).c_str());
+}
+
+void printJson(const Summary& summary, const std::vector<Picture>& pictures,
+               const Diagnostics& warnings)
+{
+    nlohmann::json files = nlohmann::json::array();
+    for (const Picture& picture : pictures)
+        files.push_back({{"name", picture.request.name}, {"file", picture.request.file}});
+    nlohmann::json json = {
+        {"config", summary.config},
+        {"scene", summary.scene},
+        {"triangles", summary.triangles},
+        {"width", summary.extent.width},
+        {"height", summary.extent.height},
+        {"views", summary.views},
+        {"passes", summary.passes},
+        {"device", summary.device},
+        {"create_ms", summary.create_ms},
+        {"first_frame_ms", summary.ms},
+        {"files", files},
+        {"diagnostics", nlohmann::json::parse(toJson(warnings))},
+    };
+    if (summary.programs)
+        json["program_cache"] = {{"asked", summary.programs->asked()},
+                                 {"found", summary.programs->found()}};
+    printAsJson(json);
+}
+
+/// Loads the config, and adds the files that it is made of to those watched, whole or broken.
+Result<Description> loadWatched(const RenderOptions& options, const SourceSet& sources,
+                                WatchedFiles& files)
+{
+    const ConfigOptions& config = options.config;
+    files.add(config.config);
+    const Result<Node> document = loadConfig(sources, requestOf(config));
+    files.add(document.diagnostics());
+    if (!document) return document.diagnostics();
+    files.add(*document);
+    Result<Description> description = decode(*document, sources);
+    files.add(description.diagnostics());
+    if (description) files.add(*description);
+    return description;
+}
+
+/// All or nothing: after an error the renderer, the pictures and their files are as they were.
+Result<double> redraw(const RenderOptions& options, Session& session, Description description,
+                      std::vector<Picture>& pictures)
+{
+    std::vector<Picture> next = pictures;
+    const Result<std::vector<std::string>> outputs = exposeAll(next, description);
+    if (!outputs) return outputs.diagnostics();
+    CompileOptions compile_options = session.options;
+    compile_options.outputs = *outputs;
+    const Status reloaded = session.renderer->reload(std::move(description), compile_options);
+    if (!reloaded) return reloaded.diagnostics();
+    const Result<double> ms = draw(options, session, next);
+    if (!ms) return ms;
+    const Status written = writePictures(next);
+    if (!written) return written.diagnostics();
+    session.options = compile_options;
+    pictures = std::move(next);
+    Diagnostics warnings = reloaded.diagnostics();
+    append(warnings, ms.diagnostics());
+    return {*ms, std::move(warnings)};
+}
+
+volatile std::sig_atomic_t stopped = 0;
+
+/// Draws again whenever a file of the config was saved, until it is interrupted.
+int watch(const RenderOptions& options, const SourceSet& sources, Session& session,
+          std::vector<Picture>& pictures)
+{
+    constexpr std::chrono::milliseconds kPause(100);  // below what a person notices after a save
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stopped = 1; });
+    WatchedFiles files;
+    (void)loadWatched(options, sources, files);
+    printMessage("watching %d %s; interrupt to end\n", static_cast<int>(files.size()),
+                 files.size() == 1 ? "file" : "files");
+    for (; !stopped; std::this_thread::sleep_for(kPause)) {
+        if (!files.changed()) continue;
+        Result<Description> description = loadWatched(options, sources, files);
+        const Result<double> ms = description
+                                      ? redraw(options, session, std::move(*description), pictures)
+                                      : description.diagnostics();
+        report(description.diagnostics(), false);
+        if (description) report(ms.diagnostics(), false);
+        if (ms) printMessage("drawn again in %s ms\n", fixed(*ms, 1).c_str());
+        else printMessage("the last pictures stay\n");
+    }
+    return kExitOk;
+}
+
+Summary summaryOf(const Session& session, const SceneView& view, double ms)
+{
+    const Renderer& renderer = *session.renderer;
+    return {renderer.description().name, view.scene.name, session.open.context->description(),
+            view.extent, renderer.plan().views, triangleCount(view.scene),
+            renderer.plan().passes.size(), session.create_ms, ms, session.open.programs.get()};
+}
+
+/// Whether the picture shows ambient occlusion; of two eyes, the left one's.
+Diagnostics checkPicture(const Session& session, const SceneView& view,
+                         const std::vector<Picture>& pictures)
+{
+    const auto ao = std::find_if(pictures.begin(), pictures.end(), [](const Picture& picture) {
+        return picture.source.output == "ao";
+    });
+    const Renderer& renderer = *session.renderer;
+    return checkView(renderer.description(), renderer.plan(), view.scene, session.frame.camera,
+                     ao == pictures.end() ? nullptr : &ao->image);
+}
+
+int render(const RenderOptions& options)
+{
+    Result<std::vector<Picture>> pictures = readRequests(options.out);
+    if (!pictures) return report(pictures.diagnostics(), options.json);
+    const bool saves = !options.save_patch.empty();
+    if (saves)
+        if (const Status patch = checkPatchFile(options.config, options.save_patch); !patch)
+            return report(patch.diagnostics(), options.json);
+    const CheckoutSources sources(options.config.checkout, options.config.roots);
+    Result<Description> description = loadDescription(options.config, sources);
+    if (!description) return report(description.diagnostics(), options.json);
+    const Result<std::vector<std::string>> outputs = exposeAll(*pictures, *description);
+    if (!outputs) return report(outputs.diagnostics(), options.json);
+
+    Progress progress;
+    progress.begin("loading " + options.scene.scene);
+    const Result<SceneView> view = loadSceneView(options.scene);
+    Result<Session> session =
+        view ? openSession(options, *view, *description, *outputs, progress) : view.diagnostics();
+    progress.begin("drawing");
+    const Result<double> ms =
+        session ? draw(options, *session, *pictures) : session.diagnostics();
+    progress.wipe();
+    if (!ms) return report(ms.diagnostics(), options.json);
+
+    const Status written = writePictures(*pictures);
+    if (!written) return report(written.diagnostics(), options.json);
+    if (saves)
+        if (const Status patch = savePatch(options.config, sources, options.save_patch); !patch)
+            return report(patch.diagnostics(), options.json);
+    Diagnostics warnings = description.diagnostics();
+    for (const Diagnostics* more : {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(),
+                                    &written.diagnostics()})
+        append(warnings, *more);
+    append(warnings, checkPicture(*session, *view, *pictures));
+    if (session->open.programs) append(warnings, session->open.programs->warnings());
+    const Summary summary = summaryOf(*session, *view, *ms);
+    if (options.json) {
+        printJson(summary, *pictures, warnings);
+    } else {
+        report(warnings, false);
+        printSummary(summary, *pictures);
+    }
+    return options.watch ? watch(options, sources, *session, *pictures) : kExitOk;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command = app.add_subcommand("render", "Draw a scene through a config");
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("CONFIG", options->config.config, "A shipped config's name, or a file")
+        ->required();
+    addSceneOptions(*command, options->scene);
+    addStereoOptions(*command, options->stereo);
+    addConfigOptions(*command, options->config);
+    addKeepOption(*command, options->keep);
+    addBackendOption(*command, options->backend);
+    addPrecisionOption(*command, options->precision);
+    addProgramCacheOption(*command, options->program_cache);
+    command->add_option("--out", options->out,
+                        "What to write where: an output, a debug view or a target (target.NAME where "
+                        "an output has that name), to .png or .pfm; may be repeated")
+        ->type_name("NAME=FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->capture_default_str();
+    command->add_option("--frames", options->frames,
+                        "How many to draw before the last is written; configs that gather over "
+                        "frames need several")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_option("--save-patch", options->save_patch,
+                        "Write a config that extends CONFIG and says what --variant and --set changed")
+        ->type_name("FILE.json");
+    CLI::Option* json =
+        command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
+    command->add_flag("--watch", options->watch,
+                      "Draw again whenever a file of the config is saved, until interrupted; after a bad "
+                      "edit the last pictures stay")
+        ->excludes(json);
+    command->footer("Examples:\n"
+                    "  crevice render learnopengl\n"
+                    "  crevice render learnopengl --scene model.glb --size 1920x1080 --set radius=0.8 \\\n"
+                    "      --out color=lit.png --out ao=ao.pfm\n"
+                    "  crevice render my.json --watch\n"
+                    "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
+    command->callback([options, &exit_code] { exit_code = render(*options); });
+}
+
+}  // namespace crevice

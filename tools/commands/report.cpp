@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// crevice report: bench results as a page, and the figures beside it.
+#include "tools/cli/output.h"
+#include "tools/cli/output_request.h"
+#include "tools/commands/commands.h"
+#include "tools/image/image_file.h"
+#include "tools/report/bench_report.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace crevice {
+namespace {
+
+struct ReportOptions {
+    std::vector<std::string> results;
+    std::string out = "report.html";
+    bool no_pictures = false;
+};
+
+Status writeReport(const ReportOptions& options, const std::vector<BenchPoint>& points,
+                   const std::vector<AblationRow>& ablation, const BenchCoverage& coverage,
+                   const std::string& page)
+{
+    std::filesystem::path path = options.out;
+    Status written = writeFile(path.string(), page);
+    if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(points));
+    if (written)
+        written = writeFile(path.replace_extension(".json").string(), reportJson(points, ablation, coverage));
+    return written;
+}
+
+int makeReport(const ReportOptions& options)
+{
+    if (std::filesystem::path(options.out).extension() != ".html") {
+        Diagnostic error{Code::usage, "--out '" + options.out + "' does not end in .html"};
+        error.help = "a .csv and a .json of the same name are written beside it";
+        return report({error}, false);
+    }
+    const Status writable = checkWritable(options.out);
+    if (!writable) return report(writable.diagnostics(), false);
+    const Result<BenchResults> results = readBenchResults(options.results);
+    report(results.diagnostics(), false);
+    if (!results) return exitCodeOf(results.diagnostics());
+    const std::vector<BenchPoint>& points = results->points;
+    const BenchCoverage coverage = coverageOf(*results);
+    const Result<std::vector<AblationRow>> ablation = readAblation(options.results);
+    if (!ablation) return report(ablation.diagnostics(), false);
+    const Result<std::string> page = reportHtml(points, !options.no_pictures, *ablation, coverage);
+    report(page.diagnostics(), false);
+    const Status written = writeReport(options, points, *ablation, coverage, *page);
+    if (!written) return report(written.diagnostics(), false);
+    print("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
+          printableLine(options.out).c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
+    if (!coverage.whole()) print("%s\n", coverageText(coverage).c_str());
+    return kExitOk;
+}
+
+}  // namespace
+
+void addReportCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command = app.add_subcommand("report", "Show bench results in one HTML file");
+    auto options = std::make_shared<ReportOptions>();
+    command
+        ->add_option("RESULTS", options->results, "What 'crevice bench' wrote, one file or more")
+        ->required();
+    command->add_option("--out", options->out, "The page; report.html when not given")
+        ->type_name("FILE.html");
+    command->add_flag("--no-pictures", options->no_pictures, "Leave the pictures out");
+    command->footer("Examples:\n"
+                    "  crevice report results.jsonl --out report.html\n"
+                    "  crevice report shards/*.jsonl --out report.html --no-pictures");
+    command->callback([options, &exit_code] { exit_code = makeReport(*options); });
+}
+
+}  // namespace crevice

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// crevice stress: how far each config holds on stiff and extreme cases, and where it breaks.
+#include "tools/cli/long_run.h"
+#include "tools/cli/output.h"
+#include "tools/commands/commands.h"
+#include "tools/device/open_device.h"
+#include "tools/image/image_file.h"
+#include "tools/reference/reference_cache.h"
+#include "tools/report/stress_report.h"
+#include "tools/scene/options.h"
+#include "tools/stress/run.h"
+
+#include "core/base/text.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace crevice {
+namespace {
+
+struct StressCommand {
+    StressOptions stress;
+    ConfigOptions config;
+    CacheOptions cache;
+    std::string backend;
+    std::string precision;
+    std::string size = "256x144";
+    std::string shard = "1/1";
+    std::string time_budget;
+    std::string out = "stress";
+    bool list = false;
+    bool json = false;
+};
+
+int listCases(const std::vector<StressTask>& tasks)
+{
+    const StressCase* last = nullptr;
+    std::string last_config;
+    std::size_t cases = 0;
+    for (const StressTask& task : tasks) {
+        if (task.stress == last && task.config.config == last_config) continue;
+        if (!last_config.empty() && task.config.config != last_config) break;
+        last = task.stress;
+        last_config = task.config.config;
+        ++cases;
+        std::string steps;
+        for (const StressStep& step : last->steps) steps += (steps.empty() ? "" : ", ") + step.label;
+        print("%-20s %s\n%-20s %s%s%s\n", last->name.c_str(), last->what.c_str(), "",
+              steps.c_str(), last->unit.empty() ? "" : " ", last->unit.c_str());
+    }
+    print("%zu cases, %zu steps over all configs\n", cases, tasks.size());
+    return kExitOk;
+}
+
+std::string seriesName(const StressSeries& series)
+{
+    return series.stress->name + (series.format.empty() ? "" : " " + series.format);
+}
+
+struct Totals {
+    int series = 0, failing = 0, failures = 0, refused = 0;
+};
+
+Totals totalsOf(const std::vector<StressSeries>& all)
+{
+    Totals totals;
+    for (const StressSeries& series : all) {
+        const Breakdown found = findBreakdown(*series.stress, series.steps);
+        totals.series += !found.absent;
+        totals.failing += found.failures > 0;
+        totals.failures += found.failures;
+        totals.refused += found.refused;
+    }
+    return totals;
+}
+
+void printTable(const std::vector<StressSeries>& all)
+{
+    std::string config;
+    for (const StressSeries& series : all) {
+        if (series.config != config) print("%s\n", series.config.c_str());
+        config = series.config;
+        const Breakdown found = findBreakdown(*series.stress, series.steps);
+        print("  %-34s %s\n", seriesName(series).c_str(),
+              describe(*series.stress, found).c_str());
+    }
+    const Totals totals = totalsOf(all);
+    print("%d cases, %d of them fail in %d steps, %d steps refused\n", totals.series,
+          totals.failing, totals.failures, totals.refused);
+}
+
+void printJson(const std::vector<StressSeries>& all, const std::string& device)
+{
+    nlohmann::json cases = nlohmann::json::array();
+    for (const StressSeries& series : all) {
+        const Breakdown found = findBreakdown(*series.stress, series.steps);
+        const auto label = [&](int step) {
+            return step < 0 ? nlohmann::json() : nlohmann::json(series.stress->steps[step].label);
+        };
+        cases.push_back({{"config", series.config},
+                         {"case", series.stress->name},
+                         {"format", series.format},
+                         {"holds_from", label(found.down.holds_to)},
+                         {"holds_to", label(found.up.holds_to)},
+                         {"breaks_below", label(found.down.breaks_at)},
+                         {"breaks_above", label(found.up.breaks_at)},
+                         {"failures", found.failures},
+                         {"refused", found.refused},
+                         {"text", describe(*series.stress, found)}});
+    }
+    const Totals totals = totalsOf(all);
+    const nlohmann::json json = {{"device", device},
+                                 {"cases", cases},
+                                 {"series", totals.series},
+                                 {"failing", totals.failing},
+                                 {"failures", totals.failures},
+                                 {"refused", totals.refused}};
+    printAsJson(json);
+}
+
+Status keepPicture(const std::string& folder, const StressDrawing& done)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder + "/pictures", error);
+    if (error) return Diagnostic{Code::cannot_write, "cannot write '" + folder + "/pictures'"};
+    return writePng(folder + "/" + done.record.picture, done.ao);
+}
+
+int measureAll(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
+               const SourceSet& sources, double time_budget)
+{
+    const Result<OpenDevice> open = openDevice(command.backend, command.precision);
+    if (!open) return report(open.diagnostics(), command.json);
+    report(open.diagnostics(), false);
+    Result<LineFile> file = LineFile::open(command.out + "/stress.jsonl");
+    if (!file) return report(file.diagnostics(), command.json);
+    const Result<std::vector<StressRecord>> known = readStressRecords(file->path());
+    if (!known) return report(known.diagnostics(), command.json);
+
+    Progress progress;
+    StressMeter meter(*open->device, sources, command.cache.path());
+    StressWorld world;
+    world.device = open->device->caps().name;
+    world.version = CREVICE_VERSION;
+    world.key = [&](const StressTask& task) {
+        return keyOnDevice(meter.contentOf(task, size) + world.version, world.device);
+    };
+    world.measure = [&](const StressTask& task) {
+        progress.begin(stepTitle(task));
+        return meter.measure(task, size);
+    };
+    world.keep = [&](const StressDrawing& done) { return keepPicture(command.out, done); };
+    world.seconds = clockSeconds;
+    world.interrupted = interrupted;
+    world.say = [&progress](const std::string& line) {
+        progress.wipe();
+        printMessage("%s\n", printableLine(line).c_str());
+    };
+    world.time_budget_s = time_budget;
+    catchInterrupts();
+    const StressSummary summary = runStress(tasks, *known, *file, world);
+    progress.wipe();
+    const std::vector<StressSeries> all = seriesOf(summary.records);
+    if (command.json) printJson(all, world.device);
+    else printTable(all);
+    const Status page =
+        writeFile(command.out + "/stress.html", stressHtml(summary.records, command.out));
+    report(page.diagnostics(), false);
+    printMessage("%d drawn, %d were there already, %d not begun: %s\n", summary.measured,
+                 summary.kept, summary.missing, file->path().c_str());
+    if (summary.missing > 0) printMessage("the same command goes on where this one stopped\n");
+    if (!summary.written) return report(summary.written.diagnostics(), false);
+    if (summary.interrupted) return kExitInterrupted;
+    if (!page) return kExitOutput;
+    return totalsOf(all).failing > 0 ? kExitDiffers : kExitOk;
+}
+
+int stress(StressCommand command)
+{
+    const Result<Shard> shard = parseShard(command.shard);
+    if (!shard) return report(shard.diagnostics(), command.json);
+    const Result<Extent> size = parseSize(command.size);
+    if (!size) return report(size.diagnostics(), command.json);
+    double time_budget = 0;
+    if (!command.time_budget.empty()) {
+        const Result<double> seconds = parseDuration(command.time_budget);
+        if (!seconds) return report(seconds.diagnostics(), command.json);
+        time_budget = *seconds;
+    }
+    command.stress.shard = *shard;
+    command.stress.variant = command.config.variant;
+    command.stress.overrides = command.config.overrides;
+    command.stress.roots = command.config.roots;
+    const CheckoutSources sources(command.config.checkout, command.config.roots);
+    const Result<std::vector<StressTask>> tasks = planStress(command.stress, sources);
+    if (!tasks) return report(tasks.diagnostics(), command.json);
+    if (command.list) return listCases(*tasks);
+    return measureAll(command, *tasks, *size, sources, time_budget);
+}
+
+}  // namespace
+
+void addStressCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command =
+        app.add_subcommand("stress", "Find where configs break on stiff and extreme cases");
+    auto options = std::make_shared<StressCommand>();
+    command->add_option("CONFIG", options->stress.configs,
+                        "Shipped configs' names, or files. Default: all shipped ones");
+    command->add_option("--case", options->stress.cases, "Only this case; may be repeated")
+        ->type_name("NAME")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--size", options->size, "Pixels of most pictures")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command->add_flag("--quick", options->stress.quick,
+                      "Two or three steps of each case, in the configs' own formats");
+    command->add_option("--time-budget", options->time_budget,
+                        "Begin no step after this time: 90s, 10m, 1.5h");
+    command->add_option("--shard", options->shard, "Draw the Ith of N shares of the cases")
+        ->type_name("I/N");
+    command->add_option("--out", options->out,
+                        "Folder for stress.jsonl, stress.html and pictures; what is there already is not drawn "
+                        "again")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    addConfigOptions(*command, options->config);
+    addCacheOptions(*command, options->cache);
+    addBackendOption(*command, options->backend);
+    addPrecisionOption(*command, options->precision);
+    command->add_flag("--list", options->list, "Print the cases and stop");
+    command->add_flag("--json", options->json, "Print the table as JSON");
+    command->footer("Exit code 5 where a case fails.\n"
+                    "Examples:\n"
+                    "  crevice stress gtao mobile --case plane_near_far --case offset\n"
+                    "  crevice stress --time-budget 10m --out mine");
+    command->callback([options, &exit_code] { exit_code = stress(*options); });
+}
+
+}  // namespace crevice

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Appending lines to a file that nobody else writes.
+#include "tools/measure/line_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace crevice {
+namespace {
+
+const char* const kWayOut =
+    "what was measured before is safe; make room or name another folder, and run the same command "
+    "again to go on";
+
+Diagnostic cannotWrite(const std::string& path, const std::string& reason)
+{
+    Diagnostic error{Code::cannot_write, "cannot write '" + path + "': " + reason};
+    error.help = kWayOut;
+    return error;
+}
+
+/// Lines in a file that no path leads to would be lost.
+Diagnostic lostFile(const std::string& path)
+{
+    Diagnostic error = cannotWrite(path, "it was deleted or replaced meanwhile");
+    error.help = "put it back and run the same command again to go on";
+    return error;
+}
+
+/// False once the path is gone or leads to another file.
+bool isNamed(int file, const std::string& path)
+{
+    struct stat open = {};
+    struct stat named = {};
+    return fstat(file, &open) == 0 && stat(path.c_str(), &named) == 0 &&
+           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+}
+
+/// Cuts off what follows the last line feed. Zero, or the errno of what failed.
+int cutTornLine(int file)
+{
+    off_t end = lseek(file, 0, SEEK_END);
+    char last = '\n';
+    while (end > 0 && pread(file, &last, 1, end - 1) == 1 && last != '\n') --end;
+    return ftruncate(file, end) == 0 ? 0 : errno;
+}
+
+/// Zero, or the errno of what failed.
+int writeAll(int file, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = write(file, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return fdatasync(file) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+}  // namespace
+
+Result<LineFile> LineFile::open(const std::string& path)
+{
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (error) return cannotWrite(folder.string(), error.message());
+    constexpr int kFlags = O_RDWR | O_CREAT | O_APPEND | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    LineFile lines(path, ::open(path.c_str(), kFlags, 0666));
+    struct stat info = {};
+    if (lines.file_ < 0 || fstat(lines.file_, &info) != 0)
+        return cannotWrite(path, std::strerror(errno));
+    if (!S_ISREG(info.st_mode)) return cannotWrite(path, "it is no regular file");
+    if (flock(lines.file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return cannotWrite(path, "another run is writing to it");
+    if (const int failure = cutTornLine(lines.file_))
+        return cannotWrite(path, std::strerror(failure));
+    return lines;
+}
+
+LineFile::~LineFile()
+{
+    if (file_ >= 0) close(file_);
+}
+
+LineFile::LineFile(LineFile&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1))
+{
+}
+
+Status LineFile::append(const std::string& line)
+{
+    if (!isNamed(file_, path_)) return lostFile(path_);
+    const off_t before = lseek(file_, 0, SEEK_END);
+    const int failure = writeAll(file_, line + "\n");
+    if (failure == 0) return {};
+    // Where even this fails, the next run cuts the torn line off.
+    if (ftruncate(file_, before) != 0) return cannotWrite(path_, "the disk fails");
+    return cannotWrite(path_, std::strerror(failure));
+}
+
+const char* LineFile::wayOut()
+{
+    return kWayOut;
+}
+
+}  // namespace crevice

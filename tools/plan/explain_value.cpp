@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// Finding a value in a merged document and telling which files set it.
+#include "tools/plan/explain_value.h"
+
+#include "core/base/text.h"
+#include "core/config/field_types.h"
+#include "core/plan/plan_names.h"
+#include "tools/schema/schema.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace crevice {
+namespace {
+
+/// The keys of a pointer, or of a dotted path.
+std::vector<std::string> partsOf(const std::string& path)
+{
+    if (startsWith(path, "/")) return pointerKeys(path);
+    std::vector<std::string> parts(1);
+    for (const char c : path) {
+        if (c == '.') parts.emplace_back();
+        else parts.back() += c;
+    }
+    return parts;
+}
+
+/// "radius" stands for the default of the param or feature of that name.
+std::vector<std::string> expandBareName(const Node& document, std::vector<std::string> parts)
+{
+    if (parts.size() != 1 || document.find(parts[0])) return parts;
+    for (const char* group : {"params", "features"}) {
+        const Node* values = document.find(group);
+        if (values && values->find(parts[0])) return {group, parts[0], "default"};
+    }
+    return parts;
+}
+
+const Node* child(const Node& node, const std::string& part)
+{
+    if (node.kind != Node::Kind::array) return node.find(part);
+    const bool number = !part.empty() && part.size() < 9 &&
+                        std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const std::size_t index = number ? std::stoul(part) : node.items().size();
+    return index < node.items().size() ? &node.items()[index] : nullptr;
+}
+
+/// The null of a patch that took the member away, or null.
+const Member* deletedFrom(const Node& node, const std::string& part)
+{
+    for (auto gone = node.deleted().rbegin(); gone != node.deleted().rend(); ++gone)
+        if (gone->key == part) return &*gone;
+    return nullptr;
+}
+
+std::vector<std::string> childNames(const Node& node)
+{
+    std::vector<std::string> names;
+    for (const Member& member : node.members()) names.push_back(member.key);
+    for (std::size_t i = 0; i < node.items().size(); ++i) names.push_back(std::to_string(i));
+    return names;
+}
+
+std::string pointerOf(const std::vector<std::string>& parts)
+{
+    std::string pointer;
+    for (const std::string& part : parts) pointer = memberPointer(pointer, part);
+    return pointer;
+}
+
+/// The text at a place, or "" where the place is nowhere.
+std::string textAt(const Place& place)
+{
+    if (!place.source || place.line < 1) return {};
+    const std::string_view line = lineOf(place.source->text, place.line);
+    const std::size_t begin = std::min(line.size(), static_cast<std::size_t>(place.column) - 1);
+    return std::string(line.substr(begin, static_cast<std::size_t>(place.length)));
+}
+
+/// Where the value stands now, then what it replaced, the newest first.
+std::vector<Place> placesOf(const Node& node)
+{
+    std::vector<Place> places = {node.place};
+    places.insert(places.end(), node.origins().rbegin(), node.origins().rend());
+    return places;
+}
+
+nlohmann::json jsonOf(const FoundValue& value)
+{
+    nlohmann::json places = nlohmann::json::array(), members = nlohmann::json::array();
+    for (const Place& place : placesOf(*value.node))
+        places.push_back({{"file", place.source ? place.source->name : ""},
+                          {"line", place.line},
+                          {"column", place.column},
+                          {"text", textAt(place)}});
+    for (const Member& member : value.node->members())
+        members.push_back(jsonOf({memberPointer(value.pointer, member.key), &member.value}));
+    nlohmann::json json = {
+        {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
+    if (!members.empty()) json["members"] = members;
+    return json;
+}
+
+std::string dumped(const nlohmann::json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+/// The declaration of that name in either stage, or null.
+const GlslUniform* declarationOf(const PlanProgram& program, const std::string& name)
+{
+    for (const GlslStage* stage : {&program.vertex, &program.fragment})
+        for (const GlslUniform& uniform : stage->uniforms)
+            if (uniform.name == name) return &uniform;
+    return nullptr;
+}
+
+/// The word for a key of a pass's `inputs.NAME`; empty where there is no such key.
+std::string samplingWord(const SamplerDesc& sampling, const std::string& key)
+{
+    if (key == "filter") return table::word(sampling.filter);
+    return key == "wrap" ? table::word(sampling.wrap) : "";
+}
+
+/// The same for a pass's `state`.
+std::string stateWord(const StateDesc& state, const std::string& key)
+{
+    if (key == "depth_test") return table::word(state.depth_test);
+    if (key == "depth_write") return state.depth_write ? "true" : "false";
+    if (key == "cull") return table::word(state.cull);
+    return key == "blend" ? table::word(state.blend) : "";
+}
+
+/// What feeds a uniform of that name.
+std::string feederOf(const Node& document, const std::string& name)
+{
+    for (const char* section : {"params", "generated"}) {
+        const Node* entries = document.find(section);
+        if (entries && entries->find(name))
+            return (section[0] == 'p' ? "param " : "generated ") + name;
+    }
+    return "frame value " + name;
+}
+
+/// What a sampler or uniform of a pass in the plan is bound to, and its fixed-function state.
+std::optional<UnsetValue> findBound(const Node& document, const Plan& plan,
+                                    const std::vector<std::string>& parts)
+{
+    const bool input = parts.size() > 3 && parts[0] == "passes" && parts[2] == "inputs";
+    const bool uniform = parts.size() == 4 && parts[0] == "passes" && parts[2] == "uniforms";
+    const bool state = parts.size() == 4 && parts[0] == "passes" && parts[2] == "state";
+    const PlanPass* pass = input || uniform || state ? findNamed(plan.passes, parts[1]) : nullptr;
+    if (!pass) return std::nullopt;
+    if (const std::string found = state ? stateWord(pass->state, parts[3]) : ""; !found.empty())
+        return UnsetValue{pointerOf(parts), found,
+                          "by default for such a pass, since no file sets it"};
+    const GlslUniform* declared = declarationOf(plan.programs[pass->program], parts[3]);
+    if (!declared || isSampler(declared->type) != input) return std::nullopt;
+    const std::string where = placeName(declared->place);
+    UnsetValue bound{pointerOf(parts), feederOf(document, parts[3]),
+                     "by name, since no file sets it: declared at " + where};
+    if (uniform) return bound;
+    for (const PlanInput& each : pass->inputs) {
+        if (each.sampler != parts[3]) continue;
+        bound.value = nameOf(each.kind) + (" " + sourceName(plan, each));
+        if (parts.size() == 4 || (parts.size() == 5 && parts[4] == "from")) return bound;
+        bound.value = samplingWord(each.sampling, parts[4]);
+        bound.reason = "by default, since no file sets it: the sampler is declared at " + where;
+        return parts.size() == 5 && !bound.value.empty() ? std::optional(bound) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<FoundValue> findValue(const Node& document, const std::string& path)
+{
+    FoundValue found{{}, &document};
+    for (const std::string& part : expandBareName(document, partsOf(path))) {
+        const Node* next = child(*found.node, part);
+        if (!next) {
+            Diagnostic error{Code::reference_missing,
+                             "there is no '" + part + "' in " +
+                                 (found.pointer.empty() ? "the config" : found.pointer)};
+            error.pointer = found.pointer;
+            if (const Member* gone = deletedFrom(*found.node, part))
+                error.notes.push_back({gone->key_place, "it was deleted here"});
+            error.help = suggestName(part, childNames(*found.node), "keys");
+            return error;
+        }
+        found = {memberPointer(found.pointer, part), next};
+    }
+    return found;
+}
+
+std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan)
+{
+    const std::vector<std::string> parts = expandBareName(document, partsOf(path));
+    if (const auto bound = plan ? findBound(document, *plan, parts) : std::nullopt) return bound;
+    const Node* node = &document;
+    std::vector<std::string> reached;
+    std::string since = "no file sets it";
+    for (const std::string& part : parts) {
+        reached.push_back(part);
+        const Node* parent = std::exchange(node, node ? child(*node, part) : nullptr);
+        const Member* gone = parent && !node ? deletedFrom(*parent, part) : nullptr;
+        if (gone) since = placeName(gone->key_place) + " deletes it";
+        const auto key = findFormatKey(reached);
+        if (!key || (!node && key->named)) return std::nullopt;
+    }
+    const FormatKey key = *findFormatKey(parts);
+    return UnsetValue{pointerOf(parts), key.value,
+                      (key.value.empty() ? since + ", and the format has no default: "
+                                         : "by default, since " + since + ": ") + key.meaning};
+}
+
+std::string explainText(const FoundValue& value)
+{
+    std::string text;
+    for (const Member& member : value.node->members())
+        text += explainText(FoundValue{memberPointer(value.pointer, member.key), &member.value});
+    if (!text.empty()) return text;
+    text = value.pointer + " is " + brief(*value.node) + '\n';
+    const char* verb = "set";
+    for (const Place& place : placesOf(*value.node)) {
+        const std::string where = placeName(place);
+        const std::string what = textAt(place);
+        text += std::string("  ") + verb + " by " + (where.empty() ? "the command line" : where);
+        text += (what.empty() ? "" : ": " + what) + '\n';
+        verb = "before that";
+    }
+    return text;
+}
+
+std::string explainText(const UnsetValue& value)
+{
+    return value.pointer + (value.value.empty() ? " has no value" : " is " + value.value) + "\n  " +
+           value.reason + '\n';
+}
+
+std::string explainJson(const FoundValue& value)
+{
+    return dumped(jsonOf(value));
+}
+
+std::string explainJson(const UnsetValue& value)
+{
+    return dumped({{"pointer", value.pointer},
+                   {"value", value.value},
+                   {"places", nlohmann::json::array()},
+                   {"reason", value.reason}});
+}
+
+}  // namespace crevice

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The truth that screen-space occlusion is measured against: ray-traced, by Embree.
+//
+// One primary ray goes through each pixel's centre; the shading normal is the interpolated vertex
+// normal. From there `rays` cosine-weighted directions are probed (Hammersley points, rotated per
+// pixel); one that hits anything within `radius`, or that points below the geometric surface, is
+// occluded. Alpha-tested holes let rays through.
+//
+// Sources
+//   Malley's method: Pharr, Jakob, Humphreys, "Physically Based Rendering".
+//   Cranley, Patterson 1976, "Randomization of Number Theoretic Methods for Multiple Integration".
+//   Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+#pragma once
+
+#include "tools/scene/scene.h"
+
+#include <functional>
+
+namespace crevice {
+
+/// Changes whenever the picture may: a part of the key of cached references.
+constexpr int kTracerVersion = 1;
+
+constexpr int kMaxTraceRays = 1 << 20;
+
+struct TraceOptions {
+    double radius = 0.5;  ///< How far an occluder may be, scene units, >= 0; 0 gives 1.
+    int rays = 256;       ///< Rays a pixel, [1, kMaxTraceRays]. Time grows in step with it.
+    int threads = 0;      ///< 0 takes one a processor. The picture does not depend on it.
+    std::function<void(double done)> progress = {};  ///< Called on the caller's thread, [0, 1].
+};
+
+/// Ambient visibility, 1 open to 0 blocked, one channel; pixels that see no surface are NaN. Any
+/// invertible `clip_from_view` will do. The same input gives the same picture.
+///
+/// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6009, CV6012 when
+/// built without Embree, CV6011 for a projection that has no inverse.
+Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Extent extent,
+                                    const TraceOptions& options);
+
+/// False when built without Embree.
+bool canTrace();
+
+}  // namespace crevice

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Drawing a scene through a config, and reading the pictures back.
+#include "tools/render/session.h"
+
+#include "tools/cli/output.h"
+#include "tools/image/image_file.h"
+#include "tools/render/read_output.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace crevice {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
+{
+    Result<Image> image = readOutput(device, renderer, picture.source.output);
+    if (!image) return image.diagnostics();
+    picture.image = std::move(*image);
+    if (renderer.plan().views > 1) {
+        const Result<Image> right = readOutput(device, renderer, picture.source.output, 1);
+        if (!right) return right.diagnostics();
+        picture.image = sideBySide(picture.image, *right);
+    }
+    applyView(picture.image, picture.source);
+    return {};
+}
+
+}  // namespace
+
+Result<std::vector<Picture>> readRequests(const std::vector<std::string>& texts)
+{
+    std::vector<Picture> pictures;
+    for (const std::string& text : texts) {
+        const Result<OutputRequest> request = parseOutputRequest(text);
+        if (!request) return request.diagnostics();
+        const Status writable = checkWritable(request->file);
+        if (!writable) return writable.diagnostics();
+        for (const Picture& other : pictures)
+            if (other.request.file == request->file)
+                return Diagnostic{Code::usage, "two --out write '" + request->file + "'"};
+        pictures.push_back({*request, {}});
+    }
+    return pictures;
+}
+
+Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures, Description& description)
+{
+    Diagnostics errors;
+    std::vector<std::string> names;
+    for (Picture& picture : pictures) {
+        const Result<OutputSource> source = exposeOutput(description, picture.request.name);
+        append(errors, source.diagnostics());
+        if (!source) continue;
+        picture.source = *source;
+        if (std::find(names.begin(), names.end(), source->output) == names.end())
+            names.push_back(source->output);
+    }
+    if (!errors.empty()) return errors;
+    return names;
+}
+
+Result<Session> openSession(const RenderOptions& options, const SceneView& view,
+                            Description description, const std::vector<std::string>& outputs,
+                            Progress& progress)
+{
+    Session session;
+    session.options.extent = view.extent;
+    session.options.outputs = outputs;
+    session.options.keep = options.keep;
+    const Result<std::vector<SceneCamera>> cameras =
+        eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
+    if (!cameras) return cameras.diagnostics();
+    Result<OpenDevice> open =
+        openDevice(options.backend, options.precision, options.program_cache);
+    if (!open) return open.diagnostics();
+    session.open = std::move(*open);
+    Device& device = *session.open.device;
+    progress.begin("uploading the scene");
+    Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
+    if (!scene) return scene.diagnostics();
+    session.scene = std::move(*scene);
+    session.frame = makeFrame(*session.scene, *cameras, view.extent);
+    progress.begin("compiling shaders");
+    const Clock::time_point start = Clock::now();
+    Result<std::unique_ptr<Renderer>> created =
+        Renderer::create(device, std::move(description), session.options, traitsOf(session.frame));
+    if (!created) return created.diagnostics();
+    session.create_ms = millisecondsSince(start);
+    session.renderer = std::move(*created);
+    Diagnostics warnings = open.diagnostics();
+    append(warnings, created.diagnostics());
+    return {std::move(session), std::move(warnings)};
+}
+
+Result<double> draw(const RenderOptions& options, Session& session, std::vector<Picture>& pictures)
+{
+    Device& device = *session.open.device;
+    device.finish();
+    const Clock::time_point start = Clock::now();
+    const Status drawn = session.renderer->render(session.frame);
+    if (!drawn) return drawn.diagnostics();
+    device.finish();
+    const double ms = millisecondsSince(start);
+    for (int i = 1; i < options.frames; ++i)
+        if (const Status again = session.renderer->render(session.frame); !again)
+            return again.diagnostics();
+    for (Picture& picture : pictures) {
+        const Status read = readPicture(device, *session.renderer, picture);
+        if (!read) return read.diagnostics();
+    }
+    return {ms, drawn.diagnostics()};
+}
+
+Status writePictures(const std::vector<Picture>& pictures)
+{
+    Diagnostics all;
+    for (const Picture& picture : pictures)
+        append(all, writeImage(picture.request.file, picture.image).diagnostics());
+    return all;
+}
+
+}  // namespace crevice

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What `crevice render` does: a scene on a device, drawn through a config, and pictures of it.
+#pragma once
+
+#include "core/run/renderer.h"
+#include "tools/cli/config_options.h"
+#include "tools/cli/output_request.h"
+#include "tools/device/open_device.h"
+#include "tools/render/scene_upload.h"
+#include "tools/render/stereo.h"
+#include "tools/scene/options.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+class Progress;
+
+struct RenderOptions {
+    ConfigOptions config;
+    SceneOptions scene;
+    StereoOptions stereo;
+    std::string backend;
+    std::string precision;
+    std::string program_cache;
+    std::vector<std::string> out = {"color=color.png"};
+    std::vector<std::string> keep;
+    std::string save_patch;
+    int frames = 1;
+    bool watch = false;
+    bool json = false;
+};
+
+/// A picture that was asked for, and where its pixels come from.
+struct Picture {
+    OutputRequest request;
+    OutputSource source;
+    Image image = {};
+};
+
+/// Everything about --out that can be wrong, found before anything slow begins.
+/// Errors: CV8001, CV7007.
+Result<std::vector<Picture>> readRequests(const std::vector<std::string>& texts);
+
+/// Has the description export every picture, and lists those exports. Errors: CV2209.
+Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures,
+                                           Description& description);
+
+/// Everything that draws. What comes later goes first.
+struct Session {
+    OpenDevice open;
+    std::optional<UploadedScene> scene;
+    Frame frame;
+    CompileOptions options;
+    std::unique_ptr<Renderer> renderer;
+    double create_ms = 0;  ///< What Renderer::create took, by the wall clock.
+};
+
+/// Uploads the scene and compiles the description, whose outputs of these names are kept.
+/// Errors: those of the context, the scene's objects and Renderer::create.
+Result<Session> openSession(const RenderOptions& options, const SceneView& view,
+                            Description description, const std::vector<std::string>& outputs,
+                            Progress& progress);
+
+/// Draws the frames and reads every picture of the last one back. Gives the milliseconds of the first, by
+/// the wall clock, the wait for the GPU included.
+Result<double> draw(const RenderOptions& options, Session& session, std::vector<Picture>& pictures);
+
+/// Errors: CV7007.
+Status writePictures(const std::vector<Picture>& pictures);
+
+}  // namespace crevice

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// The doctor's examination and its diagnosis.
+#include "tools/render/target_health.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace crevice {
+namespace {
+
+std::string number(double value)
+{
+    return significant(value, 4);
+}
+
+const TargetHealth* healthOf(const std::vector<TargetHealth>& all, const std::string& target)
+{
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const TargetHealth& each) { return each.target == target; });
+    return at == all.end() ? nullptr : &*at;
+}
+
+const PlanPass* passNamed(const Plan& plan, const std::string& name)
+{
+    const auto at = std::find_if(plan.passes.begin(), plan.passes.end(),
+                                 [&](const PlanPass& each) { return each.name == name; });
+    return at == plan.passes.end() ? nullptr : &*at;
+}
+
+// "radius = 0.5, power = 1": the params that feed the pass's shader.
+std::string paramsRead(const Description& description, const Plan& plan, const PlanPass& pass)
+{
+    std::string text;
+    const PlanProgram& program = plan.programs[pass.program];
+    for (const ParamDesc& param : description.params) {
+        const auto feeds = [&](const GlslUniform& uniform) {
+            for (const PlanUniform& renamed : pass.renamed_uniforms)
+                if (renamed.glsl == uniform.name) return renamed.value == param.name;
+            return uniform.name == param.name;
+        };
+        const auto reads = [&](const GlslStage& stage) {
+            return std::any_of(stage.uniforms.begin(), stage.uniforms.end(), feeds);
+        };
+        if (componentCount(param.type) > 1 || !(reads(program.vertex) || reads(program.fragment)))
+            continue;
+        text += (text.empty() ? "" : ", ") + param.name + " = " + number(param.value[0]);
+    }
+    return text;
+}
+
+bool readsUniform(const Plan& plan, const PlanPass& pass, const char* name)
+{
+    const PlanProgram& program = plan.programs[pass.program];
+    for (const GlslStage* stage : {&program.vertex, &program.fragment})
+        for (const GlslUniform& uniform : stage->uniforms)
+            if (uniform.name == name) return true;
+    return false;
+}
+
+std::string pixelsText(const TargetHealth& health, std::size_t count)
+{
+    return std::to_string(count) + " of " + std::to_string(health.pixels) + " pixels";
+}
+
+Diagnostic about(const Description& description, const std::string& pass, Code code,
+                 std::string message)
+{
+    Diagnostic diagnostic{code, std::move(message)};
+    if (const PassDesc* desc = findNamed(description.passes, pass)) {
+        diagnostic.place = desc->place;
+        diagnostic.pointer = desc->pointer;
+    }
+    return diagnostic;
+}
+
+std::string whyUndefined(const PlanPass& pass, const TargetHealth& health)
+{
+    const auto cleared = [&](const PlanAttachment& each) {
+        return each.name == health.target && each.load == LoadOp::clear;
+    };
+    const bool clears = std::any_of(pass.color.begin(), pass.color.end(), cleared) ||
+                        cleared(pass.depth);
+    if (pass.type == PassType::draw && !clears)
+        return "a draw covers only what its triangles cover: add \"clear\": {\"" + health.target +
+               "\": 0} to the pass";
+    return "some path through the fragment shader ends without writing it (a discard, an output that "
+           "is set in one branch alone), or reads a texel that nothing wrote";
+}
+
+std::string whyNotFinite(const Description& description, const Plan& plan, const PlanPass& pass)
+{
+    std::string help = "all that it reads is finite, so its shader divides by zero, normalizes a "
+                       "vector of no length, takes the root or power of something negative, or "
+                       "leaves the range of the target's format";
+    const std::string params = paramsRead(description, plan, pass);
+    return params.empty() ? help : help + "; it reads " + params;
+}
+
+// The error about the first bad target; everything bad behind it becomes a note.
+Diagnostics firstBad(const Description& description, const Plan& plan,
+                     const std::vector<TargetHealth>& health)
+{
+    Diagnostics found;
+    for (const TargetHealth& each : health) {
+        if (!each.bad()) continue;
+        const PlanPass* pass = passNamed(plan, each.pass);
+        if (!found.empty()) {
+            const PassDesc* desc = findNamed(description.passes, each.pass);
+            found[0].notes.push_back({desc ? desc->place : Place{}, "target '" + each.target +
+                                      "' of pass '" + each.pass + "' is wrong too"});
+            continue;
+        }
+        const std::string at = ", the first at (" + std::to_string(each.first_bad.x) + ", " +
+                               std::to_string(each.first_bad.y) + ") from the upper left";
+        const std::string who = "pass '" + each.pass + "' ";
+        if (each.not_numbers + each.infinite > 0) {
+            const char* what = each.infinite == 0      ? " that are not a number"
+                               : each.not_numbers == 0 ? " that are infinite"
+                                                       : " that are not finite";
+            found.push_back(about(description, each.pass, Code::target_not_finite,
+                                  who + "writes " +
+                                      pixelsText(each, each.not_numbers + each.infinite) + what +
+                                      " into target '" + each.target + "'" + at));
+            if (pass) found[0].help = whyNotFinite(description, plan, *pass);
+        } else {
+            found.push_back(about(description, each.pass, Code::target_undefined,
+                                  who + "leaves " + pixelsText(each, each.undefined) +
+                                      " of target '" + each.target + "' undefined" + at));
+            if (pass) found[0].help = whyUndefined(*pass, each);
+        }
+    }
+    return found;
+}
+
+// The first pass on the way to `target` of which all inputs vary and the target does not.
+const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& health,
+                           const TargetHealth& target)
+{
+    const PlanPass* pass = passNamed(plan, target.pass);
+    for (const PlanInput& input : pass ? pass->inputs : std::vector<PlanInput>{}) {
+        if (input.kind != InputKind::target) continue;
+        const TargetHealth* from = healthOf(health, plan.targets[input.index].name);
+        const bool drawn = input.sampler.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
+        if (from && from->constant && from != &target && !drawn) return rootOf(plan, health, *from);
+    }
+    return target;
+}
+
+// Why the plan put a constant in the place of an output.
+std::string whyPlanned(const Plan& plan)
+{
+    std::string text;
+    for (const LeftOut& each : plan.left_out)
+        if (each.rule == "identity" || each.rule == "condition")
+            text += (text.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
+    return text;
+}
+
+std::string whyConstant(const Description& description, const Plan& plan,
+                        const TargetHealth& root, const FrameFacts& facts)
+{
+    const PlanPass* pass = passNamed(plan, root.pass);
+    if (!pass) return {};
+    for (const PlanInput& input : pass->inputs)
+        if (input.kind == InputKind::constant) return "it reads a constant, for " + whyPlanned(plan);
+    if (pass->type == PassType::draw)
+        return "no triangle was drawn: is the scene in front of the camera, between its near and far "
+               "distance? Without --camera a view that frames the whole scene is taken";
+    if (readsUniform(plan, *pass, "light_count") && facts.lights == 0 && !facts.ambient)
+        return "there is no light in the scene, and no ambient light";
+    const ParamDesc* radius = findNamed(description.params, "radius");
+    if (radius && readsUniform(plan, *pass, "radius") && facts.radius_px > 0 && facts.radius_px < 1)
+        return "radius " + number(radius->value[0]) + " is " + number(facts.radius_px) +
+               " pixels at the middle distance of " + number(facts.distance) +
+               ": nothing can be seen within it; try radius " +
+               number(radius->value[0] * 30 / facts.radius_px);
+    const std::string params = paramsRead(description, plan, *pass);
+    return params.empty() ? "what it reads varies, and nothing of that comes through"
+                          : "what it reads varies, and nothing of that comes through; it reads " +
+                                params;
+}
+
+Diagnostic constantOutput(const Description& description, const std::string& output,
+                          const std::string& pass, const std::string& value)
+{
+    Diagnostic warning = about(description, pass, Code::output_constant,
+                               "output '" + output + "' is " + value + " everywhere");
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+std::string valueText(const TargetHealth& health)
+{
+    std::string text;
+    for (int i = 0; i < health.channels; ++i) text += (i > 0 ? ", " : "") + number(health.minimum[i]);
+    return health.channels > 1 ? "(" + text + ")" : text;
+}
+
+}  // namespace
+
+TargetHealth examine(const Image& drawn, const Image& redrawn)
+{
+    TargetHealth health;
+    health.channels = std::min(drawn.channels, 4);
+    health.constant = true;
+    health.minimum.fill(HUGE_VALF);
+    health.maximum.fill(-HUGE_VALF);
+    const Extent size = drawn.extent;
+    health.pixels = static_cast<std::size_t>(size.width) * size.height;
+    const std::size_t bytes = sizeof(float) * drawn.channels;
+    for (int y = size.height - 1; y >= 0; --y) {
+        for (int x = 0; x < size.width; ++x) {
+            const float* one = &drawn.pixels[(std::size_t(y) * size.width + x) * drawn.channels];
+            const float* other = one - drawn.pixels.data() + redrawn.pixels.data();
+            const bool was_bad = health.bad();
+            bool nan = false, inf = false;
+            for (int i = 0; i < health.channels; ++i) {
+                nan = nan || std::isnan(one[i]);
+                inf = inf || std::isinf(one[i]);
+                if (!std::isfinite(one[i])) continue;
+                health.minimum[i] = std::min(health.minimum[i], one[i]);
+                health.maximum[i] = std::max(health.maximum[i], one[i]);
+            }
+            health.not_numbers += nan;
+            health.infinite += inf && !nan;
+            health.undefined += std::memcmp(one, other, bytes) != 0;
+            health.constant = health.constant && std::memcmp(one, drawn.pixels.data(), bytes) == 0;
+            if (!was_bad && health.bad()) health.first_bad = {x, size.height - 1 - y};
+        }
+    }
+    return health;
+}
+
+Diagnostics diagnose(const Description& description, const Plan& plan,
+                     const std::vector<TargetHealth>& health, const FrameFacts& facts)
+{
+    Diagnostics found = firstBad(description, plan, health);
+    if (!found.empty()) return found;
+    for (const PlanOutput& output : plan.outputs) {
+        if (output.constant >= 0) {
+            found.push_back(constantOutput(description, output.name, "",
+                                           number(plan.constants[output.constant].value)));
+            found.back().help = whyPlanned(plan);
+            continue;
+        }
+        const TargetHealth* target = healthOf(health, plan.targets[output.target].name);
+        if (!target || !target->constant) continue;
+        const TargetHealth& root = rootOf(plan, health, *target);
+        found.push_back(constantOutput(description, output.name, root.pass, valueText(*target)));
+        found.back().help = "pass '" + root.pass + "' writes the same everywhere: " +
+                            whyConstant(description, plan, root, facts);
+    }
+    return found;
+}
+
+}  // namespace crevice

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Exporting targets.
+#include "tools/render/watched_targets.h"
+
+#include "tools/cli/output_request.h"
+
+namespace crevice {
+
+std::vector<WatchedTarget> watchAll(const Plan& plan, Description& description)
+{
+    std::vector<WatchedTarget> watched;
+    for (const PlanPass& pass : plan.passes) {
+        const auto watch = [&](const PlanAttachment& attachment) {
+            if (attachment.target < 0) return;
+            const Result<OutputSource> source =
+                exposeOutput(description, "target." + attachment.name);
+            if (source) watched.push_back({attachment.name, pass.name, source->output});
+        };
+        for (const PlanAttachment& color : pass.color) watch(color);
+        if (pass.has_depth && !isMasked(pass)) watch(pass.depth);
+    }
+    return watched;
+}
+
+}  // namespace crevice

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The report on bench results: one HTML file that needs no network, and its figures as JSON
+// and CSV. The page is in tools/report.*; this puts the figures into it.
+#pragma once
+
+#include "tools/bench/ablation.h"
+#include "tools/bench/sample.h"
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// The figures with what follows from them: views, Pareto fronts, advice, curves, failures.
+std::string reportJson(const std::vector<BenchPoint>& points,
+                       const std::vector<AblationRow>& ablation = {},
+                       const BenchCoverage& coverage = {});
+
+/// One row a point, failures too; RFC 4180 with a header row.
+std::string reportCsv(const std::vector<BenchPoint>& points);
+
+/// The page. Pictures are read from the paths in the points and become part of it; one that cannot
+/// be read is left out with a warning CV7005.
+Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures = true,
+                               const std::vector<AblationRow>& ablation = {},
+                               const BenchCoverage& coverage = {});
+
+}  // namespace crevice

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The figures of a stress run as its page reads them.
+#include "tools/report/stress_report.h"
+
+#include "tools/report/page.h"
+#include "tools/report/page_data.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <set>
+
+namespace crevice {
+namespace {
+
+using nlohmann::json;
+
+const char* const kOutcomes[] = {"holds", "breaks", "beyond", "refused", "absent"};
+
+/// What the curve of a case shows: how far a step is off what must come out.
+double figureOf(const StressCase& stress, const StressRecord& record)
+{
+    switch (stress.expectation) {
+    case Expectation::open: return 1 - record.judged_mean;
+    case Expectation::same: return record.change;
+    case Expectation::one: return 1 - record.least;
+    default: return 1 - record.mean;
+    }
+}
+
+const char* figureName(const StressCase& stress)
+{
+    switch (stress.expectation) {
+    case Expectation::open: return "occlusion of the plane, mean";
+    case Expectation::same: return "change, mean";
+    case Expectation::one: return "most occlusion";
+    default: return "occlusion, mean";
+    }
+}
+
+double limitOf(const StressCase& stress)
+{
+    if (stress.expectation == Expectation::open) return 1 - 0.999;
+    return stress.expectation == Expectation::same ? stress.limit : 0;
+}
+
+json caseModel(const StressCase& stress)
+{
+    json steps = json::array();
+    for (const StressStep& step : stress.steps) steps.push_back(step.label);
+    return {{"name", stress.name},     {"what", stress.what},
+            {"unit", stress.unit},     {"steps", steps},
+            {"ordinary", stress.ordinary}, {"figure", figureName(stress)},
+            {"limit", limitOf(stress)}};
+}
+
+class Model {
+public:
+    explicit Model(const std::string& folder) : folder_(folder) {}
+
+    json stepModel(const StressSeries& series, std::size_t step)
+    {
+        const StressRecord* record = series.steps[step];
+        if (!record) return nullptr;
+        const Verdict verdict = judge(*series.stress, series.steps, step);
+        if (!record->picture.empty()) keepPicture(record->picture);
+        return {{"outcome", kOutcomes[static_cast<int>(verdict.outcome)]},
+                {"why", verdict.why},
+                {"figure", figureOf(*series.stress, *record)},
+                {"mean", record->mean},
+                {"least", record->least},
+                {"share", record->step_share},
+                {"stored", record->stored},
+                {"radius_px", record->radius_px},
+                {"rmse", record->rmse},
+                {"picture", record->picture}};
+    }
+
+    json seriesModel(const StressSeries& series)
+    {
+        const Breakdown found = findBreakdown(*series.stress, series.steps);
+        json steps = json::array();
+        for (std::size_t i = 0; i < series.steps.size(); ++i) steps.push_back(stepModel(series, i));
+        const char* state = found.absent         ? "absent"
+                            : found.failures > 0 ? "breaks"
+                            : found.refused > 0  ? "refused"
+                                                 : "holds";
+        return {{"config", series.config},
+                {"case", series.stress->name},
+                {"format", series.format},
+                {"state", state},
+                {"text", describe(*series.stress, found)},
+                {"steps", steps}};
+    }
+
+    json take() { return std::move(pictures_); }
+
+private:
+    void keepPicture(const std::string& path)
+    {
+        std::string uri = pictureUri(folder_ + "/" + path, folder_);
+        if (!uri.empty()) pictures_[path] = std::move(uri);
+    }
+
+    const std::string& folder_;
+    json pictures_ = json::object();
+};
+
+}  // namespace
+
+std::string stressHtml(const std::vector<StressRecord>& records, const std::string& folder)
+{
+    Model model(folder);
+    json series = json::array();
+    for (const StressSeries& each : seriesOf(records)) series.push_back(model.seriesModel(each));
+    json cases = json::array();
+    for (const StressCase& each : stressCases()) cases.push_back(caseModel(each));
+    std::set<std::string> devices, versions;
+    for (const StressRecord& record : records) {
+        devices.insert(record.device);
+        versions.insert(record.version);
+    }
+    const json page = {{"devices", devices}, {"versions", versions}, {"cases", cases},
+                       {"series", series},   {"steps", records.size()}, {"pictures", model.take()}};
+    return pageWith(stressPage(), page);
+}
+
+}  // namespace crevice

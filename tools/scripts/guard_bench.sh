@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Regression guard: measures a small bench of all shipped configs and says what is worse than the
+# figures in docs/bench, by errors and cost ratios, never by times. Exit code 1 where something is
+# worse, fails or is missing.
+#
+#   tools/scripts/guard_bench.sh                on a quiet machine; about two minutes
+#   tools/scripts/guard_bench.sh --errors-only  no cost ratios: for a busy machine, and quicker
+#   tools/scripts/guard_bench.sh --update       takes what is measured now as docs/bench: look at git diff
+#
+# docs/bench/results.jsonl is what `crevice report docs/bench` shows; docs/bench/DEVICE/CONFIG.csv are
+# the same figures to read. CREVICE may name a built command; otherwise the release preset is built.
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
+
+points=(--scene room --scene spheres --size 320x180 --radius 1 --samples 8,32 --no-budget)
+action=compare
+case ${1:-} in
+    "") ;;
+    --errors-only) points+=(--repeats 1) ;;
+    --update) action=update ;;
+    *) echo "usage: tools/scripts/guard_bench.sh [--errors-only | --update]" >&2; exit 2 ;;
+esac
+
+source tools/scripts/built_crevice.sh
+fresh=$(mktemp -d)
+trap 'rm -rf -- "$fresh"' EXIT
+
+# A point that fails (1) is for the comparison to tell; new figures need all of them.
+status=0
+"$CREVICE" bench "${points[@]}" --out "$fresh" || status=$?
+if ((status > 1)) || [[ $status$action == 1update ]]; then exit "$status"; fi
+
+if [[ $action == compare ]]; then
+    "$CREVICE" compare-bench docs/bench "$fresh" "$@" || {
+        echo "If that is meant: tools/scripts/guard_bench.sh --update, and say why in the commit."
+        exit 1
+    }
+    exit 0
+fi
+
+mkdir -p docs/bench
+sed -E 's/"(ao|truth|difference)_picture":"[^"]*"/"\1_picture":""/g' "$fresh/results.jsonl" \
+    >docs/bench/results.jsonl
+"$CREVICE" report docs/bench --out "$fresh/report.html"
+device=$(sed -nE '1s/.*"device":"([^"]*)".*/\1/p' docs/bench/results.jsonl | tr -cs 'A-Za-z0-9.\n' '_')
+rm -rf -- "docs/bench/$device"
+mkdir "docs/bench/$device"
+tr -d '\r' <"$fresh/report.csv" | awk -F, -v folder="docs/bench/$device" '
+    NR == 1 { header = $0; next }
+    { file = folder "/" $1 ".csv" }
+    !(file in begun) { print header >file; begun[file] = 1 }
+    { print >file }'
+echo "wrote docs/bench/results.jsonl and docs/bench/$device/*.csv"

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Fills in the figures of README.md and docs/methods: in each table that ends in `| room | spheres | cost |`, the row of a
+# config gets its rmse in both scenes and its cost in the room, as a ratio to learnopengl's.
+#
+#   tools/scripts/method_figures.sh            measures every shipped config; half an hour, on a quiet machine
+#   tools/scripts/method_figures.sh FOLDER...  takes what `crevice bench` left there at 480x270 and radius 1
+#
+# CREVICE may name a built command; otherwise the release preset is built.
+set -euo pipefail
+if [[ ${1:-} == -* ]]; then
+    echo "usage: tools/scripts/method_figures.sh [FOLDER...]" >&2
+    exit 2
+fi
+results=()
+for folder in "$@"; do results+=("$(realpath -- "$folder")"); done
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
+
+source tools/scripts/built_crevice.sh
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+if ((${#results[@]} == 0)); then
+    "$CREVICE" bench --scene room --scene spheres --size 480x270 --radius 1 --no-budget --out "$work"
+    results=("$work")
+fi
+"$CREVICE" report "${results[@]}" --out "$work/report.html" --no-pictures
+
+for page in README.md docs/methods/*.md; do
+    awk -F, -v page="$page" '
+        FNR == 1 && NR != 1 { FS = "|" }
+        FILENAME != page {  # the report: columns by their names
+            if (FNR == 1) { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+            if ($column["width"] != 480 || $column["height"] != 270 || $column["radius"] != 1) next
+            if ($column["overrides"] != "radius=1") next
+            name = "`" $1 "`"
+            rmse[name, $column["scene"]] = sprintf("%.3f", $column["rmse"])
+            ratio = $column["ratio_learnopengl"]
+            if ($column["scene"] == "room") cost[name] = sprintf(ratio < 10 ? "%.2f" : "%.0f", ratio)
+            next
+        }
+        { $0 = $0 }  # split anew, at the bars
+        !/^\|/ { table = 0 }
+        /\| room \| spheres \| cost \|$/ { table = 1 }
+        { config = $2; gsub(" ", "", config) }
+        table && (config in cost) && ((config, "spheres") in rmse) {
+            row = ""
+            for (i = 2; i < NF - 3; ++i) row = row "|" $i
+            $0 = row "| " rmse[config, "room"] " | " rmse[config, "spheres"] " | " cost[config] " |"
+        }
+        { print }' "$work/report.csv" "$page" >"$work/page.md"
+    cmp -s "$work/page.md" "$page" || { cp -- "$work/page.md" "$page"; echo "changed $page"; }
+done

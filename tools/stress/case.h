@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The cases of `crevice stress`: a small scene, what is varied, and what must come out.
+//
+// A case is one entry of a table (tools/stress/cases.cpp). Its steps lie on both sides of an ordinary
+// one; walking away from that, the first step that fails is the breakdown point.
+#pragma once
+
+#include "tools/scene/scene.h"
+
+#include "core/gpu/format.h"
+
+#include <glm/vec2.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// What must come out of each step. Finite values in every target of every pass, and occlusion in
+/// [0, 1], are asked of all.
+enum class Expectation {
+    sound,     ///< No more than that.
+    open,      ///< A flat plane: a mean of 0.999 or more, no pixel of the middle below 0.95.
+    one,       ///< Exactly 1 everywhere.
+    same,      ///< The picture of the ordinary step, within the case's limit: as a mean, or where
+               ///< pixels are spoiled the largest change anywhere else.
+    opens,     ///< From the ordinary step on, each picture as bright as the one before, the last open.
+    darkens,   ///< Each picture as dark as the one before.
+};
+
+/// What one frame of a step needs.
+struct StressShot {
+    Scene scene = {};
+    Camera camera = {};
+    Extent extent = {};
+    double radius = 0.5;  ///< Scene units; what the config's param is set to.
+    std::vector<std::string> settings = {};  ///< Further params, "intensity=0"; a config without one of
+                                             ///< them is left out.
+    int samples = 0;      ///< Depth taps a pixel; 0: the config's own, -1: the most.
+    bool keep_identities = false;  ///< No pass is left out because of a param's value.
+
+    /// What the config runs over, one of the names in tools/stress/geometry.h; empty: its own.
+    std::string geometry = {};
+
+    /// When set, depth and normals come from a host, which draws them through `host_camera` and then does
+    /// this to them.
+    std::function<void(Image& depth, Image& normal)> host = {};
+    Camera host_camera = {};
+
+    /// How the format of the depth resolves what is seen. `distances` are those along the view axis
+    /// of what each pixel shows, 0 where that is nothing; without them `farthest` stands for all.
+    Image distances = {};
+    double farthest = 0;  ///< 0: does not matter.
+    double near_distance = 0.1;
+    double far_distance = 100;
+    double coordinates = 0;  ///< The largest in the meshes, where floats round them noticeably.
+
+    /// Where this picture and the ordinary one show the same: that many pixels further right there,
+    /// and left and right changed.
+    int shift_px = 0;
+    bool mirrored = false;
+    int block_px = 1;  ///< Means over such squares are compared: noise that stays with pixels evens out.
+
+    /// Pixels, counted from the lower left, about which the pictures may differ, as far as `reach_px`.
+    std::vector<glm::ivec2> spoiled = {};
+    int reach_px = 0;
+};
+
+struct StressStep {
+    double value = 0;
+    std::string label = {};
+};
+
+struct StressCase {
+    std::string name;
+    std::string what;   ///< One sentence.
+    std::string unit;   ///< Of the swept value; empty where the steps are kinds, not amounts.
+    std::vector<StressStep> steps;
+    std::size_t ordinary = 0;   ///< Into `steps`.
+    Expectation expectation = Expectation::sound;
+    double limit = 0.002;       ///< Of `same`: mean change. Of `opens`, `darkens`: what noise may do.
+    bool formats = false;       ///< Also with each format that the surface may be stored in.
+    StressShot (*shot)(double value, Extent size) = nullptr;
+};
+
+/// All of them.
+const std::vector<StressCase>& stressCases();
+
+/// Over all of a shot but what its host does to textures: 16 hex digits.
+std::string hashOf(const StressShot& shot);
+
+/// How far two values that a format tells apart lie from each other at a distance, in scene units. Of
+/// depth formats, for the camera's near and far distance; of half and single float, as a position.
+double formatStep(Format format, double distance, const StressShot& shot);
+
+}  // namespace crevice

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What the lists of stress cases share, and the lists themselves.
+#pragma once
+
+#include "tools/stress/case.h"
+#include "tools/stress/scenes.h"
+
+#include <initializer_list>
+
+namespace crevice {
+
+/// "0.5", "1000", "1e+06".
+std::vector<StressStep> steps(std::initializer_list<double> values);
+
+/// 10^first and so on to 10^last, as "1e-3".
+std::vector<StressStep> decades(int first, int last);
+
+/// Kinds, whose values count from 0.
+std::vector<StressStep> kinds(std::initializer_list<const char*> labels);
+
+/// Sizes of pictures, and the one that a step's value stands for. The first is ordinary.
+std::vector<StressStep> shapes();
+Extent shapeOf(double kind);
+
+/// Smaller for the most taps, -1, of which some configs take thousands.
+Extent sizeForTaps(double samples, Extent size);
+
+/// From 1:10 to 1e-4:1e7, by powers of ten of the near distance.
+std::vector<StressStep> nearFarSteps();
+StressView nearFarView(double power);
+
+/// A plane and the yard as `view` sees them.
+StressShot planeShot(const StressView& view, Extent size, double distance, double tilt_degrees);
+StressShot yardShot(const StressView& view, Extent size, Scene scene = yardScene());
+
+/// From where the yard is seen.
+StressView yardView();
+
+std::vector<StressCase> planeCases();    ///< Flat planes.
+std::vector<StressCase> sameCases();     ///< What must not change the yard.
+std::vector<StressCase> extremeCases();  ///< Radii, sizes, identities; broken meshes and lamps.
+std::vector<StressCase> hostCases();     ///< Other geometry; a host's depth and normals.
+
+}  // namespace crevice

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// Stress cases of extreme radii, sizes and counts, of broken meshes and of lamps.
+#include "tools/stress/case_lists.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace crevice {
+namespace {
+
+StressShot yardRadius(double radius, Extent size)
+{
+    StressShot shot = yardShot(yardView(), size);
+    shot.radius = radius;
+    return shot;
+}
+
+StressShot cornerRadius(double radius, Extent size)
+{
+    StressView view = yardView();
+    view.eye = {0, 1, 4};
+    StressShot shot = yardShot(view, size, cornerScene());
+    shot.radius = radius;
+    return shot;
+}
+
+StressShot yardSamples(double samples, Extent size)
+{
+    StressShot shot = yardShot(yardView(), sizeForTaps(samples, size));
+    shot.samples = static_cast<int>(samples);
+    return shot;
+}
+
+// Identities, sizes, what is empty
+
+StressShot identity(double kind, Extent size)
+{
+    StressShot shot = yardShot(yardView(), size);
+    const bool no_radius = kind >= 2;
+    if (no_radius) shot.radius = 0;
+    else shot.settings = {"intensity=0"};
+    shot.keep_identities = kind == 1 || kind == 3;
+    return shot;
+}
+
+StressShot yardShape(double kind, Extent)
+{
+    return yardShot(yardView(), shapeOf(kind));
+}
+
+StressShot emptyShape(double kind, Extent)
+{
+    Scene nothing = yardScene();
+    nothing.instances.clear();
+    nothing.meshes.clear();
+    return yardShot(yardView(), shapeOf(kind), nothing);
+}
+
+// Meshes
+
+/// A mesh of the yard, the sphere, which stands free.
+MeshDesc& ball(Scene& scene) { return scene.meshes.back(); }
+
+void setNormals(MeshDesc& mesh, float value)
+{
+    for (Vertex& vertex : mesh.vertices)
+        for (float& part : vertex.normal) part = value;
+}
+
+/// Every other triangle becomes a point or a line.
+void flattenTriangles(MeshDesc& mesh)
+{
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 6)
+        mesh.indices[i + 1] = mesh.indices[i + (i % 4 == 0 ? 0 : 2)];
+}
+
+const char* const kMeshKinds[] = {
+    "ordinary", "normals of no length", "normals of NaN", "triangles of no area", "no triangles",
+    "flattened", "shrunk to a point", "mirrored", "stretched 1e6:1", "camera within the radius",
+    "things behind the camera", "camera inside a box"};
+
+StressShot yardMeshes(double kind, Extent size)
+{
+    StressView view = yardView();
+    Scene scene = yardScene();
+    glm::dmat4& placed_at = scene.instances.back().world_from_model;
+    const auto scaled = [](double x, double y, double z) {
+        return glm::scale(glm::dmat4(1.0), {x, y, z});
+    };
+    switch (static_cast<int>(kind)) {
+    case 1: setNormals(ball(scene), 0); break;
+    case 2: setNormals(ball(scene), std::numeric_limits<float>::quiet_NaN()); break;
+    case 3: flattenTriangles(ball(scene)); break;
+    case 4: ball(scene).indices.clear(); break;
+    case 5: placed_at = scaled(1, 0, 1); break;
+    case 6: placed_at = scaled(0, 0, 0); break;
+    case 7: placed_at = scaled(-1, 1, 1); break;
+    case 8: placed_at = scaled(1e3, 1, 1e-3); break;
+    case 9: view.eye = {0, 0.125, 3}; break;
+    case 10: view.eye = {0, 1, 0}; break;
+    case 11: view.eye = {-1.5, 0.5, -1.5}; break;
+    default: break;
+    }
+    StressShot shot = yardShot(view, size, std::move(scene));
+    shot.radius = 1;
+    return shot;
+}
+
+// Lamps
+
+/// Lamps that lie on the surface itself, at the middles of pixels.
+void putOnSurface(StressShot& shot, double distance)
+{
+    const SceneLight lamp = shot.scene.lights.front();
+    shot.scene.lights.clear();
+    const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(shot.camera.clip_from_view));
+    for (int i = 1; i <= 8; ++i) {
+        const double x = (i * shot.extent.width / 9 + 0.5) / shot.extent.width * 2 - 1;
+        const double y = (i * shot.extent.height / 9 + 0.5) / shot.extent.height * 2 - 1;
+        const glm::dvec4 ray = view_from_clip * glm::dvec4(x, y, 1, 1);
+        shot.scene.lights.push_back(lamp);
+        shot.scene.lights.back().light.position =
+            glm::dvec3(ray) * (distance / -ray.z);
+    }
+}
+
+const char* const kLampKinds[] = {"ordinary", "on the surface", "no attenuation", "shininess 0",
+                                  "shininess 1e6", "intensity 1e6", "at the camera",
+                                  "no direction", "all of it"};
+
+StressShot planeLamps(double value, Extent size)
+{
+    constexpr double kDistance = 4;
+    StressShot shot = planeShot({}, size, kDistance, 0);
+    const int kind = static_cast<int>(value);
+    const bool all = kind == 8;
+    SceneMaterial& material = shot.scene.materials[0];
+    material.shininess = kind == 3 ? 0.0f : kind == 4 || all ? 1e6f : 16.0f;
+    if (kind == 1 || all) putOnSurface(shot, kDistance);
+    for (SceneLight& lamp : shot.scene.lights) {
+        if (kind == 2 || all) lamp.light.attenuation = glm::vec3(0);
+        if (kind == 5 || all) lamp.light.color = glm::vec3(1e6f);
+        if (kind == 6) lamp.light.position = glm::dvec3(0);
+        if (kind == 7) lamp.light.direction = glm::vec3(0);
+    }
+    return shot;
+}
+
+template <std::size_t count>
+std::vector<StressStep> named(const char* const (&labels)[count])
+{
+    std::vector<StressStep> all;
+    for (const char* label : labels) all.push_back({static_cast<double>(all.size()), label});
+    return all;
+}
+
+}  // namespace
+
+std::vector<StressCase> extremeCases()
+{
+    using E = Expectation;
+    return {
+        {"radius_to_zero", "The yard under ever smaller radii.", "scene units",
+         {{1e-9, "1e-9"}, {1e-6, "1e-6"}, {1e-4, "1e-4"}, {1e-3, "1e-3"}, {1e-2, "0.01"},
+          {0.05, "0.05"}, {0.1, "0.1"}, {0.25, "0.25"}, {0.5, "0.5"}},
+         8, E::opens, 0.002, false, yardRadius},
+        {"radius_growing", "The yard under ever larger radii.", "scene units",
+         steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, yardRadius},
+        {"corner_radius", "An inner corner under larger radii.", "scene units",
+         steps({0.05, 0.1, 0.2, 0.4, 0.8, 1.6}), 0, E::darkens, 0.002, false, cornerRadius},
+        {"samples", "The yard by few and many depth taps a pixel; -1 is the most.", "taps",
+         steps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, yardSamples},
+        {"identity", "No intensity, no radius: planned away, and drawn all the same.", "",
+         kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0, E::one, 0,
+         false, identity},
+        {"sizes", "The yard in pictures of other sizes.", "", shapes(), 0, E::sound, 0, false,
+         yardShape},
+        {"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0, E::one, 0,
+         false, emptyShape},
+        {"meshes", "Broken meshes, singular matrices and a camera in the way.", "", named(kMeshKinds),
+         0, E::sound, 0, false, yardMeshes},
+        {"lamps", "Lamps on the surface, without attenuation, too bright; extreme highlights.", "",
+         named(kLampKinds), 0, E::sound, 0, false, planeLamps},
+    };
+}
+
+}  // namespace crevice

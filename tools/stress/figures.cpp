@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Figures of pictures.
+#include "tools/stress/figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace crevice {
+namespace {
+
+/// A step of the format up to this share of the radius is none of the config's business.
+constexpr double kResolvedShare = 0.1;
+
+constexpr double kMiddle = 0.8;  // share of width and height that planes are judged in
+constexpr float kClosed = 0.95f;
+constexpr int kBorders = 8;  // an eighth of the width at either side
+
+bool isNear(const StressShot& shot, int x, int y)
+{
+    return std::any_of(shot.spoiled.begin(), shot.spoiled.end(), [&](const glm::ivec2 at) {
+        return std::max(std::abs(at.x - x), std::abs(at.y - y)) <= shot.reach_px;
+    });
+}
+
+/// The differences over what both pictures show, summed up in blocks.
+struct Blocks {
+    std::map<std::pair<int, int>, std::pair<double, int>> sums;  ///< Sum and number of pixels, by place.
+
+    void add(int x, int y, double difference)
+    {
+        auto& [sum, count] = sums[{x, y}];
+        sum += std::isfinite(difference) ? difference : 1;
+        ++count;
+    }
+};
+
+}  // namespace
+
+void describeOcclusion(const Image& ao, StressRecord& record)
+{
+    double sum = 0;
+    long long count = 0;
+    record.least = HUGE_VAL;
+    record.most = -HUGE_VAL;
+    for (std::size_t i = 0; i < ao.pixels.size(); i += ao.channels) {
+        const double value = ao.pixels[i];
+        if (!std::isfinite(value)) continue;
+        sum += value;
+        ++count;
+        record.least = std::min(record.least, value);
+        record.most = std::max(record.most, value);
+        record.out_of_range += value < 0 || value > 1;
+    }
+    if (count == 0) record.least = record.most = 0;
+    record.mean = count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+void describeSurface(const Image& ao, const StressShot& shot, Format format, StressRecord& record)
+{
+    const auto shareAt = [&](double distance) {
+        return shot.radius > 0 ? formatStep(format, distance, shot) / shot.radius : 0.0;
+    };
+    if (shot.distances.pixels.empty()) {
+        record.step_share = shot.farthest > 0 ? shareAt(shot.farthest) : 0;
+        record.resolved = record.step_share <= kResolvedShare ? 1 : 0;
+        return;
+    }
+    const Extent size = shot.extent;
+    const int left = static_cast<int>(size.width * (1 - kMiddle) / 2);
+    const int low = static_cast<int>(size.height * (1 - kMiddle) / 2);
+    long long seen = 0, resolved = 0, below = 0;
+    double sum = 0;
+    record.judged_least = 1;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const double distance = shot.distances.at(x, y);
+            if (distance <= 0) continue;
+            ++seen;
+            if (shareAt(distance) > kResolvedShare) continue;
+            ++resolved;
+            const float value = ao.at(x, y);
+            if (x < left || x >= size.width - left || y < low || y >= size.height - low ||
+                !std::isfinite(value))
+                continue;
+            ++record.judged;
+            sum += value;
+            below += value < kClosed;
+            record.judged_least = std::min<double>(record.judged_least, value);
+        }
+    const double middle = shot.distances.at(size.width / 2, size.height / 2);
+    record.step_share = middle > 0 ? shareAt(middle) : 0;
+    record.resolved = seen > 0 ? static_cast<double>(resolved) / static_cast<double>(seen) : 1;
+    const double judged = static_cast<double>(std::max(record.judged, 1LL));
+    record.judged_mean = record.judged > 0 ? sum / judged : 0;
+    record.judged_below = static_cast<double>(below) / judged;
+}
+
+double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot)
+{
+    if (!(ordinary.extent == image.extent)) return 1;
+    // What lies off the screen says nothing, so pictures of other extents differ along their borders.
+    const int width = image.extent.width, border = shot.shift_px == 0 ? 0 : width / kBorders;
+    Blocks blocks;
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = border; x < width - border; ++x) {
+            const int other = shot.mirrored ? width - 1 - x : x + shot.shift_px;
+            if (other < border || other >= width - border || isNear(shot, x, y)) continue;
+            blocks.add(x / shot.block_px, y / shot.block_px,
+                       double(image.at(x, y)) - ordinary.at(other, y));
+        }
+    double sum = 0, largest = 0;
+    for (const auto& [place, block] : blocks.sums) {
+        const double change = std::abs(block.first / block.second);
+        sum += change;
+        largest = std::max(largest, change);
+    }
+    if (blocks.sums.empty()) return 1;
+    return shot.spoiled.empty() ? sum / static_cast<double>(blocks.sums.size()) : largest;
+}
+
+double radiusInPixels(const StressShot& shot)
+{
+    double distance = shot.farthest;
+    if (!shot.distances.pixels.empty())
+        distance = shot.distances.at(shot.extent.width / 2, shot.extent.height / 2);
+    if (shot.camera.orthographic()) distance = 1;
+    if (distance <= 0) return 0;
+    return shot.radius * std::abs(shot.camera.clip_from_view[1][1]) * shot.extent.height /
+           (2 * distance);
+}
+
+}  // namespace crevice

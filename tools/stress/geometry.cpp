@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// What stands in for geometry modules, and the textures that a host would bring.
+#include "tools/stress/geometry.h"
+
+#include "tools/render/read_output.h"
+#include "tools/render/scene_upload.h"
+
+#include "core/run/renderer.h"
+
+#include <utility>
+
+namespace crevice {
+namespace {
+
+const char* const kWhite = R"(#version 300 es
+precision mediump float;
+layout(location = 0) out vec4 albedo;
+void main()
+{
+    albedo = vec4(0.8);
+}
+)";
+
+const char* const kNoGuard =
+    R"("guard": {"type": "float", "default": 1, "min": 1, "max": 2, "bind": "define"})";
+
+// The host's textures have no guard band; its albedo is the same everywhere.
+std::string overHost(const std::string& module)
+{
+    return R"({"format": 1, "name": ")" + module + R"(", "description": "A host's own.",
+        "extends": [")" + module + R"("], "params": {)" + kNoGuard + R"(},
+        "targets": {"albedo": {"format": ["rgba8"]}},
+        "shaders": {"host_albedo": {"vertex": "common/fullscreen.vert", "fragment": "host/albedo.frag"}},
+        "passes": {"host_albedo": {
+            "type": "fullscreen", "shader": "host_albedo", "color": ["albedo"]}}})";
+}
+
+// `kind` begins the names of the host's modules.
+MemorySources hostModules(const std::string& kind)
+{
+    MemorySources modules;
+    modules.add("geometry/depth_normal.json", overHost("geometry/" + kind + "depth_normal"));
+    modules.add("geometry/depth_only.json", overHost("geometry/" + kind + "depth"));
+    modules.add("host/albedo.frag", kWhite);
+    return modules;
+}
+
+// The module that stores linear depth extends the one that it stands in for.
+MemorySources linearModules(const SourceSet& sources)
+{
+    const char* const kDrawn = "geometry/depth_normal";
+    const std::string path = std::string(kDrawn) + ".json";
+    MemorySources modules;
+    const SourceRef drawn = sources.find(path);
+    const SourceRef linear = sources.find("geometry/linear_depth_normal.json");
+    if (!drawn || !linear) return modules;
+    std::string text = linear->text;
+    text.replace(text.find(kDrawn), std::string(kDrawn).size(), "geometry/drawn");
+    modules.add(path, text);
+    modules.add("geometry/drawn.json", drawn->text);
+    return modules;
+}
+
+// In the finest formats, so that what differs is the way to the points.
+MemorySources positionModules()
+{
+    MemorySources modules;
+    modules.add("geometry/depth_normal.json",
+                std::string(R"({"format": 1, "name": "geometry/depth_normal",
+        "description": "Stored positions.", "extends": ["geometry/position_normal"],
+        "params": {)") + kNoGuard + R"(},
+        "targets": {"position": {"format": ["rgba32f", "rgba16f"]}}})");
+    return modules;
+}
+
+MemorySources depthModules()
+{
+    MemorySources modules;
+    modules.add("geometry/position_normal.json",
+                R"({"format": 1, "name": "geometry/position_normal",
+        "description": "Depth and normals.", "extends": ["geometry/depth_normal"],
+        "targets": {"depth": {"format": ["depth32f", "depth24"]},
+                    "normal": {"format": ["rgba16f", "rgb10_a2"]}}})");
+    return modules;
+}
+
+}  // namespace
+
+StandIns::Layer::Layer(MemorySources stand_ins, const SourceSet& sources)
+    : modules(std::move(stand_ins)), all({&modules, &sources})
+{
+}
+
+StandIns::StandIns(const SourceSet& sources) : own_(sources)
+{
+    over_.try_emplace(kHostGeometry, hostModules("host_"), sources);
+    over_.try_emplace(kHostLogGeometry, hostModules("host_log_"), sources);
+    over_.try_emplace(kHostLinearGeometry, hostModules("host_linear_"), sources);
+    over_.try_emplace(kPositionGeometry, positionModules(), sources);
+    over_.try_emplace(kLinearGeometry, linearModules(sources), sources);
+    over_.try_emplace(kDepthGeometry, depthModules(), sources);
+}
+
+const SourceSet& StandIns::over(const std::string& geometry) const
+{
+    const auto found = over_.find(geometry);
+    return found == over_.end() ? own_ : found->second.all;
+}
+
+Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
+                                        const SourceSet& sources)
+{
+    MemorySources mine;
+    mine.add("configs/host.json", R"({"format": 1, "name": "host", "description": "A G-buffer.",
+        "extends": ["geometry/depth_normal"],
+        "targets": {"depth": {"format": ["depth32f"]}, "normal": {"format": ["rgba16f", "rgb10_a2"]}},
+        "outputs": {"depth": "depth", "normal": "normal"}})");
+    const LayeredSources all({&mine, &sources});
+    const Result<Description> description = loadDescription({"host", {}, {}, {}}, all);
+    if (!description) return description.diagnostics();
+    const Result<UploadedScene> scene = UploadedScene::upload(device, shot.scene);
+    if (!scene) return scene.diagnostics();
+    Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
+    frame.camera = shot.host_camera;
+    const auto renderer =
+        Renderer::create(device, *description, {shot.extent, {}, {}}, traitsOf(frame));
+    if (!renderer) return renderer.diagnostics();
+    if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
+    Result<Image> depth = readOutput(device, **renderer, "depth");
+    if (!depth) return depth.diagnostics();
+    Result<Image> normal = readOutput(device, **renderer, "normal");
+    if (!normal) return normal.diagnostics();
+    shot.host(*depth, *normal);
+
+    HostTextures textures(device);
+    const char* const name = shot.geometry == kHostLogGeometry      ? "log_depth"
+                             : shot.geometry == kHostLinearGeometry ? "linear_depth"
+                                                                    : "depth";
+    if (const Status made = textures.add(name, Format::r32f, *depth); !made)
+        return made.diagnostics();
+    if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)
+        return made.diagnostics();
+    return textures;
+}
+
+HostTextures::~HostTextures()
+{
+    for (const ImportedTexture& each : textures_) device_->destroy(each.texture);
+}
+
+HostTextures::HostTextures(HostTextures&& other) noexcept
+    : device_(other.device_), textures_(std::exchange(other.textures_, {}))
+{
+}
+
+Status HostTextures::add(const char* name, Format format, const Image& image)
+{
+    const Result<TextureId> id = device_->createTexture({name, format, image.extent});
+    if (!id) return id.diagnostics();
+    textures_.push_back({name, *id});
+    return device_->writeTexture(*id, image);
+}
+
+}  // namespace crevice

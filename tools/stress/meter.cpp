@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// One step of a stress case, from its shot to its figures.
+#include "tools/stress/meter.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/numbers.h"
+#include "tools/device/poison_device.h"
+#include "tools/image/image_metrics.h"
+#include "tools/measure/taps.h"
+#include "tools/reference/reference_cache.h"
+#include "tools/render/read_output.h"
+#include "tools/render/scene_upload.h"
+#include "tools/render/target_health.h"
+#include "tools/stress/figures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace crevice {
+namespace {
+
+constexpr float kGarbage = 0.8713f;  // where a format holds no NaN
+constexpr int kTruthRays = 64;       // a pixel: an error of context needs no more
+
+std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
+
+/// "depth=depth16" as an override.
+std::string formatOverride(const std::string& format)
+{
+    const std::string target = nameIn(format);
+    return "/targets/" + target + "/format=[\"" + format.substr(target.size() + 1) + "\"]";
+}
+
+std::string firstErrorText(const Diagnostics& diagnostics)
+{
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::error) return codeName(each.code) + ": " + each.message;
+    return {};
+}
+
+bool remembers(const Plan& plan)
+{
+    return std::any_of(plan.targets.begin(), plan.targets.end(),
+                       [](const PlanTarget& target) { return target.history_texture >= 0; });
+}
+
+/// Why a config that was put over the shot's geometry is none; null where it is one.
+const char* missingFrom(const Description& description, const StressShot& shot)
+{
+    if (shot.geometry.empty()) return nullptr;
+    if (shot.host)
+        for (const char* name : {"depth", "log_depth", "linear_depth"})
+            if (findNamed(description.imports, name)) return nullptr;
+    if (shot.host) return "its geometry module has no counterpart for a host's depth";
+    const bool positions = findNamed(description.targets, "position");
+    const bool linear = findNamed(description.targets, "linear_depth");
+    return positions == (shot.geometry == kPositionGeometry) &&
+                   linear == (shot.geometry == kLinearGeometry)
+               ? nullptr
+               : "its geometry module has no such counterpart";
+}
+
+/// The format that the surface is read from: that of stored positions or distances, else of the depth.
+Format storedFormat(const Plan& plan)
+{
+    for (const char* name : {"position", "linear_depth", "depth"})
+        if (const PlanTarget* target = findNamed(plan.targets, name))
+            return plan.textures[target->texture].format;
+    return Format::depth24;
+}
+
+}  // namespace
+
+struct StressMeter::Ready {
+    Description description;
+    CompileOptions options;
+    std::string absent;
+};
+
+struct StressMeter::Drawn {
+    std::string absent;
+    Image ao;
+    Format stored = Format::none;
+    TargetHealth bad;  ///< The first target that is not finite, if any.
+    long long negative_colors = 0;
+};
+
+std::vector<std::string> surfaceFormats(const Description& description)
+{
+    if (findNamed(description.targets, "position"))
+        return {"", "position=rgba16f", "position=rgba32f"};
+    if (findNamed(description.targets, "linear_depth"))
+        return {"", "linear_depth=r16f", "linear_depth=r32f"};
+    if (findNamed(description.targets, "depth"))
+        return {"", "depth=depth16", "depth=depth24", "depth=depth32f"};
+    return {""};
+}
+
+StressMeter::StressMeter(Device& device, const SourceSet& sources, std::string cache_folder)
+    : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)),
+      sources_(sources),
+      stand_ins_(sources),
+      cache_folder_(std::move(cache_folder))
+{
+}
+
+StressMeter::~StressMeter() = default;
+
+std::string StressMeter::contentOf(const StressTask& task, Extent size)
+{
+    ContentHash hash;
+    const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
+    const Result<LoadedConfig> loaded = loadWithContent(task.config, stand_ins_.over(shot.geometry));
+    hash.addText(loaded ? loaded->content : std::string());
+    hash.addText(task.config.config);
+    hash.addText(shot.geometry);
+    hash.addText(task.stress->name);
+    hash.addText(task.format);
+    hash.add(task.step);
+    hash.addText(hashOf(shot));
+    return hash.hex();
+}
+
+Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const StressShot& shot)
+{
+    Ready ready;
+    const SourceSet& sources = stand_ins_.over(shot.geometry);
+    const Result<Description> base = loadDescription(task.config, sources);
+    if (!base && !shot.geometry.empty()) {
+        ready.absent = "not over " + shot.geometry + ": " + firstErrorText(base.diagnostics());
+        return ready;
+    }
+    if (!base) return base.diagnostics();
+    ConfigOptions config = task.config;
+    if (!shot.geometry.empty() && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
+    if (const char* what = missingFrom(*base, shot)) ready.absent = what;
+    if (findNamed(base->params, "radius"))
+        config.overrides.push_back("radius=" + significant(shot.radius, 9));
+    for (const std::string& setting : shot.settings) {
+        if (!findNamed(base->params, nameIn(setting)))
+            ready.absent = "no param '" + nameIn(setting) + "'";
+        config.overrides.push_back(setting);
+    }
+    if (!task.format.empty()) config.overrides.push_back(formatOverride(task.format));
+    const std::vector<std::string> taps =
+        shot.samples > 0 ? overridesFor(*base, shot.samples) : std::vector<std::string>();
+    if (shot.samples > 0 && taps.empty())
+        ready.absent = std::to_string(shot.samples) + " taps are outside its ranges";
+    config.overrides.insert(config.overrides.end(), taps.begin(), taps.end());
+    if (!findNamed(base->outputs, "ao")) ready.absent = "no output 'ao'";
+    if (!ready.absent.empty()) return ready;
+    Result<Description> description = loadDescription(config, sources);
+    if (!description) return description.diagnostics();
+    ready.description = std::move(*description);
+    if (shot.samples < 0) takeAllSamples(ready.description);
+    ready.options.extent = shot.extent;
+    ready.options.keep = {"sharing"};
+    if (shot.keep_identities) ready.options.keep.push_back("identity");
+    return ready;
+}
+
+/// With the renderer of `owner`, whose programs are there already, or another.
+Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& frame,
+                           const std::string& owner)
+{
+    const bool anew = renderer_of_ != owner || remembers(plan);
+    if (anew || !renderer_->reload(ready.description, ready.options)) {
+        renderer_.reset();
+        renderer_of_.clear();
+        auto created = Renderer::create(*garbage_, ready.description, ready.options,
+                                        traitsOf(frame));
+        if (!created) return created.diagnostics();
+        renderer_ = std::move(*created);
+        renderer_of_ = owner;
+    }
+    // A second frame reads what the first left in histories.
+    for (int i = 0; i < (remembers(plan) ? 2 : 1); ++i)
+        if (Status done = renderer_->render(frame); !done) return done;
+    return {};
+}
+
+/// For what is not finite, and for colours below 0.
+Status StressMeter::look(const std::vector<WatchedTarget>& watched, Drawn& drawn)
+{
+    for (const WatchedTarget& each : watched) {
+        const Result<Image> image = readOutput(*garbage_, *renderer_, each.output);
+        if (!image) return image.diagnostics();
+        TargetHealth health = examine(*image, *image);
+        if (!health.bad() || drawn.bad.bad()) continue;
+        drawn.bad = health;
+        drawn.bad.target = each.target;
+        drawn.bad.pass = each.pass;
+    }
+    if (renderer_->output("color")) {
+        const Result<Image> color = readOutput(*garbage_, *renderer_, "color");
+        if (!color) return color.diagnostics();
+        for (const float value : color->pixels) drawn.negative_colors += value < 0;
+    }
+    return {};
+}
+
+Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const StressShot& shot)
+{
+    Result<Ready> ready = prepare(task, shot);
+    if (!ready) return ready.diagnostics();
+    Drawn drawn;
+    drawn.absent = ready->absent;
+    if (!drawn.absent.empty()) return drawn;
+    const Result<UploadedScene> scene = UploadedScene::upload(*garbage_, shot.scene);
+    if (!scene) return scene.diagnostics();
+    Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
+    frame.camera = shot.camera;
+    std::optional<HostTextures> host;
+    if (shot.host) {
+        Result<HostTextures> made = HostTextures::make(*garbage_, shot, sources_);
+        if (!made) return made.diagnostics();
+        host.emplace(std::move(*made));
+        frame.textures = host->textures();
+    }
+    const Result<Plan> plan =
+        compile(ready->description, traitsOf(frame), garbage_->caps(), ready->options);
+    if (!plan) return plan.diagnostics();
+    drawn.stored = storedFormat(*plan);
+    const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
+
+    const std::string owner =
+        task.config.config + " " + task.config.variant + shot.geometry;
+    if (const Status done = render(*ready, *plan, frame, owner); !done) return done.diagnostics();
+    if (const Status done = look(watched, drawn); !done) return done.diagnostics();
+    Result<Image> ao = readOutput(*garbage_, *renderer_, "ao");
+    if (!ao) return ao.diagnostics();
+    drawn.ao = std::move(*ao);
+    return drawn;
+}
+
+/// The ordinary picture of the task's series; null where there is none.
+const Image* StressMeter::ordinaryOf(const StressTask& task, Extent size)
+{
+    StressTask ordinary = task;
+    ordinary.step = static_cast<int>(task.stress->ordinary);
+    const std::string key = contentOf(ordinary, size);
+    if (ordinary_of_ != key) {
+        ordinary_of_ = key;
+        const StressShot shot =
+            task.stress->shot(task.stress->steps[ordinary.step].value, size);
+        Result<Drawn> drawn = draw(ordinary, shot);
+        ordinary_ = drawn ? std::move(drawn->ao) : Image();
+    }
+    return ordinary_.pixels.empty() ? nullptr : &ordinary_;
+}
+
+void StressMeter::compare(const StressTask& task, Extent size, const StressShot& shot,
+                          StressDrawing& done)
+{
+    if (task.stress->expectation != Expectation::same) return;
+    if (const Image* ordinary = ordinaryOf(task, size))
+        done.record.change = changeBetween(*ordinary, done.ao, shot);
+    else
+        done.record.absent = "the ordinary picture cannot be drawn";
+}
+
+/// Against the truth, at the ordinary step of scenes that have one worth knowing; else -1.
+double StressMeter::errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const
+{
+    const Expectation expected = task.stress->expectation;
+    const bool worth = expected == Expectation::same || expected == Expectation::opens ||
+                       expected == Expectation::darkens;
+    if (!worth || !canTrace() || !task.format.empty() ||
+        task.step != static_cast<int>(task.stress->ordinary))
+        return -1;
+    TraceOptions trace;
+    trace.radius = shot.radius;
+    trace.rays = kTruthRays;
+    const Result<Image> truth =
+        cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
+    if (!truth) return -1;
+    const Result<ImageDifference> difference = compareImages(ao, *truth);
+    return difference ? difference->rmse : -1;
+}
+
+StressDrawing StressMeter::measure(const StressTask& task, Extent size)
+{
+    using Clock = std::chrono::steady_clock;
+    StressDrawing done;
+    StressRecord& record = done.record;
+    const StressStep& step = task.stress->steps[task.step];
+    record.config = task.config.config;
+    record.variant = task.config.variant;
+    record.overrides = task.config.overrides;
+    record.case_name = task.stress->name;
+    record.format = task.format;
+    record.step = task.step;
+    record.label = step.label;
+    record.value = step.value;
+    const StressShot shot = task.stress->shot(step.value, size);
+    const Clock::time_point start = Clock::now();
+    Result<Drawn> drawn = draw(task, shot);
+    record.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (!drawn) {
+        record.refusal = firstErrorText(drawn.diagnostics());
+        return done;
+    }
+    record.absent = drawn->absent;
+    if (!record.absent.empty()) return done;
+    done.ao = std::move(drawn->ao);
+    record.bad_target = drawn->bad.target;
+    record.bad_pass = drawn->bad.pass;
+    record.bad_pixels =
+        static_cast<long long>(drawn->bad.not_numbers + drawn->bad.infinite);
+    record.out_of_range = drawn->negative_colors;
+    record.stored = formatInfo(drawn->stored).name;
+    record.radius_px = radiusInPixels(shot);
+    describeOcclusion(done.ao, record);
+    describeSurface(done.ao, shot, drawn->stored, record);
+    record.rmse = errorOf(task, shot, done.ao);
+    compare(task, size, shot, done);
+    return done;
+}
+
+}  // namespace crevice

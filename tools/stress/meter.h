@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Drawing the steps of stress cases on a device, in memory full of NaN, and looking at every target.
+#pragma once
+
+#include "tools/cli/config_options.h"
+#include "tools/render/watched_targets.h"
+#include "tools/stress/geometry.h"
+#include "tools/stress/record.h"
+
+#include "core/run/renderer.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace crevice {
+
+/// One step of one config in one format.
+struct StressTask {
+    ConfigOptions config;
+    const StressCase* stress = nullptr;
+    std::string format;  ///< "depth=depth16"; empty: the config's own.
+    int step = 0;
+};
+
+/// What a step showed.
+struct StressDrawing {
+    StressRecord record;
+    Image ao;
+};
+
+/// The formats that a config's surface may be stored in, as StressTask::format; the first is empty.
+std::vector<std::string> surfaceFormats(const Description& description);
+
+/// Keeps one renderer, so that a config's programs compile once. The device and the sources must
+/// outlive it.
+class StressMeter {
+public:
+    /// Truths are kept in `cache_folder`; empty for nowhere.
+    StressMeter(Device& device, const SourceSet& sources, std::string cache_folder);
+    ~StressMeter();
+
+    /// What decides a step's figures, device and version apart: 16 hex digits.
+    std::string contentOf(const StressTask& task, Extent size);
+
+    /// The record with all its figures; those of what was refused are 0.
+    StressDrawing measure(const StressTask& task, Extent size);
+
+private:
+    struct Drawn;
+    struct Ready;
+
+    Result<Ready> prepare(const StressTask& task, const StressShot& shot);
+    Status render(const Ready& ready, const Plan& plan, const Frame& frame,
+                  const std::string& owner);
+    Status look(const std::vector<WatchedTarget>& watched, Drawn& drawn);
+    Result<Drawn> draw(const StressTask& task, const StressShot& shot);
+    const Image* ordinaryOf(const StressTask& task, Extent size);
+    void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
+    double errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const;
+
+    std::unique_ptr<Device> garbage_;
+    const SourceSet& sources_;
+    const StandIns stand_ins_;
+    const std::string cache_folder_;
+    std::string renderer_of_;
+    std::unique_ptr<Renderer> renderer_;
+    std::string ordinary_of_;
+    Image ordinary_;
+};
+
+}  // namespace crevice
