@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The facade in a host's context: the host's own depth goes in, an AO texture comes out.
+#include "effects/effect.h"
+
+#include "tests/support/gl_fixture.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kExtent = {64, 36};
+
+const char* const kHostDepth = R"({ "format": 1, "name": "ao",
+    "extends": ["geometry/host_depth", "ssao/gtao", "filter/bilateral_normal"] })";
+
+/// The depth of a floor that meets a wall, as a host's texture.
+struct HostDepth : GlFixture {
+    HostDepth()
+    {
+        std::vector<float> depth;
+        for (int y = 0; y < kExtent.height; ++y)
+            depth.insert(depth.end(), kExtent.width, windowDepth(y));
+        gl.GenTextures(1, &name);
+        gl.BindTexture(GL_TEXTURE_2D, name);
+        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, kExtent.width, kExtent.height);
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT,
+                         GL_FLOAT, depth.data());
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.BindTexture(GL_TEXTURE_2D, 0);
+    }
+    ~HostDepth() { gl.DeleteTextures(1, &name); }
+
+    /// The floor lies 1 below the camera, and the wall 4 away.
+    float windowDepth(int row) const
+    {
+        const float slope = ((row + 0.5f) / kExtent.height * 2 - 1) * std::tan(glm::radians(30.0f));
+        const float distance = slope < -0.25f ? -1 / slope : 4.0f;
+        const glm::vec4 clip = projection * glm::vec4(0, 0, -distance, 1);
+        return clip.z / clip.w * 0.5f + 0.5f;
+    }
+
+    glm::mat4 projection = glm::perspective(glm::radians(60.0f), 16.0f / 9.0f, 0.1f, 100.0f);
+    GLuint name = 0;
+};
+
+}  // namespace
+
+TEST_CASE("A host's depth gives an AO texture that is darker in the corner than on the wall")
+{
+    HostDepth host;
+    Effect effect = need(Effect::create(*host.device, kHostDepth, kExtent));
+    effect.setProjection(glm::value_ptr(host.projection));
+    need(effect.setTexture("depth", host.name, Format::depth32f, kExtent));
+    need(effect.setParam("radius", 1));
+    need(effect.render());
+    const Image ao = host.read(effect.output("ao"));
+    CHECK(ao.extent == kExtent);
+    const int corner = static_cast<int>((1 - 0.25f / std::tan(glm::radians(30.0f))) / 2 * kExtent.height);
+    CHECK(ao.at(32, corner) < 0.85f);
+    CHECK(ao.at(32, kExtent.height - 2) > 0.95f);
+    CHECK(host.gl.IsTexture(effect.nativeName("ao")));
+}
+
+TEST_CASE("An effect follows what the host draws into its depth")
+{
+    HostDepth host;
+    Effect effect = need(Effect::create(*host.device, kHostDepth, kExtent));
+    effect.setProjection(glm::value_ptr(host.projection));
+    need(effect.setTexture("depth", host.name, Format::depth32f, kExtent));
+    need(effect.setParam("radius", 1));
+    need(effect.render());
+    const Image before = host.read(effect.output("ao"));
+    const std::vector<float> background(kExtent.width * kExtent.height, 1.0f);
+    host.gl.BindTexture(GL_TEXTURE_2D, host.name);
+    host.gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                          background.data());
+    need(effect.render());
+    const Image after = host.read(effect.output("ao"));
+    CHECK(after.pixels != before.pixels);
+    CHECK(after.at(32, 10) == 1.0f);
+}
