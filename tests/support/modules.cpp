@@ -92,11 +92,14 @@ Module describe(const std::string& name, const Node& document)
     return module;
 }
 
+/// False for a base module, which leaves the fragment shader to what extends it.
 bool everyPassHasItsShader(const Node& document)
 {
-    const std::set<std::string> shaders = keysOf(document, "shaders");
-    for (const Member& pass : membersOf(document, "passes"))
-        if (shaders.count(textAt(pass.value, "shader")) == 0) return false;
+    const Node* shaders = document.find("shaders");
+    for (const Member& pass : membersOf(document, "passes")) {
+        const Node* shader = shaders ? shaders->find(textAt(pass.value, "shader")) : nullptr;
+        if (!shader || !shader->find("fragment")) return false;
+    }
     return true;
 }
 
