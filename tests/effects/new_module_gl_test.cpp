@@ -34,44 +34,6 @@ const char* const kConfig = R"({
   "extends": ["geometry/depth_normal", "ssao/hemisphere", "./filter/darken.json"]
 })";
 
-const char* const kConeShader = R"(#version 300 es
-// An estimator in few lines: what one tap at each side of the pixel shows over its tangent plane.
-precision highp float;
-#include <surface>
-#include "ssao/occlusion_curve.glsl"
-#include "ssao/reach.glsl"
-in vec2 uv;
-layout(location = 0) out float ao;
-void main()
-{
-    vec3 point;
-    ao = 1.0;
-    if (!pointAt(uv, point)) return;
-    vec3 normal = normalAt(uv);
-    float lift = offSurface(point, normal, radius);
-    float occlusion = 0.0;
-    for (int i = 0; i < TAPS; ++i) {
-        float angle = 6.28318531 * float(i) / float(TAPS);
-        vec3 seen;
-        if (!pointAt(uv + 0.5 * reachOf(point) * vec2(cos(angle), sin(angle)), seen)) continue;
-        vec3 offset = seen - point;
-        if (length(offset) > radius || dot(offset, normal) <= lift) continue;
-        occlusion += dot(offset, normal) / length(offset) / float(TAPS);
-    }
-    ao = visibilityOf(occlusion);
-}
-)";
-
-const char* const kConeModule = R"({
-  "format": 1,
-  "extends": ["ssao/estimator"],
-  "params": {
-    "taps": { "type": "int", "default": 8, "min": 1, "max": 64, "unit": "taps a pixel", "bind": "define" }
-  },
-  "targets": { "ao": { "format": ["r8"] } },
-  "shaders": { "ssao": { "fragment": "./cone.frag" } }
-})";
-
 }  // namespace
 
 TEST_CASE("A filter module with its own parameter runs from a folder without any C++")
@@ -92,15 +54,8 @@ TEST_CASE("A filter module with its own parameter runs from a folder without any
 
 TEST_CASE("An estimator is two files: a module that extends ssao/estimator, and its shader")
 {
-    const TemporaryFolder folder("new_estimator");
-    folder.write("cone.frag", kConeShader);
-    folder.write("cone.json", kConeModule);
     PictureRequest request;
-    request.config = folder.write("mine.json", R"({
-  "format": 1,
-  "name": "mine",
-  "extends": ["geometry/depth_normal", "./cone.json", "filter/box"]
-})");
+    request.config = CREVICE_SOURCE_DIR "/tests/data/new_estimator/mine.json";
     request.camera = "eye=0,1.5,4;at=0,0,0;fov=40";
 
     const auto least = [&](const char* scene) {

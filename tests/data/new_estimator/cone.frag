@@ -1,0 +1,33 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// An estimator in few lines: how high over the pixel's tangent plane TAPS points stand, half a radius away.
+//
+//   surface  interface: point and normal in view space
+//   ao       visibility, 1 open .. 0 blocked; 1 in the background
+precision highp float;  // positions and depths
+
+#include <surface>
+#include "ssao/occlusion_curve.glsl"
+#include "ssao/reach.glsl"
+
+in vec2 uv;
+layout(location = 0) out float ao;
+
+void main()
+{
+    vec3 point;
+    ao = 1.0;
+    if (!pointAt(uv, point)) return;
+    vec3 normal = normalAt(uv);
+    float lift = offSurface(point, normal, radius);
+    float occlusion = 0.0;
+    for (int i = 0; i < TAPS; ++i) {
+        float angle = 6.28318531 * float(i) / float(TAPS);
+        vec3 seen;
+        if (!pointAt(uv + 0.5 * reachOf(point) * vec2(cos(angle), sin(angle)), seen)) continue;
+        vec3 offset = seen - point;
+        if (length(offset) > radius || dot(offset, normal) <= lift) continue;
+        occlusion += dot(offset, normal) / length(offset) / float(TAPS);
+    }
+    ao = visibilityOf(occlusion);
+}
