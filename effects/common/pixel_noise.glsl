@@ -8,8 +8,10 @@
 //
 // With MOVING_NOISE both move on by golden ratios from frame to frame, for a mean over frames.
 //
-// [Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" - the gradient]
-// [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - the shifts]
+// [Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" - the gradient, its constants]
+// [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - R1, steps of 0.61803399, the golden
+//  ratio less 1; and R2, steps of 0.75487767 and 0.56984029, which are 1 / g and 1 / g^2 for g^3 = g + 1]
+// [Bayer 1973, "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures" - the tile]
 
 highp vec2 stillNoise(highp vec2 pixel)
 {
@@ -21,6 +23,7 @@ highp vec2 stillNoise(highp vec2 pixel)
     // A Bayer matrix of the turns, so that neighbours differ by much.
     highp int across = at.x ^ at.y;
     highp int order = (across & 1) * 8 + (at.y & 1) * 4 + (across >> 1) * 2 + (at.y >> 1);
+    // The shift steps by the golden ratio from pixel to pixel, number x + 4 y, and by 1/4 more from row to row: ours.
     return vec2((float(order) + 0.5) / 16.0, fract(dot(vec2(at), vec2(0.61803399, 2.72213596))));
 #else
     return vec2(0.5);

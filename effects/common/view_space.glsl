@@ -7,7 +7,8 @@
 uniform highp mat4 clip_from_view;
 uniform highp mat4 view_from_window;
 
-// Smallest w divided by: at an infinite far plane w is 0, and the quotient must stay finite in float.
+// Smallest w divided by: at an infinite far plane w is 0, and the quotient of lengths up to 1e20 must stay finite in
+// float, whose greatest is 3e38.
 const highp float kSmallestW = 1e-18;
 
 // Whether something was drawn where this depth is stored: the clear left the farthest.
@@ -38,8 +39,8 @@ highp vec3 viewFromDepth(highp vec2 uv, highp float z)
 #endif
 }
 
-// The window depth that viewFromWindow takes to view depth `z`. Nothing cancels: reversed depth keeps the
-// digits that a float texture has for it.
+// The window depth that viewFromWindow takes to view depth `z`: (m2.z d + m3.z) / (m2.w d + m3.w) = z, solved for d.
+// Nothing cancels: reversed depth keeps the digits that a float texture has for it.
 highp float windowFromView(highp float z)
 {
     highp mat4 m = view_from_window;
@@ -58,10 +59,11 @@ highp vec2 uvOfUnit(highp vec3 point)
 }
 
 // How far apart in view depth two points about `point` may come out that are one, where window depth is
-// stored in steps of `stored` (absolute, and a share of the value): by the steps and by the arithmetic above.
+// stored in steps of `stored` (absolute, and a share of the value): by the steps, times the derivative of
+// viewFromWindow, and by one rounding of each sum above.
 highp float viewStepOf(highp vec2 stored, highp vec3 point)
 {
-    const highp float kEpsilon = 1.2e-7;  // of 32-bit floats
+    const highp float kEpsilon = 1.2e-7;  // 2^-23, of 32-bit floats
     highp mat4 m = view_from_window;
     highp float window = windowFromView(point.z);
     highp float steps = stored.x + stored.y * window;

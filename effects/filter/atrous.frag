@@ -8,7 +8,7 @@
 //   STEP         distance between taps in pixels; doubles from level to level
 //
 // With the hat 1 2 1 in either direction the first two levels let no noise pass that repeats every four
-// pixels. The paper takes 5x5 taps of a cubic spline, at three times the cost.
+// pixels. The paper takes 5x5 taps of a cubic spline, 1 4 6 4 1 over 16, at three times the cost.
 // [Dammertz et al. 2010, "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination
 // Filtering"]
 precision highp float;  // positions are compared

@@ -8,7 +8,7 @@
 //   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
 // A tap counts when its depth lies within the cut of the line through the pixel's own depth and slope, so
-// that a floor seen at a grazing angle is filtered as well as a wall.
+// that a floor seen at a grazing angle is filtered as well as a wall: the line is ours.
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 precision highp float;  // depths are compared
 
@@ -38,7 +38,7 @@ void main()
     float sum = texture(ao, uv).r;
     float weights = 1.0;
     for (int i = 1; i <= BLUR_RADIUS; ++i) {
-        float ratio = float(i) * 2.0 / float(BLUR_RADIUS + 1);  // the window ends at two sigma
+        float ratio = float(i) * 2.0 / float(BLUR_RADIUS + 1);  // the window ends at two sigma, beyond which 5 % lie
         float gaussian = exp(-0.5 * ratio * ratio);
         for (int side = -1; side <= 1; side += 2) {
             float steps = float(side * i);

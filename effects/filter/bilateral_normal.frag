@@ -8,7 +8,9 @@
 //   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
 // Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that
-// noise which repeats every four pixels vanishes, and the picture does not shift.
+// noise which repeats every four pixels vanishes, and the picture does not shift. The taps are ours, as is all of
+// near_plane.glsl but the idea, weights by what is seen: docs/methods/filters.md has its error and cost.
+// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 precision highp float;  // positions are compared
 
 #include "filter/near_plane.glsl"

@@ -8,7 +8,8 @@
 //   CENTER       weight of the pixel itself, in either direction, where a neighbour has 1
 //
 // After one pass with CENTER 2 and one with CENTER 0 no noise is left that repeats every four pixels: the
-// first halves what the second takes out, and the first takes out what the second would turn around.
+// first halves what the second takes out, and the first takes out what the second would turn around: 1 2 1 times 1 0 1
+// are the taps of bilateral_normal. Ours; passes over packed edges are XeGTAO's.
 precision mediump float;
 
 uniform mediump sampler2D ao;
@@ -34,7 +35,7 @@ void main()
     vec2 across = texture(edges, uv + texel).rg;
 
     // Towards a corner the way leads over either neighbour, whichever is more open.
-    const float own = max(CENTER * CENTER, 0.01);
+    const float own = max(CENTER * CENTER, 0.01);  // so that a pixel with four edges keeps what it has
     vec2 sum = tapAt(uv, own);
     sum += tapAt(uv - texel, here.r * texture(edges, uv - x).g);
     sum += tapAt(uv + other, right.r * right.g);

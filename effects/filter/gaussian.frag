@@ -7,7 +7,7 @@
 //   ao_filtered  the weighted mean; unchanged in the background
 //   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
 //
-// What is far away is blurred less, so that a surface keeps its look as the camera moves. The weights
+// What is far away is blurred less, so that a surface keeps its look as the camera moves: ours. The weights
 // come from two products a tap instead of an exponential.
 // [Turkowski 2007, "Incremental Computation of the Gaussian", GPU Gems 3, chapter 40]
 precision highp float;  // depths, and products that fall by many powers of two
@@ -40,7 +40,7 @@ void main()
 {
     vec2 size = vec2(textureSize(ao, 0));
     vec2 texel = AXIS / size;
-    float deviation = max(sigmaInPixels(size), 0.05);  // below it every neighbour's weight is 0 in float
+    float deviation = max(sigmaInPixels(size), 0.05);  // below it every neighbour's weight, exp(-200), is 0 in float
     float factor = exp(-0.5 / (deviation * deviation));
     float squared = factor * factor;
     float weight = 1.0;

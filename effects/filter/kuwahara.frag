@@ -8,7 +8,7 @@
 // Beside an edge in the occlusion the quietest window is the one that does not reach across it, so that
 // shadows stay crisp without any geometry. Windows of BLUR_RADIUS + 1 pixels a side: with 4 of them noise
 // that repeats every four pixels leaves no trace in their means.
-// [Kuwahara et al. 1976, "Processing of RI-angiocardiographic images"]
+// [Kuwahara et al. 1976, "Processing of RI-angiocardiographic images"] - the four windows
 precision highp float;  // a small variance is the difference of large sums
 
 uniform mediump sampler2D ao;

@@ -13,7 +13,7 @@
 // Things that move by themselves have no history where they come to and leave none where they were, as far
 // as their depth tells; HISTORY_CLAMP keeps the rest inside what this frame sees around the pixel.
 // [Nehab et al. 2007, "Accelerating Real-Time Shading with Reverse Reprojection Caching"]
-// [Karis 2014, "High Quality Temporal Supersampling" - the clamp]
+// [Karis 2014, "High Quality Temporal Supersampling" - the clamp to the range of 3x3 pixels]
 precision highp float;  // points and depths
 
 #define SURFACE_WITHOUT_NORMAL
@@ -37,8 +37,9 @@ layout(location = 1) out vec4 ao_depth;
 const float kMostFrames = 255.0;
 const vec3 kDigits = vec3(1.0, 255.0, 65025.0);  // 24 bits of a number in three of 8
 
-// View z to and from three digits. Finest near the camera: one in ten thousand of a radius at a hundred
-// of them away, a tenth at a thousand, where a radius is less than a pixel.
+// View z to and from three digits. Finest near the camera: a thousandth of a radius at a hundred of them
+// away, a tenth at a thousand, where a radius is less than a pixel. The curve, 1 / (1 + radii), is ours.
+// [Pranckevicius 2009, "Encoding Floats to RGBA - the Final?" - the digits]
 vec3 digitsOf(float z)
 {
     float radii = z / max(radius, 1e-30);
@@ -86,7 +87,7 @@ vec2 historyOf(vec3 point)
         float weight = abs(zOf(was.rgb) - z) < history_cut * radius ? share.x * share.y : 0.0;
         sum += weight * vec3(texelFetch(ao_filtered_history, at, 0).r, was.a, 1.0);
     }
-    // A sliver of a texel is no history.
+    // A sliver of a texel is no history: under 5 % of the bilinear weights, by choice.
     return sum.z > 0.05 ? sum.xy / sum.z * vec2(1.0, kMostFrames) : vec2(0.0);
 }
 
@@ -118,7 +119,7 @@ void main()
         history.x = clamp(history.x, range.x, range.y);
     }
 #endif
-    // At first each frame counts alike.
+    // At first each frame counts alike; then the mean is exponential, over 1 / (1 - history_weight) frames.
     float weight = min(frames / (frames + 1.0), history_weight);
     ao_filtered = frames > 0.0 ? mix(now, history.x, weight) : now;
     ao_depth = vec4(known ? digitsOf(point.z) : vec3(0.0),

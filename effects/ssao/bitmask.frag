@@ -10,7 +10,9 @@
 //   depth_second_back  with both: the back faces that end them
 //   ao                 visibility, 1 open .. 0 blocked; 1 in the background
 //
-// [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"]
+// [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
+// of equal angle. Slices are those of ssao/slice.glsl. That taps join, and that each is clipped to the radius, is ours.
+// Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/methods/bitmask.md says how to measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
 
@@ -52,6 +54,7 @@ struct Trail {
     bool inside;   // whether its front is within the radius
 };
 
+// Both ends are rounded: 0.0459 and 0.0250. Rounded down and up, about as in the authors' code, 0.0469 and 0.0256.
 uint maskOf(float first, float last)
 {
     uint from = uint(min(first, last) + 0.5);
@@ -61,6 +64,7 @@ uint maskOf(float first, float last)
     return below_to & ~below_from;
 }
 
+// [Anderson 2005, "Bit Twiddling Hacks" - counting bits set, in parallel]
 float countOf(uint mask)
 {
     uint pairs = mask - ((mask >> 1u) & 0x55555555u);
@@ -74,7 +78,8 @@ float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
 }
 
 // Whether what lies between two neighbouring taps is filled: it is at most as large in depth as the nearer of
-// them is deep, times `bridge` and the spacing of the taps, and at most kWidest radii, each times `chance`.
+// them is deep, times `bridge` and the spacing of the taps, and at most kWidest radii, each times `chance`. With wide
+// bridges, as in `balanced`, 0.0457 and 0.0343; with kWidest 1 0.0519 and 0.0294, with 3 0.0442 and 0.0400.
 bool isJoined(Trail trail, float front, float deep, float chance)
 {
     const float kWidest = 1.5;
@@ -93,7 +98,7 @@ uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, fl
     float front = -dot(offset, march.to_camera);
     bool joined = isJoined(trail, front, deep, chance);
 
-    // The ray is within the radius from -along - root to root - along.
+    // The ray is within the radius from -along - root to root - along: |offset + s away| = radius, solved for s.
     float along = dot(offset, away);
     float reached = length(offset);
     float square = along * along + (radius - reached) * (radius + reached);

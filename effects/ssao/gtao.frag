@@ -9,7 +9,8 @@
 // Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count;
 // where the surface leaves the radius between two taps, the place where it does is interpolated, without
 // which few taps see too low a horizon.
-// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]
+// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
+// is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/march.glsl for its figures.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
@@ -25,7 +26,7 @@ layout(location = 0) out float ao;
 layout(location = 1) out vec4 bent_normal;
 #endif
 
-// Cosine of the horizon of one side.
+// Cosine of the horizon of one side. [Jimenez et al. 2016: lines 17 to 26 of algorithm 1]
 float horizonOf(March march, Slice slice, Side side, float sign)
 {
     vec3 outwards = outward(march, slice, sign);

@@ -7,14 +7,15 @@
 //   THIN_OCCLUDERS  skip: distance counts in space, so that light passes behind what stands far in front;
 //                   count: distance counts across the view ray, as if everything went on behind
 //
-// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"]
+// [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"] - the integral of sin h - sin t, of elevations
+// over the screen; here angles count from the camera, so that sines are cosines. [SCS Software] - skip or count.
 
 #include "ssao/march.glsl"
 
 uniform highp float angle_bias;
 uniform highp float falloff;
 
-// How much a tap counts, 0..1.
+// How much a tap counts, 0..1. 1 - d^2 / R^2 with falloff 1, as in NVIDIA's sample gl_ssao.
 highp float weightOf(March march, highp vec3 offset)
 {
 #if THIN_OCCLUDERS == THIN_OCCLUDERS_COUNT

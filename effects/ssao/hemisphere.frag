@@ -14,7 +14,8 @@
 //   direct          linear colour that surfaces reflect
 //   indirect        linear colour that the point gets from them
 //
-// [Filion, McNaughton 2008, "StarCraft II: Effects & Techniques"; Chapman 2013, "SSAO Tutorial"]
+// [Filion, McNaughton 2008, "StarCraft II: Effects & Techniques"; Chapman 2013, "SSAO Tutorial"] - the occluded share
+// of offsets. [LearnOpenGL, "SSAO"] - the bias. [Habr, "Normal-oriented Hemisphere SSAO"] - the lifted point.
 // [Ritschel, Grosch, Seidel 2009, "Approximating Dynamic Global Illumination in Image Space" - the bounce]
 precision highp float;  // positions and depths; mediump bands
 
@@ -41,13 +42,16 @@ layout(location = 0) out float ao;
 #ifdef WITH_BOUNCE
 layout(location = 1) out vec4 indirect;
 
-// What the surface seen at `at` reflects, if it faces the point.
+// What the surface seen at `at` reflects, if it faces the point. The authors also weigh it by the cosines at both ends
+// over the squared distance, which has no bound in creases; here it counts as the direction that it blocks.
 vec3 reflectedFrom(vec2 at, vec3 seen, vec3 point)
 {
     return dot(normalAt(at), point - seen) > 0.0 ? texture(direct, at).rgb : vec3(0.0);
 }
 #endif
 
+// [Chapman, "Delving into SSAO": his prose raises the occlusion to a power, his code the visibility]
+// [Lettier, "3D Game Shaders for Beginners" - the contrast]
 float shown(float occlusion)
 {
 #if POWER_OF == POWER_OF_OCCLUSION

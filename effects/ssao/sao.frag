@@ -7,7 +7,8 @@
 //   ao       visibility, 1 open .. 0 blocked; 1 in the background
 //   CURVE    how a tap's weight falls: soft, or steep, which is dark in creases and light elsewhere
 //
-// Weights are the authors' own, with lengths counted in radii where they have metres.
+// Spiral and weights are the authors' own, with lengths counted in radii where they have metres; their half step of
+// the spiral is noise here. Variants B and C are those of the shader that they published with the paper.
 // [McGuire, Mara, Luebke 2012, "Scalable Ambient Obscurance"]
 precision highp float;  // positions and depths; mediump bands
 
@@ -26,15 +27,17 @@ layout(location = 0) out float ao;
 const float kWhole = 6.28318531;  // of a turn, in radians
 
 #if CURVE == CURVE_STEEP
-// Keeps a tap at the point itself from counting without end; a share of the radius squared.
+// Keeps a tap at the point itself from counting without end; a share of the radius squared. The authors' epsilon.
 const float kNearest = 0.01;
 
+// Variant B, which they recommend, and the factor 5 of their sum.
 float weightOf(float height, float distance2)
 {
     float inside = max(1.0 - distance2, 0.0);
     return 5.0 * inside * inside * inside * max(height, 0.0) / (distance2 + kNearest);
 }
 #else
+// Variant C, for large radii, without that factor: rmse in the room, power 1, 0.176; with it 0.229.
 float weightOf(float height, float distance2)
 {
     return 4.0 * max(1.0 - distance2, 0.0) * max(height, 0.0);

@@ -15,7 +15,8 @@ uniform highp sampler2D depth_levels;
 uniform highp float near_taps;
 
 // The point that the tap at `at` of the pixel at `from` sees, false in the background; `at` becomes the uv of that
-// point.
+// point. The level is the logarithm of the distance, less that of `near_taps`: 16 pixels, where the authors have 2^3.
+// [McGuire, Mara, Luebke 2012, "Scalable Ambient Obscurance"]
 bool seenAt(highp vec2 from, inout highp vec2 at, out highp vec3 point)
 {
     highp ivec2 size = textureSize(depth_levels, 0);

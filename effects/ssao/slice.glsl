@@ -5,7 +5,9 @@
 // An angle on a side counts from the direction to the camera and is given by its cosine. Of the light that
 // a cosine-weighted hemisphere gets, angle t of a side brings cos(t - n) sin t dt, where n is the angle
 // of the normal within the slice; `lightUpTo` is its integral.
-// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]
+//
+// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]. Lines are those of its
+// algorithm 1, as XeGTAO counts them.
 
 #include "common/angles.glsl"
 
@@ -22,7 +24,8 @@ highp float lastCosine(Side side)
     return -side.sin_n;
 }
 
-// The light from angle 0 up to that of cosine `c`, at most up to the end of the side.
+// The light from angle 0 up to that of cosine `c`, at most up to the end of the side. Line 27: with t the angle,
+// (cos n - cos(2 t - n) + 2 t sin n) / 4, here without sines of sums.
 highp float lightUpTo(Side side, highp float c)
 {
     highp float kept = clamp(c, lastCosine(side), 1.0);
@@ -31,7 +34,7 @@ highp float lightUpTo(Side side, highp float c)
 }
 
 // The light's direction up to the angle of cosine `c`, not normalised: towards the camera, and along the
-// side.
+// side. The paper's algorithm 2, one side of it, here as powers of sine and cosine.
 highp vec2 openDirection(Side side, highp float c)
 {
     highp float s = sqrt(max(1.0 - c * c, 0.0));
@@ -45,7 +48,8 @@ highp vec2 openDirection(Side side, highp float c)
 // normal, `leads` whether it lies on this side of the normal.
 //
 // A texel's centre lies somewhat off the slice, and on a surface seen at a grazing angle its angle to the
-// camera may then say that it stands high above that surface. Its rise tells that it does not.
+// camera may then say that it stands high above that surface. Its rise tells that it does not. Ours: planes are open
+// at every angle. The paper takes the angle to the camera, lines 23 and 24.
 highp float cosineOfRise(Side side, highp float rise, bool leads)
 {
     highp float up = clamp(rise / side.tilt, 0.0, 1.0);

@@ -8,7 +8,8 @@
 //   rotation_noise  a tile of unit vectors, one rotation about the view axis a pixel; where ROTATE is 1
 //   ao              visibility, 1 open .. 0 blocked; 1 in the background
 //
-// [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45]
+// [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45] - the occluded share of offsets. That
+// offsets off the screen do not count, either way, is ours.
 precision highp float;  // positions and depths; mediump bands
 
 #define SURFACE_WITHOUT_NORMAL
