@@ -8,7 +8,7 @@ cd -- "$1"
 failures=0
 fail() { printf 'FAILED: %s\n' "$1"; failures=$((failures + 1)); }
 
-pages=(README.md configs/README.md effects/README.md docs/*.md docs/methods/*.md)
+pages=(README.md CONTRIBUTING.md configs/README.md effects/README.md docs/*.md docs/methods/*.md)
 methods=()
 for page in docs/methods/*.md; do [[ $page == */README.md ]] || methods+=("$page"); done
 
