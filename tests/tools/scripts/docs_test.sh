@@ -21,6 +21,11 @@ for page in "${pages[@]}"; do
     done
 done
 
+# Files and folders that the recipes name in `code`, but for those that a contributor adds.
+for path in $(grep -oE '`(core|backends|effects|configs|tools|tests|docs)/[a-z_/.]+`' CONTRIBUTING.md | tr -d '`'); do
+    [[ -e $path ]] || fail "CONTRIBUTING.md: there is no '$path'"
+done
+
 for page in "${methods[@]}"; do
     grep -q '^pictures/.*\.png$' <<<"$(links_of "$page")" || fail "$page: has no picture"
     grep -qE '^    (for|crevice|tools/)|`tools/[a-z_/]+\.sh`' "$page" || fail "$page: names no command"
