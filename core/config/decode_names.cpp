@@ -103,8 +103,8 @@ void checkTaken(const Node& document, const Description& description, const Take
         const std::string pointer = param->pointer + "/default";
         const Node& value = *locate(document, pointer).node;
         Diagnostic& error =
-            report.at({"", value.place, pointer, value.origins()}, Code::out_of_range,
-                      name.name + " default " + value.text() + " is outside [" + numberText(taker.min) +
+            report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
+                      name.name + " default " + value.text + " is outside [" + numberText(taker.min) +
                           ", " + numberText(taker.max) + "], the " + taker.number + "s that " +
                           taker.what + " may have");
         error.notes.push_back({name.place, "the " + taker.number + " is taken from it here"});
@@ -125,8 +125,8 @@ void checkCount(const Node& document, const Description& description,
     if (generated.count <= limit) return;
     const std::string pointer = generated.pointer + "/count";
     const Node& value = *locate(document, pointer).node;
-    report.at({"", value.place, pointer, value.origins()}, Code::out_of_range,
-              generated.name + " count " + value.text() + " is outside [1, " +
+    report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
+              generated.name + " count " + value.text + " is outside [1, " +
                   std::to_string(limit) + "], the sides that a noise may have")
         .help = "4 suits a 4x4 filter; larger noises need larger filters";
 }
@@ -191,17 +191,17 @@ void blameBound(const Node& document, const ParamDesc& param, Report& report)
     if (!error || error->code != Code::out_of_range) return;
     const Node& value = *locate(document, error->pointer).node;
     const Node& whole = *locate(document, param.pointer + "/default").node;
-    const std::string key = value.number() < param.min ? "min" : "max";
+    const std::string key = value.number < param.min ? "min" : "max";
     const Node* bound = locate(document, param.pointer + "/" + key).node;
-    if (!bound || bound->origins().size() <= whole.origins().size()) return;
+    if (!bound || bound->origins.size() <= whole.origins.size()) return;
     const char* side = key == "min" ? "above" : "below";
     error->code = Code::bad_range;
-    error->message = param.name + ": '" + key + "' " + bound->text() + " is " + side +
-                     " the default " + value.text();
+    error->message = param.name + ": '" + key + "' " + bound->text + " is " + side +
+                     " the default " + value.text;
     error->place = bound->place;
     error->pointer = param.pointer + "/" + key;
     error->notes = {{value.place, "the default is here"}};
-    error->help = "change the default as well, or write " + value.text();
+    error->help = "change the default as well, or write " + value.text;
 }
 
 }  // namespace

@@ -118,14 +118,14 @@ bool isName(std::string_view name)
 Place lastPlace(const Node& object)
 {
     Place place = object.place;
-    for (const Member& member : object.members())
+    for (const Member& member : object.members)
         if (member.value.place.source != object.place.source) place = member.value.place;
     return place;
 }
 
 Place placeOf(const Cursor& object, std::string_view member)
 {
-    for (const Member& each : object.node.members())
+    for (const Member& each : object.node.members)
         if (each.key == member) return each.value.place;
     return object.key_place;
 }
@@ -172,7 +172,7 @@ bool Reader::finish()
 void Reader::reportUnknown()
 {
     if (cursor_.pointer.empty()) keys_.insert(keys_.end(), {"extends", "variants"});
-    for (const Member& member : cursor_.node.members()) {
+    for (const Member& member : cursor_.node.members) {
         const bool known = std::find(keys_.begin(), keys_.end(), member.key) != keys_.end();
         if (known || isExtension(member.key)) continue;
         std::string help = suggestWord(member.key, keys_, "keys");
@@ -195,7 +195,7 @@ void Reader::reportMissing(const Missing& missing)
     const std::string message =
         where + " has no '" + missing.key + "', which must be there";
     const std::string help = std::string("add \"") + missing.key + "\": " + missing.doc;
-    for (const Member& deleted : cursor_.node.deleted()) {
+    for (const Member& deleted : cursor_.node.deleted) {
         if (deleted.key != missing.key) continue;
         report_.atKey(cursor_.child(deleted), Code::missing_key, message).help =
             "give it a value instead of null, or leave it as it was";
@@ -206,7 +206,7 @@ void Reader::reportMissing(const Missing& missing)
 
 const Member* Reader::find(std::string_view key) const
 {
-    for (const Member& member : cursor_.node.members())
+    for (const Member& member : cursor_.node.members)
         if (member.key == key) return &member;
     return nullptr;
 }

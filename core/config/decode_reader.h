@@ -141,7 +141,7 @@ template <class T>
 bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&)
 {
     if (!expectObject(report, cursor)) return false;
-    for (const Member& member : cursor.node.members()) {
+    for (const Member& member : cursor.node.members) {
         if (isExtension(member.key)) continue;
         const Cursor child = cursor.child(member);
         setKey(report, child, out.emplace_back());

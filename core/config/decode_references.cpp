@@ -147,7 +147,7 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
 Diagnostic& Checker::atPointer(const std::string& pointer, Code code, std::string message)
 {
     const Node& node = *locate(document_, pointer).node;
-    return report_.at({"", node.place, pointer, node.origins()}, code, std::move(message));
+    return report_.at({"", node.place, pointer, node.origins}, code, std::move(message));
 }
 
 void Checker::checkPass(const PassDesc& pass)
@@ -302,11 +302,11 @@ void checkReferences(const Node& document, const SourceSet& sources,
 std::vector<Named> deletedNames(const Node& document)
 {
     std::vector<Named> names;
-    for (const Member& section : document.deleted())
+    for (const Member& section : document.deleted)
         names.push_back({section.key, section.key_place, memberPointer("", section.key)});
-    for (const Member& section : document.members()) {
+    for (const Member& section : document.members) {
         const std::string pointer = memberPointer("", section.key);
-        for (const Member& each : section.value.deleted())
+        for (const Member& each : section.value.deleted)
             names.push_back({each.key, each.key_place, memberPointer(pointer, each.key)});
     }
     return names;
@@ -320,9 +320,9 @@ bool contains(const std::vector<std::string>& names, std::string_view name)
 std::vector<std::string> strayNames(const Node& document, const Report& report)
 {
     std::vector<std::string> names;
-    for (const Member& section : document.members()) {
+    for (const Member& section : document.members) {
         if (!report.errorAt(memberPointer("", section.key))) continue;
-        for (const Member& member : section.value.members()) names.push_back(member.key);
+        for (const Member& member : section.value.members) names.push_back(member.key);
     }
     return names;
 }

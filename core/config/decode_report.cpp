@@ -21,10 +21,10 @@ std::vector<Note> notesOf(const std::vector<Place>& origins)
 // The child of that key, or of that index where the parent is a list.
 const Node* childAt(const Node& parent, const std::string& key, std::size_t& index)
 {
-    for (index = 0; index < parent.members().size(); ++index)
-        if (parent.members()[index].key == key) return &parent.members()[index].value;
-    for (index = 0; index < parent.items().size(); ++index)
-        if (std::to_string(index) == key) return &parent.items()[index];
+    for (index = 0; index < parent.members.size(); ++index)
+        if (parent.members[index].key == key) return &parent.members[index].value;
+    for (index = 0; index < parent.items.size(); ++index)
+        if (std::to_string(index) == key) return &parent.items[index];
     return nullptr;
 }
 
@@ -48,12 +48,12 @@ Cursor Cursor::child(const Member& member) const
 
 Cursor Cursor::item(std::size_t index) const
 {
-    return {node.items()[index], pointer + "/" + std::to_string(index), key_place, key, label, doc};
+    return {node.items[index], pointer + "/" + std::to_string(index), key_place, key, label, doc};
 }
 
 Reference Cursor::reference(std::string name) const
 {
-    return {std::move(name), node.place, pointer, node.origins()};
+    return {std::move(name), node.place, pointer, node.origins};
 }
 
 Reference Cursor::keyReference() const
@@ -64,7 +64,7 @@ Reference Cursor::keyReference() const
 Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message)
 {
     return add({code, std::move(message), cursor.node.place, cursor.pointer,
-                notesOf(cursor.node.origins()), cursor.doc});
+                notesOf(cursor.node.origins), cursor.doc});
 }
 
 Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message)

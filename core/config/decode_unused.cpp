@@ -20,7 +20,7 @@ namespace {
 class UseChecker {
 public:
     UseChecker(const Node& document, const Description& description)
-        : root_(document.place.source), patched_(!document.origins().empty()),
+        : root_(document.place.source), patched_(!document.origins.empty()),
           description_(description) {}
 
     Diagnostics run()

@@ -52,24 +52,24 @@ bool isNumber(std::string_view text)
 // What to write for a value where a number is wanted.
 std::string asNumber(const Node& node, bool whole)
 {
-    if (node.kind == Node::Kind::string && isNumber(node.text()))
-        return "write it without quotes: " + node.text();
-    std::string pointed = node.kind == Node::Kind::string ? node.text() : "";
+    if (node.kind == Node::Kind::string && isNumber(node.text))
+        return "write it without quotes: " + node.text;
+    std::string pointed = node.kind == Node::Kind::string ? node.text : "";
     std::replace(pointed.begin(), pointed.end(), ',', '.');
     if (isNumber(pointed)) return "write it without quotes and with a point: " + pointed;
-    if (node.kind == Node::Kind::array && node.items().size() == 1)
-        return "write it without brackets: " + brief(node.items()[0]);
+    if (node.kind == Node::Kind::array && node.items.size() == 1)
+        return "write it without brackets: " + brief(node.items[0]);
     const bool fraction = node.kind == Node::Kind::number && whole;
-    return fraction ? "write " + numberText(std::round(node.number())) : "";
+    return fraction ? "write " + numberText(std::round(node.number)) : "";
 }
 
 // What to write for a value where true or false is wanted.
 std::string asFlag(const Node& node)
 {
-    if (const std::string text = node.text(); text == "true" || text == "false")
+    if (const std::string text = node.text; text == "true" || text == "false")
         return "write it without quotes: " + text;
-    if (node.kind == Node::Kind::number && (node.number() == 0 || node.number() == 1))
-        return node.number() == 0 ? "write false" : "write true";
+    if (node.kind == Node::Kind::number && (node.number == 0 || node.number == 1))
+        return node.number == 0 ? "write false" : "write true";
     return "write true or false";
 }
 
@@ -77,8 +77,8 @@ std::string asFlag(const Node& node)
 std::string asText(const Node& node)
 {
     const Node* inner = nullptr;
-    if (node.items().size() == 1) inner = &node.items()[0];
-    if (node.members().size() == 1) inner = &node.members()[0].value;
+    if (node.items.size() == 1) inner = &node.items[0];
+    if (node.members.size() == 1) inner = &node.members[0].value;
     return inner && inner->kind == Node::Kind::string ? "write " + brief(*inner) + " alone" : "";
 }
 
@@ -87,7 +87,7 @@ std::string asNumbers(const Node& node, int count)
 {
     const bool number = node.kind == Node::Kind::number;
     std::string list;
-    for (int i = 0; i < count; ++i) list += (i > 0 ? ", " : "") + (number ? node.text() : "0.5");
+    for (int i = 0; i < count; ++i) list += (i > 0 ? ", " : "") + (number ? node.text : "0.5");
     return "write a list such as [" + list + "]";
 }
 
@@ -112,20 +112,20 @@ bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted
 {
     report.atValue(cursor, Code::bad_length,
                    cursor.label + ": found a list of " +
-                       std::to_string(cursor.node.items().size()) + ", wanted " + wanted);
+                       std::to_string(cursor.node.items.size()) + ", wanted " + wanted);
     return false;
 }
 
 bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
 {
-    if (cursor.node.number() >= rule.min && cursor.node.number() <= rule.max) return true;
+    if (cursor.node.number >= rule.min && cursor.node.number <= rule.max) return true;
     const bool plain = rule.unit.empty() || rule.unit == "1";
     report.atValue(cursor, Code::out_of_range,
-                   cursor.label + " " + cursor.node.text() + " is outside [" +
+                   cursor.label + " " + cursor.node.text + " is outside [" +
                        numberText(rule.min) + ", " + numberText(rule.max) + "]" +
                        (plain ? "" : " " + std::string(rule.unit)))
         .help = "the nearest that is allowed is " +
-                numberText(std::min(std::max(cursor.node.number(), rule.min), rule.max));
+                numberText(std::min(std::max(cursor.node.number, rule.min), rule.max));
     return false;
 }
 
@@ -134,7 +134,7 @@ bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, dou
                 double most)
 {
     const Node& node = cursor.node;
-    const bool fraction = whole && node.text().find_first_of(".eE") != std::string::npos;
+    const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
     if (node.kind != Node::Kind::number || fraction)
         return wrongType(report, cursor, whole ? "a whole number" : "a number",
                          asNumber(node, whole));
@@ -148,7 +148,7 @@ bool readWhole(Report& report, const Cursor& cursor, T& out, const Rule& rule, d
                double most)
 {
     if (!readNumber(report, cursor, true, rule, least, most)) return false;
-    out = static_cast<T>(cursor.node.number());
+    out = static_cast<T>(cursor.node.number);
     return true;
 }
 
@@ -157,9 +157,9 @@ template <class F>
 bool forEachItem(Report& report, const Cursor& cursor, F each)
 {
     if (cursor.node.kind != Node::Kind::array) return each(cursor);
-    if (cursor.node.items().empty()) return wrongLength(report, cursor, "at least one entry");
+    if (cursor.node.items.empty()) return wrongLength(report, cursor, "at least one entry");
     bool good = true;
-    for (std::size_t i = 0; i < cursor.node.items().size(); ++i) good &= each(cursor.item(i));
+    for (std::size_t i = 0; i < cursor.node.items.size(); ++i) good &= each(cursor.item(i));
     return good;
 }
 
@@ -187,14 +187,14 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
 {
     if (cursor.node.kind != Node::Kind::string)
         return wrongType(report, cursor, "a string",
-                         suggestName(cursor.node.text(), words, "allowed"));
-    const auto word = std::find(words.begin(), words.end(), cursor.node.text());
+                         suggestName(cursor.node.text, words, "allowed"));
+    const auto word = std::find(words.begin(), words.end(), cursor.node.text);
     index = static_cast<std::size_t>(word - words.begin());
     if (word != words.end()) return true;
     report.atValue(cursor, Code::bad_enum,
                    cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
                        std::to_string(words.size()) + " allowed words")
-        .help = suggestWord(cursor.node.text(), words, "allowed");
+        .help = suggestWord(cursor.node.text, words, "allowed");
     return false;
 }
 
@@ -202,7 +202,7 @@ bool read(Report& report, const Cursor& cursor, bool& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::boolean)
         return wrongType(report, cursor, "true or false", asFlag(cursor.node));
-    out = cursor.node.boolean();
+    out = cursor.node.boolean;
     return true;
 }
 
@@ -219,14 +219,14 @@ bool read(Report& report, const Cursor& cursor, unsigned& out, const Rule& rule)
 bool read(Report& report, const Cursor& cursor, float& out, const Rule& rule)
 {
     if (!readNumber(report, cursor, false, rule, -FLT_MAX, FLT_MAX)) return false;
-    out = static_cast<float>(cursor.node.number());
+    out = static_cast<float>(cursor.node.number);
     return true;
 }
 
 bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
 {
     if (!readNumber(report, cursor, false, rule, rule.min, rule.max)) return false;
-    out = cursor.node.number();
+    out = cursor.node.number;
     return true;
 }
 
@@ -236,7 +236,7 @@ bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
     if (cursor.node.kind != Node::Kind::string)
         return wrongType(report, cursor, "a string",
                          isScalar(cursor.node) ? quoted : asText(cursor.node));
-    out = cursor.node.text();
+    out = cursor.node.text;
     return true;
 }
 
@@ -244,13 +244,13 @@ bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::string)
         return wrongType(report, cursor, "a name", asText(cursor.node));
-    out = cursor.reference(cursor.node.text());
+    out = cursor.reference(cursor.node.text);
     return true;
 }
 
 bool read(Report& report, const Cursor& cursor, std::vector<Reference>& out, const Rule& rule)
 {
-    if (cursor.node.kind == Node::Kind::array && cursor.node.items().empty()) return true;
+    if (cursor.node.kind == Node::Kind::array && cursor.node.items.empty()) return true;
     return forEachItem(report, cursor, [&](const Cursor& item) {
         return read(report, item, out.emplace_back(), rule);
     });
@@ -271,7 +271,7 @@ bool read(Report& report, const Cursor& cursor, std::map<std::string, std::strin
           const Rule&)
 {
     if (!expectObject(report, cursor)) return false;
-    for (const Member& member : cursor.node.members()) {
+    for (const Member& member : cursor.node.members) {
         const Cursor child = cursor.child(member);
         if (isExtension(member.key)) continue;
         if (!isMacroName(member.key))
@@ -280,7 +280,7 @@ bool read(Report& report, const Cursor& cursor, std::map<std::string, std::strin
                 .help = "write letters, digits and '_', no '__' and no 'GL_' in front";
         if (!isScalar(member.value)) wrongType(report, child, "a number, boolean or string");
         const bool boolean = member.value.kind == Node::Kind::boolean;
-        out[member.key] = boolean ? (member.value.boolean() ? "1" : "0") : member.value.text();
+        out[member.key] = boolean ? (member.value.boolean ? "1" : "0") : member.value.text;
     }
     return true;
 }
@@ -290,7 +290,7 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
     const double most = out.whole ? kMaxWholeParam : kMaxParam;
     const auto one = [&](const Cursor& item, float& value) {
         if (!readNumber(report, item, out.whole, rule, -most, most)) return false;
-        value = static_cast<float>(item.node.number());
+        value = static_cast<float>(item.node.number);
         return true;
     };
     if (out.count == 0) return true;  // its type is broken, which has been said
@@ -299,10 +299,10 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
     if (cursor.node.kind != Node::Kind::array)
         return wrongType(report, cursor, "a list of " + wanted,
                          asNumbers(cursor.node, out.count));
-    if (cursor.node.items().size() != static_cast<std::size_t>(out.count))
+    if (cursor.node.items.size() != static_cast<std::size_t>(out.count))
         return wrongLength(report, cursor, wanted);
     bool good = true;
-    for (std::size_t i = 0; i < cursor.node.items().size(); ++i) {
+    for (std::size_t i = 0; i < cursor.node.items.size(); ++i) {
         if (one(cursor.item(i), out.values[i])) continue;
         report.sameMistake("numbers of " + cursor.pointer);
         good = false;
@@ -324,9 +324,9 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::array)
         return wrongType(report, cursor, "a list", "write a list such as [\"off\", \"on\"]");
-    if (cursor.node.items().size() < 2) return wrongLength(report, cursor, "at least two words");
+    if (cursor.node.items.size() < 2) return wrongLength(report, cursor, "at least two words");
     const auto one = [&](const Cursor& item) {
-        const std::string& word = out.words.emplace_back(item.node.text());
+        const std::string& word = out.words.emplace_back(item.node.text);
         if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
         if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
             report.atValue(item, Code::bad_name,
@@ -366,7 +366,7 @@ bool read(Report& report, const Cursor& cursor, Scalars out, const Rule&)
     return forEachItem(report, cursor, [&](const Cursor& item) {
         if (!isScalar(item.node)) return wrongType(report, item, "a boolean, number or string");
         const bool boolean = item.node.kind == Node::Kind::boolean;
-        out.texts.push_back(!boolean ? item.node.text() : item.node.boolean() ? "true" : "false");
+        out.texts.push_back(!boolean ? item.node.text : item.node.boolean ? "true" : "false");
         return true;
     });
 }

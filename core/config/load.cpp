@@ -98,7 +98,7 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
 std::optional<Node> takeMember(Node& object, std::string_view key)
 {
     if (!object.find(key)) return std::nullopt;
-    std::vector<Member>& members = object.change().members;
+    std::vector<Member>& members = object.members;
     const auto at = std::find_if(members.begin(), members.end(),
                                  [&](const Member& member) { return member.key == key; });
     Node value = std::move(at->value);
@@ -123,7 +123,7 @@ bool changes(const std::string& override, const std::string& key)
 // Variants are taken out of each file, so one that is still there was laid over the config.
 void checkVariantsGone(const Node& document, Diagnostics& errors)
 {
-    for (const Member& member : document.members())
+    for (const Member& member : document.members)
         if (member.key == "variants")
             errors.push_back({Code::unknown_key,
                               "found 'variants' in a variant or an override", member.key_place,
@@ -135,7 +135,7 @@ void checkVariantsGone(const Node& document, Diagnostics& errors)
 void checkNamed(const Node& document, Diagnostics& errors)
 {
     if (document.find("name")) return;
-    for (const Member& deleted : document.deleted())
+    for (const Member& deleted : document.deleted)
         if (deleted.key == "name")
             errors.push_back(wrongType(deleted.value, "a name", "/name",
                                        "write a name, or leave the key out to keep that of 'extends'"));
@@ -247,12 +247,12 @@ std::optional<std::string> madeByBoth(const Node& one, const Node& other)
     for (const char* list : {"interfaces", "shaders"}) {
         const Node* made = one.find(list);
         if (!made) continue;
-        for (const Member& member : made->members()) {
+        for (const Member& member : made->members) {
             const Node* mine = glslAt(one, list, member.key);
             const Node* theirs = glslAt(other, list, member.key);
             if (!mine || !theirs) continue;
             if (list[0] == 'i') return "interface '" + member.key + "'";
-            if (mine->text() != theirs->text()) return "shader '" + member.key + "'";
+            if (mine->text != theirs->text) return "shader '" + member.key + "'";
         }
     }
     return std::nullopt;
@@ -304,7 +304,7 @@ bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
 Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string& pointer) const
 {
     const SourceText& from = *entry.place.source;
-    const std::string& name = entry.text();
+    const std::string& name = entry.text;
     Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
                        entry.place, pointer};
     if (!isRelative(name)) {
@@ -349,7 +349,7 @@ FileLoader::Extends FileLoader::takeExtends(Node& document)
     if (!open_.empty()) return extends;
     Node holder;
     holder.kind = Node::Kind::object;
-    if (extends.list) holder.change().members.push_back({"extends", {}, std::move(*extends.list)});
+    if (extends.list) holder.members.push_back({"extends", {}, std::move(*extends.list)});
     for (const std::string& text : request_.overrides)
         if (changes(text, "extends"))
             append(errors, applyOverride(holder, text, rootsOf(request_)).diagnostics());
@@ -364,13 +364,13 @@ void FileLoader::loadExtended(const Extends& extends)
     if (list.kind != Node::Kind::array) {
         errors.push_back(wrongType(list, "a list of names", extends.pointer,
                                    list.kind == Node::Kind::string
-                                       ? "put it in brackets: [" + jsonString(list.text()) + "]"
+                                       ? "put it in brackets: [" + jsonString(list.text) + "]"
                                        : "write [\"folder/module\", ...]"));
         return;
     }
-    for (const Node& entry : list.items()) {
+    for (const Node& entry : list.items) {
         const std::string pointer =
-            extends.pointer + "/" + std::to_string(&entry - list.items().data());
+            extends.pointer + "/" + std::to_string(&entry - list.items.data());
         if (entry.kind != Node::Kind::string) {
             errors.push_back(wrongType(entry, "a name", pointer,
                                        "write the name of a module or config in double quotes"));
@@ -392,17 +392,17 @@ void FileLoader::loadExtended(const Extends& extends)
 void FileLoader::checkFormat(const Node& document)
 {
     const Node* format = document.find("format");
-    if (format && format->integer() && format->number() == 1) return;
+    if (format && format->integer() && format->number == 1) return;
     Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted", document.place,
                      "/format", {}, "begin the file with \"format\": 1"};
     if (format) {
         error.message = "found format " + brief(*format) + " where 1 was wanted";
         error.place = format->place;
         error.help = "this library reads format 1";
-        if (format->number() > 1) error.help += "; update crevice";
-        if (format->number() == 1 || format->text() == "1") error.help = "write \"format\": 1";
+        if (format->number > 1) error.help += "; update crevice";
+        if (format->number == 1 || format->text == "1") error.help = "write \"format\": 1";
     }
-    for (const Member& member : document.members()) {
+    for (const Member& member : document.members) {
         const bool near = startsWith(suggestName(member.key, {"format"}, "keys"), "did you mean");
         if (format || !near) continue;
         error.place = member.key_place;
@@ -417,7 +417,7 @@ void FileLoader::checkKeys(const Node& document)
 {
     static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit",
                                                  "inherits"};
-    for (const Member& member : document.members()) {
+    for (const Member& member : document.members) {
         std::string help = suggestName(member.key, {"extends"}, "keys");
         const bool near = startsWith(help, "did you mean") && member.key != "extends";
         if (!near && kMeant.count(member.key) == 0) continue;
@@ -435,7 +435,7 @@ void FileLoader::takeVariants(Node& document)
     if (taken->kind != Node::Kind::object)
         errors.push_back(wrongType(*taken, "an object of variants", "/variants",
                                    "write {\"name\": {what to change}, ...}"));
-    for (Member& variant : taken->change().members) {
+    for (Member& variant : taken->members) {
         takeMember(variant.value, "extends");
         if (variant.value.kind == Node::Kind::object)
             variants.push_back(std::move(variant));
@@ -486,7 +486,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     const auto changes_structure = [](const std::string& text) { return startsWith(text, "/"); };
     if (!request.variant.empty() ||
         std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
-        document.change().origins.push_back(document.place);
+        document.origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
         if (!changes(text, "extends"))

@@ -2,12 +2,12 @@
 // JSON text to a tree with places.
 #include "core/json/document.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/json/json_parser.h"
 #include "core/json/syntax.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace crevice {
 
@@ -15,66 +15,19 @@ namespace {
 
 using Json = nlohmann::json;
 
-// How many entries each object and array has, in the order of their opening brackets; for a broken
-// text any numbers. With the room made beforehand no tree is moved while it grows, which would cost
-// more than all the rest of reading it.
-std::vector<std::uint32_t> countEntries(std::string_view text)
-{
-    std::vector<std::uint32_t> counts;
-    std::vector<std::size_t> open;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const char c = text[at];
-        if (c == '"') {
-            for (++at; at < text.size() && text[at] != '"'; ++at)
-                if (text[at] == '\\') ++at;
-        } else if (c == '[' || c == '{') {
-            open.push_back(counts.size());
-            counts.push_back(1);
-        } else if (!open.empty() && (c == ']' || c == '}')) {
-            open.pop_back();
-        } else if (!open.empty() && c == ',') {
-            ++counts[open.back()];
-        }
-    }
-    return counts;
-}
-
-// The first eight bytes of a key as a number that is in the same order.
-std::uint64_t firstBytes(std::string_view key)
-{
-    std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < 8; ++i)
-        bytes = bytes << 8 | (i < key.size() ? static_cast<unsigned char>(key[i]) : 0u);
-    return bytes;
-}
-
-// A member by its key, and of equal keys by its place; few comparisons have to look at the member.
-struct SortedKey {
-    std::uint64_t first_bytes;
-    const Member* member;
-
-    bool operator<(const SortedKey& other) const
-    {
-        return std::tie(first_bytes, member->key, member) <
-               std::tie(other.first_bytes, other.member->key, other.member);
-    }
-};
-
 // Receives the events of nlohmann-json's parser and builds the tree. The events carry no position,
-// but they come in the order of the text: a cursor follows them from token to token. Values are read
-// again where somebody asks for them.
+// but they come in the order of the text: the builder goes with them from token to token.
 class TreeBuilder {
 public:
-    explicit TreeBuilder(const SourceRef& source)
-        : source_(source), text_(source->text), counts_(countEntries(text_)) {}
+    explicit TreeBuilder(const SourceRef& source) : source_(source), text_(source->text) { take(0); }
 
     // The names of these thirteen are the parser's.
-    bool null() { return addLeaf(Node::Kind::null); }
-    bool boolean(bool) { return addLeaf(Node::Kind::boolean); }
-    bool number_integer(std::int64_t) { return addLeaf(Node::Kind::number); }
-    bool number_unsigned(std::uint64_t) { return addLeaf(Node::Kind::number); }
-    bool number_float(double, const std::string&) { return addLeaf(Node::Kind::number); }
-    bool string(std::string&) { return addLeaf(Node::Kind::string); }
+    bool null() { return add(Node::Kind::null, 4); }
+    bool boolean(bool value);
+    bool number_integer(std::int64_t) { return number(); }
+    bool number_unsigned(std::uint64_t) { return number(); }
+    bool number_float(double, const std::string&) { return number(); }
+    bool string(std::string& value);
     bool binary(Json::binary_t&) { return false; }  // JSON text has none
     bool start_object(std::size_t) { return open(Node::Kind::object); }
     bool key(std::string& name);
@@ -83,133 +36,102 @@ public:
     bool end_array() { return close(); }
     bool parse_error(std::size_t, const std::string&, const Json::exception&);
 
-    // The tree, or every error found. Call once, when the parser is done.
-    Result<Node> finish();
+    // The tree, or every error found. `whole` is what the parser returned.
+    Result<Node> finish(bool whole);
 
 private:
-    void moveToToken();
-    std::size_t tokenLength() const;
     Place take(std::size_t length);
-    Node& add(Node::Kind kind, std::size_t length);
-    bool addLeaf(Node::Kind kind);
+    Node* add(Node::Kind kind, std::size_t length);
+    bool number();
     bool open(Node::Kind kind);
-    void reserve(Node& node);
     bool close();
     std::string pointer() const;
     void checkKeys();
 
     SourceRef source_;
     std::string_view text_;
-    std::vector<std::uint32_t> counts_;  // of the entries of what opens next, and then
-    std::size_t opened_ = 0;
-    std::size_t at_ = 0;  // behind the last token
+    std::size_t end_ = 0;  // behind the last token
+    std::size_t at_ = 0;   // of the token behind that
     std::size_t line_begin_ = 0;
     int line_ = 1;
     SyntaxStop::After after_ = SyntaxStop::After::nothing;
-    bool stopped_ = false;
     Node root_;
     std::vector<Node*> open_;  // outermost first; stable, as only the last of them grows
     Diagnostics errors_;
 };
 
-void TreeBuilder::moveToToken()
-{
-    for (; at_ < text_.size(); ++at_) {
-        const char c = text_[at_];
-        if (c == '\n') {
-            ++line_;
-            line_begin_ = at_ + 1;
-        } else if (c != ' ' && c != '\t' && c != '\r' && c != ',' && c != ':') {
-            return;
-        }
-    }
-}
-
-// Of a string, number or word, which the parser has found to be one.
-std::size_t TreeBuilder::tokenLength() const
-{
-    switch (text_[at_]) {
-    case 't':
-    case 'n': return 4;
-    case 'f': return 5;
-    case '"': break;
-    default: return numberLength(text_, at_);
-    }
-    std::size_t end = at_ + 1;
-    while (text_[end] != '"') end += text_[end] == '\\' ? 2 : 1;
-    return end + 1 - at_;
-}
-
+// The place of the token, from which it moves to the next one.
 Place TreeBuilder::take(std::size_t length)
 {
     const Place place{source_, line_, static_cast<int>(at_ - line_begin_) + 1,
                       static_cast<int>(length)};
-    at_ += length;
+    end_ = at_ + length;
+    at_ = std::min(text_.find_first_not_of(" \t\r\n,:", end_), text_.size());
+    for (std::size_t i = end_; i < at_; ++i)
+        if (text_[i] == '\n') {
+            ++line_;
+            line_begin_ = i + 1;
+        }
     return place;
 }
 
-Node& TreeBuilder::add(Node::Kind kind, std::size_t length)
+Node* TreeBuilder::add(Node::Kind kind, std::size_t length)
 {
     Node* node = &root_;
     if (!open_.empty() && open_.back()->kind == Node::Kind::array)
-        node = &open_.back()->change().items.emplace_back();
+        node = &open_.back()->items.emplace_back();
     else if (!open_.empty())
-        node = &open_.back()->change().members.back().value;
+        node = &open_.back()->members.back().value;
     node->kind = kind;
-    node->offset = static_cast<std::uint32_t>(at_);
     node->place = take(length);
     after_ = SyntaxStop::After::value;
-    return *node;
+    return node;
 }
 
-bool TreeBuilder::addLeaf(Node::Kind kind)
+bool TreeBuilder::boolean(bool value)
 {
-    moveToToken();
-    add(kind, tokenLength());
+    add(Node::Kind::boolean, value ? 4 : 5)->boolean = value;
+    return true;
+}
+
+// Read by our own function, which the host's locale does not change.
+bool TreeBuilder::number()
+{
+    const std::string_view written = text_.substr(at_, numberLength(text_, at_));
+    Node* node = add(Node::Kind::number, written.size());
+    node->text = written;
+    node->number = *parseNumber(written);
+    return true;
+}
+
+bool TreeBuilder::string(std::string& value)
+{
+    add(Node::Kind::string, stringLength(text_, at_))->text = std::move(value);
     return true;
 }
 
 bool TreeBuilder::key(std::string& name)
 {
-    moveToToken();
-    const Place place = take(tokenLength());
-    open_.back()->change().members.push_back({std::move(name), place, {}});
+    open_.back()->members.push_back({std::move(name), take(stringLength(text_, at_)), {}});
     after_ = SyntaxStop::After::key;
     return true;
 }
 
 bool TreeBuilder::open(Node::Kind kind)
 {
-    moveToToken();
     if (open_.size() == kMaxDocumentDepth) {
         errors_.push_back({Code::too_deep, "found more than " + std::to_string(kMaxDocumentDepth) +
                            " levels of objects and arrays", take(1), {}, {},
                            "is a closing bracket missing? no config is that deep"});
-        stopped_ = true;
         return false;
     }
-    Node& node = add(kind, 1);
-    reserve(node);
-    open_.push_back(&node);
+    open_.push_back(add(kind, 1));
     after_ = SyntaxStop::After::opening;
     return true;
 }
 
-// An item takes two bytes at least and a member five, whatever a broken text may count.
-void TreeBuilder::reserve(Node& node)
-{
-    const std::size_t count = counts_[opened_++];
-    const std::size_t next = at_ + spaceLength(text_, at_), left = text_.size() - at_;
-    if (next == text_.size() || text_[next] == ']' || text_[next] == '}') return;
-    if (node.kind == Node::Kind::array)
-        node.change().items.reserve(std::min(count, left / 2 + 1));
-    else
-        node.change().members.reserve(std::min(count, left / 5 + 1));
-}
-
 bool TreeBuilder::close()
 {
-    moveToToken();
     take(1);
     open_.pop_back();
     after_ = SyntaxStop::After::value;
@@ -229,8 +151,8 @@ std::string TreeBuilder::pointer() const
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
         const Node& node = *open_[i];
         path = node.kind == Node::Kind::object
-                   ? memberPointer(path, node.members().back().key)
-                   : path + '/' + std::to_string(node.items().size() - 1);
+                   ? memberPointer(path, node.members.back().key)
+                   : path + '/' + std::to_string(node.items.size() - 1);
     }
     return path;
 }
@@ -238,19 +160,18 @@ std::string TreeBuilder::pointer() const
 // Sorted, because comparing each key with each takes minutes for a file made of nothing but keys.
 void TreeBuilder::checkKeys()
 {
-    const std::vector<Member>& members = open_.back()->members();
-    if (members.size() < 2) return;
-    std::vector<SortedKey> keys;
-    for (const Member& member : members) keys.push_back({firstBytes(member.key), &member});
-    std::sort(keys.begin(), keys.end());
+    std::vector<const Member*> sorted;
+    for (const Member& member : open_.back()->members) sorted.push_back(&member);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Member* a, const Member* b) { return a->key < b->key; });
     const Member* first = nullptr;
-    for (const SortedKey& key : keys) {
-        if (!first || key.member->key != first->key) {
-            first = key.member;
+    for (const Member* member : sorted) {
+        if (!first || member->key != first->key) {
+            first = member;
             continue;
         }
         errors_.push_back({Code::duplicate_key, "found the key '" + first->key + "' a second time",
-                           key.member->key_place, memberPointer(pointer(), first->key),
+                           member->key_place, memberPointer(pointer(), first->key),
                            {{first->key_place, "the first one is here"}}, "keep one of them"});
     }
 }
@@ -258,27 +179,26 @@ void TreeBuilder::checkKeys()
 bool TreeBuilder::parse_error(std::size_t, const std::string&, const Json::exception&)
 {
     const Node* container = open_.empty() ? nullptr : open_.back();
-    Diagnostic error = explainSyntax(source_, {at_, after_, container});
+    Diagnostic error = explainSyntax(source_, {end_, after_, container});
     const auto isAt = [&error](const Place& place) {
         return error.place.line == place.line && error.place.column == place.column;
     };
     error.pointer = pointer();
-    if (container && !container->members().empty()) {
-        const Member& last = container->members().back();
+    if (container && !container->members.empty()) {
+        const Member& last = container->members.back();
         const bool value = after_ == SyntaxStop::After::key && !isAt(last.key_place);
         if (value || isAt(last.value.place)) error.pointer = memberPointer(error.pointer, last.key);
     }
     errors_.push_back(std::move(error));
     for (; !open_.empty(); open_.pop_back()) checkKeys();
-    stopped_ = true;
     return false;
 }
 
-Result<Node> TreeBuilder::finish()
+Result<Node> TreeBuilder::finish(bool whole)
 {
     // The parser takes a zero byte for the end of the text.
-    if (!stopped_ && at_ + spaceLength(text_, at_) < text_.size())
-        errors_.push_back(explainSyntax(source_, {at_, after_, nullptr}));
+    if (whole && at_ < text_.size())
+        errors_.push_back(explainSyntax(source_, {end_, after_, nullptr}));
     if (errors_.empty()) return std::move(root_);
     std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -319,9 +239,7 @@ Result<Node> parseText(const SourceRef& source)
     const Status status = checkText(source);
     if (!status) return status.diagnostics();
     TreeBuilder builder(source);
-    const char* begin = source->text.data();
-    Json::sax_parse(begin, begin + source->text.size(), &builder);
-    return builder.finish();
+    return builder.finish(Json::sax_parse(source->text, &builder));
 }
 
 // True for what is meant as JSON, and whose faults are worth a message; anything else is a word.
@@ -330,7 +248,7 @@ bool looksLikeJson(std::string_view text)
     const std::size_t sign = text[0] == '+' || text[0] == '-' || text[0] == '.' ? 1 : 0;
     const char first = sign < text.size() ? text[sign] : '\0';
     return text[0] == '-' || (first >= '0' && first <= '9') || text[0] == '"' || text[0] == '{' ||
-           text[0] == '[';
+           text[0] == '[' || text == "true" || text == "false" || text == "null";
 }
 
 }  // namespace
@@ -346,15 +264,15 @@ Result<Node> parseDocument(const SourceRef& source)
 
 Result<Node> parseValue(const SourceRef& source)
 {
-    Result<Node> value = parseText(source);
-    if (value || value.diagnostics().front().code != Code::syntax) return value;
     const std::string_view text = source->text;
     const std::size_t begin = spaceLength(text, 0);
     const std::string_view word = text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
-    if (looksLikeJson(word)) return value;
+    if (word.empty() || looksLikeJson(word)) return parseText(source);
+    const Status status = checkText(source);
+    if (!status) return status.diagnostics();
     Node node;
     node.kind = Node::Kind::string;
-    node.offset = static_cast<std::uint32_t>(begin);
+    node.text = word;
     node.place = placeAt(source, begin, word.size());
     return node;
 }

@@ -29,10 +29,10 @@ Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer
                           "', which is not there to be deleted", patch.key_place};
     diagnostic.pointer = std::move(pointer);
     diagnostic.help = "leave the key out";
-    if (base.members().empty()) return diagnostic;
+    if (base.members.empty()) return diagnostic;
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base object is here"});
     std::vector<std::string> keys;
-    for (const Member& member : base.members()) keys.push_back(member.key);
+    for (const Member& member : base.members) keys.push_back(member.key);
     diagnostic.help = suggestName(patch.key, std::move(keys), "keys");
     return diagnostic;
 }
@@ -82,18 +82,18 @@ public:
     {
         if (isObject(base) != isObject(patch)) {
             diagnostics_.push_back(wrongKind(base, patch, pointer));
-        } else if (isObject(base) && base.members().empty()) {
-            base.change().members = std::move(fresh(patch, pointer).change().members);
+        } else if (isObject(base) && base.members.empty()) {
+            base.members = std::move(fresh(patch, pointer).members);
         } else if (isObject(base)) {
             // A patch names each key once, so what it adds need not be searched.
-            std::size_t searched = base.members().size();
-            for (const Member& member : patch.members())
+            std::size_t searched = base.members.size();
+            for (const Member& member : patch.members)
                 mergeMember(base, member, memberPointer(pointer, member.key), searched);
         } else {
-            std::vector<Place> origins = base.origins();
+            std::vector<Place> origins = base.origins;
             origins.push_back(base.place);
             base = patch;
-            base.change().origins = std::move(origins);
+            base.origins = std::move(origins);
         }
     }
 
@@ -101,7 +101,7 @@ private:
     void mergeMember(Node& base, const Member& patch, const std::string& pointer,
                      std::size_t& searched)
     {
-        std::vector<Member>& members = base.change().members;
+        std::vector<Member>& members = base.members;
         const auto end = members.begin() + static_cast<std::ptrdiff_t>(searched);
         const auto found = std::find_if(members.begin(), end,
                                         [&](const Member& m) { return m.key == patch.key; });
@@ -112,7 +112,7 @@ private:
         } else if (there) {
             members.erase(found);
             --searched;
-            base.change().deleted.push_back(patch);
+            base.deleted.push_back(patch);
         } else {
             diagnostics_.push_back(missingKey(base, patch, pointer));
         }
@@ -132,7 +132,7 @@ private:
                 diagnostics_.push_back(std::move(missing));
             }
         }
-        base.change().members.push_back({patch.key, patch.key_place, std::move(value)});
+        base.members.push_back({patch.key, patch.key_place, std::move(value)});
     }
 
     // A copy for a place where nothing was, so that nothing can be deleted either. No member
@@ -143,12 +143,12 @@ private:
         Node copy;
         copy.kind = patch.kind;
         copy.place = patch.place;
-        for (const Member& member : patch.members()) {
+        for (const Member& member : patch.members) {
             const std::string below = memberPointer(pointer, member.key);
             if (member.value.kind == Node::Kind::null)
                 diagnostics_.push_back(missingKey({}, member, below));
             else
-                copy.change().members.push_back(
+                copy.members.push_back(
                     {member.key, member.key_place, fresh(member.value, below)});
         }
         return copy;
@@ -159,16 +159,16 @@ private:
 
 bool same(const Node& a, const Node& b)
 {
-    if (a.kind != b.kind || a.items().size() != b.items().size() ||
-        a.members().size() != b.members().size())
+    if (a.kind != b.kind || a.items.size() != b.items.size() ||
+        a.members.size() != b.members.size())
         return false;
-    if (a.kind == Node::Kind::number) return a.number() == b.number();
-    if (a.text() != b.text() || a.boolean() != b.boolean()) return false;
-    for (const Member& member : a.members()) {
+    if (a.kind == Node::Kind::number) return a.number == b.number;
+    if (a.text != b.text || a.boolean != b.boolean) return false;
+    for (const Member& member : a.members) {
         const Node* other = b.find(member.key);
         if (!other || !same(member.value, *other)) return false;
     }
-    return std::equal(a.items().begin(), a.items().end(), b.items().begin(), same);
+    return std::equal(a.items.begin(), a.items.end(), b.items.begin(), same);
 }
 
 }  // namespace
@@ -182,15 +182,15 @@ Node patchBetween(const Node& base, const Node& now)
 {
     Node patch;
     patch.kind = Node::Kind::object;
-    std::vector<Member>& changes = patch.change().members;
-    for (const Member& member : now.members()) {
+    std::vector<Member>& changes = patch.members;
+    for (const Member& member : now.members) {
         const Node* before = base.find(member.key);
         if (before && same(*before, member.value)) continue;
         const bool both = before && isObject(*before) && isObject(member.value);
         changes.push_back({member.key, member.key_place,
                            both ? patchBetween(*before, member.value) : member.value});
     }
-    for (const Member& member : base.members())
+    for (const Member& member : base.members)
         if (!now.find(member.key)) changes.push_back({member.key, member.key_place, {}});
     return patch;
 }

@@ -3,7 +3,6 @@
 #include "core/json/document.h"
 
 #include "core/base/text.h"
-#include "core/json/json_parser.h"
 
 #include <cmath>
 
@@ -19,73 +18,40 @@ void append(std::string& out, const Node& node, std::size_t bytes)
     const auto full = [&] { return out.size() > bytes; };
     switch (node.kind) {
     case Node::Kind::null: out += "null"; return;
-    case Node::Kind::boolean: out += node.boolean() ? "true" : "false"; return;
-    case Node::Kind::number: out += node.text(); return;
-    case Node::Kind::string: out += jsonString(utf8Prefix(node.text(), 2 * bytes)); return;
+    case Node::Kind::boolean: out += node.boolean ? "true" : "false"; return;
+    case Node::Kind::number: out += node.text; return;
+    case Node::Kind::string: out += jsonString(utf8Prefix(node.text, 2 * bytes)); return;
     case Node::Kind::array:
         out += '[';
-        for (std::size_t i = 0; i < node.items().size() && !full(); ++i) {
+        for (std::size_t i = 0; i < node.items.size() && !full(); ++i) {
             if (i > 0) out += ", ";
-            append(out, node.items()[i], bytes);
+            append(out, node.items[i], bytes);
         }
         out += ']';
         return;
     case Node::Kind::object:
         out += '{';
-        for (std::size_t i = 0; i < node.members().size() && !full(); ++i) {
-            out += (i > 0 ? ", " : "") + jsonString(node.members()[i].key) + ": ";
-            append(out, node.members()[i].value, bytes);
+        for (std::size_t i = 0; i < node.members.size() && !full(); ++i) {
+            out += (i > 0 ? ", " : "") + jsonString(node.members[i].key) + ": ";
+            append(out, node.members[i].value, bytes);
         }
         out += '}';
         return;
     }
 }
 
-std::string_view writtenAt(const Node& node)
-{
-    const std::string_view text = node.place.source->text;
-    return text.substr(node.offset, static_cast<std::size_t>(node.place.length));
-}
-
-// A string or number, read once more.
-nlohmann::json valueOf(const Node& node)
-{
-    const std::string_view written = writtenAt(node);
-    return nlohmann::json::parse(written.begin(), written.end(), nullptr, false);
-}
-
 }  // namespace
-
-bool Node::boolean() const
-{
-    return kind == Kind::boolean && writtenAt(*this) == "true";
-}
-
-double Node::number() const
-{
-    return kind == Kind::number ? valueOf(*this).get<double>() : 0.0;
-}
 
 bool Node::integer() const
 {
     constexpr double kExact = 9007199254740992.0;  // 2^53: above it doubles skip integers
-    return kind == Kind::number && valueOf(*this).is_number_integer() &&
-           std::fabs(number()) <= kExact;
-}
-
-std::string Node::text() const
-{
-    if (kind == Kind::number) return std::string(writtenAt(*this));
-    if (kind != Kind::string) return {};
-    const std::string_view source = place.source->text;
-    if (source[offset] == '"') return valueOf(*this).get<std::string>();
-    // A word of the command line reaches to the end of its text.
-    return std::string(source.substr(offset, source.find_last_not_of(" \t\r\n") + 1 - offset));
+    return kind == Kind::number && text.find_first_of(".eE") == text.npos &&
+           std::fabs(number) <= kExact;
 }
 
 const Node* Node::find(std::string_view key) const
 {
-    for (const Member& member : members())
+    for (const Member& member : members)
         if (member.key == key) return &member.value;
     return nullptr;
 }

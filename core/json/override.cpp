@@ -23,7 +23,7 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
         const Node* entries = document.find(section);
         if (!entries) continue;
         if (entries->find(name)) return std::vector<std::string>{section, name, "default"};
-        for (const Member& member : entries->members()) names.push_back(member.key);
+        for (const Member& member : entries->members) names.push_back(member.key);
     }
     Diagnostic unknown{Code::unknown_param, "'" + name + "' is neither a param nor a feature",
                        place};
@@ -47,13 +47,13 @@ struct PatchMaker {
         object.kind = Node::Kind::object;
         object.place = place;
         Node below = patch(base ? base->find(keys[at]) : nullptr, at + 1, std::move(value));
-        object.change().members.push_back({keys[at], place, std::move(below)});
+        object.members.push_back({keys[at], place, std::move(below)});
         return object;
     }
 
     Node listWith(Node list, std::size_t at, Node value)
     {
-        std::vector<Node>& items = list.change().items;
+        std::vector<Node>& items = list.items;
         std::size_t index = 0;
         const char* const end = keys[at].data() + keys[at].size();
         const auto read = std::from_chars(keys[at].data(), end, index);

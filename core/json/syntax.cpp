@@ -379,6 +379,14 @@ std::size_t spaceLength(std::string_view text, std::size_t offset)
     return end - offset;
 }
 
+std::size_t stringLength(std::string_view text, std::size_t offset)
+{
+    std::size_t end = offset + 1;
+    while (!isOneOf(charAt(text, end), "\"\n") && end < text.size())
+        end += text[end] == '\\' ? 2 : 1;
+    return std::min(end + 1, text.size()) - offset;
+}
+
 std::size_t numberLength(std::string_view text, std::size_t offset)
 {
     std::size_t end = offset + (charAt(text, offset) == '-' ? 1 : 0);

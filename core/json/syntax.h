@@ -26,6 +26,9 @@ Place placeAt(const SourceRef& source, std::size_t offset, std::size_t length = 
 /// Bytes of white space at `offset`.
 std::size_t spaceLength(std::string_view text, std::size_t offset);
 
+/// Bytes of the string at `offset` with its quotes; one that is not closed ends with its line.
+std::size_t stringLength(std::string_view text, std::size_t offset);
+
 /// Bytes of the longest JSON number that begins at `offset`; 0 when none does.
 std::size_t numberLength(std::string_view text, std::size_t offset);
 

@@ -46,7 +46,7 @@ std::vector<ConfigOptions> subjects()
         REQUIRE(document.ok());
         const Node* variants = document->find("variants");
         if (!variants) continue;
-        for (const Member& variant : variants->members()) {
+        for (const Member& variant : variants->members) {
             options.variant = variant.key;
             all.push_back(options);
         }

@@ -17,8 +17,8 @@ void expect(bool holds)
 void checkPlaces(const Node& node)
 {
     expect(node.place.line > 0 && node.place.column > 0 && node.place.length > 0);
-    for (const Node& item : node.items()) checkPlaces(item);
-    for (const Member& member : node.members()) checkPlaces(member.value);
+    for (const Node& item : node.items) checkPlaces(item);
+    for (const Member& member : node.members) checkPlaces(member.value);
 }
 
 void check(const Result<Node>& result)

@@ -25,7 +25,7 @@ struct CorpusCase {
     std::string text(const char* key) const
     {
         const Node* value = expected.find(key);
-        return value ? value->text() : "";
+        return value ? value->text : "";
     }
 };
 
@@ -35,8 +35,8 @@ inline std::vector<CorpusCase> corpusCases()
     const Result<Node> table = parseDocument(readFile(CorpusCase::folder() + "expected.json"));
     if (!table) FAIL(toText(table.diagnostics()));
     std::vector<CorpusCase> configs;
-    for (const Member& group : table->members())
-        for (const Member& entry : group.value.members())
+    for (const Member& group : table->members)
+        for (const Member& entry : group.value.members)
             configs.push_back({group.key + "/" + entry.key, entry.value});
     return configs;
 }
@@ -46,7 +46,7 @@ inline DeviceCaps capsOf(const CorpusCase& config)
 {
     DeviceCaps caps = config.expected.find("device") ? minimumCaps() : generousCaps();
     if (const Node* vectors = config.expected.find("max_fragment_uniform_vectors"))
-        caps.max_fragment_uniform_vectors = static_cast<int>(vectors->number());
+        caps.max_fragment_uniform_vectors = static_cast<int>(vectors->number);
     return caps;
 }
 
@@ -54,7 +54,7 @@ inline LoadRequest requestOf(const CorpusCase& config)
 {
     LoadRequest request{config.path(), config.text("variant")};
     if (const Node* overrides = config.expected.find("set"))
-        for (const Node& each : overrides->items()) request.overrides.push_back(each.text());
+        for (const Node& each : overrides->items) request.overrides.push_back(each.text);
     if (config.expected.find("catalog")) request.config = "given";
     return request;
 }
@@ -63,10 +63,10 @@ inline LoadRequest requestOf(const CorpusCase& config)
 inline Diagnostics runTimeErrors(const CorpusCase& config, Renderer& renderer)
 {
     if (const Node* host = config.expected.find("host")) {
-        const Member& member = host->members().at(0);
-        const float value = static_cast<float>(member.value.number());
+        const Member& member = host->members.at(0);
+        const float value = static_cast<float>(member.value.number);
         const bool word = member.value.kind == Node::Kind::string;
-        return (word ? renderer.setFeature(member.key, member.value.text())
+        return (word ? renderer.setFeature(member.key, member.value.text)
                      : renderer.setParam(member.key, &value, 1)).diagnostics();
     }
     return renderer.render({}).diagnostics();
@@ -85,9 +85,9 @@ inline Diagnostics diagnosticsOf(const CorpusCase& config, Device& device)
     if (!description) return description.diagnostics();
     CompileOptions options{{256, 144}, {}, {}};
     if (const Node* side = config.expected.find("side"))
-        options.extent = {static_cast<int>(side->number()), static_cast<int>(side->number())};
+        options.extent = {static_cast<int>(side->number), static_cast<int>(side->number)};
     if (const Node* outputs = config.expected.find("outputs"))
-        options.outputs.push_back(outputs->text());
+        options.outputs.push_back(outputs->text);
     auto renderer = Renderer::create(device, *description, options, traitsOf({}));
     return renderer ? runTimeErrors(config, **renderer) : renderer.diagnostics();
 }

@@ -12,7 +12,7 @@ const std::vector<Member>& membersOf(const Node& node, const char* key)
 {
     static const std::vector<Member> none;
     const Node* object = node.find(key);
-    return object ? object->members() : none;
+    return object ? object->members : none;
 }
 
 std::set<std::string> keysOf(const Node& document, const char* key)
@@ -25,7 +25,7 @@ std::set<std::string> keysOf(const Node& document, const char* key)
 std::string textAt(const Node& node, const char* key)
 {
     const Node* value = node.find(key);
-    return value ? value->text() : "";
+    return value ? value->text : "";
 }
 
 /// What a pass says it reads: as inputs, and as what its identities give.
@@ -34,11 +34,11 @@ std::set<std::string> readBy(const Node& pass)
     std::set<std::string> names;
     for (const Member& identity : membersOf(pass, "identity"))
         for (const Member& given : membersOf(identity.value, "gives"))
-            if (given.value.kind == Node::Kind::string) names.insert(given.value.text());
+            if (given.value.kind == Node::Kind::string) names.insert(given.value.text);
     for (const Member& input : membersOf(pass, "inputs")) {
         const Node* from = input.value.find("from");
         const bool renamed = input.value.kind == Node::Kind::string;
-        names.insert(renamed ? input.value.text() : from ? from->text() : input.key);
+        names.insert(renamed ? input.value.text : from ? from->text : input.key);
     }
     return names;
 }

@@ -23,7 +23,7 @@ inline std::vector<Subject> subjects()
         all.push_back({name, ""});
         const Node document = need(parseDocument(shippedSources().find("configs/" + name + ".json")));
         if (const Node* variants = document.find("variants"))
-            for (const Member& variant : variants->members()) all.push_back({name, variant.key});
+            for (const Member& variant : variants->members) all.push_back({name, variant.key});
     }
     return all;
 }

@@ -21,11 +21,11 @@ bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) ==
 void addNode(ContentHash& hash, const Node& node)
 {
     hash.add(static_cast<int>(node.kind));
-    hash.add(node.boolean());
-    hash.add(node.number());
-    hash.addText(node.kind == Node::Kind::string ? node.text() : std::string());
-    for (const Node& item : node.items()) addNode(hash, item);
-    for (const Member& member : node.members()) {
+    hash.add(node.boolean);
+    hash.add(node.number);
+    hash.addText(node.kind == Node::Kind::string ? node.text : std::string());
+    for (const Node& item : node.items) addNode(hash, item);
+    for (const Member& member : node.members) {
         hash.addText(member.key);
         addNode(hash, member.value);
     }

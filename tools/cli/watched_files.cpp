@@ -18,9 +18,9 @@ void WatchedFiles::add(const Place& place)
 void WatchedFiles::add(const Node& document)
 {
     add(document.place);
-    for (const Place& origin : document.origins()) add(origin);
-    for (const Node& item : document.items()) add(item);
-    for (const Member& member : document.members()) {
+    for (const Place& origin : document.origins) add(origin);
+    for (const Node& item : document.items) add(item);
+    for (const Member& member : document.members) {
         add(member.key_place);
         add(member.value);
     }

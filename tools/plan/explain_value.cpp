@@ -43,14 +43,14 @@ const Node* child(const Node& node, const std::string& part)
     if (node.kind != Node::Kind::array) return node.find(part);
     const bool number = !part.empty() && part.size() < 9 &&
                         std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
-    const std::size_t index = number ? std::stoul(part) : node.items().size();
-    return index < node.items().size() ? &node.items()[index] : nullptr;
+    const std::size_t index = number ? std::stoul(part) : node.items.size();
+    return index < node.items.size() ? &node.items[index] : nullptr;
 }
 
 /// The null of a patch that took the member away, or null.
 const Member* deletedFrom(const Node& node, const std::string& part)
 {
-    for (auto gone = node.deleted().rbegin(); gone != node.deleted().rend(); ++gone)
+    for (auto gone = node.deleted.rbegin(); gone != node.deleted.rend(); ++gone)
         if (gone->key == part) return &*gone;
     return nullptr;
 }
@@ -58,8 +58,8 @@ const Member* deletedFrom(const Node& node, const std::string& part)
 std::vector<std::string> childNames(const Node& node)
 {
     std::vector<std::string> names;
-    for (const Member& member : node.members()) names.push_back(member.key);
-    for (std::size_t i = 0; i < node.items().size(); ++i) names.push_back(std::to_string(i));
+    for (const Member& member : node.members) names.push_back(member.key);
+    for (std::size_t i = 0; i < node.items.size(); ++i) names.push_back(std::to_string(i));
     return names;
 }
 
@@ -83,7 +83,7 @@ std::string textAt(const Place& place)
 std::vector<Place> placesOf(const Node& node)
 {
     std::vector<Place> places = {node.place};
-    places.insert(places.end(), node.origins().rbegin(), node.origins().rend());
+    places.insert(places.end(), node.origins.rbegin(), node.origins.rend());
     return places;
 }
 
@@ -95,7 +95,7 @@ nlohmann::json jsonOf(const FoundValue& value)
                           {"line", place.line},
                           {"column", place.column},
                           {"text", textAt(place)}});
-    for (const Member& member : value.node->members())
+    for (const Member& member : value.node->members)
         members.push_back(jsonOf({memberPointer(value.pointer, member.key), &member.value}));
     nlohmann::json json = {
         {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
@@ -219,7 +219,7 @@ std::optional<UnsetValue> findUnset(const Node& document, const std::string& pat
 std::string explainText(const FoundValue& value)
 {
     std::string text;
-    for (const Member& member : value.node->members())
+    for (const Member& member : value.node->members)
         text += explainText(FoundValue{memberPointer(value.pointer, member.key), &member.value});
     if (!text.empty()) return text;
     text = value.pointer + " is " + brief(*value.node) + '\n';

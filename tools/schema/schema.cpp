@@ -46,7 +46,7 @@ void allowNulls(Json& form)
 std::string textOf(const Node& document, std::string_view key)
 {
     const Node* value = document.find(key);
-    return value && value->kind == Node::Kind::string ? value->text() : "";
+    return value && value->kind == Node::Kind::string ? value->text : "";
 }
 
 /// What `extends` may name, as "ssao/gtao" and "learnopengl", with what each says of itself.
@@ -76,8 +76,8 @@ std::string valuesOf(const Node& feature)
     const Node* values = feature.find("values");
     std::string text;
     if (values)
-        for (const Node& word : values->items())
-            text += (text.empty() ? " One of: " : ", ") + word.text();
+        for (const Node& word : values->items)
+            text += (text.empty() ? " One of: " : ", ") + word.text;
     return text.empty() ? text : text + '.';
 }
 
@@ -90,7 +90,7 @@ Json offeredNames(const SourceSet& sources, const std::string& section, const ch
         const auto document = parseDocument(sources.find(path));
         const Node* entries = document ? document->find(section) : nullptr;
         if (!entries) continue;
-        for (const Member& entry : entries->members()) {
+        for (const Member& entry : entries->members) {
             if (names.contains(entry.key)) continue;
             const std::string module = path.substr(0, path.size() - kSuffix.size());
             const std::string tooltip = textOf(entry.value, "tooltip");

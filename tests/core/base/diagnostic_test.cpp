@@ -143,19 +143,19 @@ TEST_CASE("diagnostics as JSON have every key and can be read back")
     const Result<Node> read = parseDocument(textOf(json));
     REQUIRE(read);
     const Node* list = read->find("list");
-    REQUIRE(list->items().size() == 2);
-    const Node& first = list->items()[0];
-    CHECK(first.find("code")->text() == "CV2103");
-    CHECK(first.find("severity")->text() == "error");
-    CHECK(first.find("message")->text() == "quote \" and \xEF\xBF\xBD");
-    CHECK(first.find("file")->text() == "my.json");
-    CHECK(first.find("line")->number() == 1);
-    CHECK(first.find("column")->number() == 2);
-    CHECK(first.find("length")->number() == 3);
-    CHECK(first.find("pointer")->text() == "/a");
-    CHECK(first.find("notes")->items().at(0).find("text")->text() == "note");
-    CHECK(first.find("notes")->items().at(0).find("file")->kind == Node::Kind::null);
-    CHECK(first.find("help")->text().empty());
+    REQUIRE(list->items.size() == 2);
+    const Node& first = list->items[0];
+    CHECK(first.find("code")->text == "CV2103");
+    CHECK(first.find("severity")->text == "error");
+    CHECK(first.find("message")->text == "quote \" and \xEF\xBF\xBD");
+    CHECK(first.find("file")->text == "my.json");
+    CHECK(first.find("line")->number == 1);
+    CHECK(first.find("column")->number == 2);
+    CHECK(first.find("length")->number == 3);
+    CHECK(first.find("pointer")->text == "/a");
+    CHECK(first.find("notes")->items.at(0).find("text")->text == "note");
+    CHECK(first.find("notes")->items.at(0).find("file")->kind == Node::Kind::null);
+    CHECK(first.find("help")->text.empty());
     CHECK(toJson(Diagnostics{}) == "[]\n");
 }
 

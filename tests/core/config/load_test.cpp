@@ -11,8 +11,8 @@ TEST_CASE("a config is merged over what it extends, from left to right")
     CHECK(at(document, "targets/depth"));
     CHECK(at(document, "passes/ssao"));
     CHECK(at(document, "passes/box"));
-    CHECK(at(document, "name")->text() == "base");
-    CHECK(at(document, "format")->number() == 1);
+    CHECK(at(document, "name")->text == "base");
+    CHECK(at(document, "format")->number == 1);
     CHECK_FALSE(at(document, "extends"));
     CHECK_FALSE(at(document, "variants"));
 }
@@ -21,11 +21,11 @@ TEST_CASE("a config may extend a config and change it")
 {
     const Node document = loaded(smallCatalog(), {"fine"});
     const Node* samples = at(document, "params/samples/default");
-    CHECK(samples->number() == 64);
+    CHECK(samples->number == 64);
     CHECK(samples->place.source->name == "configs/fine.json");
-    REQUIRE(samples->origins().size() == 1);
-    CHECK(samples->origins()[0].source->name == "ssao/hemisphere.json");
-    CHECK(at(document, "name")->text() == "fine");
+    REQUIRE(samples->origins.size() == 1);
+    CHECK(samples->origins[0].source->name == "ssao/hemisphere.json");
+    CHECK(at(document, "name")->text == "fine");
     CHECK(document.place.source->name == "configs/fine.json");
 }
 
@@ -52,8 +52,8 @@ TEST_CASE("a module reached twice is merged once, where it is met first")
                                   "params": {"radius": {"default": 2}})"));
     sources.add("configs/diamond.json", file(R"("extends": ["a", "ssao/hemisphere", "a"])"));
     const Node document = loaded(sources, {"diamond"});
-    CHECK(at(document, "params/radius/default")->number() == 2);
-    CHECK(at(document, "params/radius/default")->origins().size() == 1);
+    CHECK(at(document, "params/radius/default")->number == 2);
+    CHECK(at(document, "params/radius/default")->origins.size() == 1);
 }
 
 TEST_CASE("relative names are seen from the file that writes them")
@@ -84,7 +84,7 @@ TEST_CASE("files on disk extend files beside them and modules of the catalog")
     CHECK(at(document, "x-shared"));
     CHECK(at(document, "passes/box"));
     const Node* radius = at(document, "params/radius/default");
-    CHECK(radius->number() == 9);
+    CHECK(radius->number == 9);
     CHECK(radius->place.source->name == folder.path.string() + "/sub/more.json");
     CHECK(document.place.source->name == mine);
 }
@@ -109,8 +109,8 @@ TEST_CASE("a catalog path may be named where no file on disk has it")
     const std::string mine = folder.write("mine.json", file(R"("name": "mine")"));
     MemorySources sources = smallCatalog();
     sources.add(mine, file(R"("name": "hidden")"));
-    CHECK(at(loaded(sources, {mine}), "name")->text() == "mine");
-    CHECK(at(loaded(sources, {"configs/fine.json"}), "name")->text() == "fine");
+    CHECK(at(loaded(sources, {mine}), "name")->text == "mine");
+    CHECK(at(loaded(sources, {"configs/fine.json"}), "name")->text == "fine");
 }
 
 TEST_CASE("a config that does not exist is an error with the nearest names")

@@ -52,12 +52,12 @@ std::string lowered(std::string text)
 /// All keys and texts of a value; of a module that it names, those of the module.
 void collectNames(const Node& node, std::set<std::string>& names)
 {
-    if (node.kind == Node::Kind::string && names.insert(node.text()).second)
+    if (node.kind == Node::Kind::string && names.insert(node.text).second)
         for (const char* folder : {"", "configs/"})
-            if (const SourceRef module = shippedSources().find(folder + node.text() + ".json"))
+            if (const SourceRef module = shippedSources().find(folder + node.text + ".json"))
                 collectNames(*parseDocument(module), names);
-    for (const Node& item : node.items()) collectNames(item, names);
-    for (const Member& member : node.members()) {
+    for (const Node& item : node.items) collectNames(item, names);
+    for (const Member& member : node.members) {
         names.insert(member.key);
         collectNames(member.value, names);
     }
@@ -95,8 +95,8 @@ private:
         if (value.kind != Node::Kind::array && value.kind != Node::Kind::object)
             return begin + static_cast<std::size_t>(value.place.length);
         std::size_t last = begin + 1;
-        for (const Node& item : value.items()) last = endOf(item);
-        for (const Member& member : value.members()) last = endOf(member.value);
+        for (const Node& item : value.items) last = endOf(item);
+        for (const Member& member : value.members) last = endOf(member.value);
         return text_.find(value.kind == Node::Kind::array ? ']' : '}', last) + 1;
     }
 
@@ -128,7 +128,7 @@ private:
             }
             each(mutation);
         };
-        for (const Member& member : node.members()) {
+        for (const Member& member : node.members) {
             const std::string below = pointer + "/" + member.key;
             const std::size_t key = offsetOf(member.key_place), end = endOf(member.value);
             const Node& value = member.value;
@@ -138,8 +138,8 @@ private:
                  member.key, value);
             visit(value, below, each);
         }
-        for (const Node& item : node.items()) {
-            const std::string below = pointer + "/" + std::to_string(&item - node.items().data());
+        for (const Node& item : node.items) {
+            const std::string below = pointer + "/" + std::to_string(&item - node.items.data());
             const std::size_t begin = offsetOf(item.place), end = endOf(item);
             give(without(begin, end), "without " + below, "", item);
             give(replaced(begin, end, retyped(item)), "retyped " + below, "", item);

@@ -45,7 +45,7 @@ TEST_CASE("a value is found by its pointer, by a dotted path and, for a default,
         const auto value = findValue(document, path);
         REQUIRE(value);
         CHECK(value->pointer == "/params/radius/default");
-        CHECK(value->node->number() == 0.25);
+        CHECK(value->node->number == 0.25);
     }
     const auto feature = findValue(document, "fade");
     REQUIRE(feature);
@@ -57,10 +57,10 @@ TEST_CASE("pointers reach into arrays and escape slashes and tildes")
     const Node document = mergedDocument();
     const auto entry = findValue(document, "/extends/1");
     REQUIRE(entry);
-    CHECK(entry->node->text() == "b");
+    CHECK(entry->node->text == "b");
     const auto escaped = findValue(document, "/a~1b/~0");
     REQUIRE(escaped);
-    CHECK(escaped->node->number() == 7.0);
+    CHECK(escaped->node->number == 7.0);
     CHECK(escaped->pointer == "/a~1b/~0");
 }
 

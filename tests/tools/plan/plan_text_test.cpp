@@ -104,21 +104,21 @@ TEST_CASE("The JSON of a plan is JSON and tells the same")
     REQUIRE(json.ok());
     const Node* passes = json->find("passes");
     REQUIRE(passes);
-    REQUIRE(passes->items().size() == 3);
-    const Node& geometry = passes->items()[0];
-    CHECK(geometry.find("name")->text() == "geometry");
-    CHECK(geometry.find("color")->items()[0].find("load")->text() == "clear");
-    CHECK(geometry.find("color")->items()[0].find("clear")->items()[2].number() == 1);
-    CHECK(geometry.find("color")->items()[1].find("texture")->kind == Node::Kind::null);
-    CHECK(geometry.find("depth")->find("target")->text() == "depth");
-    CHECK(passes->items()[1].find("depth")->kind == Node::Kind::null);
-    CHECK(passes->items()[2].find("inputs")->items()[1].find("kind")->text() == "constant");
-    CHECK(json->find("textures")->items()[3].find("mips")->number() == 2);
-    CHECK(json->find("programs")->items()[0].find("key")->text() == plan.programs[0].key);
-    CHECK(json->find("outputs")->items()[0].find("target")->text() == "ao");
-    CHECK(json->find("left_out")->items().size() == 5);
-    CHECK(json->find("left_out")->items()[4].find("by_frame")->boolean());
-    CHECK(json->find("texture_bytes")->number() == plan.texture_bytes);
+    REQUIRE(passes->items.size() == 3);
+    const Node& geometry = passes->items[0];
+    CHECK(geometry.find("name")->text == "geometry");
+    CHECK(geometry.find("color")->items[0].find("load")->text == "clear");
+    CHECK(geometry.find("color")->items[0].find("clear")->items[2].number == 1);
+    CHECK(geometry.find("color")->items[1].find("texture")->kind == Node::Kind::null);
+    CHECK(geometry.find("depth")->find("target")->text == "depth");
+    CHECK(passes->items[1].find("depth")->kind == Node::Kind::null);
+    CHECK(passes->items[2].find("inputs")->items[1].find("kind")->text == "constant");
+    CHECK(json->find("textures")->items[3].find("mips")->number == 2);
+    CHECK(json->find("programs")->items[0].find("key")->text == plan.programs[0].key);
+    CHECK(json->find("outputs")->items[0].find("target")->text == "ao");
+    CHECK(json->find("left_out")->items.size() == 5);
+    CHECK(json->find("left_out")->items[4].find("by_frame")->boolean);
+    CHECK(json->find("texture_bytes")->number == plan.texture_bytes);
 }
 
 TEST_CASE("An output that is a constant says so everywhere")
