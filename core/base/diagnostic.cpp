@@ -75,18 +75,6 @@ std::string quoted(std::string_view name)
     return '\'' + std::string(name) + '\'';
 }
 
-char lowered(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-std::string lowered(std::string_view text)
-{
-    std::string out;
-    for (const char c : text) out += lowered(c);
-    return out;
-}
-
 // Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b` (the
 // optimal string alignment distance).
 std::size_t editDistance(std::string_view a, std::string_view b)
@@ -141,12 +129,12 @@ std::size_t nameDistance(const std::string& written, const std::string& candidat
 
 const std::string* nearestName(std::string_view name, const std::vector<std::string>& names)
 {
-    const std::string written = lowered(name);
+    const std::string written = lowerCase(name);
     const std::size_t limit = std::max<std::size_t>(written.size() > 1, written.size() / 3);
     const std::string* nearest = nullptr;
     std::size_t smallest = limit + 1;
     for (const std::string& candidate : names) {
-        const std::size_t distance = nameDistance(written, lowered(candidate), limit);
+        const std::size_t distance = nameDistance(written, lowerCase(candidate), limit);
         if (distance < smallest) {
             smallest = distance;
             nearest = &candidate;

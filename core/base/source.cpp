@@ -16,11 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isRelative(std::string_view path)
-{
-    return startsWith(path, "./") || startsWith(path, "../");
-}
-
 // True for a path as SourceSet promises it: no root, no empty part, no "." and no "..".
 bool isInside(std::string_view path)
 {
@@ -134,6 +129,11 @@ Place ownPlace(const Place& place)
     const Place* at = &place;
     while (isModule(*at)) at = at->source->asked.get();
     return *at;
+}
+
+bool isRelative(std::string_view path)
+{
+    return startsWith(path, "./") || startsWith(path, "../");
 }
 
 std::string resolvePath(std::string_view from, std::string_view path)

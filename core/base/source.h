@@ -103,8 +103,11 @@ private:
     std::vector<const SourceSet*> layers_;
 };
 
+/// True for a path that begins with "./" or "../".
+bool isRelative(std::string_view path);
+
 /// `path` seen from the folder of `from`: ("configs/a.json", "./b.frag") gives "configs/b.frag".
-/// A path that does not begin with "./" or "../" is returned as it is. Empty when it would climb
+/// A path that is not relative is returned as it is. Empty when it would climb
 /// above the root of a catalog path; a path on disk, which is one that begins with '/', "./" or
 /// "../", may climb as far as it likes.
 std::string resolvePath(std::string_view from, std::string_view path);

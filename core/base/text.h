@@ -24,6 +24,9 @@ std::string_view lineOf(std::string_view text, int line);
 /// ASCII letters in upper case: a param `blur_size` is the define BLUR_SIZE.
 std::string upperCase(std::string_view text);
 
+/// ASCII letters in lower case.
+std::string lowerCase(std::string_view text);
+
 /// What lies between the separators, from left to right; parts may be empty.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -23,11 +23,6 @@ namespace {
 constexpr std::string_view kSuffix = ".json";
 constexpr std::string_view kConfigs = "configs/";
 
-bool isRelative(std::string_view path)
-{
-    return startsWith(path, "./") || startsWith(path, "../");
-}
-
 void append(Diagnostics& all, const Diagnostics& more)
 {
     all.insert(all.end(), more.begin(), more.end());
