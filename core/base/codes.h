@@ -21,7 +21,7 @@ enum class Code : int {
     too_deep = 1005,          ///< More than 64 levels.
     too_large = 1006,         ///< More than 1 MiB.
     not_an_object = 1007,     ///< A file whose top value is not an object.
-    empty_text = 1008,        ///< Nothing but white space.
+    empty_text = 1008,        ///< Nothing but white space and comments.
     merge_missing = 1101,     ///< A patch deletes what is not there.
     merge_kind = 1102,        ///< A patch turns an object into something else, or the reverse.
     module_missing = 1201,    ///< `extends` or the command line names what does not exist.

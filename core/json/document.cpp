@@ -19,7 +19,11 @@ using Json = nlohmann::json;
 // but they come in the order of the text: the builder goes with them from token to token.
 class TreeBuilder {
 public:
-    explicit TreeBuilder(const SourceRef& source) : source_(source), text_(source->text) { take(0); }
+    // `text` is that of the source as strict JSON.
+    TreeBuilder(const SourceRef& source, std::string_view text) : source_(source), text_(text)
+    {
+        take(0);
+    }
 
     // The names of these thirteen are the parser's.
     bool null() { return add(Node::Kind::null, 4); }
@@ -179,7 +183,7 @@ void TreeBuilder::checkKeys()
 bool TreeBuilder::parse_error(std::size_t, const std::string&, const Json::exception&)
 {
     const Node* container = open_.empty() ? nullptr : open_.back();
-    Diagnostic error = explainSyntax(source_, {end_, after_, container});
+    Diagnostic error = explainSyntax(source_, {text_, end_, after_, container});
     const auto isAt = [&error](const Place& place) {
         return error.place.line == place.line && error.place.column == place.column;
     };
@@ -198,7 +202,7 @@ Result<Node> TreeBuilder::finish(bool whole)
 {
     // The parser takes a zero byte for the end of the text.
     if (whole && at_ < text_.size())
-        errors_.push_back(explainSyntax(source_, {end_, after_, nullptr}));
+        errors_.push_back(explainSyntax(source_, {text_, end_, after_, nullptr}));
     if (errors_.empty()) return std::move(root_);
     std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -214,32 +218,63 @@ Status checkText(const SourceRef& source)
         return Diagnostic{Code::too_large, "found more than the 1048576 bytes (1 MiB) that are read",
                           {source, 1, 1}, {}, {},
                           "is this a config? the largest of them has a few thousand bytes"};
-    if (text.substr(0, 3) == "\xEF\xBB\xBF")
+    if (startsWith(text, "\xEF\xBB\xBF"))
         return Diagnostic{Code::bad_utf8, "found a byte order mark", placeAt(source, 0, 3), {}, {},
                           "save the file as UTF-8 without a byte order mark"};
-    if (spaceLength(text, 0) == text.size())
-        return Diagnostic{Code::empty_text, "found nothing but white space", {source, 1, 1}, {}, {},
-                          "begin with { \"format\": 1 }"};
-    for (std::size_t at = 0; at < text.size();) {
-        if (static_cast<unsigned char>(text[at]) < 0x80) {
-            ++at;
-            continue;
-        }
-        const std::size_t length = utf8Length(text, at);
+    for (std::size_t at = 0, length; at < text.size(); at += length) {
+        length = utf8Length(text, at);
         if (length == 0)
             return Diagnostic{Code::bad_utf8, "found a byte that is not UTF-8", placeAt(source, at),
                               {}, {}, "save the file as UTF-8"};
-        at += length;
+    }
+    return {};
+}
+
+// Bytes of the comment at `at`; 0 when none begins there, npos when it does not end.
+std::size_t commentLength(std::string_view text, std::size_t at)
+{
+    const std::string_view opening = text.substr(at, 2);
+    if (opening == "//") return std::min(text.find_first_of("\r\n", at), text.size()) - at;
+    if (opening != "/*") return 0;
+    const std::size_t end = text.find("*/", at + 2);
+    return end == text.npos ? end : end + 2 - at;
+}
+
+// Makes strict JSON of a text: comments, and commas behind the last entry, become blanks. All else
+// stays where it is.
+Status blankOut(const SourceRef& source, std::string& text)
+{
+    std::size_t comma = 0;  // behind an entry, with only blanks and comments since; 0 is none
+    bool entry = false;     // that is what ended last
+    for (std::size_t at = 0, length; at < text.size(); at += length) {
+        const char c = text[at];
+        const std::size_t comment = commentLength(text, at);
+        if (comment == text.npos)
+            return Diagnostic{Code::syntax, "found a comment that does not end", placeAt(source, at, 2),
+                              {}, {}, "close it with '*/'"};
+        for (std::size_t i = at; i < at + comment; ++i)
+            if (text[i] != '\n') text[i] = ' ';
+        length = comment > 0 ? comment : spaceLength(text, at);
+        if (length > 0) continue;
+        length = c == '"' ? stringLength(text, at) : 1;
+        if (comma > 0 && (c == ']' || c == '}')) text[comma] = ' ';
+        comma = entry && c == ',' ? at : 0;
+        entry = c != ',' && c != ':' && c != '[' && c != '{';
     }
     return {};
 }
 
 Result<Node> parseText(const SourceRef& source)
 {
-    const Status status = checkText(source);
+    std::string text = source->text;
+    Status status = checkText(source);
+    if (status) status = blankOut(source, text);
     if (!status) return status.diagnostics();
-    TreeBuilder builder(source);
-    return builder.finish(Json::sax_parse(source->text, &builder));
+    if (spaceLength(text, 0) == text.size())
+        return Diagnostic{Code::empty_text, "found nothing but white space and comments",
+                          {source, 1, 1}, {}, {}, "begin with { \"format\": 1 }"};
+    TreeBuilder builder(source, text);
+    return builder.finish(Json::sax_parse(text, &builder));
 }
 
 // True for what is meant as JSON, and whose faults are worth a message; anything else is a word.

@@ -159,16 +159,9 @@ std::size_t readString(std::string_view text, std::size_t begin, Fault& fault)
     return 0;
 }
 
-std::string lowered(std::string_view word)
-{
-    std::string out;
-    for (const char c : word) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c | 32) : c;
-    return out;
-}
-
 std::string wordHelp(std::string_view word, const Wanted& wanted)
 {
-    const std::string lower = lowered(word);
+    const std::string lower = lowerCase(word);
     const std::string bare = lower.substr(isOneOf(lower[0], "+-") ? 1 : 0);
     if (bare == "nan" || bare == "infinity" || bare == "inf")
         return "JSON has finite numbers only; for no limit write a large one, such as 1e30";
@@ -273,6 +266,7 @@ std::string symbolHelp(std::string_view text, const SyntaxStop& stop, const Want
     if (c == ';' && after_value)
         return stop.container ? "write ',' between entries" : "take it away";
     if (c == '%') return "write a share, such as 0.5";
+    if (c == '#') return "a comment begins with '//'";
     if (isOneOf(c, "/*") && after_value) return "JSON does not calculate: write the result";
     if (isOneOf(c, "()")) return "take the parentheses away";
     return wanted.help;
@@ -285,10 +279,7 @@ Fault symbolFault(std::string_view text, const SyntaxStop& stop, const Wanted& w
     const char c = symbol[0];
     std::string found = quoted(symbol);
     std::string help = symbolHelp(text, stop, wanted);
-    if (c == '#' || (c == '/' && isOneOf(charAt(text, wanted.offset + 1), "/*"))) {
-        found = "a comment";
-        help = "JSON has no comments; a key of your own that begins with 'x-' may hold a note";
-    } else if (isOneOf(c, "'`") || symbol == "\u2018" || symbol == "\u201C" || symbol == "\u201D") {
+    if (isOneOf(c, "'`") || symbol == "\u2018" || symbol == "\u201C" || symbol == "\u201D") {
         found = c == '\'' ? "a single quote" : c == '`' ? "a backtick" : "a curly quote";
         help = "put keys and text in double quotes: \"";
     } else if (static_cast<unsigned char>(c) < 0x20) {
@@ -319,10 +310,6 @@ Fault faultAt(std::string_view text, const SyntaxStop& stop, const Wanted& wante
                     ", which looks like a string without its closing quote",
                 "close it with '\"' where it should end"};
     }
-    if (wanted.after_comma && (c == '}' || c == ']'))
-        return {stop.offset + spaceLength(text, stop.offset), 1,
-                "found a comma with nothing between it and " + quoted({&c, 1}),
-                "take the comma away"};
     if (isWordCharacter(c) || isOneOf(c, "+-.")) return wordFault(text, wanted);
     if (c != '"') return symbolFault(text, stop, wanted);
     Fault fault;
@@ -346,7 +333,7 @@ Fault endFault(std::string_view text, const SyntaxStop& stop, const Wanted& want
 
 Diagnostic explainSyntax(const SourceRef& source, const SyntaxStop& stop)
 {
-    const std::string_view text = source->text;
+    const std::string_view text = stop.text;
     const Wanted wanted = wantedAfter(text, stop);
     const bool at_end = wanted.offset >= text.size();
     const Fault fault = at_end ? endFault(text, stop, wanted) : faultAt(text, stop, wanted);

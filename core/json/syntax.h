@@ -11,6 +11,7 @@ namespace crevice {
 struct SyntaxStop {
     enum class After { nothing, opening, key, value };
 
+    std::string_view text;            ///< Of the source, with blanks for comments and last commas.
     std::size_t offset = 0;           ///< Behind the last token that made sense.
     After after = After::nothing;     ///< What that token ended. A closing bracket ends a value.
     const Node* container = nullptr;  ///< The innermost object or array not closed yet.

@@ -225,7 +225,9 @@ std::string schemaJson(const SourceSet& sources)
     own["variants"]["description"] = "Named patches, of which --variant chooses one.";
     own.update(keys);
     Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                   {"title", "crevice config or module, format 1"}};
+                   {"title", "crevice config or module, format 1"},
+                   {"allowComments", true},  // this and the next are read by VS Code
+                   {"allowTrailingCommas", true}};
     schema.update(table::objectForm(own));
     schema["required"] = {"format"};
     schema["definitions"] = definitions;

@@ -30,7 +30,7 @@ TEST_CASE("a pass that reads a missing target is told as the design says", "[dec
     "inputs": { "ao": "ao_filterd" } } } })";
     Node document = parsed(text);
     Node* input = document.find("passes")->find("lighting")->find("inputs")->find("ao");
-    input->change().origins.push_back({input->place.source, 2, 3, 4});
+    input->origins.push_back({input->place.source, 2, 3, 4});
     const auto result = decode(document, glslSources());
     REQUIRE(errorsOf(result) == "CV2103 /passes/lighting/inputs/ao");
     const Diagnostic& error = result.diagnostics().at(0);

@@ -231,7 +231,7 @@ TEST_CASE("a name cannot be deleted")
 TEST_CASE("the errors of all files are reported together")
 {
     MemorySources sources = smallCatalog();
-    sources.add("filter/box.json", "{\"format\": 1,}");
+    sources.add("filter/box.json", "{\"format\": 1;}");
     sources.add("configs/bad.json", file(R"("extends": ["filter/box", "none", 3])"));
     CHECK(loadConfig(sources, {"bad"}).diagnostics().size() == 3);
 }

@@ -159,7 +159,7 @@ TEST_CASE("a mebibyte of the smallest values is read in a moment")
     std::string text = "{\"a\":[0";
     while (text.size() < kMaxDocumentBytes - 4) text += ",0";
     const SourceRef source = textOf(text + "]}");
-    constexpr double kMost = 0.25;  // seconds of this process: five times what it is to take
+    constexpr double kMost = 1;  // seconds of this process: what is quadratic takes minutes
     double least = 1e30;
     for (int i = 0; i < 5 && least > kMost; ++i) {
         const std::clock_t begin = std::clock();
@@ -175,6 +175,7 @@ TEST_CASE("a mebibyte of small values is read whole")
     while (text.size() < kMaxDocumentBytes - 32) text += "{\"k\":[1,\"x\"]},";
     const Node node = documentOf(text + "0]}");
     CHECK(node.find("a")->items.size() > 70000);
+    CHECK(parseDocument(textOf("{}" + std::string(kMaxDocumentBytes - 2, ' '))));
 }
 
 TEST_CASE("the depth ends at 64 levels")
@@ -227,8 +228,6 @@ TEST_CASE("a syntax error stands at the first character that cannot be")
 {
     struct Case { const char* text; const char* place; const char* part; };
     const Case kCases[] = {
-        {"{\"a\": 1,\n}", "1:8+1", "take the comma away"},
-        {"{\"a\": [1, 2 ,]}", "1:13+1", "take the comma away"},
         {"{\"a\": 1\n \"b\": 2}", "2:2+3", "comma missing"},
         {"{\"a\" 1}", "1:6+1", "where ':' was wanted"},
         {"{\"a\": }", "1:7+1", "found '}' where a value was wanted"},
@@ -237,9 +236,7 @@ TEST_CASE("a syntax error stands at the first character that cannot be")
         {"{'a': 1}", "1:2+1", "double quotes"},
         {"{\"a\": soft}", "1:7+4", "double quotes"},
         {"{\xE2\x80\x9C" "a\": 1}", "1:2+3", "a curly quote"},
-        {"{\"a\": 1} // why", "1:10+1", "no comments"},
-        {"{ /* why */ }", "1:3+1", "no comments"},
-        {"{\"a\": 1 # why\n}", "1:9+1", "no comments"},
+        {"{\"a\": 1 # why\n}", "1:9+1", "a comment begins with '//'"},
         {"{\"a\": NaN}", "1:7+3", "finite"},
         {"{\"a\": -Infinity}", "1:7+9", "finite"},
         {"{\"a\": True}", "1:7+4", "true"},
