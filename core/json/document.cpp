@@ -4,10 +4,19 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/json/json_parser.h"
 #include "core/json/syntax.h"
 
+// Core is built without exceptions, while a program that links it may use nlohmann-json with them.
+// Both would emit inline functions of the same names but other content, of which the linker keeps
+// one at random. A namespace of our own keeps them apart.
+#define NLOHMANN_JSON_NAMESPACE nlohmann::crevice_core
+#define NLOHMANN_JSON_NAMESPACE_BEGIN namespace nlohmann { inline namespace crevice_core {
+#define NLOHMANN_JSON_NAMESPACE_END } }
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 namespace crevice {
 
@@ -180,10 +189,12 @@ void TreeBuilder::checkKeys()
     }
 }
 
-bool TreeBuilder::parse_error(std::size_t, const std::string&, const Json::exception&)
+bool TreeBuilder::parse_error(std::size_t read, const std::string&, const Json::exception& cause)
 {
     const Node* container = open_.empty() ? nullptr : open_.back();
-    Diagnostic error = explainSyntax(source_, {text_, end_, after_, container});
+    const bool in_string = std::strstr(cause.what(), "invalid string");
+    Diagnostic error =
+        explainSyntax(source_, {text_, end_, after_, container, in_string ? read - 1 : 0});
     const auto isAt = [&error](const Place& place) {
         return error.place.line == place.line && error.place.column == place.column;
     };
@@ -250,8 +261,8 @@ Status blankOut(const SourceRef& source, std::string& text)
         const char c = text[at];
         const std::size_t comment = commentLength(text, at);
         if (comment == text.npos)
-            return Diagnostic{Code::syntax, "found a comment that does not end", placeAt(source, at, 2),
-                              {}, {}, "close it with '*/'"};
+            return Diagnostic{Code::syntax, "found a comment that does not end",
+                              placeAt(source, at, 2), {}, {}, "close it with '*/'"};
         for (std::size_t i = at; i < at + comment; ++i)
             if (text[i] != '\n') text[i] = ' ';
         length = comment > 0 ? comment : spaceLength(text, at);

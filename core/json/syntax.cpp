@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <iterator>
 
@@ -95,68 +94,26 @@ Fault unexpected(std::size_t offset, std::size_t length, const std::string& foun
             std::move(help)};
 }
 
-int hexValue(std::string_view digits)
+// What is wrong with the string at `begin`, which the byte at `bad` breaks.
+Fault stringFault(std::string_view text, std::size_t begin, std::size_t bad)
 {
-    int value = 0;
-    for (const char c : digits) {
-        if (!isOneOf(c, "0123456789abcdefABCDEF")) return -1;
-        value = value * 16 + (isDigit(c) ? c - '0' : (c | 32) - 'a' + 10);
-    }
-    return digits.size() == 4 ? value : -1;
-}
-
-// Reads the escape at `offset` and moves behind it. False when there is none of that form, with
-// what is wrong in `fault`.
-bool readEscape(std::string_view text, std::size_t& offset, Fault& fault)
-{
-    const auto unicode = [&](std::size_t at) {
-        return charAt(text, at) == '\\' && charAt(text, at + 1) == 'u'
-                   ? hexValue(text.substr(std::min(at + 2, text.size()), 4)) : -1;
-    };
-    const char kind = charAt(text, offset + 1);
-    if (isOneOf(kind, "\"\\/bfnrt")) {
-        offset += 2;
-        return true;
-    }
-    const int code = unicode(offset);
-    if (code < 0) {
-        fault = {offset, 2, "found " + quoted(text.substr(offset, 2)) + " in a string",
-                 "a backslash is written \\\\, a quote \\\", a line break \\n"};
-        return false;
-    }
-    const int low = unicode(offset + 6);
-    const bool high_half = code >= 0xD800 && code < 0xDC00;
-    const bool low_half = code >= 0xDC00 && code < 0xE000;
-    if (low_half || (high_half && (low < 0xDC00 || low >= 0xE000))) {
-        fault = {offset, 6, "found half of a surrogate pair in a string",
-                 "write the character itself, in UTF-8"};
-        return false;
-    }
-    offset += high_half ? 12 : 6;
-    return true;
-}
-
-// The length of the string that begins at `begin`, or 0 with what is wrong with it in `fault`.
-std::size_t readString(std::string_view text, std::size_t begin, Fault& fault)
-{
-    std::size_t at = begin + 1;
-    while (at < text.size() && text[at] != '"' && text[at] != '\n') {
-        const unsigned char c = static_cast<unsigned char>(text[at]);
-        if (c < 0x20 && text.substr(at, 2) != "\r\n") {
-            char escape[8];
-            std::snprintf(escape, sizeof(escape), c == '\t' ? "\\t" : "\\u%04x", c);
-            fault = {at, 1, c == '\t' ? "found a tab in a string"
-                                      : "found a control character in a string",
-                     std::string("write it as ") + escape};
-            return 0;
-        }
-        if (c != '\\') ++at;
-        else if (!readEscape(text, at, fault)) return 0;
-    }
-    if (charAt(text, at) == '"') return at + 1 - begin;
-    fault = {begin, at - begin, "found a string that does not end on its line",
-             "close it with '\"'; a line break in a string is written \\n"};
-    return 0;
+    const char c = charAt(text, bad);
+    if (bad >= text.size() || c == '\n' || text.substr(bad, 2) == "\r\n")
+        return {begin, std::min(bad, text.size()) - begin,
+                "found a string that does not end on its line",
+                "close it with '\"'; a line break in a string is written \\n"};
+    if (c == '\t') return {bad, 1, "found a tab in a string", "write it as \\t"};
+    if (static_cast<unsigned char>(c) < 0x20)
+        return {bad, 1, "found a control character in a string",
+                "write it as " + printableLine({&c, 1})};
+    std::size_t escape = text.rfind('\\', bad - 1);
+    if (isOneOf(text[escape + 1], "\"\\/bfnrt")) escape -= 6;  // it stands behind half of a pair
+    const std::size_t digits = text.find_first_not_of("0123456789abcdefABCDEF", escape + 2);
+    if (text[escape + 1] == 'u' && digits - escape >= 6)
+        return {escape, 6, "found half of a surrogate pair in a string",
+                "write the character itself, in UTF-8"};
+    return {escape, 2, "found " + quoted(text.substr(escape, 2)) + " in a string",
+            "a backslash is written \\\\, a quote \\\", a line break \\n"};
 }
 
 std::string wordHelp(std::string_view word, const Wanted& wanted)
@@ -312,9 +269,8 @@ Fault faultAt(std::string_view text, const SyntaxStop& stop, const Wanted& wante
     }
     if (isWordCharacter(c) || isOneOf(c, "+-.")) return wordFault(text, wanted);
     if (c != '"') return symbolFault(text, stop, wanted);
-    Fault fault;
-    const std::size_t length = readString(text, wanted.offset, fault);
-    if (length == 0) return fault;
+    if (stop.bad > 0) return stringFault(text, wanted.offset, stop.bad);
+    const std::size_t length = stringLength(text, wanted.offset);
     return unexpected(wanted.offset, length, quoted(text.substr(wanted.offset, length)), wanted,
                       wanted.help);
 }

@@ -15,6 +15,7 @@ struct SyntaxStop {
     std::size_t offset = 0;           ///< Behind the last token that made sense.
     After after = After::nothing;     ///< What that token ended. A closing bracket ends a value.
     const Node* container = nullptr;  ///< The innermost object or array not closed yet.
+    std::size_t bad = 0;              ///< The byte that breaks a string; 0 where none does.
 };
 
 /// What was found behind the stop and what was wanted there: CV1001, or CV1003 for a number that is
