@@ -218,7 +218,6 @@ DeviceCaps readCaps(GlApi& gl, const GlInfo& info)
     caps.name = renderer + ", " + text(gl, GL_VERSION);
     caps.version = std::min(info.version, 320);
     caps.software = isSoftware(renderer);
-    caps.compute = caps.version >= 310;
     caps.max_texture_size = integer(gl, GL_MAX_TEXTURE_SIZE);
     caps.max_color_attachments = std::min({integer(gl, GL_MAX_COLOR_ATTACHMENTS),
                                            integer(gl, GL_MAX_DRAW_BUFFERS), kMaxColorAttachments});

@@ -112,7 +112,7 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
         gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    gl_.TexStorage2D(GL_TEXTURE_2D, desc.mips, glFormat(desc.format).internal, desc.extent.width,
+    gl_.TexStorage2D(GL_TEXTURE_2D, 1, glFormat(desc.format).internal, desc.extent.width,
                      desc.extent.height);
     if (Status status = takeErrors(gl_, "createTexture", desc.label.c_str()); !status)
         return status.diagnostics();

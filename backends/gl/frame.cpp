@@ -20,18 +20,6 @@ GLenum compareFunction(Compare compare)
     return GL_ALWAYS;
 }
 
-void setBlend(const GlApi& gl, Blend blend)
-{
-    if (blend == Blend::none) return gl.Disable(GL_BLEND);
-    gl.Enable(GL_BLEND);
-    gl.BlendEquation(GL_FUNC_ADD);
-    if (blend == Blend::alpha)
-        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (blend == Blend::add) gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    if (blend == Blend::multiply)
-        gl.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_DST_ALPHA, GL_ZERO);
-}
-
 /// Tells the driver which attachments' contents are not wanted: tile memory is then neither loaded
 /// nor stored.
 template <class Op>
@@ -148,7 +136,6 @@ void GlDevice::setProgram(ProgramId id, const StateDesc& state)
     gl_.DepthMask(state.depth_write);
     state_.setEnabled(GL_CULL_FACE, state.cull != Cull::none);
     gl_.CullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
-    setBlend(gl_, state.blend);
 }
 
 void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& desc)

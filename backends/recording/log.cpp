@@ -22,7 +22,6 @@ constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
                                          "greater", "greater_equal", "equal"};
 constexpr const char* kCullNames[] = {"none", "back", "front"};
-constexpr const char* kBlendNames[] = {"none", "alpha", "add", "multiply"};
 constexpr const char* kFilterNames[] = {"nearest", "linear"};
 constexpr const char* kWrapNames[] = {"clamp", "repeat"};
 constexpr const char* kLoadNames[] = {"load", "clear", "discard"};
@@ -89,8 +88,7 @@ std::string passText(const PassInfo& pass)
 std::string stateText(const std::uint32_t* words)
 {
     return std::string(" depth_test ") + kCompareNames[words[0]] +
-           (words[1] ? " depth_write" : "") + " cull " + kCullNames[words[2]] + " blend " +
-           kBlendNames[words[3]];
+           (words[1] ? " depth_write" : "") + " cull " + kCullNames[words[2]];
 }
 
 }  // namespace

@@ -39,11 +39,7 @@ void estimate(const Plan& plan, PlanPass& pass)
         pass.bytes_written += bytes * pass.samples;  // and resolving reads them all
         pass.bytes_read += bytes * pass.samples;
     };
-    for (const PlanAttachment& color : pass.color) {
-        write(color);
-        const bool mixes = pass.state.blend != Blend::none && color.target >= 0;
-        if (mixes) pass.bytes_read += count * texel(color.target) * pass.samples;
-    }
+    for (const PlanAttachment& color : pass.color) write(color);
     if (pass.has_depth && !isMasked(pass)) write(pass.depth);
 }
 

@@ -170,9 +170,9 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     const PassDesc& desc = *pass.desc;
     const StateDesc& state = desc.state;
     // A fragment that fails a test or is thrown away leaves what was there.
-    const bool keeps = desc.type == PassType::draw || state.blend != Blend::none ||
-                       state.depth_test != Compare::always || (depth && !state.depth_write) ||
-                       readsMask(pass) || isBounded(state_, pass) ||
+    const bool keeps = desc.type == PassType::draw || state.depth_test != Compare::always ||
+                       (depth && !state.depth_write) || readsMask(pass) ||
+                       isBounded(state_, pass) ||
                        mentions(state_.shaders[pass.shader].fragment.text, "discard");
     if (!keeps) {
         result.reason = "every pixel is overwritten";
@@ -184,10 +184,10 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
         if (clear.target.name == result.name) result.clear = clear.value;
     if (depth && desc.type == PassType::draw && state_.traits.reversed_depth)
         for (float& value : result.clear) value = 1.0f - value;
-    result.reason = desc.type == PassType::draw    ? "a draw does not cover every pixel"
-                    : state.blend != Blend::none ? "the pass blends with what is there"
-                    : readsMask(pass) || isBounded(state_, pass) ? "the pass is not drawn everywhere"
-                                                   : "the pass leaves pixels as they are";
+    result.reason = desc.type == PassType::draw ? "a draw does not cover every pixel"
+                    : readsMask(pass) || isBounded(state_, pass)
+                        ? "the pass is not drawn everywhere"
+                        : "the pass leaves pixels as they are";
     return result;
 }
 

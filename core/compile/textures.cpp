@@ -28,19 +28,6 @@ bool within(const Extent& extent, int limit)
     return extent.width <= limit && extent.height <= limit;
 }
 
-int fullMips(const Extent& extent)
-{
-    int levels = 1;
-    for (int side = std::max(extent.width, extent.height); side > 1; side /= 2) ++levels;
-    return levels;
-}
-
-int mipsOf(const TargetDesc& desc, const Extent& extent)
-{
-    const int full = fullMips(extent);
-    return desc.mips == 0 ? full : std::min(desc.mips, full);
-}
-
 bool isDepth(const TargetDesc& target)
 {
     return formatInfo(target.formats.front()).format_class == FormatClass::depth;
@@ -198,7 +185,7 @@ private:
         for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
             const PlanTexture& each = textures_[i];
             if (busy_until_[i] < first_pass && each.format == wanted.format && fits(each.extent) &&
-                each.mips == wanted.mips && each.samples == wanted.samples)
+                each.samples == wanted.samples)
                 return static_cast<int>(i);
         }
         return -1;
@@ -272,8 +259,7 @@ void shareTextures(const State& state, Plan& plan)
         const int index = indexOf(state.description.targets, target.name);
         const TargetDesc& desc = state.description.targets[index];
         const Target& found = state.targets[index];
-        PlanTexture texture{found.format, found.extent, mipsOf(desc, found.extent), found.samples,
-                            {target.name}};
+        PlanTexture texture{found.format, found.extent, found.samples, {target.name}};
         if (found.remembered) {
             target.texture = target.drawn_texture = slots.add(texture, kForever);
             texture.targets = {historyName(desc)};

@@ -85,7 +85,6 @@ struct GeneratedDesc : Named {
     Reference count_param = {}; ///< The int param that gives the count; empty when `count` does.
     int count = 16;             ///< Offsets of a kernel, or pixels along a side of a noise.
     std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
-    std::string sequence = "random";       ///< How evenly they fill it.
     unsigned seed = 1;
 };
 
@@ -110,7 +109,6 @@ struct TargetDesc : Named {
     Place formats_place = {};
     Holds holds = Holds::other;
     SizeDesc size = {};
-    int mips = 1;          ///< Levels; 0 means down to 1x1.
     bool history = false;  ///< Last frame's content stays, under `historyName`.
     Reference samples_param = {};  ///< The param that gives the samples; empty when `samples` does.
     int samples = 1;  ///< Of a pixel, [1, kMaxSamples]; above 1 its pass resolves it for readers.

@@ -43,7 +43,6 @@ inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights"
 inline Spellings spellings(Holds) { return {"other", "view_position", "view_depth", "mask"}; }
 inline Spellings spellings(PassType) { return {"draw", "fullscreen"}; }
 inline Spellings spellings(Cull) { return {"none", "back", "front"}; }
-inline Spellings spellings(Blend) { return {"none", "alpha", "add", "multiply"}; }
 inline Spellings spellings(Filter) { return {"nearest", "linear"}; }
 inline Spellings spellings(Wrap) { return {"clamp", "repeat"}; }
 inline Spellings spellings(Compare)

@@ -83,8 +83,6 @@ void fields(V& v, GeneratedDesc& g)
             range(1, kMaxKernelSize));
     v.field("distribution", OneOf{g.distribution, distributionNames()},
             "Where the offsets of a kernel lie.");
-    v.field("sequence", OneOf{g.sequence, sequenceNames()},
-            "How evenly they fill it: less noise from as many, best at powers of two.");
     v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
 }
 
@@ -107,7 +105,6 @@ void fields(V& v, TargetDesc& t)
             "What surfaces are found by here, so that its format is chosen to resolve the radius; "
             "depth formats hold window depth without it, or a mask.");
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
-    v.field("mips", t.mips, "Mip levels; 0 means down to 1x1.", range(0, 16));
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
     v.field("samples", NumberOrName<int>{t.samples, t.samples_param},
             "Of a pixel as its pass draws it, or the int param that says; readers see their mean.",
@@ -116,8 +113,6 @@ void fields(V& v, TargetDesc& t)
     if (multisampled && t.history)
         v.refuse("history", Code::bad_enum,
                  "a mean over samples of several surfaces matches none of the next frame");
-    if (multisampled && t.mips != 1)
-        v.refuse("mips", Code::out_of_range, "samples are resolved into one level alone");
 }
 
 template <class V>
@@ -194,7 +189,6 @@ void fields(V& v, StateDesc& s)
     v.field("depth_test", s.depth_test, "Less for a draw pass with depth, when absent. Less is nearer, also where a camera reverses depth.");
     v.field("depth_write", s.depth_write, "True for a draw pass with depth, when absent.");
     v.field("cull", s.cull, "Which side of a triangle is left out.");
-    v.field("blend", s.blend, "How a pixel joins what is there.");
 }
 
 template <class V>

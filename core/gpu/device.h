@@ -41,7 +41,6 @@ struct DeviceCaps {
     std::string name;      ///< Renderer and version as the driver tells them.
     int version = 300;     ///< 300, 310 or 320; a desktop context counts as what it is compatible with.
     bool software = false; ///< Rendered by the CPU: timer queries lie, time with finish().
-    bool compute = false;
     int max_texture_size = 2048;
     int max_color_attachments = 4;
     int max_texture_units = 16;           ///< Of the fragment stage.
@@ -62,7 +61,6 @@ struct TextureDesc {
     std::string label = {};
     Format format = Format::rgba8;
     Extent extent = {};
-    int mips = 1;
     int samples = 1;  ///< Above 1 it can be drawn into and resolved, and neither sampled nor read,
                       ///< unless it is adopted: then sampler2DMS reads it, from OpenGL ES 3.1 on.
 };

@@ -8,7 +8,6 @@ namespace crevice {
 constexpr int kMaxSamples = 32;
 
 enum class Cull { none, back, front };
-enum class Blend { none, alpha, add, multiply };
 enum class Compare { always, less, less_equal, greater, greater_equal, equal };
 enum class Filter { nearest, linear };
 enum class Wrap { clamp, repeat };
@@ -18,7 +17,6 @@ struct StateDesc {
     Compare depth_test = Compare::always;  ///< A draw pass with a depth target defaults to less.
     bool depth_write = false;              ///< ... and to true.
     Cull cull = Cull::none;
-    Blend blend = Blend::none;
 };
 
 }  // namespace crevice

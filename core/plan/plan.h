@@ -20,14 +20,13 @@ namespace crevice {
 struct PlanTexture {
     Format format = Format::none;
     Extent extent;
-    int mips = 1;
     int samples = 1;
     std::vector<std::string> targets;  ///< In the order in which they use it.
     int copies = 1;  ///< One for all views, which use it in turn; or one a view, where what it
                      ///< holds outlives the view's passes: an output, a history.
 };
 
-/// Bytes of a texture, with all its mip levels and copies.
+/// Bytes of a texture, with all its copies.
 double textureBytes(const PlanTexture& texture);
 
 /// A target that some active pass writes.

@@ -93,7 +93,6 @@ Part partOf(const Plan& plan, const PlanPass& pass)
     facts.insert(facts.end(), {{"depth_test", table::word(pass.state.depth_test)},
                                {"depth_write", yesNo(pass.state.depth_write)},
                                {"cull", table::word(pass.state.cull)},
-                               {"blend", table::word(pass.state.blend)},
                                {"read", bytesText(pass.bytes_read)},
                                {"written", bytesText(pass.bytes_written)}});
     return {"passes", pass.name, std::move(facts)};
@@ -106,7 +105,6 @@ Part partOf(const Plan& plan, const PlanTarget& target)
     return {"targets", target.name,
             {{"format", formatInfo(texture.format).name},
              {"size", sizeText(texture.extent)},
-             {"mips", std::to_string(texture.mips)},
              {"samples", std::to_string(drawn.samples)},
              {"history", yesNo(target.history_texture >= 0)}}};
 }

@@ -69,8 +69,7 @@ std::string uniformJson(const PlanUniform& uniform)
 std::string stateJson(const StateDesc& state)
 {
     return "{\"depth_test\": " + word(state.depth_test) + ", \"depth_write\": " +
-           json(state.depth_write) + ", \"cull\": " + word(state.cull) + ", \"blend\": " +
-           word(state.blend) + "}";
+           json(state.depth_write) + ", \"cull\": " + word(state.cull) + "}";
 }
 
 std::string passJson(const Plan& plan, const PlanPass& pass)
@@ -110,7 +109,7 @@ std::string textureJson(const PlanTexture& texture)
     for (const std::string& name : texture.targets)
         targets += (targets.empty() ? "" : ", ") + json(name);
     return "{\"format\": " + json(formatInfo(texture.format).name) + ", \"extent\": " +
-           json(texture.extent) + ", \"mips\": " + json(texture.mips) + ", \"samples\": " +
+           json(texture.extent) + ", \"samples\": " +
            json(texture.samples) + ", \"bytes\": " +
            bytesJson(textureBytes(texture)) + ", \"copies\": " + json(texture.copies) +
            ", \"targets\": [" + targets + "]}";

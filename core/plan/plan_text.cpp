@@ -158,7 +158,6 @@ std::string textureText(const Plan& plan, std::size_t index)
     const PlanTexture& texture = plan.textures[index];
     std::string text = "  " + std::to_string(index) + ": " + formatInfo(texture.format).name + " " +
                        sizeText(texture.extent) + samplesText(texture.samples);
-    if (texture.mips > 1) text += ", " + std::to_string(texture.mips) + " mips";
     if (texture.copies > 1) text += ", one a view";
     text += ", " + bytesText(textureBytes(texture)) + ":";
     const char* separator = " ";

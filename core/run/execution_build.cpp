@@ -91,8 +91,7 @@ Status Execution::createTextures()
         for (int view = 0; view < texture.copies; ++view) {
             const std::string of_view = view > 0 ? " of view " + std::to_string(view) : "";
             Result<TextureId> id =
-                device_.createTexture({label + of_view, texture.format, texture.extent,
-                                       texture.mips, texture.samples});
+                device_.createTexture({label + of_view, texture.format, texture.extent, texture.samples});
             if (!id) return id.diagnostics();
             textures_.back().emplace_back(device_, *id);
         }
@@ -114,7 +113,7 @@ Status Execution::createTextures()
 Status Execution::createFilled(const std::string& label, Format format, const Image& image,
                                Owned<TextureId>& texture)
 {
-    Result<TextureId> id = device_.createTexture({label, format, image.extent, 1});
+    Result<TextureId> id = device_.createTexture({label, format, image.extent});
     if (!id) return id.diagnostics();
     texture = Owned<TextureId>(device_, *id);
     return device_.writeTexture(*id, image);

@@ -51,7 +51,7 @@ Status ValueTable::addKernel(const GeneratedDesc& kernel)
 {
     const bool hemisphere = kernel.generator == "hemisphere_kernel";
     Result<std::vector<glm::vec3>> offsets =
-        makeKernel({hemisphere, kernel.count, kernel.distribution, kernel.sequence, kernel.seed});
+        makeKernel({hemisphere, kernel.count, kernel.distribution, kernel.seed});
     if (!offsets) {
         Diagnostics errors = offsets.diagnostics();
         for (Diagnostic& error : errors) {

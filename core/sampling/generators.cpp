@@ -7,14 +7,12 @@
 // The C library's sin, cos and <random> differ between platforms and are not used.
 #include "core/sampling/generators.h"
 
-#include "core/sampling/sequences.h"
+#include "core/sampling/random.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace crevice {
-
-static_assert(kMaxKernelSize <= kMaxSequenceSize);
 
 namespace {
 
@@ -46,7 +44,6 @@ Vector inBall(Stream& stream)
 }
 
 enum class Distribution { uniform, cube, linear, accelerated };
-enum class Sequence { random, stratified, low_discrepancy };
 
 /// Share of its random length that the first offset keeps [Chapman 2013].
 constexpr double kInnermost = 0.1;
@@ -93,65 +90,6 @@ void direction(double turns, double& x, double& y)
     y = sine * angle;
 }
 
-/// Of a number in (0, 1], by Newton's method. From 1 each step takes off at most a third, so that 20
-/// reach the root of 2^-25; the rest double the digits.
-double cubeRoot(double number)
-{
-    constexpr int kSteps = 25;
-    double root = 1.0;
-    for (int i = 0; i < kSteps; ++i) root -= (root - number / (root * root)) / 3.0;
-    return root;
-}
-
-/// A point of the unit cube, carried into the distribution so that equal volumes of the cube hold
-/// equal shares of it; `height` is evenly spread over the unit sphere or hemisphere (Archimedes).
-Vector warped(const CubePoint& point, Distribution distribution, bool hemisphere, int index, int count)
-{
-    const double height = hemisphere ? point[1] : 2.0 * point[1] - 1.0;
-    if (distribution == Distribution::cube)
-        return {2.0 * point[0] - 1.0, 2.0 * point[2] - 1.0, height};
-    const double length = distribution == Distribution::uniform
-                              ? cubeRoot(point[2])
-                              : point[2] * lengthScale(distribution, index, count);
-    const double across = length * std::sqrt(1.0 - height * height);
-    double x, y;
-    direction(point[0] - 0.5, x, y);
-    return {across * x, across * y, length * height};
-}
-
-std::vector<glm::vec3> randomKernel(const KernelDesc& desc, Distribution distribution)
-{
-    Stream stream(desc.seed);
-    std::vector<glm::vec3> kernel;
-    for (int i = 0; i < desc.count; ++i) {
-        const Vector offset = randomOffset(stream, distribution, i, desc.count);
-        kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
-    }
-    return kernel;
-}
-
-std::vector<glm::vec3> evenKernel(const KernelDesc& desc, Distribution distribution,
-                                  const std::vector<CubePoint>& points)
-{
-    std::vector<glm::vec3> kernel;
-    for (const CubePoint& point : points) {
-        const int index = static_cast<int>(kernel.size());
-        const Vector offset = warped(point, distribution, desc.hemisphere, index, desc.count);
-        kernel.emplace_back(offset.x, offset.y, offset.z);
-    }
-    return kernel;
-}
-
-/// Where a word is in its list. Errors: CV3005.
-Result<std::size_t> indexOf(std::string_view word, const std::vector<std::string>& words,
-                            const std::string& what)
-{
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-    return Diagnostic{Code::bad_enum, "there is no " + what + " '" + std::string(word) + "'",
-                      {}, {}, {}, suggestName(word, words, what + "s")};
-}
-
 }  // namespace
 
 const std::vector<std::string>& distributionNames()
@@ -160,30 +98,24 @@ const std::vector<std::string>& distributionNames()
     return names;
 }
 
-const std::vector<std::string>& sequenceNames()
-{
-    static const std::vector<std::string> names = {"random", "stratified", "low_discrepancy"};
-    return names;
-}
-
 Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
 {
-    const Result<std::size_t> found = indexOf(desc.distribution, distributionNames(), "distribution");
-    if (!found) return found.diagnostics();
-    const Result<std::size_t> sequence = indexOf(desc.sequence, sequenceNames(), "sequence");
-    if (!sequence) return sequence.diagnostics();
+    const std::vector<std::string>& names = distributionNames();
+    const auto found = std::find(names.begin(), names.end(), desc.distribution);
+    if (found == names.end())
+        return Diagnostic{Code::bad_enum, "there is no distribution '" + desc.distribution + "'",
+                          {}, {}, {}, suggestName(desc.distribution, names, "distributions")};
     if (desc.count < 1 || desc.count > kMaxKernelSize)
         return rangeError("count", desc.count, kMaxKernelSize);
 
-    const Distribution distribution = Distribution(*found);
-    switch (Sequence(*sequence)) {
-        case Sequence::random: break;
-        case Sequence::stratified:
-            return evenKernel(desc, distribution, stratifiedPoints(desc.count, desc.seed));
-        case Sequence::low_discrepancy:
-            return evenKernel(desc, distribution, lowDiscrepancyPoints(desc.count, desc.seed));
+    const Distribution distribution = Distribution(found - names.begin());
+    Stream stream(desc.seed);
+    std::vector<glm::vec3> kernel;
+    for (int i = 0; i < desc.count; ++i) {
+        const Vector offset = randomOffset(stream, distribution, i, desc.count);
+        kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
     }
-    return randomKernel(desc, distribution);
+    return kernel;
 }
 
 Result<Image> makeRotationNoise(int size, unsigned seed)

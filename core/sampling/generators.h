@@ -5,7 +5,7 @@
 //   Mittring 2007, "Finding Next Gen: CryEngine 2", SIGGRAPH course, chapter 8 - the sphere.
 //   Filion, McNaughton 2008, "StarCraft II: Effects & Techniques" - the hemisphere.
 //   Chapman 2013, "SSAO Tutorial" - offsets that cluster near the origin, a small tiled rotation.
-//   core/sampling/sequences.h names those of the numbers behind them.
+//   core/sampling/random.h names that of the numbers behind them.
 #pragma once
 
 #include "core/base/image.h"
@@ -30,12 +30,11 @@ struct KernelDesc {
     bool hemisphere = true;                ///< Offsets with z >= 0 only.
     int count = 16;                        ///< [1, kMaxKernelSize].
     std::string distribution = "uniform";  ///< Where the offsets lie; see distributionNames().
-    std::string sequence = "random";       ///< How evenly they fill it; see sequenceNames().
     unsigned seed = 1;
 };
 
 /// The offsets of a kernel, `count` of them.
-/// Errors: CV4001 for a count outside its range, CV3005 for another distribution or sequence.
+/// Errors: CV4001 for a count outside its range, CV3005 for another distribution.
 Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
 
 /// Where the offsets of a kernel lie:
@@ -44,12 +43,6 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
 ///   "linear"            random direction, random length, times lerp(0.1, 1, i / n)
 ///   "accelerated"       random direction, random length, times lerp(0.1, 1, (i / n)^2) (Chapman)
 const std::vector<std::string>& distributionNames();
-
-/// How evenly the offsets fill their distribution, whatever that is and for every count:
-///   "random"            independent of each other
-///   "stratified"        a Latin hypercube of azimuth, height and length
-///   "low_discrepancy"   a scrambled Sobol sequence of them; least noise, best at powers of two
-const std::vector<std::string>& sequenceNames();
 
 /// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of its
 /// own stratum, so that a size x size box filter sees all directions evenly.

@@ -49,7 +49,6 @@ TEST_CASE_METHOD(GlFixture, "caps tell what the context is")
     INFO(caps.name);
     CHECK_FALSE(caps.name.empty());
     CHECK(caps.version >= 300);
-    CHECK(caps.compute == (caps.version >= 310));
     const DeviceCaps least = minimumCaps();
     CHECK(caps.max_texture_size >= least.max_texture_size);
     CHECK(caps.max_color_attachments >= least.max_color_attachments);
@@ -69,7 +68,6 @@ TEST_CASE("a bare OpenGL ES 3.0 renders to no float format, yet floats are writt
     GlFixture bare(options);
     const DeviceCaps& caps = bare.device->caps();
     CHECK(caps.version == 300);
-    CHECK_FALSE(caps.compute);
     for (const FormatInfo& info : allFormats()) {
         INFO(info.name);
         CHECK(caps.canRender(info.format) == info.core_renderable);
@@ -204,12 +202,11 @@ TEST_CASE_METHOD(GlFixture, "a texture larger than the device holds is refused b
 TEST_CASE_METHOD(GlFixture, "a texture that the driver refuses is an error")
 {
     TextureDesc desc;
-    desc.label = "levels";
-    desc.extent = {4, 4};
-    desc.mips = 9;
+    desc.label = "nothing";
+    desc.extent = {0, 4};
     const auto result = device->createTexture(desc);
     CHECK(onlyCode(result.diagnostics()) == Code::gl_error);
-    CHECK(result.diagnostics()[0].message.find("GL_INVALID_OPERATION") != std::string::npos);
+    CHECK(result.diagnostics()[0].message.find("GL_INVALID_VALUE") != std::string::npos);
 }
 
 TEST_CASE_METHOD(GlFixture, "an incomplete framebuffer is an error with the status's name")

@@ -53,7 +53,7 @@ public:
 
     GLuint hostFramebuffer() const { return framebuffers_[0]; }
 
-    /// One frame of everything: a pass that blends and tests depth, through two texture units, into
+    /// One frame of everything: a pass that tests depth, through two texture units, into
     /// several samples or one.
     Image frame(int samples = 1);
 
@@ -236,7 +236,7 @@ in vec2 uv; out vec4 color; void main() { color = texture(a, uv) + texture(b, uv
     FramebufferDesc desc{"framebuffer", {target}, depth};
     if (samples > 1) {
         const auto drawn = [&](Format format) {
-            return need(device->createTexture({"drawn", format, {4, 4}, 1, samples}));
+            return need(device->createTexture({"drawn", format, {4, 4}, samples}));
         };
         desc = {"framebuffer", {drawn(Format::rgba32f)}, drawn(Format::depth32f), {target}, depth};
     }
@@ -248,7 +248,6 @@ in vec2 uv; out vec4 color; void main() { color = texture(a, uv) + texture(b, uv
     StateDesc state;
     state.depth_test = Compare::less;
     state.depth_write = true;
-    state.blend = Blend::add;
     state.cull = Cull::back;
     need(device->beginFrame());
     device->beginPass(pass);
@@ -303,7 +302,7 @@ TEST_CASE_METHOD(HostileHost, "reading samples of a texture leaves the host's in
         storage(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA8, 4, 4, GL_TRUE);
     }
     const TextureId read_from =
-        need(device->adoptTexture(names[0], {"host", Format::rgba8, {4, 4}, 1, 4}));
+        need(device->adoptTexture(names[0], {"host", Format::rgba8, {4, 4}, 4}));
     const ProgramId reads = need(device->createProgram(
         {"reads", stage("#version 310 es\nvoid main() { gl_Position = vec4(0.0); }\n"),
          stage("#version 310 es\nuniform highp sampler2DMS host;\nout highp vec4 color;\n"

@@ -93,7 +93,7 @@ TEST_CASE("A frame in order is logged call by call, and nothing is blamed")
 
     CHECK(rig.device.log() == "beginFrame\n"
                               "beginPass draw 8x4 color0 discard store\n"
-                              "setProgram 'shade' depth_test always cull none blend none\n"
+                              "setProgram 'shade' depth_test always cull none\n"
                               "setUniform offsets[3] 1 2 3 4 5 6\n"
                               "setUniform light_count -7\n"
                               "setTexture image unit 2 <- texture 'input' linear repeat\n"

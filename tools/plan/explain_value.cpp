@@ -129,8 +129,7 @@ std::string stateWord(const StateDesc& state, const std::string& key)
 {
     if (key == "depth_test") return table::word(state.depth_test);
     if (key == "depth_write") return state.depth_write ? "true" : "false";
-    if (key == "cull") return table::word(state.cull);
-    return key == "blend" ? table::word(state.blend) : "";
+    return key == "cull" ? table::word(state.cull) : "";
 }
 
 /// What feeds a uniform of that name.

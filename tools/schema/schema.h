@@ -28,7 +28,7 @@ struct FormatKey {
     bool named = false;  ///< It stands for any name: "ao" in ("targets", "ao").
 };
 
-/// The key that the parts of a path ("targets", "ao", "mips") lead to, or nothing.
+/// The key that the parts of a path ("targets", "ao", "format") lead to, or nothing.
 std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts);
 
 }  // namespace crevice

@@ -181,7 +181,7 @@ TEST_CASE("More colour targets or samplers than the device has are refused")
     }
 }
 
-TEST_CASE("A fullscreen pass loads nothing, and a draw, a blend and a test clear first")
+TEST_CASE("A fullscreen pass loads nothing, and a draw and a test clear first")
 {
     const auto load = [](const std::string& keys) {
         const Plan plan = planOf(describe(Sketch{
@@ -190,7 +190,6 @@ TEST_CASE("A fullscreen pass loads nothing, and a draw, a blend and a test clear
     };
     CHECK(load(R"("type": "fullscreen")").load == LoadOp::discard);
     CHECK(load(R"("type": "draw")").load == LoadOp::clear);
-    CHECK(load(R"("state": {"blend": "add"})").load == LoadOp::clear);
     CHECK(load(R"("depth": "d", "state": {"depth_test": "less"})").load == LoadOp::clear);
     CHECK(load(R"("type": "draw", "clear": {"x": [1, 2, 3, 4]})").clear ==
           std::array<float, 4>{1, 2, 3, 4});
@@ -231,18 +230,6 @@ TEST_CASE("Depth that a later pass samples is stored")
     CHECK(plan.passes[0].depth.reason.find("read by h") != std::string::npos);
 }
 
-TEST_CASE("Mips are counted down to one pixel and no further")
-{
-    const auto mips = [](const std::string& count) {
-        return planOf(describe(oneTarget(R"({"format": ["rgba8"], "mips": )" + count + "}")), {},
-                      sized(9, 4));
-    };
-    CHECK(mips("0").textures[0].mips == 4);
-    CHECK(mips("9").textures[0].mips == 4);
-    CHECK(mips("2").textures[0].mips == 2);
-    CHECK(mips("2").texture_bytes == 4 * (9 * 4 + 4 * 2));
-}
-
 TEST_CASE("Targets whose lifetimes do not meet share a texture")
 {
     const Description description = describe(Sketch{
@@ -263,7 +250,6 @@ TEST_CASE("Textures are not shared between formats or sizes")
     CHECK(textures(R"({"format": ["r8"]})") == 2);
     CHECK(textures(R"({"format": ["rg8"]})") == 3);
     CHECK(textures(R"({"format": ["r8"], "size": {"scale": 0.5}})") == 3);
-    CHECK(textures(R"({"format": ["r8"], "mips": 2})") == 3);
 }
 
 TEST_CASE("In graphs of every shape no two live targets share a texture and reads follow writes")

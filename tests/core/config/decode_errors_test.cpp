@@ -73,8 +73,6 @@ TEST_CASE("an unknown word is an error with the allowed ones in the help", "[dec
         {"generated", R"({"k": {"generator": "spheer_kernel"}})", "CV3005 /generated/k/generator"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "distribution": "gauss"}})",
          "CV3005 /generated/k/distribution"},
-        {"generated", R"({"k": {"generator": "sphere_kernel", "sequence": "sobol"}})",
-         "CV3005 /generated/k/sequence"},
         {"features", R"({"check": {"type": "enum", "values": ["a", "b"], "default": "c"}})",
          "CV3005 /features/check/default"},
         {"passes", R"({"p": {"type": "blit", "shader": "ao", "color": "ao"}})",
@@ -141,10 +139,10 @@ TEST_CASE("a value outside its range is an error", "[decode]")
          "CV4001 /generated/k/count"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "seed": 1152921504606846976}})",
          "CV4001 /generated/k/seed"},
-        {"targets", R"({"depth": {"format": "depth24", "mips": -1},
-                        "ao": {"format": "r8", "mips": 17},
+        {"targets", R"({"depth": {"format": "depth24", "samples": -1},
+                        "ao": {"format": "r8", "samples": 33},
                         "ao_filtered": {"format": "r8", "size": {"scale": 0}}})",
-         "CV4001 /targets/depth/mips; CV4001 /targets/ao/mips; "
+         "CV4001 /targets/depth/samples; CV4001 /targets/ao/samples; "
          "CV4001 /targets/ao_filtered/size/scale"},
         {"views", R"({"v": {"target": "ao", "scale": 1e39}})", "CV4001 /views/v/scale"},
         {"passes", R"({"p": {"shader": "ao", "depth": "depth", "clear": {"depth": 2}}})",
@@ -214,14 +212,14 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
 {
     const std::string text = R"({ "format": 1,
   "views": {"v": {"target": "nowhere", "scale": "big"}},
-  "targets": {"ao": {"formats": "r8", "mips": 99}},
+  "targets": {"ao": {"formats": "r8", "samples": 99}},
   "colour": 1,
   "params": {"Radius": {"default": "x"}}
 })";
     const auto result = decode(parsed(text), MemorySources());
     CHECK(errorsOf(result) ==
           "CV2103 /views/v/target; CV3002 /views/v/scale; "
-          "CV3001 /targets/ao/formats; CV4001 /targets/ao/mips; CV3001 /colour; "
+          "CV3001 /targets/ao/formats; CV4001 /targets/ao/samples; CV3001 /colour; "
           "CV3004 /params/Radius; CV3002 /params/Radius/default");
     int line = 0;
     for (const Diagnostic& each : result.diagnostics()) {

@@ -2,7 +2,7 @@
 // Sample kernels and rotation noise.
 #include "core/sampling/generators.h"
 
-#include "core/sampling/sequences.h"
+#include "core/sampling/random.h"
 #include "tests/support/catch.h"
 
 #include <glm/geometric.hpp>
@@ -19,21 +19,20 @@ using namespace crevice;
 namespace {
 
 std::vector<glm::vec3> kernelOf(bool hemisphere, int count, const std::string& distribution,
-                                unsigned seed, const std::string& sequence = "random")
+                                unsigned seed)
 {
-    const auto kernel = makeKernel({hemisphere, count, distribution, sequence, seed});
+    const auto kernel = makeKernel({hemisphere, count, distribution, seed});
     REQUIRE(kernel.ok());
     return *kernel;
 }
 
 /// The offsets of kernels of the largest size with the seeds 0 to 199, next to each other.
-std::vector<glm::vec3> manyOffsets(bool hemisphere, const std::string& distribution,
-                                   const std::string& sequence)
+std::vector<glm::vec3> manyOffsets(bool hemisphere, const std::string& distribution)
 {
     std::vector<glm::vec3> all;
     for (unsigned seed = 0; seed < 200; ++seed)
         for (const glm::vec3& offset :
-             kernelOf(hemisphere, kMaxKernelSize, distribution, seed, sequence))
+             kernelOf(hemisphere, kMaxKernelSize, distribution, seed))
             all.push_back(offset);
     return all;
 }
@@ -79,12 +78,11 @@ TEST_CASE("random numbers fill 0 to 1 evenly")
 
 TEST_CASE("kernels have as many offsets as asked for, none longer than 1 but in the cube")
 {
-    const auto sequence = GENERATE(from_range(sequenceNames()));
     const auto distribution = GENERATE(from_range(distributionNames()));
     const bool hemisphere = GENERATE(false, true);
     const float lowest = hemisphere ? 0.0f : -1.0f;
     for (int count = 1; count <= kMaxKernelSize; ++count) {
-        const std::vector<glm::vec3> kernel = kernelOf(hemisphere, count, distribution, 3, sequence);
+        const std::vector<glm::vec3> kernel = kernelOf(hemisphere, count, distribution, 3);
         REQUIRE(int(kernel.size()) == count);
         for (const glm::vec3& offset : kernel) {
             REQUIRE((distribution == "cube" || glm::length(glm::dvec3(offset)) <= 1.0));
@@ -96,11 +94,10 @@ TEST_CASE("kernels have as many offsets as asked for, none longer than 1 but in 
 
 TEST_CASE("a sphere favours no direction and a hemisphere has the mean height of its distribution")
 {
-    const auto sequence = GENERATE(from_range(sequenceNames()));
     const auto distribution = GENERATE(from_range(distributionNames()));
-    INFO(distribution << ", " << sequence);
-    CHECK(glm::length(mean(manyOffsets(false, distribution, sequence))) < 0.02);
-    const glm::dvec3 hemisphere = mean(manyOffsets(true, distribution, sequence));
+    INFO(distribution);
+    CHECK(glm::length(mean(manyOffsets(false, distribution))) < 0.02);
+    const glm::dvec3 hemisphere = mean(manyOffsets(true, distribution));
     CHECK(glm::length(glm::dvec2(hemisphere)) < 0.02);
     // The mean length times the mean cosine, 1/2; of the cube half of its upper side.
     const std::map<std::string, double> heights = {
@@ -110,20 +107,18 @@ TEST_CASE("a sphere favours no direction and a hemisphere has the mean height of
 
 TEST_CASE("the uniform kernel fills its volume and the cube reaches its corners")
 {
-    const auto sequence = GENERATE(from_range(sequenceNames()));
-    const std::vector<glm::vec3> uniform = manyOffsets(false, "uniform", sequence);
+    const std::vector<glm::vec3> uniform = manyOffsets(false, "uniform");
     for (float length : {0.5f, 0.75f, 0.9f})
         CHECK(shareWithin(uniform, length) == Approx(std::pow(length, 3)).margin(0.01));
-    CHECK(shareWithin(manyOffsets(false, "cube", sequence), 1.0f) == Approx(0.5236).margin(0.01));
+    CHECK(shareWithin(manyOffsets(false, "cube"), 1.0f) == Approx(0.5236).margin(0.01));
 }
 
 TEST_CASE("clustered kernels have the mean length that their ramp gives")
 {
     // Half of the mean of lerp(0.1, 1, t) and of lerp(0.1, 1, t^2) over t in [0, 1).
-    const auto sequence = GENERATE(from_range(sequenceNames()));
-    const auto meanLength = [&sequence](const char* distribution) {
+    const auto meanLength = [](const char* distribution) {
         double sum = 0;
-        const std::vector<glm::vec3> offsets = manyOffsets(true, distribution, sequence);
+        const std::vector<glm::vec3> offsets = manyOffsets(true, distribution);
         for (const glm::vec3& offset : offsets) sum += glm::length(offset);
         return sum / double(offsets.size());
     };
@@ -133,10 +128,9 @@ TEST_CASE("clustered kernels have the mean length that their ramp gives")
 
 TEST_CASE("the first offsets of clustered kernels are the near ones")
 {
-    const auto sequence = GENERATE(from_range(sequenceNames()));
     for (unsigned seed = 0; seed < 50; ++seed) {
-        const auto accelerated = kernelOf(false, 64, "accelerated", seed, sequence);
-        const auto linear = kernelOf(false, 64, "linear", seed, sequence);
+        const auto accelerated = kernelOf(false, 64, "accelerated", seed);
+        const auto linear = kernelOf(false, 64, "linear", seed);
         CHECK(glm::length(accelerated[0]) <= 0.1f);
         CHECK(glm::length(linear[0]) <= 0.1f);
         CHECK(glm::length(accelerated[32]) <= 0.325f);
@@ -146,12 +140,11 @@ TEST_CASE("the first offsets of clustered kernels are the near ones")
 
 TEST_CASE("a seed gives the same numbers again and another seed gives others")
 {
-    for (const std::string& sequence : sequenceNames())
-        for (const std::string& distribution : distributionNames()) {
-            const auto kernel = kernelOf(true, 16, distribution, 5, sequence);
-            CHECK(kernel == kernelOf(true, 16, distribution, 5, sequence));
-            CHECK(kernel != kernelOf(true, 16, distribution, 6, sequence));
-        }
+    for (const std::string& distribution : distributionNames()) {
+        const auto kernel = kernelOf(true, 16, distribution, 5);
+        CHECK(kernel == kernelOf(true, 16, distribution, 5));
+        CHECK(kernel != kernelOf(true, 16, distribution, 6));
+    }
     CHECK(makeRotationNoise(4, 1)->pixels == makeRotationNoise(4, 1)->pixels);
     CHECK(makeRotationNoise(4, 1)->pixels != makeRotationNoise(4, 2)->pixels);
 }
@@ -213,21 +206,17 @@ TEST_CASE("rotation noise is shuffled, not a ramp")
 TEST_CASE("a generator that is asked for the impossible says what is possible")
 {
     for (int count : {-1, 0, kMaxKernelSize + 1}) {
-        const auto kernel = makeKernel({true, count, "uniform", "random", 1});
+        const auto kernel = makeKernel({true, count, "uniform", 1});
         REQUIRE(kernel.diagnostics().size() == 1);
         CHECK(kernel.diagnostics()[0].code == Code::out_of_range);
         CHECK(kernel.diagnostics()[0].message.find("[1, 128]") != std::string::npos);
     }
     for (int size : {-1, 0, kMaxNoiseSize + 1})
         CHECK(makeRotationNoise(size, 1).diagnostics()[0].code == Code::out_of_range);
-    const auto kernel = makeKernel({true, 4, "liner", "random", 1});
+    const auto kernel = makeKernel({true, 4, "liner", 1});
     REQUIRE(kernel.diagnostics().size() == 1);
     CHECK(kernel.diagnostics()[0].code == Code::bad_enum);
     CHECK(kernel.diagnostics()[0].help.find("linear") != std::string::npos);
-    const auto sequence = makeKernel({true, 4, "linear", "stratifyed", 1});
-    REQUIRE(sequence.diagnostics().size() == 1);
-    CHECK(sequence.diagnostics()[0].code == Code::bad_enum);
-    CHECK(sequence.diagnostics()[0].help.find("did you mean 'stratified'") != std::string::npos);
 }
 
 TEST_CASE("generators are known by name")

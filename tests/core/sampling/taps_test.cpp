@@ -162,10 +162,9 @@ TEST_CASE("Attachments of one pass have as many samples")
     CHECK_FALSE(error.help.empty());
 }
 
-TEST_CASE("Samples go with neither histories nor mips, and end somewhere")
+TEST_CASE("Samples go with no history, and end somewhere")
 {
     CHECK(refusal(R"("samples": 4, "history": true)").pointer == "/targets/x/history");
-    CHECK(refusal(R"("samples": 4, "mips": 0)").pointer == "/targets/x/mips");
     CHECK(refusal(R"("samples": 33)").code == Code::out_of_range);
     CHECK(refusal(R"("samples": 0)").code == Code::out_of_range);
     CHECK(refusal(R"("samples": "many")").code == Code::reference_missing);
@@ -175,7 +174,7 @@ TEST_CASE("A recording device blames what no device can do with samples")
 {
     RecordingDevice device;
     const auto texture = [&](const char* label, int samples) {
-        return *device.createTexture({label, Format::rgba8, {4, 4}, 1, samples});
+        return *device.createTexture({label, Format::rgba8, {4, 4}, samples});
     };
     const TextureId four = texture("four", 4);
     const TextureId eight = texture("eight", 8);
@@ -222,7 +221,7 @@ Status drawnWith(int samples, const std::string& sampler)
     auto renderer = Renderer::create(device, reading(kHostTexture, sampler), sized(), {});
     REQUIRE(renderer.ok());
     Frame frame;
-    frame.textures = {{"host", *device.adoptTexture(7, {"host", Format::r8, {64, 32}, 1, samples})}};
+    frame.textures = {{"host", *device.adoptTexture(7, {"host", Format::r8, {64, 32}, samples})}};
     const Status status = (*renderer)->render(frame);
     CHECK(device.misuse().empty());
     return status;

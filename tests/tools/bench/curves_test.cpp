@@ -71,11 +71,11 @@ TEST_CASE("noise that was not measured is no point of a curve")
     CHECK(curveOf(curvesOf(points, viewOf(points)), "noise_samples"));
 }
 
-TEST_CASE("kernels with another sequence are curves of their own")
+TEST_CASE("kernels with another distribution are curves of their own")
 {
     std::vector<BenchPoint> points = sweep(-0.5, -0.5);
     for (BenchPoint& point : sweep(-1.0, -0.5)) {
-        point.family = "a /generated/kernel/sequence=low_discrepancy";
+        point.family = "a /generated/kernel/distribution=linear";
         points.push_back(point);
     }
     std::vector<double> slopes;
