@@ -67,7 +67,7 @@ enum class Code : int {
     out_of_range = 4001,   ///< A value outside its range.
     bad_range = 4002,      ///< min above max, or a default outside them.
     not_finite = 4003,     ///< NaN or infinity.
-    unknown_param = 4004,  ///< A parameter name that the config does not have.
+    unknown_param = 4004,  ///< A value for a param, feature or kernel that the config does not have.
     bad_size = 4005,       ///< A size that is not positive or that the device cannot hold.
     value_dropped = 4006,  ///< A value set at run time that a reloaded config has no place for.
 

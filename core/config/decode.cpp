@@ -34,7 +34,7 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
 {
     Description description;
     description.place = document.place;
-    table::Report report;
+    table::Report report(!document.origins().empty());
     table::read(report, table::Cursor{document, "", document.place}, description, {});
     table::checkNames(document, description, report);
     table::checkReferences(document, sources, description, report);
@@ -42,8 +42,10 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     description.deleted = table::deletedNames(document);
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
-    description.unused = table::unusedNames(document, description);
-    return {std::move(description), std::move(diagnostics)};
+    description.unused = std::move(diagnostics);  // of what is left out
+    for (Diagnostic& each : table::unusedNames(document, description))
+        description.unused.push_back(std::move(each));
+    return description;
 }
 
 }  // namespace crevice

@@ -71,9 +71,8 @@ std::string suggestPlace(const Node& document, const Member& member)
     for (const char* section : {"params", "features"}) {
         const Node* entries = document.find(section);
         if (!entries || !entries->find(member.key)) continue;
-        const bool whole = member.value.kind == Node::Kind::object;
         return std::string("write \"") + section + "\": {" + jsonString(member.key) + ": " +
-               (whole ? brief(member.value) : "{\"default\": " + brief(member.value) + "}") + "}; ";
+               brief(member.value) + "}; ";
     }
     return {};
 }
@@ -137,6 +136,24 @@ void checkName(Report& report, const Cursor& cursor)
                  "found the name '" + cursor.key + "', wanted snake_case of at most " +
                      std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'")
         .help = "write '" + spellName(cursor.key) + "'";
+}
+
+void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
+{
+    const bool plural = section.key.back() == 's';
+    const std::string what = plural ? section.key.substr(0, section.key.size() - 1) : section.key;
+    Diagnostic& error = report.atKey(entry, Code::unknown_param,
+                                     what + " '" + entry.key + "' is set here, and no file declares it");
+    if (report.leavesOut(entry)) {
+        error.severity = Severity::warning;
+        error.help = "it is left out: what declares it is not part of this config";
+        return;
+    }
+    std::vector<std::string> declared;
+    for (const Member& member : section.node.members())
+        if (member.value.kind == Node::Kind::object) declared.push_back(member.key);
+    error.help = suggestName(entry.key, std::move(declared), section.key) +
+                 "; to declare one of your own, write {\"default\": " + brief(entry.node) + "}";
 }
 
 void Reader::refuse(const char* key, Code code, const char* reason)

@@ -54,6 +54,18 @@ std::string suggestWord(std::string_view written, const std::vector<std::string>
 /// CV3004 unless the cursor's key is a name that JSON, GLSL and C++ can share.
 void checkName(Report& report, const Cursor& cursor);
 
+/// Whether some file says what an entry of that list is. Else files only give it a value.
+template <class T>
+bool isDeclared(const std::vector<T>&, const Node& entry)
+{
+    if (std::is_same_v<T, GeneratedDesc>) return entry.find("generator") != nullptr;
+    const bool tunable = std::is_same_v<T, ParamDesc> || std::is_same_v<T, FeatureDesc>;
+    return !tunable || entry.kind == Node::Kind::object;
+}
+
+/// CV4004 about a value of what no file declares; a warning where it is left out.
+void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry);
+
 template <class T>
 bool read(Report& report, const Cursor& cursor, NumberOrName<T> out, const Rule& rule);
 template <class T>
@@ -144,8 +156,12 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
     for (const Member& member : cursor.node.members) {
         if (isExtension(member.key)) continue;
         const Cursor child = cursor.child(member);
-        setKey(report, child, out.emplace_back());
-        read(report, child, out.back(), {});
+        const bool declared = isDeclared(out, member.value);
+        const bool left_out = !declared && report.leavesOut(child);
+        const bool bare = member.value.kind != Node::Kind::object;
+        if (!left_out) setKey(report, child, out.emplace_back());
+        if (left_out || (!declared && bare)) reportUndeclared(report, cursor, child);
+        else read(report, child, out.back(), {});
     }
     return true;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/json/override.h"
 
 #include <algorithm>
 
@@ -59,6 +60,12 @@ Reference Cursor::reference(std::string name) const
 Reference Cursor::keyReference() const
 {
     return {key, key_place, pointer, {}};
+}
+
+bool Report::leavesOut(const Cursor& entry) const
+{
+    const SourceRef& writer = entry.key_place.source;
+    return patched_ && !(writer && writer->path == kOverridePath);
 }
 
 Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message)

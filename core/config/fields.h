@@ -248,8 +248,8 @@ void fields(V& v, Description& d)
     v.field("format", d.format, "Version of the format.", required(range(1, 1)));
     v.field("name", d.name, "The config's name.");
     v.field("description", d.text, "What it is for, in a sentence or two.");
-    v.field("params", d.params, "Continuous tunables.");
-    v.field("features", d.features, "Finite switches; conditions see them, GLSL as #defines.");
+    v.field("params", d.params, "Continuous tunables. A bare number or list is the `default` of one that a module declares.");
+    v.field("features", d.features, "Finite switches; conditions see them, GLSL as #defines. A bare value is a `default` here too.");
     v.field("imports", d.imports, "What the host supplies.");
     v.field("generated", d.generated, "Arrays and small textures computed on load.");
     v.field("targets", d.targets, "Textures that passes write.");

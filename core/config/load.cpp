@@ -115,6 +115,13 @@ bool changes(const std::string& override, const std::string& key)
            (override[end] == '=' || override[end] == '/');
 }
 
+// True for "filter/box=filter/median", which swaps a module for another.
+bool swaps(const std::string& override)
+{
+    const std::size_t slash = override.find('/');
+    return slash != 0 && slash < override.find('=');
+}
+
 // Variants are taken out of each file, so one that is still there was laid over the config.
 void checkVariantsGone(const Node& document, Diagnostics& errors)
 {
@@ -146,10 +153,14 @@ struct Asked {
 class FileLoader {
 public:
     FileLoader(const SourceSet& sources, const LoadRequest& request)
-        : sources_(sources), request_(request) {}
+        : sources_(sources), request_(request)
+    {
+        readSwaps();
+    }
 
     void load(const SourceRef& found, const Asked& asked);
     void checkClashes();
+    void checkSwaps();
 
     std::vector<Node> bodies;      // without `extends` and `variants`
     std::vector<Member> variants;  // in the same order; a name may come more than once
@@ -172,6 +183,13 @@ private:
         Asked asked;
     };
 
+    struct Swap {
+        Override read;
+        bool used = false;
+    };
+
+    void readSwaps();
+    const Node& swapped(const Node& entry);
     bool mayOpen(const Opened& file, const Asked& asked);
     Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
     Extends takeExtends(Node& document);
@@ -185,6 +203,8 @@ private:
     std::vector<Opened> open_;  // from the config to the file being read
     std::set<std::string> done_;
     std::vector<Read> read_;
+    std::vector<Swap> swaps_;
+    std::vector<std::string> extends_;  // all that configs name
     std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
 };
 
@@ -225,6 +245,40 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
         read_.push_back({file.identity, file.name, asked});
     }
     done_.insert(file.identity);
+}
+
+void FileLoader::readSwaps()
+{
+    for (const std::string& text : request_.overrides) {
+        if (!swaps(text)) continue;
+        Result<Override> read = readOverride(text, rootsOf(request_));
+        if (read) swaps_.push_back({std::move(*read)});
+        else append(errors, read.diagnostics());
+    }
+}
+
+// What an override puts in the place of an entry of `extends`. What modules extend is theirs.
+const Node& FileLoader::swapped(const Node& entry)
+{
+    const std::string& file = entry.place.source->path;
+    if (!file.empty() && !isRelative(file) && !startsWith(file, kConfigs)) return entry;
+    extends_.push_back(entry.text);
+    for (Swap& swap : swaps_) {
+        if (swap.read.name != entry.text) continue;
+        swap.used = true;
+        return swap.read.value;
+    }
+    return entry;
+}
+
+void FileLoader::checkSwaps()
+{
+    for (const Swap& swap : swaps_) {
+        if (swap.used) continue;
+        Diagnostic error{Code::module_missing, "no config extends '" + swap.read.name + "'", swap.read.place};
+        error.help = suggestName(swap.read.name, extends_, "modules to swap");
+        errors.push_back(std::move(error));
+    }
 }
 
 // What is one thing only: the GLSL of a shader, the file behind an interface. Null when neither.
@@ -363,9 +417,10 @@ void FileLoader::loadExtended(const Extends& extends)
                                        : "write [\"folder/module\", ...]"));
         return;
     }
-    for (const Node& entry : list.items) {
+    for (const Node& written : list.items) {
         const std::string pointer =
-            extends.pointer + "/" + std::to_string(&entry - list.items.data());
+            extends.pointer + "/" + std::to_string(&written - list.items.data());
+        const Node& entry = written.kind == Node::Kind::string ? swapped(written) : written;
         if (entry.kind != Node::Kind::string) {
             errors.push_back(wrongType(entry, "a name", pointer,
                                        "write the name of a module or config in double quotes"));
@@ -470,6 +525,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     if (!config) return config.diagnostics();
     FileLoader files(sources, request);
     files.load(*config, {});
+    if (files.errors.empty()) files.checkSwaps();
     if (files.errors.empty()) files.checkClashes();
     if (!files.errors.empty()) return files.errors;  // merging what is not whole adds false errors
 
@@ -478,13 +534,15 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     Diagnostics errors;
     for (const Node& body : files.bodies) mergePatch(document, body, errors);
     document.place = files.bodies.back().place;
-    const auto changes_structure = [](const std::string& text) { return startsWith(text, "/"); };
+    const auto changes_structure = [](const std::string& text) {
+        return startsWith(text, "/") || swaps(text);
+    };
     if (!request.variant.empty() ||
         std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
         document.origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
-        if (!changes(text, "extends"))
+        if (!changes(text, "extends") && !swaps(text))
             append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
     checkVariantsGone(document, errors);
     checkNamed(document, errors);

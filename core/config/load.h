@@ -16,7 +16,9 @@ struct LoadRequest {
     std::string config;  ///< A shipped config's name ("learnopengl"), or the path of a file.
     std::string variant = {};  ///< A name under `variants`; empty for none.
     std::vector<std::string> overrides = {};  ///< "radius=0.8": a param's default or a feature's,
-                                              ///< or a pointer, "/passes/blur/when=null".
+                                              ///< or a pointer, "/passes/blur/when=null",
+                                              ///< or a module that the config or a config that it extends
+                                              ///< names, and another: "filter/box=filter/median".
     std::vector<std::string> roots = {};  ///< Folders below which files may be named besides those below the
                                           ///< config's own folder, and for an override's value those below the
                                           ///< current one. A folder that does not exist allows nothing.

@@ -27,11 +27,6 @@ std::string valueJson(const FeatureDesc& feature)
     return feature.boolean ? word : jsonString(word);
 }
 
-std::string entryJson(const std::string& name, const std::string& value)
-{
-    return jsonString(name) + ": {\"default\": " + value + "}";
-}
-
 // One more member of an object that begins with `opening`.
 void add(std::string& text, const std::string& opening, const std::string& member)
 {
@@ -55,12 +50,12 @@ std::string valuesPatch(const Values& loaded, const Description& now)
     for (std::size_t i = 0; i < now.params.size(); ++i) {
         const ParamDesc& param = now.params[i];
         if (param.value != loaded.params[i])
-            add(params, "\"params\": {", entryJson(param.name, valueJson(param)));
+            add(params, "\"params\": {", jsonString(param.name) + ": " + valueJson(param));
     }
     for (std::size_t i = 0; i < now.features.size(); ++i) {
         const FeatureDesc& feature = now.features[i];
         if (feature.value != loaded.features[i])
-            add(features, "\"features\": {", entryJson(feature.name, valueJson(feature)));
+            add(features, "\"features\": {", jsonString(feature.name) + ": " + valueJson(feature));
     }
     std::string text;
     for (const std::string& section : {params, features})

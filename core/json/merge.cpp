@@ -37,26 +37,25 @@ Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer
     return diagnostic;
 }
 
-// The key that somebody means who writes a bare value for the object at `pointer`; empty when there
-// is none such.
-std::string mainKey(std::string_view pointer)
+// The key that a bare value stands for at `pointer`: "radius": 0.8 below /params is its "default".
+// Empty where there is none such.
+std::string_view mainKey(std::string_view pointer)
 {
-    static constexpr struct {
-        const char* section;
-        const char* list;  // below an entry of the section; empty for the entry itself
-        const char* key;
-    } kKeys[] = {{"/params/", "", "default"}, {"/features/", "", "default"},
-                 {"/targets/", "size", "scale"}, {"/passes/", "inputs/", "from"}};
-    for (const auto& each : kKeys) {
-        const std::string_view section = each.section, list = each.list;
-        if (!startsWith(pointer, section)) continue;
-        std::string_view below = pointer.substr(section.size());
-        below.remove_prefix(std::min(below.find('/'), below.size()));
-        if (below.empty() && list.empty()) return each.key;
-        if (below.empty() || list.empty() || !startsWith(below.substr(1), list)) continue;
-        if (below.find('/', list.size() + 1) == below.npos) return each.key;
-    }
-    return {};
+    const auto parts = std::count(pointer.begin(), pointer.end(), '/');
+    const bool tunable = startsWith(pointer, "/params/") || startsWith(pointer, "/features/");
+    if (tunable) return parts == 2 ? "default" : "";
+    if (!startsWith(pointer, "/passes/") || parts != 4) return "";
+    return startsWith(pointer.substr(pointer.find('/', 8)), "/inputs/") ? "from" : "";
+}
+
+// An object in which the value has that key.
+Node under(std::string_view key, const Node& value)
+{
+    Node object;
+    object.kind = Node::Kind::object;
+    object.place = value.place;
+    object.change().members.push_back({std::string(key), value.place, value});
+    return object;
 }
 
 Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& pointer)
@@ -64,10 +63,7 @@ Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& poi
     Diagnostic diagnostic{Code::merge_kind, "found " + oneOf(patch) + " where " + oneOf(base) +
                           " is to be changed", patch.place, pointer};
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
-    const std::string key = isObject(base) ? mainKey(pointer) : "";
-    if (!key.empty() && (patch.kind != Node::Kind::array || key == "default"))
-        diagnostic.help = "write {" + jsonString(key) + ": " + brief(patch) + "}";
-    else if (isObject(base))
+    if (isObject(base))
         diagnostic.help = "write an object with the keys to change, or null to delete";
     else
         diagnostic.help = "write the whole value: only objects change key by key";
@@ -80,6 +76,10 @@ public:
 
     void merge(Node& base, const Node& patch, const std::string& pointer)
     {
+        if (const std::string_view key = mainKey(pointer); !key.empty()) {
+            if (!isObject(base) && isObject(patch)) base = under(key, base);
+            if (isObject(base) && !isObject(patch)) return merge(base, under(key, patch), pointer);
+        }
         if (isObject(base) != isObject(patch)) {
             diagnostics_.push_back(wrongKind(base, patch, pointer));
         } else if (isObject(base) && base.members.empty()) {

@@ -22,7 +22,10 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
     for (const char* section : {"params", "features"}) {
         const Node* entries = document.find(section);
         if (!entries) continue;
-        if (entries->find(name)) return std::vector<std::string>{section, name, "default"};
+        // A bare value that no object has been laid under declares nothing.
+        const Node* declared = entries->find(name);
+        if (declared && declared->kind == Node::Kind::object)
+            return std::vector<std::string>{section, name, "default"};
         for (const Member& member : entries->members) names.push_back(member.key);
     }
     Diagnostic unknown{Code::unknown_param, "'" + name + "' is neither a param nor a feature",
@@ -87,7 +90,7 @@ struct PatchMaker {
 
 }  // namespace
 
-Status applyOverride(Node& document, const std::string& text, const std::vector<std::string>& roots)
+Result<Override> readOverride(const std::string& text, const std::vector<std::string>& roots)
 {
     const std::size_t equals = text.find('=');
     std::vector<std::string> folders = roots;
@@ -100,17 +103,23 @@ Status applyOverride(Node& document, const std::string& text, const std::vector<
         return Diagnostic{Code::override_syntax,
                           "found '" + text + "' where name=value was wanted", place, {}, {},
                           "write radius=0.8, or /passes/blur/when=null for any place"};
-    const std::string name = text.substr(0, equals);
-    const Result<std::vector<std::string>> keys = overrideKeys(document, name, place);
-    if (!keys) return keys.diagnostics();
 
     // The name is blank while the value is read, so that columns count from the override's start.
     source->text = std::string(equals + 1, ' ') + text.substr(equals + 1);
     Result<Node> value = parseValue(source);
     source->text = text;
     if (!value) return value.diagnostics();
+    return Override{text.substr(0, equals), place, std::move(*value)};
+}
+
+Status applyOverride(Node& document, const std::string& text, const std::vector<std::string>& roots)
+{
+    Result<Override> read = readOverride(text, roots);
+    if (!read) return read.diagnostics();
+    const Result<std::vector<std::string>> keys = overrideKeys(document, read->name, read->place);
+    if (!keys) return keys.diagnostics();
     Diagnostics errors;
-    const Node patch = PatchMaker{*keys, place, errors}.patch(&document, 0, std::move(*value));
+    const Node patch = PatchMaker{*keys, read->place, errors}.patch(&document, 0, std::move(read->value));
     if (errors.empty()) mergePatch(document, patch, errors);
     return errors;
 }

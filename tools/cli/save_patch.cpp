@@ -33,6 +33,18 @@ std::string extendsEntry(const std::string& config, const std::string& file)
     return startsWith(path, "../") ? path : "./" + path;
 }
 
+/// Writes {"radius": {"default": 0.8}} as {"radius": 0.8} where the base declares it.
+void shorten(nlohmann::ordered_json& patch, const Node& base)
+{
+    for (const char* section : {"params", "features"}) {
+        const Node* declared = base.find(section);
+        if (!declared || !patch.contains(section) || !patch[section].is_object()) continue;
+        for (auto& [name, entry] : patch[section].items())
+            if (declared->find(name) && entry.size() == 1 && !entry.value("default", nlohmann::ordered_json()).is_null())
+                entry = nlohmann::ordered_json(entry["default"]);
+    }
+}
+
 }  // namespace
 
 Status checkPatchFile(const ConfigOptions& options, const std::string& file)
@@ -54,7 +66,9 @@ Status savePatch(const ConfigOptions& options, const SourceSet& sources, const s
     if (!now) return now.diagnostics();
     nlohmann::ordered_json json = {
         {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};
-    json.update(nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now))));
+    auto patch = nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now)));
+    shorten(patch, *base);
+    json.update(patch);
     return writeFile(file, json.dump(2) + '\n');
 }
 

@@ -211,6 +211,11 @@ std::string schemaJson(const SourceSet& sources)
     }
     definitions["param"]["allOf"] = paramTypeRules();
     definitions["feature"]["allOf"] = featureTypeRules();
+    for (const char* tunable : {"param", "feature"}) {
+        Json bare = definitions[tunable]["properties"]["default"];
+        for (const char* told : {"title", "x-required"}) bare.erase(told);
+        definitions[tunable] = table::anyForm({std::move(definitions[tunable]), std::move(bare)});
+    }
     for (const auto& [key, value] : form["properties"].items()) {
         definitions[key] = value;
         keys[key] = reference(key);

@@ -116,16 +116,16 @@ TEST_CASE("Changes are the smallest patch, and what is set back is none")
     REQUIRE(renderer.setFeature("soft", "false").ok());
     REQUIRE(renderer.setFeature("look", "flat").ok());
     CHECK(renderer.changes() ==
-          R"({"params": {"radius": {"default": 0.8}, "samples": {"default": 16}, )"
-          R"("tint": {"default": [0.1, 0.5, 0.25]}}, )"
-          R"("features": {"soft": {"default": false}, "look": {"default": "flat"}}})");
+          R"({"params": {"radius": 0.8, "samples": 16, )"
+          R"("tint": [0.1, 0.5, 0.25]}, )"
+          R"("features": {"soft": false, "look": "flat"}})");
     REQUIRE(renderer.setParam("radius", 0.5f).ok());
     REQUIRE(renderer.setParam("samples", 4.0f).ok());
     REQUIRE(renderer.setFeature("soft", "true").ok());
     REQUIRE(renderer.setFeature("look", "lit").ok());
-    CHECK(renderer.changes() == R"({"params": {"tint": {"default": [0.1, 0.5, 0.25]}}})");
+    CHECK(renderer.changes() == R"({"params": {"tint": [0.1, 0.5, 0.25]}})");
     CHECK_FALSE(renderer.setParam("radius", -1.0f).ok());
-    CHECK(renderer.changes() == R"({"params": {"tint": {"default": [0.1, 0.5, 0.25]}}})");
+    CHECK(renderer.changes() == R"({"params": {"tint": [0.1, 0.5, 0.25]}})");
 }
 
 TEST_CASE("A patch of changes over the config gives back the same values")
@@ -163,5 +163,5 @@ TEST_CASE("An int of many digits is written as an int")
             "outputs": {}})", {});
     const Values loaded = valuesOf(description);
     description.params[0].value[0] = 1000000.0f;
-    CHECK(valuesPatch(loaded, description) == R"({"params": {"count": {"default": 1000000}}})");
+    CHECK(valuesPatch(loaded, description) == R"({"params": {"count": 1000000}})");
 }

@@ -56,7 +56,7 @@ TEST_CASE("What was set at run time outlives a reload, and what was not follows 
     CHECK(valueOf(rig, "taps") == 5);
     CHECK(findNamed(rig.renderer->description().features, "look")->value == 1);
     CHECK(rig.renderer->changes() ==
-          R"({"params": {"radius": {"default": 2}}, "features": {"look": {"default": "flat"}}})");
+          R"({"params": {"radius": 2}, "features": {"look": "flat"}})");
 
     // Against the file as it is now: back at its value is no change.
     REQUIRE(rig.renderer->setParam("radius", 9.0f).ok());
