@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// The config language and the optimizations stay small: what nothing that ships uses is to be deleted.
+#include "backends/recording/device.h"
+#include "core/run/renderer.h"
+#include "tests/support/shipped_subjects.h"
+#include "tools/schema/form.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <set>
+
+using namespace crevice;
+using table::Json;
+
+namespace {
+
+using Keys = std::set<std::string>;  // "passes.NAME.clear"
+
+/// All keys of a form, as the tables of the format have them.
+void collectKeys(const Json& form, Keys& keys)
+{
+    for (const Json& each : form.value("anyOf", Json::array())) collectKeys(each, keys);
+    if (form.contains("patternProperties")) collectKeys(form["patternProperties"].back(), keys);
+    if (!form.contains("properties")) return;
+    for (const Json& each : form["properties"]) {
+        keys.insert(each["title"].get<std::string>());
+        collectKeys(each, keys);
+    }
+}
+
+/// Those that a value of that form has. A bare value is the key whose meaning it has.
+void collectUsed(const Json& form, const Json& value, Keys& used)
+{
+    const bool several = form.contains("anyOf");
+    const Json with_keys = several ? Json(form["anyOf"].front()) : form;
+    const Json& properties = with_keys.value("properties", Json::object());
+    if (!value.is_object()) {
+        for (const Json& each : several ? properties : Json::object())
+            if (each["description"] == form["anyOf"].back().value("description", ""))
+                used.insert(each["title"].get<std::string>());
+        return;
+    }
+    for (const auto& [key, below] : value.items()) {
+        if (properties.contains(key)) {
+            used.insert(properties[key]["title"].get<std::string>());
+            collectUsed(properties[key], below, used);
+        } else if (properties.empty() && with_keys.contains("patternProperties")) {
+            collectUsed(with_keys["patternProperties"].back(), below, used);
+        }
+    }
+}
+
+Keys unusedKeys()
+{
+    Description description;
+    const Json form = table::formOf(description, {}, "");
+    Keys all, used;
+    collectKeys(form, all);
+    for (const std::string& path : shippedSources().list()) {
+        if (path.size() < 5 || path.substr(path.size() - 5) != ".json") continue;
+        const Json file = Json::parse(toJson(need(parseDocument(shippedSources().find(path)))));
+        collectUsed(form, file, used);
+        for (const Json& variant : file.value("variants", Json::object()))
+            collectUsed(form, variant, used);
+    }
+    CHECK(all.size() > 60);
+    for (const std::string& key : used) all.erase(key);
+    return all;
+}
+
+/// Two things of which the camera shows the first, with a light.
+Frame frameOn(RecordingDevice& device)
+{
+    Frame frame;
+    const MeshId mesh =
+        need(device.createMesh({"cube", std::vector<Vertex>(3), {0, 1, 2, 2, 1, 0}}));
+    frame.camera.clip_from_view = glm::perspective(0.8f, 2.0f, 0.1f, 50.0f);
+    frame.materials.resize(1);
+    frame.lights.resize(1);
+    for (const double x : {0.0, 100.0}) {
+        DrawItem item = {mesh, 0, 6, glm::translate(glm::dmat4(1), glm::dvec3(x, 0, -5)), 0};
+        item.bounds_radius = 1;
+        frame.draws.push_back(item);
+    }
+    return frame;
+}
+
+/// What a device is told by a config in two frames that are alike, and what its plan says is left out.
+struct Run {
+    std::string log;
+    std::vector<LeftOut> left_out;
+};
+
+Run runOf(const Description& description, std::vector<std::string> outputs, const std::string& kept)
+{
+    RecordingDevice device;
+    const Frame frame = frameOn(device);
+    CompileOptions options;
+    options.extent = {64, 32};
+    options.outputs = std::move(outputs);
+    if (!kept.empty()) options.keep = {kept};
+    const auto renderer = need(Renderer::create(device, description, options, traitsOf(frame)));
+    need(renderer->render(frame));
+    need(renderer->render(frame));
+    return {device.log(), renderer->plan().left_out};
+}
+
+/// Whether the rule changes what a device is told, and the plan says so: of the config as it is, without
+/// occlusion, or asked for the occlusion alone.
+bool fires(const std::string& rule, const std::string& config)
+{
+    const Description whole = descriptionOf({config, ""});
+    Description without = whole;
+    for (ParamDesc& param : without.params)
+        if (param.name == "intensity") param.value[0] = 0.0f;
+    const std::vector<std::string> occlusion = {"ao"};
+    for (const auto& [description, outputs] :
+         {std::pair{whole, std::vector<std::string>()}, {without, {}}, {whole, occlusion}}) {
+        const Run with = runOf(description, outputs, "");
+        bool said = false;
+        for (const LeftOut& each : with.left_out) said = said || each.rule == rule;
+        if (said && with.log != runOf(description, outputs, rule).log) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("Every key of the format is used by a shipped module or config")
+{
+    Keys unused = unusedKeys();
+    unused.erase("passes.NAME.uniforms");  // about to be deleted
+    for (const std::string& key : unused) FAIL_CHECK(key << " is used by nothing that ships: delete it");
+}
+
+TEST_CASE("Every optimization fires in at least three shipped configs")
+{
+    for (const std::string& rule : ruleNames()) {
+        int configs = 0;
+        for (const std::string& config : configNames(shippedSources()))
+            if (configs < 3 && fires(rule, config)) ++configs;
+        INFO(rule);
+        CHECK(configs == 3);
+    }
+}
