@@ -23,7 +23,7 @@ public:
     Pictures draw(int samples)
     {
         const auto target = [&](Format format, int count) {
-            return need(device->createTexture({"target", format, kSize, 1, count}));
+            return need(device->createTexture({"target", format, kSize, count}));
         };
         const TextureId red = target(Format::rgba8, 1);
         const TextureId sum = target(Format::rgb10_a2, 1);

@@ -3,8 +3,10 @@
 #include "tools/cli/save_patch.h"
 
 #include "core/base/text.h"
+#include "core/config/description.h"
 #include "core/config/load.h"
 #include "core/json/merge.h"
+#include "core/json/override.h"
 #include "tools/cli/output_request.h"
 #include "tools/image/image_file.h"
 
@@ -40,7 +42,8 @@ void shorten(nlohmann::ordered_json& patch, const Node& base)
         const Node* declared = base.find(section);
         if (!declared || !patch.contains(section) || !patch[section].is_object()) continue;
         for (auto& [name, entry] : patch[section].items())
-            if (declared->find(name) && entry.size() == 1 && !entry.value("default", nlohmann::ordered_json()).is_null())
+            if (declared->find(name) && entry.size() == 1 && entry.is_object() && entry.contains("default") &&
+                !entry["default"].is_null())
                 entry = nlohmann::ordered_json(entry["default"]);
     }
 }
@@ -62,8 +65,14 @@ Status savePatch(const ConfigOptions& options, const SourceSet& sources, const s
 {
     const Result<Node> base = loadConfig(sources, {options.config, {}, {}, options.roots});
     if (!base) return base.diagnostics();
-    const Result<Node> now = loadConfig(sources, requestOf(options));
+    Result<Node> now = loadConfig(sources, requestOf(options));
     if (!now) return now.diagnostics();
+    const Result<Description> description = decode(*now, sources);
+    if (!description) return description.diagnostics();
+    for (const Diagnostic& each : description->unused) {  // what a swapped module took with it
+        if (each.code != Code::unknown_param) continue;
+        if (Status gone = applyOverride(*now, each.pointer + "=null"); !gone) return gone;
+    }
     nlohmann::ordered_json json = {
         {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};
     auto patch = nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now)));

@@ -73,6 +73,11 @@ expect 0 'wrote' render thesis "${small[@]}" --variant lambert --set radius=0.8 
     --set /generated/kernel/seed=7 --set /views/view_ao=null --out color=set.png --save-patch saved/one.json
 expect 0 'wrote' render saved/one.json "${small[@]}" --out color=saved.png
 check "a saved patch draws the same picture" cmp set.png saved.png
+check "a saved patch has bare values" grep -q '"radius": 0.8' saved/one.json
+expect 0 'CV4004.*range_check' render thesis "${small[@]}" --set ssao/hemisphere=ssao/gtao --out color=set.png \
+    --save-patch saved/swapped.json
+expect 0 'wrote' render saved/swapped.json "${small[@]}" --out color=saved.png
+check "a saved patch swaps the module too" cmp set.png saved.png
 expect 0 'wrote' render saved/one.json "${small[@]}" --set radius=0.5 --out color=set.png --save-patch two.json
 expect 0 'wrote' render two.json "${small[@]}" --out color=saved.png
 check "so does one over a file in another folder" cmp set.png saved.png
@@ -147,7 +152,7 @@ check "a save draws again" told 1 'drawn again'
 check "with the new value" eval '! cmp -s live.pfm before.pfm'
 cp live.pfm before.pfm
 sed -i 's/"radius"/"raduis"/' mine.json
-check "a mistake is told" told 1 'CV2108'
+check "a mistake is told" told 1 'CV4004'
 check "and leaves the picture" told 1 'the last pictures stay'
 check "as it was" cmp -s live.pfm before.pfm
 sed -i 's/"raduis"/"radius"/' mine.json
