@@ -34,7 +34,7 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
 {
     Description description;
     description.place = document.place;
-    table::Report report(!document.origins().empty());
+    table::Report report(!document.origins.empty());
     table::read(report, table::Cursor{document, "", document.place}, description, {});
     table::checkNames(document, description, report);
     table::checkReferences(document, sources, description, report);

@@ -150,7 +150,7 @@ void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry
         return;
     }
     std::vector<std::string> declared;
-    for (const Member& member : section.node.members())
+    for (const Member& member : section.node.members)
         if (member.value.kind == Node::Kind::object) declared.push_back(member.key);
     error.help = suggestName(entry.key, std::move(declared), section.key) +
                  "; to declare one of your own, write {\"default\": " + brief(entry.node) + "}";

@@ -54,7 +54,7 @@ Node under(std::string_view key, const Node& value)
     Node object;
     object.kind = Node::Kind::object;
     object.place = value.place;
-    object.change().members.push_back({std::string(key), value.place, value});
+    object.members.push_back({std::string(key), value.place, value});
     return object;
 }
 

@@ -27,9 +27,9 @@ Result<Description> extended(const std::string& members, const std::vector<std::
     Node tunables;  // decoded without the pass, which has no shader
     tunables.kind = Node::Kind::object;
     tunables.place = document->place;
-    tunables.change().origins = document->origins();
-    for (const Member& member : document->members())
-        if (member.key != "passes") tunables.change().members.push_back(member);
+    tunables.origins = document->origins;
+    for (const Member& member : document->members)
+        if (member.key != "passes") tunables.members.push_back(member);
     return decode(tunables, sources);
 }
 
@@ -106,9 +106,9 @@ TEST_CASE("A bare value may be read before the file that declares its param", "[
     sources.add("base.json", kBase);
     sources.add("early.json", R"({"format": 1, "params": {"radius": 0.25}})");
     sources.add("configs/mine.json", R"({"format": 1, "extends": ["early", "base"]})");
-    CHECK(at(loaded(sources, {"mine"}), "params/radius/default")->number() == 0.5);
+    CHECK(at(loaded(sources, {"mine"}), "params/radius/default")->number == 0.5);
     sources.add("configs/mine.json", R"({"format": 1, "extends": ["base", "early"]})");
-    CHECK(at(loaded(sources, {"mine"}), "params/radius/default")->number() == 0.25);
+    CHECK(at(loaded(sources, {"mine"}), "params/radius/default")->number == 0.25);
 }
 
 TEST_CASE("A bare name for an input leaves how it is sampled", "[decode]")
@@ -118,8 +118,8 @@ TEST_CASE("A bare name for an input leaves how it is sampled", "[decode]")
     sources.add("configs/mine.json", R"({"format": 1, "extends": ["base"],
         "passes": {"blur": {"inputs": {"ao": "ao_far"}}}})");
     const Node document = loaded(sources, {"mine"});
-    CHECK(at(document, "passes/blur/inputs/ao/from")->text() == "ao_far");
-    CHECK(at(document, "passes/blur/inputs/ao/filter")->text() == "linear");
+    CHECK(at(document, "passes/blur/inputs/ao/from")->text == "ao_far");
+    CHECK(at(document, "passes/blur/inputs/ao/filter")->text == "linear");
     const Diagnostic error = failure(sources, {"mine", "", {"/passes/blur/inputs=ao"}});
     CHECK(error.code == Code::merge_kind);
 }
