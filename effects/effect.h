@@ -13,7 +13,7 @@
 // Below it lie loadConfig, decode, compile and Renderer, for applications that want one of those steps.
 #pragma once
 
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
 #include <cstdint>
 #include <memory>

@@ -3,7 +3,7 @@
 // comes before it: reading a mebibyte of JSON, and the slowest shipped config from text to plan.
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 
 #include <algorithm>

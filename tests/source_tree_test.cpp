@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
 // The rooms of a library from the bottom up: a file may include its own room and those before it.
 const std::map<std::string, std::vector<std::string>> kRooms = {
     {"core",
-     {"base", "json", "glsl", "sampling", "gpu", "frame", "config", "plan", "compile", "run"}},
+     {"base", "json", "glsl", "sampling", "gpu", "frame", "config", "plan", "compile", "run", "renderer"}},
     {"backends", {"gl", "context", "recording"}},
     {"tools",
      {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "measure", "bench", "stress",
@@ -113,6 +113,27 @@ std::vector<std::string> climbingIncludes(const std::string& library, const std:
     return wrong;
 }
 
+/// Adds the file, as a path relative to the checkout, and all of the project that it includes, through others too.
+void addIncluded(const std::string& path, std::set<std::string>& files)
+{
+    if (!files.insert(path).second) return;
+    const std::string text = readText(fs::path(CREVICE_SOURCE_DIR) / path);
+    for (const std::string& include :
+         matches(codeOf(text, true), R"re((?:^|\n)\s*#\s*include "([^"]+)")re", 1))
+        addIncluded(include, files);
+}
+
+/// Files of the config language and of JSON that the file includes, through others too.
+std::vector<std::string> configIncludes(const std::string& path)
+{
+    std::set<std::string> files;
+    addIncluded(path, files);
+    std::vector<std::string> found;
+    for (const std::string& file : files)
+        if (file.rfind("core/config/", 0) == 0 || file.rfind("core/json/", 0) == 0) found.push_back(file);
+    return found;
+}
+
 std::vector<std::string> graphicsHeaders(const std::string& text)
 {
     return matches(text, R"re((?:^|\n)\s*#\s*include [<"]((?:GL\w*|EGL|KHR)/[^>"]+))re", 1);
@@ -195,7 +216,7 @@ TEST_CASE("the tier check finds an include that climbs to a later room")
     CHECK(climbingIncludes("core", "base", "#include \"core/json/document.h\"\n").size() == 1);
     CHECK(climbingIncludes("core", "run", "#include \"core/renderer.h\"\n").size() == 1);
     CHECK(climbingIncludes("tools", "scene", "#include \"tools/bench/run.h\"\n").size() == 1);
-    CHECK(climbingIncludes("tools", "scene", "#include \"core/run/renderer.h\"\n").empty());
+    CHECK(climbingIncludes("tools", "scene", "#include \"core/renderer/renderer.h\"\n").empty());
 }
 
 TEST_CASE("the rooms of a library include downwards only")
@@ -225,6 +246,18 @@ TEST_CASE("no source folder has more than 25 files")
     for (const auto& [folder, count] : files) {
         INFO(folder << " has " << count << " files");
         CHECK(count <= 25);
+    }
+}
+
+TEST_CASE("what runs a plan knows no config and no JSON")
+{
+    CHECK_FALSE(configIncludes("core/renderer/renderer.h").empty());
+    CHECK(configIncludes("core/plan/plan.h").empty());
+    for (const fs::path& path : projectFiles({"core"})) {
+        const std::string room = std::next(path.begin())->string();
+        if (!isCpp(path) || (room != "run" && room != "gpu")) continue;
+        for (const std::string& found : configIncludes(path.string()))
+            FAIL_CHECK(path.string() << " includes " << found << ", by itself or through others");
     }
 }
 

@@ -89,9 +89,18 @@ PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height
     return need.distance > camera.near_distance ? need : PrecisionNeed{};
 }
 
+const ParamDesc* resolvedLength(const Description& description)
+{
+    const ParamDesc* least = nullptr;
+    for (const ParamDesc& param : description.params)
+        if (param.semantic == ParamSemantic::length && (!least || param.value[0] < least->value[0]))
+            least = &param;
+    return least;
+}
+
 PrecisionNeed precisionNeed(const Description& description, const SceneTraits& traits, int height)
 {
-    const ParamDesc* radius = findNamed(description.params, kRadiusName);
+    const ParamDesc* radius = resolvedLength(description);
     return radius ? precisionNeed(traits, double{radius->value[0]}, height) : PrecisionNeed{};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How finely a format tells surfaces apart through a camera, and how far that serves a radius. What a plan
+// How finely a format tells surfaces apart through a camera, and how far that serves a radius, which is the
+// length that a config has formats resolve. What a plan
 // chooses formats by and warns of; pure figures, in scene units.
 //
 // Window depth is straight in 1 / distance: a step s of it is z^2 (1/near - 1/far) s at distance z of a
@@ -11,12 +12,7 @@
 #include "core/frame/frame.h"
 #include "core/gpu/device.h"
 
-#include <string_view>
-
 namespace crevice {
-
-/// How far an estimator looks about: the param, and the uniform, that configs share by this name.
-constexpr std::string_view kRadiusName = "radius";
 
 /// A radius counts as resolved where steps are no more than this share of it.
 constexpr double kResolvedShare = 0.1;
@@ -48,7 +44,11 @@ struct PrecisionNeed {
 /// What a radius asks: a tenth of it, up to the far plane or to where it covers two pixels.
 PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height);
 
-/// The need of a config at its present radius; none where it has no param `radius`.
+/// The param that formats have to resolve: of those that are a length, the one of the least value. Null where
+/// there is none.
+const ParamDesc* resolvedLength(const Description& description);
+
+/// The need of a config at the present value of that; none where there is none.
 PrecisionNeed precisionNeed(const Description& description, const SceneTraits& traits, int height);
 
 /// Distance between neighbours of the format at `value` >= 0; infinite above the largest it holds.

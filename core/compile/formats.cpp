@@ -39,6 +39,7 @@ struct Setup {
     SceneTraits traits;
     double radius;
     int height;
+    std::string name;  // of the param that has the radius
 
     PrecisionNeed need() const { return precisionNeed(traits, radius, height); }
     double reach(const StoredSurface& surface) const
@@ -54,8 +55,9 @@ struct Setup {
 
 Setup setupOf(const State& state)
 {
-    const ParamDesc* radius = findNamed(state.description.params, kRadiusName);
-    return {state.traits, radius ? double{radius->value[0]} : 0.0, state.options.extent.height};
+    const ParamDesc* length = resolvedLength(state.description);
+    return {state.traits, length ? double{length->value[0]} : 0.0, state.options.extent.height,
+            length ? length->name : ""};
 }
 
 bool isDepth(Format format) { return formatInfo(format).format_class == FormatClass::depth; }
@@ -69,7 +71,7 @@ std::string reachText(const Setup& setup, const StoredSurface& surface)
     const std::string radius = shortest(static_cast<float>(setup.radius));
     return (std::isfinite(step) ? "resolves " + figure(step) + " at distance "
                                 : std::string("does not hold distance ")) +
-           figure(need.distance) + ", and a tenth of the radius " + radius +
+           figure(need.distance) + ", and a tenth of the " + setup.name + " " + radius +
            (reach > 0 ? " up to " + figure(reach, down) + " alone" : " nowhere");
 }
 
@@ -121,7 +123,7 @@ std::string radiusHelp(Setup setup, const StoredSurface& surface)
 {
     setup.radius = viewStep(setup.traits, surface, setup.need().distance) / kResolvedShare * 1.01;
     return std::isfinite(setup.radius) && setup.serves(surface)
-               ? "raise the radius to " + figure(setup.radius, up)
+               ? "raise the " + setup.name + " to " + figure(setup.radius, up)
                : "";
 }
 
@@ -143,12 +145,15 @@ std::string helpFor(const State& state, const Setup& setup, const Stored& stored
 bool allowsFor(const State& state, const std::string& name)
 {
     const std::string define = stepDefine(name);
+    const auto is_length = [&](const PlanUniform& each) {
+        return each.source == UniformSource::param &&
+               state.description.params[each.index].semantic == ParamSemantic::length;
+    };
     return std::any_of(state.passes.begin(), state.passes.end(), [&](const Pass& pass) {
         if (!pass.live || pass.shader < 0) return false;
-        const GlslStage& stage = state.shaders[pass.shader].fragment;
-        const auto is_radius = [](const GlslUniform& each) { return each.name == kRadiusName; };
-        return std::count(stage.defines_used.begin(), stage.defines_used.end(), define) > 0 &&
-               std::any_of(stage.uniforms.begin(), stage.uniforms.end(), is_radius);
+        const std::vector<std::string>& used = state.shaders[pass.shader].fragment.defines_used;
+        return std::count(used.begin(), used.end(), define) > 0 &&
+               std::any_of(pass.uniforms.begin(), pass.uniforms.end(), is_length);
     });
 }
 

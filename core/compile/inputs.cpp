@@ -164,12 +164,10 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
     error.help = suggestName(name, texturesOf(state), "textures");
 }
 
-void checkRenames(State& state, const Pass& pass)
+void checkInputs(State& state, const Pass& pass)
 {
     for (const InputDesc& input : pass.desc->inputs)
         checkMentioned(state, pass, input.sampler, input.from, "renames input");
-    for (const auto& renamed : pass.desc->uniforms)
-        checkMentioned(state, pass, renamed.first, renamed.second, "renames uniform");
     for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
         checkMentioned(state, pass, each.sampler, each.sampler, "keeps constant what sampler");
 }

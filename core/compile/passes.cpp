@@ -34,6 +34,7 @@ private:
     void addPass(int index);
     void addTargets();
     void addInputs(const Pass& pass, PlanPass& into);
+    void addUniforms(const Pass& pass, PlanPass& into);
     void addOutputs();
     PlanAttachment attachment(const Pass& pass, int target, bool depth) const;
     void addMask(const Pass& pass, PlanPass& into) const;
@@ -45,11 +46,10 @@ private:
     int program(const Pass& pass);
     void countVariants(PlanProgram& program) const;
     int constant(float value);
+    int param(const ParamDesc& desc);
     int planTarget(int target) const;
     std::string nameOf(int target) const { return description_.targets[target].name; }
     void collectUsed();
-    template <class T>
-    void use(const T& desc, std::vector<T>& used) const;
 
     const State& state_;
     const Description& description_;
@@ -113,29 +113,34 @@ int Builder::constant(float value)
     return static_cast<int>(plan_.constants.size()) - 1;
 }
 
+int Builder::param(const ParamDesc& desc)
+{
+    if (const int known = indexOf(plan_.params, desc.name); known >= 0) return known;
+    plan_.params.push_back({desc.name, glslTypeOf(desc.type), desc.value});
+    return static_cast<int>(plan_.params.size()) - 1;
+}
+
 int Builder::planTarget(int target) const
 {
-    const std::string& name = description_.targets[target].name;
-    for (std::size_t i = 0; i < plan_.targets.size(); ++i)
-        if (plan_.targets[i].name == name) return static_cast<int>(i);
-    return -1;
+    return indexOf(plan_.targets, description_.targets[target].name);
 }
 
 // ---- what passes use besides targets
 
 void Builder::collectUsed()
 {
-    for (const GeneratedDesc& desc : description_.generated) use(desc, plan_.generated);
-    for (GeneratedDesc& generated : plan_.generated)
-        generated.count = generatedCount(description_, generated);
-    for (const ImportDesc& desc : description_.imports) use(desc, plan_.imports);
-}
-
-template <class T>
-void Builder::use(const T& desc, std::vector<T>& used) const
-{
-    const auto is_used = [&](const Pass& pass) { return pass.live && uses(state_, pass, desc); };
-    if (std::any_of(state_.passes.begin(), state_.passes.end(), is_used)) used.push_back(desc);
+    const auto is_used = [this](const auto& desc) {
+        return std::any_of(state_.passes.begin(), state_.passes.end(), [&](const Pass& pass) {
+            return pass.live && uses(state_, pass, desc);
+        });
+    };
+    for (const GeneratedDesc& desc : description_.generated) {
+        if (!is_used(desc)) continue;
+        plan_.generated.push_back(desc);
+        plan_.generated.back().count = generatedCount(description_, desc);
+    }
+    for (const ImportDesc& desc : description_.imports)
+        if (is_used(desc)) plan_.imports.push_back(desc);
 }
 
 // ---- passes
@@ -230,6 +235,17 @@ void Builder::addInputs(const Pass& pass, PlanPass& into)
     }
 }
 
+void Builder::addUniforms(const Pass& pass, PlanPass& into)
+{
+    for (PlanUniform uniform : pass.uniforms) {
+        if (uniform.source == UniformSource::param)
+            uniform.index = param(description_.params[uniform.index]);
+        else if (uniform.source == UniformSource::kernel)
+            uniform.index = indexOf(plan_.generated, description_.generated[uniform.index].name);
+        into.uniforms.push_back(std::move(uniform));
+    }
+}
+
 void Builder::addPass(int index)
 {
     const Pass& pass = state_.passes[index];
@@ -251,8 +267,7 @@ void Builder::addPass(int index)
     result.has_depth = pass.depth >= 0;
     if (result.has_depth) result.depth = attachment(pass, pass.depth, true);
     addMask(pass, result);
-    for (const auto& [glsl, value] : desc.uniforms)
-        if (glsl.name != value.name) result.renamed_uniforms.push_back({glsl.name, value.name});
+    addUniforms(pass, result);
     result.notes = droppedIdentities(state_, pass);
     plan_.passes.push_back(std::move(result));
 }
@@ -285,7 +300,8 @@ void Builder::boundPasses()
         shows_things.push_back(draws ? desc.draws_within > 0.0f || !desc.draws_within_param.empty()
                                      : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromThings));
         pass.bounded = desc.bounded && state_.applies("bounds") && shows_things.back();
-        if (pass.bounded) pass.shown_length = desc.shown_length.name;
+        if (pass.bounded && !desc.shown_length.empty())
+            pass.shown_length = param(*findNamed(description_.params, desc.shown_length.name));
     }
 }
 

@@ -155,10 +155,10 @@ void readPass(State& state, Pass& pass)
     for (const GlslStage* stage : {&shader.vertex, &shader.fragment}) {
         for (const GlslUniform& uniform : stage->uniforms) {
             if (isSampler(uniform.type)) readSampler(state, pass, uniform);
-            else checkUniform(state, pass, uniform);
+            else bindUniform(state, pass, uniform);
         }
     }
-    checkRenames(state, pass);
+    checkInputs(state, pass);
     checkOutputs(state, pass, shader.fragment);
     checkLimits(state, pass, shader);
 }

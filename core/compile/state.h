@@ -6,7 +6,7 @@
 // steps before could make sense of, so that one run finds all errors.
 #pragma once
 
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 
 #include <optional>
 #include <set>
@@ -49,6 +49,7 @@ struct Pass {
     bool keeps_constant = false;             ///< What it reads is constant, and so stands in for it.
     bool indispensable = false;              ///< ... but not for all that is needed of it.
     std::vector<Read> reads = {};
+    std::vector<PlanUniform> uniforms = {};  ///< With indices into the description's lists.
     std::vector<int> color = {};  ///< Targets.
     int depth = -1;               ///< A target, or -1 for none.
 
@@ -91,14 +92,6 @@ Diagnostic& report(State& state, Code code, std::string message, const Place& at
 /// with a note at `declared` in the GLSL.
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
                        const Place& declared);
-
-/// The index of that name in a list of the description, or -1.
-template <class T>
-int indexOf(const std::vector<T>& list, std::string_view name)
-{
-    const T* element = findNamed(list, name);
-    return element ? static_cast<int>(element - list.data()) : -1;
-}
 
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);

@@ -33,7 +33,7 @@ void readShaders(State& state);
 
 // inputs.cpp
 void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
-void checkRenames(State& state, const Pass& pass);
+void checkInputs(State& state, const Pass& pass);
 /// As the config says, or as is usual for what the name stands for.
 SamplerDesc samplingOf(const Read& read);
 /// Whether a mask of its own says where the pass is drawn.
@@ -42,7 +42,8 @@ bool readsMask(const Pass& pass);
 bool mentions(std::string_view text, std::string_view word);
 
 // uniforms.cpp
-void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform);
+/// Finds what feeds the uniform, and adds that to the pass.
+void bindUniform(State& state, Pass& pass, const GlslUniform& uniform);
 void checkLimits(State& state, const Pass& pass, const Shader& shader);
 /// Uniform vectors that a stage takes: one for each scalar, vector, array element and column of a matrix.
 int vectorsOf(const GlslStage& stage);

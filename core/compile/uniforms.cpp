@@ -6,39 +6,45 @@
 #include "core/sampling/generators.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace crevice::compiler {
 
 namespace {
 
-// What a uniform has to look like.
-struct Shape {
+// What may feed a uniform, and what that has to look like.
+struct Supply {
     GlslType type;
     int count;  // 0: no array
     std::string what;
     Place place = {};  // in the config
+    UniformSource source = UniformSource::param;
+    int index = -1;
 };
 
-std::optional<Shape> shapeOf(const Description& description, const PassDesc& pass,
-                             std::string_view name)
+std::optional<Supply> supplyOf(const Description& description, const PassDesc& pass,
+                               std::string_view name)
 {
-    if (const ParamDesc* param = findNamed(description.params, name))
-        return Shape{glslTypeOf(param->type), 0, "param", param->place};
-    const GeneratedDesc* generated = findNamed(description.generated, name);
-    if (generated && generatesTexture(generated->generator))
-        return Shape{GlslType::sampler2d, 0, "generated texture", generated->place};
-    if (generated)
-        return Shape{GlslType::vec3, generatedCount(description, *generated), "kernel",
-                     generated->place};
+    if (const int i = indexOf(description.params, name); i >= 0)
+        return Supply{glslTypeOf(description.params[i].type), 0, "param", description.params[i].place,
+                      UniformSource::param, i};
+    if (const int i = indexOf(description.generated, name); i >= 0) {
+        const GeneratedDesc& generated = description.generated[i];
+        if (generatesTexture(generated.generator))
+            return Supply{GlslType::sampler2d, 0, "generated texture", generated.place};
+        return Supply{GlslType::vec3, generatedCount(description, generated), "kernel",
+                      generated.place, UniformSource::kernel, i};
+    }
     if (const TargetDesc* target = findNamed(description.targets, name))
-        return Shape{GlslType::sampler2d, 0, "target", target->place};
+        return Supply{GlslType::sampler2d, 0, "target", target->place};
     const ImportDesc* import = findNamed(description.imports, name);
     if (import && import->type == ImportType::texture)
-        return Shape{GlslType::sampler2d, 0, "texture import", import->place};
+        return Supply{GlslType::sampler2d, 0, "texture import", import->place};
     const FrameValueInfo* value = findFrameValue(name);
-    if (!value || (value->import == ImportType::draw_list && pass.type != PassType::draw)) return std::nullopt;
-    return Shape{value->type, value->count > 1 ? value->count : 0, "value of the frame"};
+    const bool of_draw = value && value->import == ImportType::draw_list;
+    if (!value || (of_draw && pass.type != PassType::draw)) return std::nullopt;
+    return Supply{value->type, value->count > 1 ? value->count : 0, "value of the frame", {},
+                  of_draw ? UniformSource::draw : UniformSource::frame,
+                  static_cast<int>(value - kFrameValues)};
 }
 
 std::string spell(GlslType type, std::string_view name, int count)
@@ -68,22 +74,38 @@ void checkVectors(State& state, const PassDesc& pass, const GlslStage& stage, co
            pass).help = "ask for fewer samples or lights, or fewer uniforms";
 }
 
-// The value that feeds a uniform of the pass: of its own name, unless the pass renames it.
-std::string_view valueName(const PassDesc& pass, std::string_view glsl)
+template <class Test>
+bool anyUniform(const Pass& pass, Test&& test)
 {
-    for (const auto& [name, value] : pass.uniforms)
-        if (name.name == glsl) return value.name;
-    return glsl;
+    return std::any_of(pass.uniforms.begin(), pass.uniforms.end(), test);
 }
 
-bool anyUniform(const State& state, const Pass& pass,
-                const std::function<bool(std::string_view value)>& test)
+void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform)
 {
-    const Shader& shader = state.shaders[pass.shader];
-    for (const GlslStage* stage : {&shader.vertex, &shader.fragment})
-        for (const GlslUniform& uniform : stage->uniforms)
-            if (test(valueName(*pass.desc, uniform.name))) return true;
-    return false;
+    const bool draws_only = findFrameValue(uniform.name) != nullptr;
+    Diagnostic& error = reportGlsl(
+        state, Code::uniform_unbound,
+        "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' " +
+            (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
+        pass, uniform.place);
+    for (const Named& each : state.description.deleted)
+        if (each.name == uniform.name) error.notes.push_back({each.place, "it was deleted here"});
+    error.help = draws_only ? "make the pass a draw, or drop the uniform"
+                            : suggestName(uniform.name, valueNames(state.description, *pass.desc),
+                                          "values");
+}
+
+void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, const Supply& supply)
+{
+    const std::string wanted = spell(supply.type, uniform.name, supply.count);
+    Diagnostic& error =
+        reportGlsl(state, Code::uniform_type,
+                   "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' is declared as " +
+                       spell(uniform.type, uniform.name, uniform.array ? uniform.count : 0) +
+                       ", and the " + supply.what + " is " + wanted,
+                   pass, uniform.place);
+    if (supply.place.source) error.notes.push_back({supply.place, "the config declares it here"});
+    error.help = "declare: uniform " + wanted + ";";
 }
 
 bool reads(const State& state, const Pass& pass, InputKind kind, int index)
@@ -118,7 +140,9 @@ bool uses(const State& state, const Pass& pass, const GeneratedDesc& generated)
 {
     const int index = indexOf(state.description.generated, generated.name);
     return reads(state, pass, InputKind::generated, index) ||
-           anyUniform(state, pass, [&](std::string_view name) { return name == generated.name; });
+           anyUniform(pass, [index](const PlanUniform& uniform) {
+               return uniform.source == UniformSource::kernel && uniform.index == index;
+           });
 }
 
 bool uses(const State& state, const Pass& pass, const ImportDesc& import)
@@ -126,40 +150,23 @@ bool uses(const State& state, const Pass& pass, const ImportDesc& import)
     const int index = indexOf(state.description.imports, import.name);
     if (import.type == ImportType::texture) return reads(state, pass, InputKind::imported, index);
     if (import.type == ImportType::draw_list && pass.desc->type == PassType::draw) return true;
-    return anyUniform(state, pass, [&](std::string_view name) {
-        const FrameValueInfo* value = findFrameValue(name);
-        return value && value->import == import.type;
+    return anyUniform(pass, [&import](const PlanUniform& uniform) {
+        const bool of_frame =
+            uniform.source == UniformSource::frame || uniform.source == UniformSource::draw;
+        return of_frame && kFrameValues[uniform.index].import == import.type;
     });
 }
 
-void checkUniform(State& state, const Pass& pass, const GlslUniform& uniform)
+void bindUniform(State& state, Pass& pass, const GlslUniform& uniform)
 {
-    const PassDesc& desc = *pass.desc;
-    const std::string_view name = valueName(desc, uniform.name);
-    const std::string who = "pass '" + desc.name + "': uniform '" + uniform.name + "' ";
-    const std::optional<Shape> shape = shapeOf(state.description, desc, name);
-    if (!shape) {
-        const bool draws_only = findFrameValue(name) != nullptr;
-        Diagnostic& error = reportGlsl(
-            state, Code::uniform_unbound,
-            who + (draws_only ? "has a value in draw passes only" : "is supplied by nothing"), pass,
-            uniform.place);
-        for (const Named& each : state.description.deleted)
-            if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
-        error.help = draws_only ? "make the pass a draw, or drop the uniform"
-                                : suggestName(name, valueNames(state.description, desc), "values");
-        return;
-    }
+    const std::optional<Supply> supply = supplyOf(state.description, *pass.desc, uniform.name);
+    if (!supply) return reportUnbound(state, pass, uniform);
     const int count = uniform.array ? uniform.count : 0;
-    if (shape->type == uniform.type && shape->count == count) return;
-    Diagnostic& error =
-        reportGlsl(state, Code::uniform_type,
-                   who + "is declared as " + spell(uniform.type, uniform.name, count) + ", and the " +
-                       shape->what + " '" + std::string(name) + "' is " +
-                       spell(shape->type, name, shape->count),
-                   pass, uniform.place);
-    if (shape->place.source) error.notes.push_back({shape->place, "the config declares it here"});
-    error.help = "declare: uniform " + spell(shape->type, uniform.name, shape->count) + ";";
+    if (supply->type != uniform.type || supply->count != count)
+        return reportShape(state, pass, uniform, *supply);
+    if (!findNamed(pass.uniforms, uniform.name))  // else declared in both stages
+        pass.uniforms.push_back(
+            {uniform.name, uniform.type, uniform.count, supply->source, supply->index});
 }
 
 void checkLimits(State& state, const Pass& pass, const Shader& shader)

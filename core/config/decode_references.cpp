@@ -74,7 +74,6 @@ private:
                      {"targets", "generated", "imports"}};
     Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
     Names params_ = {"param", "params", Code::reference_missing, {"params"}};
-    Names values_ = {"param or frame value", "values", Code::reference_missing, {"params"}};
     Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
 };
 
@@ -93,8 +92,7 @@ Checker::Checker(const Node& document, const SourceSet& sources, const Descripti
         if (each.type == ImportType::texture) inputs_.all.push_back(each.name);
     if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
     shaders_.all = namesOf(description.shaders);
-    params_.all = values_.all = namesOf(description.params);
-    for (const FrameValueInfo& value : kFrameValues) values_.all.push_back(value.name);
+    params_.all = namesOf(description.params);
     subjects_.all = namesOf(description.features);
     for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
 }
@@ -173,8 +171,6 @@ void Checker::checkPass(const PassDesc& pass)
     for (const KeepsConstantDesc& each : pass.keeps_constant)
         checkAttached(pass, each.output, "keeps constant");
     for (const InputDesc& each : pass.inputs) checkInput(pass, each);
-    for (const auto& [glsl, value] : pass.uniforms)
-        expect(value, who + "feeds '" + glsl.name + "' from", values_);
 }
 
 void Checker::checkWrites(const PassDesc& pass)

@@ -73,7 +73,6 @@ void UseChecker::collectPass(const PassDesc& pass)
     for (const IdentityDesc& each : pass.identity) used_.insert(each.param.name);
     used_.insert({pass.draws_within_param.name, pass.drawn_where.name, pass.shown_length.name});
     for (const InputDesc& each : pass.inputs) used_.insert(each.from.name);
-    for (const auto& renamed : pass.uniforms) used_.insert(renamed.second.name);
 }
 
 void UseChecker::collect()

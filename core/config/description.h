@@ -11,6 +11,7 @@
 #include "core/gpu/format.h"
 #include "core/gpu/state.h"
 #include "core/json/document.h"
+#include "core/sampling/generators.h"
 
 #include <array>
 #include <map>
@@ -18,13 +19,6 @@
 #include <vector>
 
 namespace crevice {
-
-/// Anything a config names. `pointer` is its RFC 6901 pointer in the merged document.
-struct Named {
-    std::string name;
-    Place place = {};
-    std::string pointer = {};
-};
 
 /// A name that refers to another thing, with the place where it was written.
 struct Reference {
@@ -42,6 +36,10 @@ enum class Bind {
     define,   ///< A #define in upper case: a change compiles the shader again.
 };
 
+/// What a param means to the choice of formats. A length, in scene units, is how far an estimator looks
+/// about: formats of depth and positions are chosen to tell surfaces a tenth of it apart.
+enum class ParamSemantic { other, length };
+
 /// A tunable number or vector. All bounds hold for each component and are inclusive.
 struct ParamDesc : Named {
     ParamType type = ParamType::float_;
@@ -55,6 +53,7 @@ struct ParamDesc : Named {
     std::string tooltip;     ///< One sentence: what it does and what turning it up costs.
     std::string group;       ///< Heading in a panel.
     Bind bind = Bind::uniform;
+    ParamSemantic semantic = ParamSemantic::other;
 };
 
 /// Number of floats in a param of that type.
@@ -71,21 +70,8 @@ struct FeatureDesc : Named {
     int value = 0;  ///< Index of the default.
 };
 
-/// What the host supplies. A camera, draw list and lights give the uniforms listed in
-/// core/frame/frame.h; a texture is a sampler of the import's name.
-struct ImportDesc : Named {
-    ImportType type = ImportType::texture;
-    bool optional = false;  ///< Absent is allowed: 0 for a texture, no lights, nothing drawn.
-    std::string format = "depth24";  ///< Of a texture: how finely it tells values apart.
-};
-
-/// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
-struct GeneratedDesc : Named {
-    std::string generator;      ///< A name from core/sampling/generators.h.
-    Reference count_param = {}; ///< The int param that gives the count; empty when `count` does.
-    int count = 16;             ///< Offsets of a kernel, or pixels along a side of a noise.
-    std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
-    unsigned seed = 1;
+struct GeneratedDesc : GeneratorDesc {
+    Reference count_param = {};  ///< The int param that gives the count; empty when `count` does.
 };
 
 constexpr double kSmallestScale = 1.0 / 64.0;
@@ -151,8 +137,6 @@ struct IdentityDesc {
     std::vector<Gives> gives = {};
 };
 
-enum class PassType { draw, fullscreen };
-
 /// What a sampler of the pass's shader reads, where the name differs or the sampling does.
 struct InputDesc {
     Reference sampler = {};  ///< The GLSL name.
@@ -196,7 +180,6 @@ struct PassDesc : Named {
     bool bounded = false;               ///< That stands also where no thing lies on the screen ...
     Reference shown_length = {};        ///< ... or at which this param, a length, is below a pixel.
     std::vector<InputDesc> inputs = {};
-    std::vector<std::pair<Reference, Reference>> uniforms = {};  ///< GLSL name, value's name.
     StateDesc state = {};
 };
 
@@ -230,24 +213,6 @@ struct Description : Named {
                                  ///< no other error, which might be why.
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
 };
-
-/// The element of that name, or null. For the lists of a Description.
-template <class T>
-const T* findNamed(const std::vector<T>& list, std::string_view name)
-{
-    for (const T& element : list)
-        if (element.name == name) return &element;
-    return nullptr;
-}
-
-/// All names of a list.
-template <class T>
-std::vector<std::string> namesOf(const std::vector<T>& list)
-{
-    std::vector<std::string> names;
-    for (const T& element : list) names.push_back(element.name);
-    return names;
-}
 
 /// Decodes a merged document and reads the GLSL files it names, with what they include, from
 /// `sources`. Paths that begin with "./" are relative to the file that wrote them.

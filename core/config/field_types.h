@@ -38,6 +38,7 @@ enum class FeatureType { bool_, enum_ };
 using Spellings = std::vector<std::string>;
 inline Spellings spellings(ParamType) { return {"float", "int", "vec2", "vec3", "vec4"}; }
 inline Spellings spellings(Bind) { return {"uniform", "define"}; }
+inline Spellings spellings(ParamSemantic) { return {"other", "length"}; }
 inline Spellings spellings(FeatureType) { return {"bool", "enum"}; }
 inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights", "texture"}; }
 inline Spellings spellings(Holds) { return {"other", "view_position", "view_depth", "mask"}; }
@@ -107,6 +108,5 @@ inline Reference& keyOf(KeepsConstantDesc& kept) { return kept.output; }
 inline Reference& keyOf(IdentityDesc& identity) { return identity.param; }
 inline Reference& keyOf(IdentityDesc::Gives& gives) { return gives.output; }
 inline Reference& keyOf(InputDesc& input) { return input.sampler; }
-inline Reference& keyOf(std::pair<Reference, Reference>& uniform) { return uniform.first; }
 
 }  // namespace crevice::table

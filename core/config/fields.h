@@ -41,6 +41,10 @@ void fields(V& v, ParamDesc& p)
     v.field("tooltip", p.tooltip, "One sentence: what it does and what turning it up costs.");
     v.field("group", p.group, "The heading in a panel.");
     v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
+    v.field("semantic", p.semantic,
+            "A length, in scene units, is how far an estimator looks about: formats of depth and positions "
+            "are chosen to resolve a tenth of it.");
+    if (componentCount(p.type) > 1) v.refuse("semantic", Code::bad_enum, "a vector is no length");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");
 }
@@ -102,7 +106,7 @@ void fields(V& v, TargetDesc& t)
             "Preference list: the first that the device renders to and that tells surfaces apart.",
             required());
     v.field("holds", t.holds,
-            "What surfaces are found by here, so that its format is chosen to resolve the radius; "
+            "What surfaces are found by here, so that its format is chosen to resolve lengths; "
             "depth formats hold window depth without it, or a mask.");
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
@@ -178,12 +182,6 @@ void fields(V& v, InputDesc& i)
 }
 
 template <class V>
-void fields(V& v, std::pair<Reference, Reference>& uniform)
-{
-    v.itself(uniform.second, "The param or frame value that feeds the uniform of this name.");
-}
-
-template <class V>
 void fields(V& v, StateDesc& s)
 {
     v.field("depth_test", s.depth_test, "Less for a draw pass with depth, when absent. Less is nearer, also where a camera reverses depth.");
@@ -223,7 +221,6 @@ void fields(V& v, PassDesc& p)
     if (!p.bounded && !v.has("bounded"))
         v.refuse("shown_length", Code::bad_enum, "the pass is not bounded");
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
-    v.field("uniforms", p.uniforms, "Uniforms whose names differ from what feeds them.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
     v.field("state", p.state, "Fixed-function state.");
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Values that differ, as a patch.
+// What a value may be, and values that differ, as a patch.
 #include "core/config/values.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crevice {
 
@@ -33,7 +34,62 @@ void add(std::string& text, const std::string& opening, const std::string& membe
     text += (text.empty() ? opening : ", ") + member;
 }
 
+Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
+{
+    Diagnostic error{code, param.name + " " + what};
+    error.place = param.place;
+    error.pointer = param.pointer;
+    error.help = std::move(help);
+    return error;
+}
+
+std::string numberText(double value) { return significant(value, 6); }
+
+std::string rangeText(const ParamDesc& param)
+{
+    return "[" + numberText(param.min) + ", " + numberText(param.max) + "]" +
+           (param.unit.empty() ? "" : " " + param.unit);
+}
+
+bool wholeInt(float value)
+{
+    constexpr float kLimit = 2147483648.0f;  // the least float that no int holds
+    return value == std::floor(value) && value >= -kLimit && value < kLimit;
+}
+
+Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
+{
+    Diagnostic warning{Code::value_dropped, what + " '" + old.name +
+                                                "' is no longer what was set at run time: " + why};
+    warning.severity = Severity::warning;
+    warning.help = "set it again, to a value that the config has now";
+    return warning;
+}
+
 }  // namespace
+
+Status checkValue(const ParamDesc& param, const float* values, int count)
+{
+    const int components = componentCount(param.type);
+    if (count != components)
+        return paramError(Code::bad_length, param,
+                          "has " + std::to_string(components) + " components, and " +
+                              std::to_string(count) + " values were given",
+                          "give one value for each component");
+    for (int i = 0; i < count; ++i) {
+        if (!std::isfinite(values[i]))
+            return paramError(Code::not_finite, param, "must be finite", "in " + rangeText(param));
+        if (double{values[i]} < param.min || double{values[i]} > param.max)
+            return paramError(Code::out_of_range, param,
+                              numberText(values[i]) + " is outside " + rangeText(param),
+                              "give a value in that range");
+        if (param.type == ParamType::int_ && !wholeInt(values[i]))
+            return paramError(Code::out_of_range, param,
+                              numberText(values[i]) + " is no whole number",
+                              "give a whole number in " + rangeText(param));
+    }
+    return {};
+}
 
 Values valuesOf(const Description& description)
 {
@@ -61,6 +117,39 @@ std::string valuesPatch(const Values& loaded, const Description& now)
     for (const std::string& section : {params, features})
         if (!section.empty()) add(text, "", section + "}");
     return "{" + text + "}";
+}
+
+Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)
+{
+    Diagnostics warnings;
+    for (std::size_t i = 0; i < now.params.size(); ++i) {
+        const ParamDesc& old = now.params[i];
+        if (old.value == loaded.params[i]) continue;
+        const auto param = std::find_if(next.params.begin(), next.params.end(),
+                                        [&](const ParamDesc& each) { return each.name == old.name; });
+        const bool there = param != next.params.end() && param->type == old.type;
+        const Status fits =
+            there ? checkValue(*param, old.value.data(), componentCount(old.type)) : Status{};
+        if (there && fits) param->value = old.value;
+        else
+            warnings.push_back(dropped("param", old, there ? fits.diagnostics()[0].message
+                                                           : "the config has none like it"));
+    }
+    for (std::size_t i = 0; i < now.features.size(); ++i) {
+        const FeatureDesc& old = now.features[i];
+        if (old.value == loaded.features[i]) continue;
+        const std::string& word = old.values[old.value];
+        const auto feature =
+            std::find_if(next.features.begin(), next.features.end(),
+                         [&](const FeatureDesc& each) { return each.name == old.name; });
+        const std::vector<std::string> words =
+            feature == next.features.end() ? std::vector<std::string>{} : feature->values;
+        const auto at = std::find(words.begin(), words.end(), word);
+        if (at != words.end()) feature->value = static_cast<int>(at - words.begin());
+        else
+            warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
+    }
+    return warnings;
 }
 
 }  // namespace crevice

@@ -191,12 +191,6 @@ std::optional<OutputLine> outputLine(std::string_view line, std::string_view nam
 
 }  // namespace
 
-bool declares(const GlslStage& stage, std::string_view uniform)
-{
-    return std::any_of(stage.uniforms.begin(), stage.uniforms.end(),
-                       [&](const GlslUniform& each) { return each.name == uniform; });
-}
-
 bool isQualifier(std::string_view word)
 {
     return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);

@@ -10,9 +10,6 @@ namespace crevice {
 /// `unit.errors`: blocks, array sizes and locations that cannot be read.
 void scanDeclarations(GlslUnit& unit, GlslStage& stage);
 
-/// Whether the stage declares that uniform.
-bool declares(const GlslStage& stage, std::string_view uniform);
-
 /// Whether the word stands before a type: "uniform", "highp", "const".
 bool isQualifier(std::string_view word);
 

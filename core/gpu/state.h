@@ -7,6 +7,9 @@ namespace crevice {
 /// Most samples that a pixel may have; what a device draws, `DeviceCaps::sample_counts` says.
 constexpr int kMaxSamples = 32;
 
+/// Draws the draw list, or one triangle over the target.
+enum class PassType { draw, fullscreen };
+
 enum class Cull { none, back, front };
 enum class Compare { always, less, less_equal, greater, greater_equal, equal };
 enum class Filter { nearest, linear };

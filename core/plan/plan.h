@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A plan: what will run, in which order, on which textures, and what was left out and why.
 //
-// `compile` is a pure and deterministic function: no GL, no clock, no files. The same input gives
-// the same plan on every machine, so tests compare plans as text.
+// It holds everything that running needs and knows no config: `compile` makes one of a description,
+// and a host may as well fill one by hand.
 #pragma once
 
-#include "core/config/description.h"
 #include "core/frame/frame.h"
+#include "core/frame/imports.h"
 #include "core/glsl/stage.h"
 #include "core/gpu/device.h"
 #include "core/plan/optimizations.h"
+#include "core/sampling/generators.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -61,10 +63,24 @@ struct PlanAttachment {
     std::string reason;  ///< Why this load and store.
 };
 
-/// What a uniform is fed from: a name of the value table (a param, a camera matrix, ...).
+/// A value that may change from frame to frame without another plan.
+struct PlanParam {
+    std::string name;
+    GlslType type = GlslType::float_;  ///< float, int or a vector of floats.
+    std::array<float, 4> initial = {0, 0, 0, 0};  ///< Until `setParam`; as many as the type has.
+};
+
+/// Where a uniform's value comes from. A value of `frame` is the same for a whole pass; one of `draw`
+/// changes with each item of the draw list.
+enum class UniformSource { param, frame, draw, kernel };
+
+/// A uniform of a pass and the value that it is fed from.
 struct PlanUniform {
-    std::string glsl;
-    std::string value;
+    std::string name;  ///< In GLSL.
+    GlslType type = GlslType::float_;
+    int count = 1;     ///< Elements; more than 1 is an array.
+    UniformSource source = UniformSource::param;
+    int index = -1;    ///< Into Plan::params, kFrameValues (of frame and draw) or Plan::generated.
 };
 
 struct PlanPass {
@@ -79,9 +95,9 @@ struct PlanPass {
     StateDesc state;
     float draws_within = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
     bool bounded = false;    ///< It is drawn within the bounds of the frame's things alone ...
-    std::string shown_length = {};  ///< ... and of those at which this param comes to a pixel; may be empty.
+    int shown_length = -1;   ///< ... and of those at which this of Plan::params comes to a pixel; -1: of all.
     std::vector<PlanInput> inputs;
-    std::vector<PlanUniform> renamed_uniforms;  ///< Only those whose names differ.
+    std::vector<PlanUniform> uniforms;
     std::vector<std::string> notes;  ///< What could have been left out and is not: "runs also where ...".
     double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
     double bytes_written = 0;  ///< An estimate a frame.
@@ -136,26 +152,13 @@ struct Plan {
     std::vector<PlanTexture> textures;
     std::vector<PlanProgram> programs;
     std::vector<PlanConstant> constants;
-    std::vector<GeneratedDesc> generated;  ///< Those that a pass uses, with `count` resolved.
+    std::vector<PlanParam> params;         ///< Those that a pass uses.
+    std::vector<GeneratorDesc> generated;  ///< Those that a pass uses.
     std::vector<ImportDesc> imports;       ///< Those that a pass uses.
     std::vector<PlanOutput> outputs;
     std::vector<LeftOut> left_out;
     double texture_bytes = 0;  ///< Of `textures`, with all their copies.
 };
-
-struct CompileOptions {
-    Extent extent;
-    std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
-    std::vector<std::string> keep = {};     ///< Names of rules to switch off, or "all".
-};
-
-/// Plans a description for a scene, a device and a size. The description's param and feature values
-/// are the ones in force. Warnings come with the plan. Requires a description that `decode` made.
-///
-/// Errors: CV2xxx graph rules, CV4005 and CV6xxx for what the device cannot do, CV5xxx for what
-/// GLSL and config disagree about; all of them, each at its place in the config or the shader.
-Result<Plan> compile(const Description& description, const SceneTraits& traits,
-                     const DeviceCaps& caps, const CompileOptions& options);
 
 /// Text for people, stable enough to compare in tests.
 std::string toText(const Plan& plan);

@@ -83,9 +83,7 @@ Part partOf(const Plan& plan, const PlanPass& pass)
         else
             facts.push_back({"input " + input.sampler, inputText(plan, input)});
     }
-    if (pass.type == PassType::fullscreen) facts.push_back({"drawn within", boundsText(pass)});
-    for (const PlanUniform& uniform : pass.renamed_uniforms)
-        facts.push_back({"uniform " + uniform.glsl, uniform.value});
+    if (pass.type == PassType::fullscreen) facts.push_back({"drawn within", boundsText(plan, pass)});
     for (const PlanAttachment& color : pass.color)
         facts.push_back({"writes " + color.name, attachmentText(color)});
     if (pass.has_depth && !isMasked(pass))

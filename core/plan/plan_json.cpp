@@ -63,7 +63,7 @@ std::string inputJson(const Plan& plan, const PlanInput& input)
 
 std::string uniformJson(const PlanUniform& uniform)
 {
-    return "{\"glsl\": " + json(uniform.glsl) + ", \"value\": " + json(uniform.value) + "}";
+    return "{\"name\": " + json(uniform.name) + ", \"source\": " + json(nameOf(uniform.source)) + "}";
 }
 
 std::string stateJson(const StateDesc& state)
@@ -83,10 +83,10 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
            ",\n      \"masked\": " + json(isMasked(pass)) +
            ", \"bounded\": " + json(pass.bounded) + ", \"shown_length\": " +
-           (pass.shown_length.empty() ? "null" : json(pass.shown_length)) +
+           (pass.shown_length < 0 ? "null" : json(plan.params[pass.shown_length].name)) +
            ",\n      \"state\": " + stateJson(pass.state) +
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
-           ",\n      \"uniforms\": " + list(pass.renamed_uniforms, uniformJson, indent) +
+           ",\n      \"uniforms\": " + list(pass.uniforms, uniformJson, indent) +
            ",\n      \"color\": " + list(pass.color, attachment, indent) +
            ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") +
            ",\n      \"notes\": " + list(pass.notes, [](const std::string& note) { return json(note); }) +
@@ -123,7 +123,7 @@ std::string programJson(const PlanProgram& program)
            bytesJson(program.variants) + ", \"fractions\": " + list(program.fractions, name) + "}";
 }
 
-std::string generatedJson(const GeneratedDesc& each)
+std::string generatedJson(const GeneratorDesc& each)
 {
     return "{\"name\": " + json(each.name) + ", \"generator\": " + json(each.generator) +
            ", \"count\": " + json(each.count) + "}";

@@ -9,6 +9,7 @@ namespace crevice {
 const char* nameOf(LoadOp load);
 const char* nameOf(StoreOp store);
 const char* nameOf(InputKind kind);
+const char* nameOf(UniformSource source);
 
 /// What a sampler reads: a target's, generated value's or import's name, "material" or a number.
 std::string sourceName(const Plan& plan, const PlanInput& input);
@@ -23,7 +24,7 @@ std::string bytesText(double bytes);
 std::string samplesText(int samples);
 
 /// Within what a fullscreen pass is drawn: "everything", "the bounds of things".
-std::string boundsText(const PlanPass& pass);
+std::string boundsText(const Plan& plan, const PlanPass& pass);
 
 /// The texture behind a target of the plan.
 const PlanTexture& textureOf(const Plan& plan, int target);

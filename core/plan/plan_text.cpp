@@ -39,6 +39,12 @@ const char* nameOf(InputKind kind)
     return "constant";
 }
 
+const char* nameOf(UniformSource source)
+{
+    const char* const names[] = {"param", "frame value", "draw value", "kernel"};
+    return names[static_cast<int>(source)];
+}
+
 std::string sourceName(const Plan& plan, const PlanInput& input)
 {
     switch (input.kind) {
@@ -72,11 +78,11 @@ std::string bytesText(double bytes)
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + units[unit];
 }
 
-std::string boundsText(const PlanPass& pass)
+std::string boundsText(const Plan& plan, const PlanPass& pass)
 {
     if (!pass.bounded) return "everything";
-    return "the bounds of things" +
-           (pass.shown_length.empty() ? "" : " at which " + pass.shown_length + " is a pixel or more");
+    if (pass.shown_length < 0) return "the bounds of things";
+    return "the bounds of things at which " + plan.params[pass.shown_length].name + " is a pixel or more";
 }
 
 const PlanTexture& textureOf(const Plan& plan, int target)
@@ -146,7 +152,7 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
-    if (pass.bounded) text += "    drawn   within " + boundsText(pass) + "\n";
+    if (pass.bounded) text += "    drawn   within " + boundsText(plan, pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
     for (const std::string& note : pass.notes) text += "    note    " + note + "\n";
@@ -227,7 +233,7 @@ std::string toText(const Plan& plan)
     text += "outputs\n";
     for (const PlanOutput& output : plan.outputs) text += outputText(plan, output);
     if (!plan.generated.empty()) text += "generated\n";
-    for (const GeneratedDesc& each : plan.generated)
+    for (const GeneratorDesc& each : plan.generated)
         text += "  " + each.name + ": " + each.generator + " " + std::to_string(each.count) + "\n";
     if (!plan.imports.empty()) text += "imports\n";
     for (const ImportDesc& each : plan.imports)

@@ -37,37 +37,37 @@ const ImportedTexture* findTexture(const Frame& frame, std::size_t view, std::st
 /// The revision of what is always there: no host's, for they count from 1.
 constexpr std::uint64_t kNeverChanges = ~std::uint64_t{0};
 
+Diagnostic refused(const ImportDesc& import, Code code, const std::string& what, const char* help)
+{
+    Diagnostic error{code, "the frame" + what, import.place, import.pointer};
+    error.help = help;
+    return error;
+}
+
 Diagnostic missing(const ImportDesc& import)
 {
-    Diagnostic error{Code::missing_import,
-                     "the frame has no texture for import '" + import.name + "'"};
-    error.place = import.place;
-    error.pointer = import.pointer;
-    error.help = "add one of that name to Frame::textures, or make the import optional";
-    return error;
+    return refused(import, Code::missing_import, " has no texture for import '" + import.name + "'",
+                   "add one of that name to Frame::textures, or make the import optional");
 }
 
 Diagnostic unknownTexture(const ImportDesc& import, TextureId id)
 {
-    Diagnostic error{Code::bad_input, "the frame's texture '" + import.name + "' is texture " +
-                                          std::to_string(id.value) + ", which is none of this device"};
-    error.place = import.place;
-    error.pointer = import.pointer;
-    error.help = "take an id that adoptTexture or createTexture gave and that is not destroyed yet";
-    return error;
+    return refused(import, Code::bad_input,
+                   "'s texture '" + import.name + "' is texture " + std::to_string(id.value) +
+                       ", which is none of this device",
+                   "take an id that adoptTexture or createTexture gave and that is not destroyed yet");
 }
 
-Diagnostic otherSamples(const ImportDesc& import, const char* pass, int samples)
+Diagnostic otherSamples(const ImportDesc& import, const std::string& pass, int samples)
 {
-    const std::string found = samples == 1 ? "one sample" : std::to_string(samples) + " samples";
-    Diagnostic error{Code::bad_input, "the frame's texture '" + import.name + "' has " + found +
-                                          " a pixel, and pass '" + pass + "' reads it as " +
-                                          (samples == 1 ? "sampler2DMS" : "sampler2D")};
-    error.place = import.place;
-    error.pointer = import.pointer;
-    error.help = samples == 1 ? "adopt it with its TextureDesc::samples, or take a module for one"
-                              : "resolve it, or take a module that reads samples";
-    return error;
+    const bool one = samples == 1;
+    return refused(import, Code::bad_input,
+                   "'s texture '" + import.name + "' has " +
+                       (one ? "one sample" : std::to_string(samples) + " samples") +
+                       " a pixel, and pass '" + pass + "' reads it as " +
+                       (one ? "sampler2DMS" : "sampler2D"),
+                   one ? "adopt it with its TextureDesc::samples, or take a module for one"
+                       : "resolve it, or take a module that reads samples");
 }
 
 }  // namespace
@@ -115,6 +115,11 @@ Status Execution::setImports(const Frame& frame)
     return {};
 }
 
+void Execution::setParam(std::string_view name, const float* values)
+{
+    if (const int index = indexOf(plan_.params, name); index >= 0) values_.setParam(index, values);
+}
+
 Status Execution::run(const Frame& frame)
 {
     if (Status status = device_.beginFrame(); !status) return status;
@@ -141,7 +146,7 @@ const std::vector<char>& Execution::begin(const Frame& frame)
         for (PreparedPass& pass : view.passes) {
             values_.setViewport(pass.info.extent);
             const bool drawn_anew =
-                pass.type == PassType::draw && (draws_changed || camera_changed);
+                pass.plan->type == PassType::draw && (draws_changed || camera_changed);
             const bool sent_anew = takeUniforms(pass);
             changed_[run++] = plan_.reruns || drawn_anew || sent_anew || pass.imports_changed;
             pass.imports_changed = false;
@@ -278,14 +283,14 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
 {
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
-    info.within_area = pass.bounded;
-    if (pass.bounded) info.area = areaOf(pass, camera);
+    info.within_area = pass.plan->bounded;
+    if (pass.plan->bounded) info.area = areaOf(pass, camera);
     device_.beginPass(info);
-    if (!pass.bounded || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
+    if (!pass.plan->bounded || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
         setTextures(pass.textures);
         setUniforms(pass.uniforms);
-        if (pass.type == PassType::draw)
+        if (pass.plan->type == PassType::draw)
             runDraws(pass, camera);
         else
             device_.drawFullscreen();
@@ -297,11 +302,8 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
 PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& camera)
 {
     const Extent& extent = pass.info.extent;
-    if (pass.shown_length) {
-        float length = 0;
-        std::memcpy(&length, values_.data(pass.shown_length->offset), sizeof length);
-        return pixelsOf(areaOfThings(drawn_.draws, camera, extent, length), extent);
-    }
+    if (const int length = pass.plan->shown_length; length >= 0)
+        return pixelsOf(areaOfThings(drawn_.draws, camera, extent, values_.param(length)), extent);
     constexpr double kAny = std::numeric_limits<double>::infinity();
     if (!things_) things_ = areaOfThings(drawn_.draws, camera, extent, kAny);
     return pixelsOf(*things_, extent);
@@ -312,7 +314,7 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
     bool mirrored = false;
     for (const DrawItem& item : drawn_.draws) {
         if (item.count == 0) continue;
-        if (pass.draws_within > 0.0f && isOutside(item, camera, pass.draws_within)) continue;
+        if (pass.plan->draws_within > 0.0f && isOutside(item, camera, pass.plan->draws_within)) continue;
         if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
             mirrored = !mirrored;
             device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A plan's objects on a device, and the commands that a frame of it consists of.
 //
-// Private to the renderer. Everything that can fail or allocate happens in `create`; `run` walks
-// flat lists of prepared commands.
+// It knows the plan alone, not where that is from. Everything that can fail or allocate happens in
+// `create`; `run` walks flat lists of prepared commands.
 #pragma once
 
 #include "core/frame/frame_times.h"
@@ -29,8 +29,8 @@ public:
     ///
     /// Errors: the device's; CV5003 and CV5004 where a linked program has a uniform that the plan
     /// knows nothing of. Then nothing is left behind.
-    static Result<std::unique_ptr<Execution>> create(Device& device, const Description& description,
-                                                     Plan plan, const Execution* previous);
+    static Result<std::unique_ptr<Execution>> create(Device& device, Plan plan,
+                                                     const Execution* previous = nullptr);
 
     /// Takes the host's textures for the plan's imports. Requires a frame of the plan's views.
     /// Errors: CV6010, CV6011; then nothing changed.
@@ -44,7 +44,9 @@ public:
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
 
-    void setParam(const ParamDesc& param) { values_.setParam(param); }
+    /// Sets a param of the plan, to as many floats as its type has. Nothing happens where the plan has none
+    /// of that name: then no pass uses it.
+    void setParam(std::string_view name, const float* values);
 
     TextureId output(std::string_view name, int view) const;
     const Plan& plan() const { return plan_; }
@@ -75,13 +77,10 @@ private:
     };
 
     struct PreparedPass {
+        const PlanPass* plan;
         PassInfo info;
         ProgramId program;
         StateDesc state;
-        PassType type;
-        float draws_within;
-        bool bounded;
-        const Value* shown_length;  // null where there is none
         std::vector<TextureBinding> textures;
         std::vector<TextureBinding> material_textures;  // set for each draw
         std::vector<UniformBinding> uniforms;
@@ -107,7 +106,7 @@ private:
         bool left_out = false;  // something of the frame
     };
 
-    Execution(Device& device, const Description& description, Plan plan);
+    Execution(Device& device, Plan plan);
 
     // execution_build.cpp
     Status build(const Execution* previous);
@@ -122,8 +121,10 @@ private:
                              Owned<FramebufferId>& framebuffer);
     void keepIdlePrograms(const Execution& previous);
     SharedProgram programOf(const std::string& key) const;
-    void bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
+    void bindUniform(const PlanPass& pass, const UniformInfo& active, int view,
                      PreparedPass& prepared, Diagnostics& errors);
+    Diagnostic unbound(const PlanPass& pass, const UniformInfo& active,
+                       const PlanUniform* uniform) const;
     void bindTexture(const PlanPass& pass, const PlanInput& input, const UniformInfo& uniform,
                      int view, PreparedPass& prepared);
     TextureId textureOf(const PlanInput& input, int view, bool swapped) const;

@@ -2,9 +2,6 @@
 // Making a plan's objects and preparing its commands.
 #include "core/run/execution.h"
 
-#include "core/glsl/declarations.h"
-#include "core/sampling/generators.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -28,13 +25,6 @@ const PlanInput* inputOf(const PlanPass& pass, std::string_view sampler)
     return nullptr;
 }
 
-std::string_view valueOf(const PlanPass& pass, std::string_view glsl)
-{
-    for (const PlanUniform& renamed : pass.renamed_uniforms)
-        if (renamed.glsl == glsl) return renamed.value;
-    return glsl;
-}
-
 PassInfo passInfo(const PlanPass& pass)
 {
     PassInfo info;
@@ -56,18 +46,18 @@ PassInfo passInfo(const PlanPass& pass)
 
 }  // namespace
 
-Result<std::unique_ptr<Execution>> Execution::create(Device& device, const Description& description,
-                                                     Plan plan, const Execution* previous)
+Result<std::unique_ptr<Execution>> Execution::create(Device& device, Plan plan,
+                                                     const Execution* previous)
 {
-    std::unique_ptr<Execution> execution(new Execution(device, description, std::move(plan)));
+    std::unique_ptr<Execution> execution(new Execution(device, std::move(plan)));
     if (Status status = execution->build(previous); !status) return status.diagnostics();
     return execution;
 }
 
-Execution::Execution(Device& device, const Description& description, Plan plan)
+Execution::Execution(Device& device, Plan plan)
     : device_(device),
       plan_(std::move(plan)),
-      values_(description.params),
+      values_(plan_),
       cache_(plan_),
       changed_(plan_.passes.size() * plan_.views),
       views_(plan_.views)
@@ -121,17 +111,21 @@ Status Execution::createFilled(const std::string& label, Format format, const Im
 
 Status Execution::createGenerated()
 {
-    for (const GeneratedDesc& generated : plan_.generated) {
+    for (const GeneratorDesc& each : plan_.generated) {
         generated_.emplace_back();
-        if (!generatesTexture(generated.generator)) {
-            if (Status status = values_.addKernel(generated); !status) return status;
+        if (!generatesTexture(each.generator)) {
+            const bool hemisphere = each.generator == "hemisphere_kernel";
+            const auto kernel =
+                makeKernel({hemisphere, each.count, each.distribution, each.seed});
+            if (!kernel) return kernel.diagnostics();
+            values_.setKernel(generated_.size() - 1, *kernel);
             continue;
         }
-        Result<Image> noise = makeRotationNoise(generated.count, generated.seed);
+        Result<Image> noise = makeRotationNoise(each.count, each.seed);
         if (!noise) return noise.diagnostics();
         // Half floats: every OpenGL ES 3.0 device samples and filters them, and -1 to 1 fits.
-        if (Status status = createFilled(generated.name, Format::rgba16f, *noise,
-                                         generated_.back()); !status) return status;
+        if (Status status = createFilled(each.name, Format::rgba16f, *noise, generated_.back());
+            !status) return status;
     }
     return {};
 }
@@ -188,6 +182,7 @@ Status Execution::createPasses(int view)
     passes.reserve(plan_.passes.size());
     for (const PlanPass& pass : plan_.passes) {
         PreparedPass& prepared = passes.emplace_back();
+        prepared.plan = &pass;
         prepared.info = passInfo(pass);
         prepared.program = programs_[pass.program]->id();
         prepared.state = pass.state;
@@ -195,10 +190,6 @@ Status Execution::createPasses(int view)
             prepared.info.at_depth = 0.0f;
             prepared.state.depth_test = Compare::less;
         }
-        prepared.type = pass.type;
-        prepared.draws_within = pass.draws_within;
-        prepared.bounded = pass.bounded;
-        prepared.shown_length = pass.shown_length.empty() ? nullptr : values_.find(pass.shown_length);
         if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
             bindUniform(pass, uniform, view, prepared, errors);
@@ -273,37 +264,43 @@ TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) c
     return {};
 }
 
-/// Finds what feeds an active uniform. The plan was checked against a scan of the text; where the
-/// driver sees more than the scan did, the uniform would silently stay 0.
-void Execution::bindUniform(const PlanPass& pass, const UniformInfo& uniform, int view,
+/// Gives an active uniform what the plan has bound to it. The plan was made from a scan of the text; where
+/// the driver sees more than the scan did, the uniform would silently stay 0.
+void Execution::bindUniform(const PlanPass& pass, const UniformInfo& active, int view,
                             PreparedPass& prepared, Diagnostics& errors)
 {
-    const PlanProgram& program = plan_.programs[pass.program];
-    const auto report = [&](Code code, const std::string& what) {
-        Diagnostic error{code, "shader '" + program.label + "' of pass '" + pass.name +
-                                   "' has uniform '" + uniform.name + "', " + what};
-        error.place = program.place;
-        error.pointer = program.pointer;
-        error.help = "declare it on a line of its own, without macros";
-        errors.push_back(std::move(error));
-    };
-    if (!declares(program.vertex, uniform.name) && !declares(program.fragment, uniform.name))
-        return report(Code::uniform_unbound, "which its text does not declare in a known form");
-    if (isSampler(uniform.type)) {
-        const PlanInput* input = inputOf(pass, uniform.name);
-        if (!input) return report(Code::uniform_unbound, "which no texture is bound to");
-        return bindTexture(pass, *input, uniform, view, prepared);
+    if (isSampler(active.type)) {
+        const PlanInput* input = inputOf(pass, active.name);
+        if (input) return bindTexture(pass, *input, active, view, prepared);
+        errors.push_back(unbound(pass, active, nullptr));
+        return;
     }
-    const Value* value = values_.find(valueOf(pass, uniform.name));
-    if (!value) return report(Code::uniform_unbound, "which nothing supplies");
-    if (value->type != uniform.type)
-        return report(Code::uniform_type, "of type " + std::string(glslName(uniform.type)) +
-                                              ", and its value is " + glslName(value->type));
-    const int count = std::min(uniform.count, value->count);
-    auto& uniforms = value->per_draw ? prepared.draw_uniforms : prepared.uniforms;
-    uniforms.push_back({uniform.location, uniform.type, count, value->offset});
-    if (!value->per_draw)
-        prepared.sent.resize(prepared.sent.size() + wordsOf(uniform.type, count));
+    const PlanUniform* uniform = findNamed(pass.uniforms, active.name);
+    if (!uniform || uniform->type != active.type) {
+        errors.push_back(unbound(pass, active, uniform));
+        return;
+    }
+    const int count = std::min(active.count, uniform->count);
+    const bool per_draw = uniform->source == UniformSource::draw;
+    auto& uniforms = per_draw ? prepared.draw_uniforms : prepared.uniforms;
+    uniforms.push_back({active.location, active.type, count, values_.offsetOf(*uniform)});
+    if (!per_draw) prepared.sent.resize(prepared.sent.size() + wordsOf(active.type, count));
+}
+
+/// Why an active uniform cannot be fed: `uniform` is what the plan has of that name, or null.
+Diagnostic Execution::unbound(const PlanPass& pass, const UniformInfo& active,
+                              const PlanUniform* uniform) const
+{
+    const PlanProgram& program = plan_.programs[pass.program];
+    const std::string why = uniform ? "of type " + std::string(glslName(active.type)) +
+                                          ", and its value is " + glslName(uniform->type)
+                                    : "which its text does not declare in a known form";
+    Diagnostic error{uniform ? Code::uniform_type : Code::uniform_unbound,
+                     "shader '" + program.label + "' of pass '" + pass.name + "' has uniform '" +
+                         active.name + "', " + why,
+                     program.place, program.pointer};
+    error.help = "declare it on a line of its own, without macros";
+    return error;
 }
 
 void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,

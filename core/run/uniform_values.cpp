@@ -30,54 +30,49 @@ std::size_t wordsOf(GlslType type, int count)
     return static_cast<std::size_t>(words()) * count;
 }
 
-ValueTable::ValueTable(const std::vector<ParamDesc>& params)
+ValueTable::ValueTable(const Plan& plan) : plan_(plan)
 {
-    for (const FrameValueInfo& info : kFrameValues)
-        add(info.name, info.type, info.count, info.import == ImportType::draw_list);
-    for (const ParamDesc& param : params) {
-        add(param.name, glslTypeOf(param.type), 1, false);
-        setParam(param);
-    }
+    for (const FrameValueInfo& info : kFrameValues) add(info.type, info.count);
+    for (const PlanParam& param : plan.params) add(param.type, 1);
+    for (const GeneratorDesc& generated : plan.generated)
+        add(GlslType::vec3, generatesTexture(generated.generator) ? 0 : generated.count);
+    for (std::size_t i = 0; i < plan.params.size(); ++i)
+        setParam(static_cast<int>(i), plan.params[i].initial.data());
 }
 
-std::size_t ValueTable::add(std::string name, GlslType type, int count, bool per_draw)
+void ValueTable::add(GlslType type, int count)
 {
-    values_.push_back({std::move(name), type, count, per_draw, words_.size()});
+    offsets_.push_back(words_.size());
     words_.resize(words_.size() + wordsOf(type, count));
-    return values_.size() - 1;
 }
 
-Status ValueTable::addKernel(const GeneratedDesc& kernel)
+std::size_t ValueTable::offsetOf(const PlanUniform& uniform) const
 {
-    const bool hemisphere = kernel.generator == "hemisphere_kernel";
-    Result<std::vector<glm::vec3>> offsets =
-        makeKernel({hemisphere, kernel.count, kernel.distribution, kernel.seed});
-    if (!offsets) {
-        Diagnostics errors = offsets.diagnostics();
-        for (Diagnostic& error : errors) {
-            error.place = kernel.place;
-            error.pointer = kernel.pointer;
-        }
-        return errors;
-    }
-    const std::size_t value = add(kernel.name, GlslType::vec3, kernel.count, false);
-    for (int i = 0; i < kernel.count; ++i) write(value, (*offsets)[i], i);
-    return {};
+    std::size_t value = uniform.index;
+    if (uniform.source == UniformSource::param) value += frame_value_count;
+    if (uniform.source == UniformSource::kernel) value += frame_value_count + plan_.params.size();
+    return offsets_[value];
 }
 
-const Value* ValueTable::find(std::string_view name) const
+float ValueTable::param(int index) const
 {
-    for (const Value& value : values_)
-        if (value.name == name) return &value;
-    return nullptr;
+    float value = 0;
+    std::memcpy(&value, data(offsets_[frame_value_count + index]), sizeof value);
+    return value;
 }
 
-void ValueTable::setParam(const ParamDesc& param)
+void ValueTable::setParam(int index, const float* values)
 {
-    const auto value = static_cast<std::size_t>(find(param.name) - values_.data());
-    if (param.type == ParamType::int_)
-        return write(value, static_cast<std::int32_t>(param.value[0]));
-    for (int i = 0; i < componentCount(param.type); ++i) write(value, param.value[i], i);
+    const std::size_t value = frame_value_count + index;
+    const GlslType type = plan_.params[index].type;
+    if (type == GlslType::int_) return write(value, static_cast<std::int32_t>(*values));
+    std::memcpy(&words_[offsets_[value]], values, wordsOf(type, 1) * sizeof *values);
+}
+
+void ValueTable::setKernel(std::size_t generated, const std::vector<glm::vec3>& offsets)
+{
+    const std::size_t value = frame_value_count + plan_.params.size() + generated;
+    for (std::size_t i = 0; i < offsets.size(); ++i) write(value, offsets[i], static_cast<int>(i));
 }
 
 void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)

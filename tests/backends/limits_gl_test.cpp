@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Real GL at the limits of what it takes: sizes, counts, uniforms.
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tests/support/watched_gl.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames timed for real. No absolute time is asserted: machines are shared and noisy.
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
 #include "backends/gl/timers.h"
 #include "core/config/load.h"

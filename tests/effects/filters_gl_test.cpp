@@ -5,7 +5,7 @@
 
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 #include "effects/catalog.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "tests/support/picture.h"
 
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"
 #include "tools/scene/mesh_shapes.h"

@@ -3,7 +3,7 @@
 #include "tests/support/gl_fixture.h"
 
 #include "core/compile/depth_precision.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 #include "tests/support/picture.h"
 #include "tools/cli/config_options.h"

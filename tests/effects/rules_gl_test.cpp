@@ -3,7 +3,7 @@
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"
 

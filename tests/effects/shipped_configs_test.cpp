@@ -2,7 +2,7 @@
 // What holds for every shipped config before any GL: it loads, plans, and stays short.
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 #include "effects/catalog.h"
 #include "tests/support/catch.h"
 

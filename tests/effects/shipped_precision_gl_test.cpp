@@ -4,7 +4,7 @@
 #include "tests/support/shipped_subjects.h"
 
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 #include "tools/device/mediump_device.h"
 #include "tools/render/scene_upload.h"

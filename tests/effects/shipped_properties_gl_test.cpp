@@ -5,7 +5,7 @@
 #include "tests/support/shipped_subjects.h"
 
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/builtin_scenes.h"

@@ -4,7 +4,7 @@
 // "fuzz/base", then the config with its variant "fast", then one override.
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 
 #include <cstdint>

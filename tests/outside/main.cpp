@@ -4,7 +4,7 @@
 #include "backends/context/context.h"
 #include "backends/gl/device.h"
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 
 #include <glm/gtc/matrix_transform.hpp>

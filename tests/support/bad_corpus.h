@@ -5,7 +5,7 @@
 
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 #include "tests/support/catch.h"
 

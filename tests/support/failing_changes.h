@@ -5,7 +5,7 @@
 // live(), which counts the objects: RecordingDevice or FailingDevice.
 #pragma once
 
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tests/support/need.h"
 
 #include <functional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/text.h"
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 #include "tests/support/test_config.h"
 
 #include <map>

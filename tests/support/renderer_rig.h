@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/recording/device.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tests/support/test_config.h"
 
 #include <string>
@@ -44,8 +44,7 @@ inline const char* const kRigConfig = R"({
     "filter": {"type": "fullscreen", "shader": "filter", "color": "smooth_ao",
                "when": {"soft": true}, "bypass": {"smooth_ao": "ao"},
                "inputs": {"source": {"from": "ao", "filter": "linear"}}},
-    "lighting": {"type": "fullscreen", "shader": "lighting", "color": "color",
-                 "uniforms": {"hue": "tint"}}
+    "lighting": {"type": "fullscreen", "shader": "lighting", "color": "color"}
   },
   "outputs": {"ao": "smooth_ao", "color": "color"}
 })";
@@ -96,7 +95,7 @@ inline Description rigDescription(bool remembers = false)
                           "#define LOOK_NOW LOOK\n"
                           "uniform vec4 light_position[MAX_LIGHTS];\n"
                           "uniform vec3 light_color[MAX_LIGHTS], light_attenuation[MAX_LIGHTS];\n"
-                          "uniform vec3 ambient_light, hue;\n"
+                          "uniform vec3 ambient_light, tint;\n"
                           "uniform int light_count;\n"
                           "uniform sampler2D albedo, smooth_ao, decal;\n"
                           "layout(location = 0) out vec4 color;\n"},

@@ -5,7 +5,7 @@
 #include "core/base/files.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tools/bench/times.h"
 #include "tools/bench/views.h"
 #include "tools/cli/output.h"

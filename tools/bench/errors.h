@@ -5,7 +5,7 @@
 
 #include "tools/bench/sample.h"
 
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
 #include <functional>
 

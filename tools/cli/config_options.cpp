@@ -3,7 +3,7 @@
 #include "tools/cli/config_options.h"
 
 #include "core/base/content_hash.h"
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 #include "effects/catalog.h"
 
 #include <CLI/CLI.hpp>

@@ -31,7 +31,7 @@ set(public_headers
   core/json/merge.h
   core/plan/plan.h
   core/plan/optimizations.h
-  core/run/renderer.h
+  core/renderer/renderer.h
   core/base/result.h
   core/base/source.h
   core/gpu/state.h

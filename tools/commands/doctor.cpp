@@ -12,6 +12,7 @@
 #include "tools/scene/options.h"
 
 #include "core/base/numbers.h"
+#include "core/compile/depth_precision.h"
 #include "core/frame/frame_math.h"
 
 #include <CLI/CLI.hpp>
@@ -78,11 +79,11 @@ double distanceOf(const glm::dmat4& view_from_clip, double depth)
     return -point.z / point.w;
 }
 
-/// The size of the param `radius` in pixels at the median distance of what `depth` shows.
+/// The size of the radius in pixels at the median distance of what `depth` shows.
 void measureRadius(const Description& description, const Image& depth, const Camera& camera,
                    FrameFacts& facts)
 {
-    const ParamDesc* radius = findNamed(description.params, "radius");
+    const ParamDesc* radius = resolvedLength(description);
     std::vector<float> seen;
     for (std::size_t i = 0; i < depth.pixels.size(); i += depth.channels)
         if (depth.pixels[i] < 1.0f) seen.push_back(depth.pixels[i]);

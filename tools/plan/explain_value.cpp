@@ -132,20 +132,8 @@ std::string stateWord(const StateDesc& state, const std::string& key)
     return key == "cull" ? table::word(state.cull) : "";
 }
 
-/// What feeds a uniform of that name.
-std::string feederOf(const Node& document, const std::string& name)
-{
-    for (const char* section : {"params", "generated"}) {
-        const Node* entries = document.find(section);
-        if (entries && entries->find(name))
-            return (section[0] == 'p' ? "param " : "generated ") + name;
-    }
-    return "frame value " + name;
-}
-
 /// What a sampler or uniform of a pass in the plan is bound to, and its fixed-function state.
-std::optional<UnsetValue> findBound(const Node& document, const Plan& plan,
-                                    const std::vector<std::string>& parts)
+std::optional<UnsetValue> findBound(const Plan& plan, const std::vector<std::string>& parts)
 {
     const bool input = parts.size() > 3 && parts[0] == "passes" && parts[2] == "inputs";
     const bool uniform = parts.size() == 4 && parts[0] == "passes" && parts[2] == "uniforms";
@@ -158,9 +146,11 @@ std::optional<UnsetValue> findBound(const Node& document, const Plan& plan,
     const GlslUniform* declared = declarationOf(plan.programs[pass->program], parts[3]);
     if (!declared || isSampler(declared->type) != input) return std::nullopt;
     const std::string where = placeName(declared->place);
-    UnsetValue bound{pointerOf(parts), feederOf(document, parts[3]),
-                     "by name, since no file sets it: declared at " + where};
-    if (uniform) return bound;
+    UnsetValue bound{pointerOf(parts), "", "by name, since no file sets it: declared at " + where};
+    if (const PlanUniform* fed = findNamed(pass->uniforms, parts[3]); fed && uniform) {
+        bound.value = nameOf(fed->source) + (" " + fed->name);
+        return bound;
+    }
     for (const PlanInput& each : pass->inputs) {
         if (each.sampler != parts[3]) continue;
         bound.value = nameOf(each.kind) + (" " + sourceName(plan, each));
@@ -197,7 +187,7 @@ Result<FoundValue> findValue(const Node& document, const std::string& path)
 std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan)
 {
     const std::vector<std::string> parts = expandBareName(document, partsOf(path));
-    if (const auto bound = plan ? findBound(document, *plan, parts) : std::nullopt) return bound;
+    if (const auto bound = plan ? findBound(*plan, parts) : std::nullopt) return bound;
     const Node* node = &document;
     std::vector<std::string> reached;
     std::string since = "no file sets it";

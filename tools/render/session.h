@@ -2,7 +2,7 @@
 // What `crevice render` does: a scene on a device, drawn through a config, and pictures of it.
 #pragma once
 
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "tools/cli/config_options.h"
 #include "tools/cli/output_request.h"
 #include "tools/device/open_device.h"

@@ -3,6 +3,7 @@
 #include "tools/render/target_health.h"
 
 #include "core/base/numbers.h"
+#include "core/compile/depth_precision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,33 +32,14 @@ const PlanPass* passNamed(const Plan& plan, const std::string& name)
 }
 
 // "radius = 0.5, power = 1": the params that feed the pass's shader.
-std::string paramsRead(const Description& description, const Plan& plan, const PlanPass& pass)
+std::string paramsRead(const Description& description, const PlanPass& pass)
 {
     std::string text;
-    const PlanProgram& program = plan.programs[pass.program];
     for (const ParamDesc& param : description.params) {
-        const auto feeds = [&](const GlslUniform& uniform) {
-            for (const PlanUniform& renamed : pass.renamed_uniforms)
-                if (renamed.glsl == uniform.name) return renamed.value == param.name;
-            return uniform.name == param.name;
-        };
-        const auto reads = [&](const GlslStage& stage) {
-            return std::any_of(stage.uniforms.begin(), stage.uniforms.end(), feeds);
-        };
-        if (componentCount(param.type) > 1 || !(reads(program.vertex) || reads(program.fragment)))
-            continue;
+        if (componentCount(param.type) > 1 || !findNamed(pass.uniforms, param.name)) continue;
         text += (text.empty() ? "" : ", ") + param.name + " = " + number(param.value[0]);
     }
     return text;
-}
-
-bool readsUniform(const Plan& plan, const PlanPass& pass, const char* name)
-{
-    const PlanProgram& program = plan.programs[pass.program];
-    for (const GlslStage* stage : {&program.vertex, &program.fragment})
-        for (const GlslUniform& uniform : stage->uniforms)
-            if (uniform.name == name) return true;
-    return false;
 }
 
 std::string pixelsText(const TargetHealth& health, std::size_t count)
@@ -90,12 +72,12 @@ std::string whyUndefined(const PlanPass& pass, const TargetHealth& health)
            "is set in one branch alone), or reads a texel that nothing wrote";
 }
 
-std::string whyNotFinite(const Description& description, const Plan& plan, const PlanPass& pass)
+std::string whyNotFinite(const Description& description, const PlanPass& pass)
 {
     std::string help = "all that it reads is finite, so its shader divides by zero, normalizes a "
                        "vector of no length, takes the root or power of something negative, or "
                        "leaves the range of the target's format";
-    const std::string params = paramsRead(description, plan, pass);
+    const std::string params = paramsRead(description, pass);
     return params.empty() ? help : help + "; it reads " + params;
 }
 
@@ -124,7 +106,7 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
                                   who + "writes " +
                                       pixelsText(each, each.not_numbers + each.infinite) + what +
                                       " into target '" + each.target + "'" + at));
-            if (pass) found[0].help = whyNotFinite(description, plan, *pass);
+            if (pass) found[0].help = whyNotFinite(description, *pass);
         } else {
             found.push_back(about(description, each.pass, Code::target_undefined,
                                   who + "leaves " + pixelsText(each, each.undefined) +
@@ -169,15 +151,15 @@ std::string whyConstant(const Description& description, const Plan& plan,
     if (pass->type == PassType::draw)
         return "no triangle was drawn: is the scene in front of the camera, between its near and far "
                "distance? Without --camera a view that frames the whole scene is taken";
-    if (readsUniform(plan, *pass, "light_count") && facts.lights == 0 && !facts.ambient)
+    if (findNamed(pass->uniforms, "light_count") && facts.lights == 0 && !facts.ambient)
         return "there is no light in the scene, and no ambient light";
-    const ParamDesc* radius = findNamed(description.params, "radius");
-    if (radius && readsUniform(plan, *pass, "radius") && facts.radius_px > 0 && facts.radius_px < 1)
-        return "radius " + number(radius->value[0]) + " is " + number(facts.radius_px) +
+    const ParamDesc* radius = resolvedLength(description);
+    if (radius && findNamed(pass->uniforms, radius->name) && facts.radius_px > 0 && facts.radius_px < 1)
+        return radius->name + " " + number(radius->value[0]) + " is " + number(facts.radius_px) +
                " pixels at the middle distance of " + number(facts.distance) +
-               ": nothing can be seen within it; try radius " +
+               ": nothing can be seen within it; try " + radius->name + " " +
                number(radius->value[0] * 30 / facts.radius_px);
-    const std::string params = paramsRead(description, plan, *pass);
+    const std::string params = paramsRead(description, *pass);
     return params.empty() ? "what it reads varies, and nothing of that comes through"
                           : "what it reads varies, and nothing of that comes through; it reads " +
                                 params;

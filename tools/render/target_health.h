@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 
 #include <array>
 #include <cstddef>

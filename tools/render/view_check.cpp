@@ -149,17 +149,6 @@ private:
     float nearest_ = HUGE_VALF;
 };
 
-bool readsRadius(const Plan& plan)
-{
-    const auto reads = [](const GlslStage& stage) {
-        return std::any_of(stage.uniforms.begin(), stage.uniforms.end(),
-                           [](const GlslUniform& each) { return each.name == kRadiusName; });
-    };
-    return std::any_of(plan.programs.begin(), plan.programs.end(), [&](const PlanProgram& program) {
-        return reads(program.vertex) || reads(program.fragment);
-    });
-}
-
 Diagnostic warningOf(Code code, std::string message, std::string help)
 {
     Diagnostic warning = {code, std::move(message)};
@@ -237,16 +226,16 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
     const std::optional<double> distance = medianDistance(scene, camera);
     if (!distance) return {nothingSeen(scene, plan.extent)};
     if (std::optional<Diagnostic> constant = constantByPlan(plan)) return {*constant};
-    const ParamDesc* radius = findNamed(description.params, kRadiusName);
+    const ParamDesc* radius = resolvedLength(description);
     const Bounds bounds = scene.bounds();
-    if (!radius || !readsRadius(plan)) return {};
+    if (!radius || !findNamed(plan.params, radius->name)) return {};
 
     const double now = radius->value[0];
     const double unit_px = pixelsOf(1, *distance, camera, plan.extent);
-    const std::string size = "radius " + figure(now) + " is " + figure(rounded(now * unit_px)) +
+    const std::string size = radius->name + " " + figure(now) + " is " + figure(rounded(now * unit_px)) +
                              " pixels at the median depth " + figure(rounded(*distance));
     const double shown = shownRadius(*radius, bounds, unit_px, plan.extent);
-    const std::string help = "try --set radius=" + figure(shown);
+    const std::string help = "try --set " + radius->name + "=" + figure(shown);
     const bool constant = ao && isConstant(*ao);
     if (constant && !isFlat(bounds))
         return {warningOf(Code::output_constant, "the ambient occlusion is " + shortest(ao->pixels[0]) +

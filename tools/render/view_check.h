@@ -2,7 +2,7 @@
 // Whether a view shows ambient occlusion at all: how far away its surfaces are, and how large a radius is there.
 #pragma once
 
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 #include "tools/scene/scene.h"
 
 #include <optional>

@@ -132,6 +132,19 @@ TEST_CASE("Float depth is finer than 24 bits only where a host reverses it")
     CHECK(ratio(turned, true) < 1e-4);
 }
 
+TEST_CASE("Formats have to resolve the param that is a length, of several the least")
+{
+    Description description;
+    description.params.resize(3);
+    const float values[] = {0.1f, 2, 0.5f};
+    for (int i = 0; i < 3; ++i) description.params[i].value[0] = values[i];
+    CHECK(resolvedLength(description) == nullptr);
+    description.params[1].semantic = ParamSemantic::length;
+    CHECK(resolvedLength(description) == &description.params[1]);
+    description.params[2].semantic = ParamSemantic::length;
+    CHECK(resolvedLength(description) == &description.params[2]);
+}
+
 TEST_CASE("A radius asks for a tenth of it as far as it covers two pixels")
 {
     SceneTraits traits = common(0.1, 1000);

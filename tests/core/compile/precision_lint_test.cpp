@@ -184,7 +184,7 @@ TEST_CASE("Positions are stored in 32 bits where halves do not hold the units")
 TEST_CASE("What is read linearly keeps a format that filters")
 {
     const char* const config = R"({
-  "format": 1, "name": "mixed", "params": {"radius": {"default": 0.5}},
+  "format": 1, "name": "mixed", "params": {"reach": {"default": 0.5, "semantic": "length"}},
   "imports": {"camera": {"type": "camera"}},
   "targets": {"there": {"format": ["rgba16f", "rgba32f"], "holds": "view_position"},
               "ao": {"format": ["r8"]}},
@@ -202,7 +202,7 @@ TEST_CASE("What is read linearly keeps a format that filters")
                    {"write.frag", "#version 300 es\nprecision highp float;\n"
                                   "layout(location = 0) out vec4 there;\n"},
                    {"read.frag", "#version 300 es\nprecision highp float;\n"
-                                 "uniform highp sampler2D there;\nuniform float radius;\n"
+                                 "uniform highp sampler2D there;\nuniform float reach;\n"
                                  "const vec2 steps = THERE_STEP;\n"
                                  "layout(location = 0) out float ao;\n"}});
         const Result<Plan> plan =

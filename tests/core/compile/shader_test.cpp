@@ -122,7 +122,15 @@ TEST_CASE("Uniforms of every source bind by name, and what they need is collecte
     CHECK(joined(namesOf(plan.imports)) == "eye, lamps");
     CHECK(joined(namesOf(plan.generated)) == "kernel");
     CHECK(plan.generated[0].count == 4);
-    CHECK(plan.passes[0].renamed_uniforms.empty());
+    CHECK(joined(namesOf(plan.params)) == "radius, taps, tint");
+    const std::vector<PlanUniform>& uniforms = plan.passes[0].uniforms;
+    REQUIRE(uniforms.size() == 7);
+    CHECK(plan.params[uniforms[2].index].name == "tint");
+    CHECK(plan.params[uniforms[2].index].type == GlslType::vec3);
+    CHECK(uniforms[3].source == UniformSource::kernel);
+    CHECK(uniforms[3].count == 4);
+    CHECK(uniforms[5].source == UniformSource::frame);
+    CHECK(uniforms[5].count == kMaxLights);
 }
 
 TEST_CASE("A draw uses the draw list, and what is not used is not collected")
@@ -164,19 +172,6 @@ TEST_CASE("A uniform of another type or length than its value is refused")
     CHECK(error.help.find("uniform ") != error.help.npos);
 }
 
-TEST_CASE("A uniform can be fed from a value of another name")
-{
-    const Plan plan = planOf(body("uniform float reach;\nuniform mat4 projection;\n",
-        R"("uniforms": {"reach": "radius", "projection": "clip_from_view"})"));
-    const auto& renamed = plan.passes[0].renamed_uniforms;
-    REQUIRE(renamed.size() == 2);
-    CHECK(renamed[0].glsl == "reach");
-    CHECK(renamed[0].value == "radius");
-    CHECK(joined(namesOf(plan.imports)) == "eye");
-    CHECK(onlyError(body("uniform int reach;\n", R"("uniforms": {"reach": "radius"})")).code ==
-          Code::uniform_type);
-}
-
 TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hides is fine")
 {
     SECTION("an input")
@@ -195,13 +190,6 @@ TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hide
         CHECK(error.code == Code::input_unused);
         CHECK_THAT(error.help, Catch::StartsWith("did you mean 'noise'? the shader declares: "));
     }
-    SECTION("a uniform")
-    {
-        const Diagnostic error =
-            onlyError(body("uniform float radius;\n", R"("uniforms": {"raduis": "radius"})"));
-        CHECK(error.code == Code::input_unused);
-        CHECK(error.pointer == "/passes/p/uniforms/raduis");
-    }
     SECTION("hidden")
     {
         CHECK(planOf(body("#if SAMPLES > 90\nuniform sampler2D grain;\n#endif\n",
@@ -210,7 +198,7 @@ TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hide
     SECTION("hidden in a file that is not included")
     {
         CHECK(planOf(body("#if SAMPLES > 90\n#include \"part.glsl\"\n#endif\n",
-                          R"("uniforms": {"deep": "radius"})")).passes.size() == 1);
+                          R"("inputs": {"deep": "noise"})")).passes.size() == 1);
     }
 }
 

@@ -60,7 +60,6 @@ TEST_CASE("each reference of a pass is checked", "[decode]")
               "CV2102 /passes/p/identity/radios");
     checkPass(R"("identity": {"radius": {"at": 0, "gives": {"ao": "one"}}})",
               "CV2103 /passes/p/identity/radius/gives/ao");
-    checkPass(R"("uniforms": {"reach": "radios"})", "CV2102 /passes/p/uniforms/reach");
     checkPass(R"("inputs": {"photos": {}})", "CV2103 /passes/p/inputs/photos");
     checkPass(R"("inputs": {"tile": {"from": "nose"}})", "CV2103 /passes/p/inputs/tile/from");
     checkPass(R"("inputs": {"tile": "kernel"})", "CV2103 /passes/p/inputs/tile");

@@ -164,7 +164,6 @@ TEST_CASE("a pass has the documented defaults", "[decode]")
     CHECK(p.bypass.empty());
     CHECK(p.identity.empty());
     CHECK(p.inputs.empty());
-    CHECK(p.uniforms.empty());
     CHECK(p.state.depth_test == Compare::always);
     CHECK_FALSE(p.state.depth_write);
     CHECK(p.state.cull == Cull::none);
@@ -197,7 +196,6 @@ TEST_CASE("a pass takes every key", "[decode]")
         "identity": {"radius": {"at": 0, "gives": {"ao": 1, "ao_filtered": "depth"}}},
         "inputs": {"base_color_map": {"filter": "linear", "wrap": "repeat"}, "photo": {},
                    "tile": "noise", "lowered": {"from": "photo", "filter": "nearest"}},
-        "uniforms": {"reach": "radius", "camera_matrix": "clip_from_view"},
         "state": {"depth_test": "greater_equal", "depth_write": true, "cull": "front"}}})"}}).passes.at(0);
     CHECK(p.type == PassType::draw);
     CHECK(p.color.at(1).name == "ao_filtered");
@@ -216,8 +214,6 @@ TEST_CASE("a pass takes every key", "[decode]")
     CHECK(p.identity.at(0).gives.at(0).value == 1.0f);
     CHECK_FALSE(p.identity.at(0).gives.at(1).constant);
     CHECK(p.identity.at(0).gives.at(1).input.name == "depth");
-    CHECK(p.uniforms.at(1).first.name == "camera_matrix");
-    CHECK(p.uniforms.at(1).second.name == "clip_from_view");
     CHECK(p.state.depth_test == Compare::greater_equal);
 
     CHECK(p.inputs.at(0).from.empty());

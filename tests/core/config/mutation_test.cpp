@@ -7,7 +7,7 @@
 // CREVICE_MUTATIONS=all in the environment it takes all of them.
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 #include "effects/catalog.h"
 #include "tests/support/catch.h"
 

@@ -2,7 +2,7 @@
 // Things outside the view: never one of which a part could show, and most that are far from it.
 #include "core/base/text.h"
 #include "core/frame/frame_math.h"
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
 #include "effects/catalog.h"
 #include "tests/support/catch.h"

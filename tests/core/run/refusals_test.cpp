@@ -2,7 +2,7 @@
 // Combinations of shipped modules that make no sense: one error each, with a place and the way out.
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/plan/plan.h"
+#include "core/compile/compile.h"
 #include "effects/catalog.h"
 #include "tests/support/catch.h"
 #include "tests/support/modules.h"

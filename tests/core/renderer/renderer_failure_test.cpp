@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The renderer on a device that fails: an error, no leak, and what worked before works on.
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/failing_changes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The renderer keeps its plan in step with params, features, size and scene.
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
@@ -78,7 +78,7 @@ TEST_CASE("A uniform param is sent with the next frame and costs no object")
     rig.draw();
     CHECK(rig.device.lastUniform("radius") == std::vector<float>{2.0f});
     CHECK(rig.device.lastUniform("taps") == std::vector<float>{7.0f});
-    CHECK(rig.device.lastUniform("hue") == std::vector<float>{0.1f, 0.2f, 0.3f});
+    CHECK(rig.device.lastUniform("tint") == std::vector<float>{0.1f, 0.2f, 0.3f});
     CHECK(rig.device.attempts() == attempts);
     CHECK(rig.device.misuse().empty());
 }

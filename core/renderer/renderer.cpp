@@ -1,89 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The renderer: keeps a description's plan in step with params, size and scene, and runs it.
-#include "core/run/renderer.h"
+#include "core/renderer/renderer.h"
 
-#include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/compile/depth_precision.h"
+#include "core/config/values.h"
 #include "core/run/execution.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace crevice {
 namespace {
-
-Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
-{
-    Diagnostic error{code, param.name + " " + what};
-    error.place = param.place;
-    error.pointer = param.pointer;
-    error.help = std::move(help);
-    return error;
-}
-
-std::string numberText(double value) { return significant(value, 6); }
-
-std::string rangeText(const ParamDesc& param)
-{
-    return "[" + numberText(param.min) + ", " + numberText(param.max) + "]" +
-           (param.unit.empty() ? "" : " " + param.unit);
-}
-
-bool wholeInt(float value)
-{
-    constexpr float kLimit = 2147483648.0f;  // the least float that no int holds
-    return value == std::floor(value) && value >= -kLimit && value < kLimit;
-}
-
-Status checkParam(const ParamDesc& param, const float* values, int count)
-{
-    const int components = componentCount(param.type);
-    if (count != components)
-        return paramError(Code::bad_length, param,
-                          "has " + std::to_string(components) + " components, and " +
-                              std::to_string(count) + " values were given",
-                          "give one value for each component");
-    for (int i = 0; i < count; ++i) {
-        if (!std::isfinite(values[i]))
-            return paramError(Code::not_finite, param, "must be finite", "in " + rangeText(param));
-        if (double{values[i]} < param.min || double{values[i]} > param.max)
-            return paramError(Code::out_of_range, param,
-                              numberText(values[i]) + " is outside " + rangeText(param),
-                              "give a value in that range");
-        if (param.type == ParamType::int_ && !wholeInt(values[i]))
-            return paramError(Code::out_of_range, param,
-                              numberText(values[i]) + " is no whole number",
-                              "give a whole number in " + rangeText(param));
-    }
-    return {};
-}
 
 /// Whether all components are `value`: where an identity holds.
 bool isAll(const std::array<float, 4>& values, ParamType type, float value)
 {
     return std::all_of(values.begin(), values.begin() + componentCount(type),
                        [&](float each) { return each == value; });
-}
-
-/// What the choice of formats depends on besides the description and the device.
-struct Wants {
-    const SceneTraits& traits;
-    PrecisionNeed need;
-};
-
-/// Whether formats chosen for `now` do not hold for `next`. Allocates nothing.
-bool changesFormats(const Description& description, const DeviceCaps& caps, const Wants& now,
-                    const Wants& next)
-{
-    const auto chosen = [&](const TargetDesc& target, const Wants& wants) {
-        return chooseFormat(description, target, wants.traits, caps, wants.need);
-    };
-    return std::any_of(description.targets.begin(), description.targets.end(),
-                       [&](const TargetDesc& target) {
-                           return chosen(target, now) != chosen(target, next);
-                       });
 }
 
 /// Whether a plan made with the param's present value does not hold for `next`.
@@ -112,49 +46,6 @@ Diagnostic unknown(Code code, const char* what, std::string_view name,
     Diagnostic error{code, std::string("there is no ") + what + " '" + std::string(name) + "'"};
     error.help = suggestName(name, std::move(names), heading);
     return error;
-}
-
-Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
-{
-    Diagnostic warning{Code::value_dropped, what + " '" + old.name +
-                                                "' is no longer what was set at run time: " + why};
-    warning.severity = Severity::warning;
-    warning.help = "set it again, to a value that the config has now";
-    return warning;
-}
-
-/// Sets in `next` what is different in `now` from `loaded`, and warns of what cannot be set.
-Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)
-{
-    Diagnostics warnings;
-    for (std::size_t i = 0; i < now.params.size(); ++i) {
-        const ParamDesc& old = now.params[i];
-        if (old.value == loaded.params[i]) continue;
-        const auto param = std::find_if(next.params.begin(), next.params.end(),
-                                        [&](const ParamDesc& each) { return each.name == old.name; });
-        const bool there = param != next.params.end() && param->type == old.type;
-        const Status fits =
-            there ? checkParam(*param, old.value.data(), componentCount(old.type)) : Status{};
-        if (there && fits) param->value = old.value;
-        else
-            warnings.push_back(dropped("param", old, there ? fits.diagnostics()[0].message
-                                                           : "the config has none like it"));
-    }
-    for (std::size_t i = 0; i < now.features.size(); ++i) {
-        const FeatureDesc& old = now.features[i];
-        if (old.value == loaded.features[i]) continue;
-        const std::string& word = old.values[old.value];
-        const auto feature =
-            std::find_if(next.features.begin(), next.features.end(),
-                         [&](const FeatureDesc& each) { return each.name == old.name; });
-        const std::vector<std::string> words =
-            feature == next.features.end() ? std::vector<std::string>{} : feature->values;
-        const auto at = std::find(words.begin(), words.end(), word);
-        if (at != words.end()) feature->value = static_cast<int>(at - words.begin());
-        else
-            warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
-    }
-    return warnings;
 }
 
 Diagnostics joined(Diagnostics first, const Diagnostics& second)
@@ -193,6 +84,9 @@ struct Renderer::State {
                                                const CompileOptions& options,
                                                const SceneTraits& traits, const State* previous);
 
+    /// Whether the plan's formats are those that would be chosen for such a scene. Allocates nothing.
+    bool formatsHold(const SceneTraits& scene) const;
+
     /// Whether its plan holds for a camera of another range, whose histories then go on.
     bool holdsFor(const SceneTraits& other) const;
 
@@ -211,7 +105,7 @@ auto Renderer::State::make(Device& device, Description description, const Compil
 {
     Result<Plan> plan = compile(description, traits, device.caps(), options);
     if (!plan) return plan.diagnostics();
-    auto execution = Execution::create(device, description, std::move(*plan),
+    auto execution = Execution::create(device, std::move(*plan),
                                        previous ? previous->execution.get() : nullptr);
     if (!execution) return execution.diagnostics();
     std::unique_ptr<State> state(
@@ -223,11 +117,18 @@ bool Renderer::State::holdsFor(const SceneTraits& other) const
 {
     SceneTraits same = traits;
     same.camera = other.camera;
-    const int height = options.extent.height;
-    return same == other &&
-           !changesFormats(description, device.caps(),
-                           {traits, precisionNeed(description, traits, height)},
-                           {other, precisionNeed(description, other, height)});
+    return same == other && formatsHold(other);
+}
+
+bool Renderer::State::formatsHold(const SceneTraits& scene) const
+{
+    const PrecisionNeed need = precisionNeed(description, scene, options.extent.height);
+    const Plan& plan = execution->plan();
+    return std::all_of(plan.targets.begin(), plan.targets.end(), [&](const PlanTarget& target) {
+        const TargetDesc& desc = *findNamed(description.targets, target.name);
+        return chooseFormat(description, desc, scene, device.caps(), need) ==
+               plan.textures[target.texture].format;
+    });
 }
 
 Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& frame)
@@ -297,25 +198,22 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
                                     [&](const ParamDesc& each) { return each.name == name; });
     if (param == params.end())
         return unknown(Code::unknown_param, "param", name, namesOf(params), "params");
-    if (Status status = checkParam(*param, values, count); !status) return status;
+    if (Status status = checkValue(*param, values, count); !status) return status;
 
-    std::array<float, 4> next = param->value;
+    const std::array<float, 4> old = param->value;
+    std::array<float, 4> next = old;
     std::copy(values, values + count, next.begin());
-    if (next == param->value) return {};
-    const SceneTraits& traits = state_->traits;
-    const int height = state_->options.extent.height;
-    const bool reformats =
-        param->name == kRadiusName &&
-        changesFormats(state_->description, state_->device.caps(),
-                       {traits, precisionNeed(state_->description, traits, height)},
-                       {traits, precisionNeed(traits, next[0], height)});
-    if (!reformats && !changesPlan(state_->description, *param, next)) {
-        param->value = next;
-        state_->execution->setParam(*param);
+    if (next == old) return {};
+    const bool replans = changesPlan(state_->description, *param, next);
+    param->value = next;
+    const bool reformats = param->semantic == ParamSemantic::length &&
+                           !state_->formatsHold(state_->traits);
+    if (!reformats && !replans) {
+        state_->execution->setParam(name, next.data());
         return {};
     }
     Description description = state_->description;
-    description.params[param - params.begin()].value = next;
+    param->value = old;  // which stays where there is no plan for the next
     const std::string cause = param->bind == Bind::define
                                   ? "param '" + param->name + "' is bound as a define"
                               : reformats ? "param '" + param->name + "' wants other formats"

@@ -11,10 +11,10 @@
 // trait or a param that is bound as a define changes.
 #pragma once
 
+#include "core/compile/compile.h"
 #include "core/config/values.h"
 #include "core/frame/frame.h"
 #include "core/frame/frame_times.h"
-#include "core/plan/plan.h"
 
 #include <memory>
 #include <string>
