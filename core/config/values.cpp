@@ -125,29 +125,23 @@ Diagnostics carryOver(const Values& loaded, const Description& now, Description&
     for (std::size_t i = 0; i < now.params.size(); ++i) {
         const ParamDesc& old = now.params[i];
         if (old.value == loaded.params[i]) continue;
-        const auto param = std::find_if(next.params.begin(), next.params.end(),
-                                        [&](const ParamDesc& each) { return each.name == old.name; });
-        const bool there = param != next.params.end() && param->type == old.type;
+        const int at = indexOf(next.params, old.name);
+        const bool there = at >= 0 && next.params[at].type == old.type;
         const Status fits =
-            there ? checkValue(*param, old.value.data(), componentCount(old.type)) : Status{};
-        if (there && fits) param->value = old.value;
-        else
-            warnings.push_back(dropped("param", old, there ? fits.diagnostics()[0].message
-                                                           : "the config has none like it"));
+            there ? checkValue(next.params[at], old.value.data(), componentCount(old.type)) : Status{};
+        if (there && fits) next.params[at].value = old.value;
+        else warnings.push_back(dropped("param", old, there ? fits.diagnostics()[0].message
+                                                            : "the config has none like it"));
     }
     for (std::size_t i = 0; i < now.features.size(); ++i) {
         const FeatureDesc& old = now.features[i];
         if (old.value == loaded.features[i]) continue;
         const std::string& word = old.values[old.value];
-        const auto feature =
-            std::find_if(next.features.begin(), next.features.end(),
-                         [&](const FeatureDesc& each) { return each.name == old.name; });
-        const std::vector<std::string> words =
-            feature == next.features.end() ? std::vector<std::string>{} : feature->values;
-        const auto at = std::find(words.begin(), words.end(), word);
-        if (at != words.end()) feature->value = static_cast<int>(at - words.begin());
-        else
-            warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
+        const int at = indexOf(next.features, old.name);
+        const std::vector<std::string> words = at < 0 ? std::vector<std::string>() : next.features[at].values;
+        const auto found = std::find(words.begin(), words.end(), word);
+        if (found != words.end()) next.features[at].value = static_cast<int>(found - words.begin());
+        else warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
     }
     return warnings;
 }

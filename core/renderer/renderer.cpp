@@ -194,10 +194,9 @@ Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
 Status Renderer::setParam(std::string_view name, const float* values, int count)
 {
     std::vector<ParamDesc>& params = state_->description.params;
-    const auto param = std::find_if(params.begin(), params.end(),
-                                    [&](const ParamDesc& each) { return each.name == name; });
-    if (param == params.end())
-        return unknown(Code::unknown_param, "param", name, namesOf(params), "params");
+    const int index = indexOf(params, name);
+    if (index < 0) return unknown(Code::unknown_param, "param", name, namesOf(params), "params");
+    ParamDesc* const param = &params[index];
     if (Status status = checkValue(*param, values, count); !status) return status;
 
     const std::array<float, 4> old = param->value;

@@ -22,9 +22,8 @@ StateDesc turned(StateDesc state)
 const ImportedTexture* findTexture(const std::vector<ImportedTexture>& textures,
                                    std::string_view name)
 {
-    for (const ImportedTexture& texture : textures)
-        if (texture.name == name) return texture.texture ? &texture : nullptr;
-    return nullptr;
+    const ImportedTexture* found = findNamed(textures, name);
+    return found && found->texture ? found : nullptr;
 }
 
 const ImportedTexture* findTexture(const Frame& frame, std::size_t view, std::string_view name)
@@ -347,13 +346,10 @@ void Execution::setUniforms(const std::vector<UniformBinding>& uniforms)
 
 TextureId Execution::output(std::string_view name, int view) const
 {
-    if (view < 0 || view >= plan_.views) return {};
-    for (const PlanOutput& output : plan_.outputs) {
-        if (output.name != name) continue;
-        if (output.constant >= 0) return constants_[output.constant].id();
-        return targetTexture(output.target, view, swapped_);
-    }
-    return {};
+    const PlanOutput* output = findNamed(plan_.outputs, name);
+    if (!output || view < 0 || view >= plan_.views) return {};
+    return output->constant >= 0 ? constants_[output->constant].id()
+                                 : targetTexture(output->target, view, swapped_);
 }
 
 }  // namespace crevice

@@ -24,13 +24,6 @@ const TargetHealth* healthOf(const std::vector<TargetHealth>& all, const std::st
     return at == all.end() ? nullptr : &*at;
 }
 
-const PlanPass* passNamed(const Plan& plan, const std::string& name)
-{
-    const auto at = std::find_if(plan.passes.begin(), plan.passes.end(),
-                                 [&](const PlanPass& each) { return each.name == name; });
-    return at == plan.passes.end() ? nullptr : &*at;
-}
-
 // "radius = 0.5, power = 1": the params that feed the pass's shader.
 std::string paramsRead(const Description& description, const PlanPass& pass)
 {
@@ -88,7 +81,7 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
     Diagnostics found;
     for (const TargetHealth& each : health) {
         if (!each.bad()) continue;
-        const PlanPass* pass = passNamed(plan, each.pass);
+        const PlanPass* pass = findNamed(plan.passes, each.pass);
         if (!found.empty()) {
             const PassDesc* desc = findNamed(description.passes, each.pass);
             found[0].notes.push_back({desc ? desc->place : Place{}, "target '" + each.target +
@@ -121,7 +114,7 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
 const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& health,
                            const TargetHealth& target)
 {
-    const PlanPass* pass = passNamed(plan, target.pass);
+    const PlanPass* pass = findNamed(plan.passes, target.pass);
     for (const PlanInput& input : pass ? pass->inputs : std::vector<PlanInput>{}) {
         if (input.kind != InputKind::target) continue;
         const TargetHealth* from = healthOf(health, plan.targets[input.index].name);
@@ -144,7 +137,7 @@ std::string whyPlanned(const Plan& plan)
 std::string whyConstant(const Description& description, const Plan& plan,
                         const TargetHealth& root, const FrameFacts& facts)
 {
-    const PlanPass* pass = passNamed(plan, root.pass);
+    const PlanPass* pass = findNamed(plan.passes, root.pass);
     if (!pass) return {};
     for (const PlanInput& input : pass->inputs)
         if (input.kind == InputKind::constant) return "it reads a constant, for " + whyPlanned(plan);
