@@ -27,7 +27,8 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
 // The rooms of a library from the bottom up: a file may include its own room and those before it.
 const std::map<std::string, std::vector<std::string>> kRooms = {
     {"core",
-     {"base", "json", "glsl", "sampling", "gpu", "frame", "config", "plan", "compile", "run", "renderer"}},
+     {"base", "json", "glsl", "sampling", "gpu", "frame", "config", "plan", "compile", "run",
+      "renderer"}},
     {"backends", {"gl", "context", "recording"}},
     {"tools",
      {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "measure", "bench", "stress",
