@@ -2,9 +2,7 @@
 // Situations, turns, and the table.
 #include "tools/bench/ablation.h"
 
-#include "core/base/files.h"
 #include "core/base/numbers.h"
-#include "core/base/text.h"
 #include "core/renderer/renderer.h"
 #include "tools/bench/times.h"
 #include "tools/bench/views.h"
@@ -14,19 +12,40 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <map>
-#include <optional>
+#include <iterator>
+#include <set>
 
 namespace crevice {
-namespace {
 
 using nlohmann::json;
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
+
+static void to_json(json& line, const AblationRow& row)
+{
+    line = {{"key", row.key}, {"config", row.config}, {"scene", row.scene}, {"camera", row.camera},
+            {"width", row.extent.width}, {"height", row.extent.height}, {"situation", row.situation},
+            {"rule", row.rule}, {"ms", row.ms}, {"factor", row.factor}, {"texture_bytes", row.texture_bytes},
+            {"left_out", row.left_out}, {"repeats", row.repeats}, {"device", row.device}, {"version", row.version}};
+}
+
+/// Rows of earlier versions have no key; they are measured again.
+static void from_json(const json& line, AblationRow& row)
+{
+    row = {line.value("key", ""), line.at("config"), line.at("scene"), line.at("camera"),
+           {line.at("width"), line.at("height")}, line.at("situation"), line.at("rule"), line.at("ms"),
+           line.at("factor"), line.at("texture_bytes"), line.at("left_out"), line.at("repeats"),
+           line.at("device"), line.at("version")};
+}
+
+namespace {
+
 constexpr const char* kIntensity = "intensity";
+constexpr const char* kAllRules = "all";
 
 struct Situation {
     const char* name;
@@ -90,7 +109,7 @@ Result<std::vector<Contender>> contenders(Device& device, const Description& des
     std::vector<Contender> all;
     all.push_back({""});
     for (const RuleInfo& rule : kRules) all.push_back({rule.name});
-    all.push_back({"all"});
+    all.push_back({kAllRules});
     for (Contender& each : all) {
         CompileOptions options;
         options.extent = extent;
@@ -122,93 +141,64 @@ std::string identityOf(const AblationRow& row)
            row.situation + '\n' + row.rule + '\n' + row.device;
 }
 
-json toJson(const TimeFigures& figures)
+AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation& situation,
+                  const Contender& contender, const Contender& with_all)
 {
-    return {{"median", figures.median}, {"q1", figures.q1}, {"q3", figures.q3}};
+    const Plan& plan = contender.renderer->plan();
+    AblationRow row;
+    row.config = pointLabel(task.point);
+    row.scene = task.point.scene;
+    row.camera = task.point.camera;
+    row.extent = view.extent;
+    row.situation = situation.name;
+    row.rule = contender.rule;
+    row.ms = timeFigures(contender.turns);
+    row.factor = ratioFigures(contender.turns, with_all.turns);
+    row.texture_bytes = plan.texture_bytes;
+    row.left_out = static_cast<int>(plan.left_out.size());
+    row.repeats = static_cast<int>(contender.turns.size());
+    row.version = task.point.version;
+    return row;
 }
 
-TimeFigures figuresFrom(const json& value)
+bool isLast(const AblationRow& row)
 {
-    return {value.at("median").get<double>(), value.at("q1").get<double>(),
-            value.at("q3").get<double>()};
+    return row.rule == kAllRules && row.situation == std::end(kSituations)[-1].name;
 }
 
-/// Null where the line is no row.
-std::optional<AblationRow> rowFrom(const std::string& line)
+/// FOLDER/ablation.jsonl of each folder among the paths, or beside each file, once each.
+std::set<std::string> ablationFiles(const std::vector<std::string>& paths)
 {
-    const json value = json::parse(line, nullptr, false);
-    const auto has = [&](const char* key, json::value_t type) {
-        return value.contains(key) && (value.at(key).type() == type ||
-                                       (type == json::value_t::number_float &&
-                                        value.at(key).is_number()));
-    };
-    constexpr auto kText = json::value_t::string;
-    constexpr auto kNumber = json::value_t::number_float;
-    if (!value.is_object()) return std::nullopt;
-    for (const char* key : {"config", "scene", "camera", "situation", "rule", "device", "version"})
-        if (!has(key, kText)) return std::nullopt;
-    for (const char* key : {"width", "height", "repeats", "left_out", "texture_bytes"})
-        if (!has(key, kNumber)) return std::nullopt;
-    for (const char* key : {"ms", "factor"}) {
-        if (!has(key, json::value_t::object)) return std::nullopt;
-        for (const char* part : {"median", "q1", "q3"})
-            if (!value.at(key).contains(part) || !value.at(key).at(part).is_number())
-                return std::nullopt;
-    }
-    return AblationRow{value["config"], value["scene"], value["camera"], {value["width"], value["height"]},
-                       value["situation"], value["rule"], figuresFrom(value["ms"]),
-                       figuresFrom(value["factor"]), value["texture_bytes"], value["left_out"],
-                       value["repeats"], value["device"], value["version"]};
-}
-
-}  // namespace
-
-std::string toJsonLine(const AblationRow& row)
-{
-    const json value = {{"config", row.config}, {"scene", row.scene}, {"camera", row.camera},
-                        {"width", row.extent.width}, {"height", row.extent.height}, {"situation", row.situation},
-                        {"rule", row.rule}, {"ms", toJson(row.ms)}, {"factor", toJson(row.factor)},
-                        {"texture_bytes", row.texture_bytes}, {"left_out", row.left_out},
-                        {"repeats", row.repeats}, {"device", row.device}, {"version", row.version}};
-    return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& paths)
-{
-    std::vector<std::string> files;
+    std::set<std::string> files;
     for (const std::string& path : paths) {
         std::error_code unreadable;
         const std::filesystem::path folder = std::filesystem::is_directory(path, unreadable)
                                                  ? std::filesystem::path(path)
                                                  : std::filesystem::path(path).parent_path();
-        files.push_back((folder / "ablation.jsonl").string());
+        const std::string file = (folder / "ablation.jsonl").string();
+        if (std::filesystem::exists(file, unreadable)) files.insert(file);
     }
-    std::sort(files.begin(), files.end());
-    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
+}
+
+}  // namespace
+
+std::string toJsonLine(const AblationRow& row) { return jsonLine(row); }
+
+Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& paths)
+{
     std::vector<AblationRow> rows;
     std::map<std::string, std::size_t> known;
-    for (const std::string& file : files) {
-        FileBytes read = readBytes(file, kMaxResultBytes);
-        if (!read && !read.missing)
-            return Diagnostic{Code::results_broken,
-                              "no results can be read from '" + file + "': " + read.failure};
-        int number = 0;
-        for (const std::string_view line : split(read.bytes, '\n')) {
-            ++number;
-            if (line.empty()) continue;
-            const std::optional<AblationRow> row = rowFrom(std::string(line));
-            if (!row) {
-                Diagnostic error{Code::results_broken, file + ":" + std::to_string(number) +
-                                                         ": this line is no row of an ablation"};
-                error.help = "delete the line, and run 'crevice bench --ablate' again";
-                return error;
-            }
-            const auto [at, fresh] = known.insert({identityOf(*row), rows.size()});
-            if (fresh) rows.push_back(*row);
-            else rows[at->second] = *row;
-        }
-    }
-    return rows;
+    Diagnostics diagnostics;
+    for (const std::string& file : ablationFiles(paths))
+        append(diagnostics, readLines(file, {"row of an ablation", "crevice bench --ablate"}, [&](json&& line) {
+                   AblationRow row = line.get<AblationRow>();
+                   const auto [at, fresh] = known.insert({identityOf(row), rows.size()});
+                   if (fresh) rows.push_back(std::move(row));
+                   else rows[at->second] = std::move(row);
+               }));
+    if (hasErrors(diagnostics)) return diagnostics;
+    return {std::move(rows), std::move(diagnostics)};
 }
 
 Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, const BenchView& view,
@@ -228,25 +218,39 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, c
         if (!taken) return taken.diagnostics();
         if (interrupted()) break;
         for (const Contender& each : *all) {
-            const Plan& plan = each.renderer->plan();
-            AblationRow row;
-            row.config = pointLabel(task.point);
-            row.scene = task.point.scene;
-            row.camera = task.point.camera;
-            row.extent = view.extent;
-            row.situation = situation.name;
-            row.rule = each.rule;
-            row.ms = timeFigures(each.turns);
-            row.factor = ratioFigures(each.turns, all->front().turns);
-            row.texture_bytes = plan.texture_bytes;
-            row.left_out = static_cast<int>(plan.left_out.size());
-            row.repeats = static_cast<int>(each.turns.size());
-            row.device = device.caps().name;
-            row.version = task.point.version;
-            rows.push_back(std::move(row));
+            rows.push_back(rowOf(task, view, situation, each, all->front()));
+            rows.back().device = device.caps().name;
+            rows.back().key = keyOnDevice(task.point.key, device.caps().name);
         }
     }
     return rows;
+}
+
+MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<AblationRow>& known, int repeats,
+                       std::function<bool()> interrupted)
+{
+    MeasureJob job;
+    for (const AblationRow& row : known)
+        if (isLast(row)) job.done.insert(row.key);
+    for (const BenchTask& task : plan.tasks)
+        job.tasks.push_back({keyOnDevice(task.point.key, device.caps().name), pointTitle(task.point), task.point.failure});
+    job.measure = [&device, &plan, repeats, interrupted](std::size_t index) -> Result<Measured> {
+        const BenchTask& task = plan.tasks[index];
+        const auto rows = ablate(device, task, plan.views[task.view], repeats, interrupted);
+        if (!rows) return rows.diagnostics();
+        std::string lines;
+        for (const AblationRow& row : *rows) lines += (lines.empty() ? "" : "\n") + toJsonLine(row);
+        return Measured{std::move(lines), std::to_string(rows->size()) + " rows"};
+    };
+    return job;
+}
+
+std::vector<AblationRow> rowsOf(const std::vector<AblationRow>& rows, const std::string& key)
+{
+    std::vector<AblationRow> found;
+    for (const AblationRow& row : rows)
+        if (row.key == key) found.push_back(row);
+    return found;
 }
 
 std::string toText(const std::vector<AblationRow>& rows)
@@ -260,7 +264,7 @@ std::string toText(const std::vector<AblationRow>& rows)
             text += cell;
             continue;
         }
-        const std::string without = row.rule == "all" ? "none of them" : "not " + row.rule;
+        const std::string without = row.rule == kAllRules ? "none of them" : "not " + row.rule;
         text += "  " + without + " x" + significant(row.factor.median, 3);
     }
     return text + "\n";

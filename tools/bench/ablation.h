@@ -19,6 +19,7 @@
 namespace crevice {
 
 struct AblationRow {
+    std::string key;        ///< Of the task, on its device.
     std::string config;
     std::string scene;
     std::string camera;
@@ -40,15 +41,22 @@ std::string toJsonLine(const AblationRow& row);
 /// Reads FOLDER/ablation.jsonl of each folder among the paths, or beside each file; none is no error. Of two
 /// lines about one thing on one device the later one holds.
 ///
-/// Errors: CV7009 for a line that is no row.
+/// Errors: those of readLines.
 Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& paths);
 
-/// The rows of a task: every situation by every rule. `interrupted` is asked between turns; rows are then few
-/// or none.
+/// The rows of a task: every situation by every rule; few or none where it is interrupted between turns.
 ///
 /// Errors: those of the device and the renderer.
 Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, const BenchView& view,
                                         int repeats, const std::function<bool()>& interrupted);
+
+/// What the engine of tools/measure needs to time every situation by every rule for each task of a plan; `known`
+/// is what the file has. The device and the plan must outlive it.
+MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<AblationRow>& known, int repeats,
+                       std::function<bool()> interrupted);
+
+/// Those of a task.
+std::vector<AblationRow> rowsOf(const std::vector<AblationRow>& rows, const std::string& key);
 
 /// For people: a line a situation, milliseconds with all rules, then the factors without.
 std::string toText(const std::vector<AblationRow>& rows);

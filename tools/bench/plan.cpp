@@ -12,19 +12,10 @@
 #include "core/config/load.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
 
 namespace crevice {
 namespace {
-
-Diagnostic usageError(std::string message, std::string help)
-{
-    Diagnostic error{Code::usage, std::move(message)};
-    error.help = std::move(help);
-    return error;
-}
 
 /// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long to be first.
 constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
@@ -247,37 +238,10 @@ void Planner::addTask(const Place& place, const std::string& config,
     point.overrides = std::move(overrides);
     if (!keys_.insert(point.key).second) return;
     plan.planned.points.push_back(plannedId(point));
-    const auto share = static_cast<std::uint64_t>(options_.shard.count);
-    const bool mine = hash.value() % share + 1 == static_cast<std::uint64_t>(options_.shard.index);
-    if (mine) plan.tasks.push_back(std::move(task));
+    if (options_.shard.has(hash.value())) plan.tasks.push_back(std::move(task));
 }
 
 }  // namespace
-
-Result<Shard> parseShard(const std::string& text)
-{
-    Shard shard;
-    const char* const end = text.data() + text.size();
-    const auto index = std::from_chars(text.data(), end, shard.index);
-    if (index.ec == std::errc() && index.ptr != end && *index.ptr == '/') {
-        const auto count = std::from_chars(index.ptr + 1, end, shard.count);
-        if (count.ec == std::errc() && count.ptr == end && shard.index >= 1 &&
-            shard.index <= shard.count)
-            return shard;
-    }
-    return usageError("--shard '" + text + "' is not I/N with 1 <= I <= N", "write --shard 3/8");
-}
-
-Result<double> parseDuration(const std::string& text)
-{
-    std::string_view unit = text;
-    const double number = takeNumber(unit).value_or(0.0);
-    const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
-    const double seconds = number * factor;
-    if (seconds > 0.0 && std::isfinite(seconds)) return seconds;
-    return usageError("'" + text + "' is not a length of time above 0",
-                      "write --time-budget 90s, 5m or 1.5h");
-}
 
 Camera BenchView::matrices() const
 {
@@ -290,27 +254,6 @@ std::string pointTitle(const BenchPoint& point)
     for (const std::string& text : point.overrides) title += " " + text;
     return title + ", " + point.scene + ", " + std::to_string(point.extent.width) + "x" +
            std::to_string(point.extent.height);
-}
-
-const Diagnostic& firstError(const Diagnostics& diagnostics)
-{
-    const auto isError = [](const Diagnostic& each) { return each.severity == Severity::error; };
-    return *std::find_if(diagnostics.begin(), diagnostics.end(), isError);
-}
-
-std::string failureText(const Diagnostics& diagnostics)
-{
-    const Diagnostic& error = firstError(diagnostics);
-    const std::string place = placeName(error.place);
-    return (place.empty() ? "" : place + ": ") + codeName(error.code) + ": " + error.message;
-}
-
-std::string keyOnDevice(const std::string& task_key, const std::string& device)
-{
-    ContentHash hash;
-    hash.addText(task_key);
-    hash.addText(device);
-    return hash.hex();
 }
 
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)

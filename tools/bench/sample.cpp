@@ -3,8 +3,8 @@
 #include "tools/bench/sample.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/cli/output.h"
 #include "tools/measure/line_file.h"
 
 #include <nlohmann/json.hpp>
@@ -33,12 +33,6 @@ namespace {
 
 /// The key of a line that is no point but what is planned.
 const char* const kPlanned = "planned";
-
-/// File names may be no UTF-8; a replaced character is better than a lost point.
-std::string dump(const nlohmann::json& json)
-{
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 /// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
 bool replaceNulls(nlohmann::json& json)
@@ -69,31 +63,6 @@ void resolvePictures(BenchPoint& point, const std::filesystem::path& folder)
         if (!picture->empty()) *picture = (folder / *picture).string();
 }
 
-/// An interrupt leaves the beginning of a point and no end.
-bool isCutShort(const std::string& line) { return line.front() == '{' && line.back() != '}'; }
-
-constexpr std::size_t kExcerpt = 72;
-
-Diagnostic lineDiagnostic(const std::string& path, int number, const std::string& line,
-                          const std::string& reason)
-{
-    Diagnostic diagnostic{Code::results_broken, "this line is not a bench point: " + reason};
-    // The message shows the line's beginning; a whole line would fill the screen.
-    const std::string excerpt = std::string(static_cast<std::size_t>(number - 1), '\n') +
-                                line.substr(0, kExcerpt);
-    diagnostic.place = {std::make_shared<SourceText>(SourceText{path, excerpt}), number, 1, 1};
-    diagnostic.help = "delete the line; 'crevice bench' measures its point again";
-    return diagnostic;
-}
-
-/// Without the library's own prefix, "[json.exception.type_error.302] ".
-std::string reasonOf(const nlohmann::json::exception& error)
-{
-    const std::string text = error.what();
-    const std::size_t end = text.find("] ");
-    return end == std::string::npos ? text : text.substr(end + 2);
-}
-
 std::string resultsFile(const std::string& path)
 {
     std::error_code unreadable;
@@ -105,22 +74,15 @@ class Reader {
 public:
     void readFile(const std::string& path)
     {
-        FileBytes file = readBytes(path, kMaxResultBytes);
-        if (!file) {
-            Diagnostic error{Code::results_broken,
-                             "no results can be read from '" + path + "': " + file.failure};
-            error.help = "'crevice bench' writes them: crevice bench --help";
-            diagnostics_.push_back(std::move(error));
-            return;
-        }
         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-        int number = 0;
-        for (const std::string_view text : split(file.bytes, '\n')) {
-            std::string line(text);
-            ++number;
-            if (!line.empty() && line.back() == '\r') line.pop_back();
-            if (!line.empty()) readLine(path, folder, number, line);
-        }
+        append(diagnostics_, readLines(path, {"bench point", "crevice bench"}, [&](nlohmann::json&& json) {
+                   if (json.is_object() && json.contains(kPlanned))
+                       return add(json[kPlanned].get<PlannedBench>());
+                   BenchPoint point = parsePoint(std::move(json));
+                   point.folder = folder.string();
+                   resolvePictures(point, folder);
+                   add(std::move(point));
+               }));
     }
 
     Result<BenchResults> take()
@@ -130,25 +92,6 @@ public:
     }
 
 private:
-    void readLine(const std::string& path, const std::filesystem::path& folder, int number,
-                  const std::string& line)
-    {
-        try {
-            nlohmann::json json = nlohmann::json::parse(line);
-            if (json.is_object() && json.contains(kPlanned)) return add(json[kPlanned].get<PlannedBench>());
-            BenchPoint point = parsePoint(std::move(json));
-            point.folder = folder.string();
-            resolvePictures(point, folder);
-            add(std::move(point));
-        } catch (const nlohmann::json::exception& error) {
-            const bool cut = isCutShort(line);
-            Diagnostic diagnostic = lineDiagnostic(path, number, line,
-                                                   cut ? "it was cut short" : reasonOf(error));
-            if (cut) diagnostic.severity = Severity::warning;
-            diagnostics_.push_back(std::move(diagnostic));
-        }
-    }
-
     void add(PlannedBench planned)
     {
         const auto same = [&planned](const PlannedBench& known) {
@@ -182,7 +125,7 @@ private:
 
 std::string identityOf(const BenchPoint& point)
 {
-    return dump({point.config, point.overrides, point.scene, point.camera, point.extent,
+    return jsonLine({point.config, point.overrides, point.scene, point.camera, point.extent,
                  point.radius, point.rays});
 }
 
@@ -195,14 +138,14 @@ std::string plannedId(const BenchPoint& point)
 
 std::string toJsonLine(const BenchPoint& point)
 {
-    return dump(point);
+    return jsonLine(point);
 }
 
 std::string toJsonLine(const PlannedBench& planned)
 {
     nlohmann::json json;
     json[kPlanned] = planned;
-    return dump(json);
+    return jsonLine(json);
 }
 
 BenchCoverage coverageOf(const BenchResults& results)

@@ -6,6 +6,7 @@
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/device/open_device.h"
+#include "tools/measure/run_options.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/scene/builtin_scenes.h"
 #include "tools/scene/options.h"
@@ -25,9 +26,7 @@ struct BenchCommand {
     CacheOptions cache;
     std::string checkout;
     std::string backend;
-    std::string shard = "1/1";
-    std::string time_budget;
-    std::string out = "bench";
+    RunOptions run{"1/1", "", "bench"};
     bool no_budget = false;
     bool list = false;
     bool ablate = false;
@@ -41,130 +40,64 @@ int listTasks(const BenchPlan& plan)
     return exitCodeOf(plan.diagnostics);
 }
 
-void printMissing(const BenchSummary& summary, const std::string& file)
+int measureErrors(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
+                  Device& device, double time_budget)
 {
-    for (const std::string& failure : summary.failures)
-        printMessage("failed: %s\n", failure.c_str());
-    for (const std::string& title : summary.missing)
-        printMessage("missing: %s\n", title.c_str());
-    printMessage("%d measured, %d were there already, %zu failed, %zu not begun: %s\n",
-                 summary.measured, summary.kept, summary.failures.size(), summary.missing.size(),
-                 file.c_str());
-    if (const Result<BenchResults> results = readBenchResults({file}); results)
-        if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
-            printMessage("%s\n", part.c_str());
-    if (!summary.missing.empty() || !summary.failures.empty())
-        printMessage("the same command goes on where this one stopped\n");
-}
-
-int exitCodeOf(const BenchSummary& summary, const BenchPlan& plan)
-{
-    if (!summary.written) return exitCodeOf(summary.written.diagnostics());
-    if (summary.interrupted) return kExitInterrupted;
-    return summary.failures.empty() ? exitCodeOf(plan.diagnostics) : kExitBadInput;
-}
-
-/// The results file, with what is to be measured in it.
-Result<ResultFile> openResults(const std::string& folder, const BenchPlan& plan,
-                               const std::string& device)
-{
-    Result<ResultFile> file = ResultFile::open(folder);
-    if (!file) return file;
     PlannedBench planned = plan.planned;
-    planned.device = device;
-    if (const Status written = file->plan(planned); !written) return written.diagnostics();
-    return file;
-}
-
-int measureAll(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
-               double time_budget)
-{
-    const Result<OpenDevice> open = openDevice(command.backend);
-    if (!open) return report(open.diagnostics(), false);
-    report(open.diagnostics(), false);
-    catchInterrupts();
-    Result<ResultFile> file = openResults(command.out, plan, open->device->caps().name);
+    planned.device = device.caps().name;
+    Result<BenchFile> file = openBench(command.run.out, planned);
     if (!file) return report(file.diagnostics(), false);
-
     Progress progress;
     MeasureOptions measure = command.measure;
     measure.rays = command.bench.rays;
     measure.budget = !command.no_budget;
     measure.cache_folder = command.cache.path();
-    measure.out_folder = command.out;
+    measure.out_folder = command.run.out;
     measure.interrupted = interrupted;
     measure.tracing = [&progress](double done) { progress.update(done); };
-    BenchMeter meter(*open->device, plan, sources, measure);
-    BenchWorld world;
-    world.measure = [&](const BenchTask& task) {
-        progress.begin("measuring " + pointTitle(task.point));
-        return meter.measure(task);
-    };
-    world.seconds = clockSeconds;
-    world.interrupted = measure.interrupted;
-    world.say = [&progress](const std::string& line) {
-        progress.wipe();
-        printMessage("%s\n", printableLine(line).c_str());
-    };
-    world.device = open->device->caps().name;
-    world.time_budget_s = time_budget;
-    const BenchSummary summary = runBench(plan.tasks, *file, world);
-    progress.wipe();
-    report(summary.written.diagnostics(), false);
-    printMissing(summary, command.out + "/results.jsonl");
-    return exitCodeOf(summary, plan);
+    BenchMeter meter(device, plan, sources, measure);
+    const MeasureJob job = benchJob(plan, planned.device, std::move(file->done),
+                                    [&meter](const BenchTask& task) { return meter.measure(task); });
+    const MeasureSummary summary = measureOnConsole(job, file->lines, time_budget, progress);
+    if (const Result<BenchResults> results = readBenchResults({file->lines.path()}); results)
+        if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
+            printMessage("%s\n", part.c_str());
+    return exitCodeOf(summary);
 }
 
 /// Times the rules of every task, and prints a table of each.
-int ablateAll(const BenchCommand& command, const BenchPlan& plan, double time_budget)
+int timeRules(const BenchCommand& command, const BenchPlan& plan, Device& device, double time_budget)
+{
+    Result<LineFile> file = LineFile::open(command.run.out + "/ablation.jsonl");
+    if (!file) return report(file.diagnostics(), false);
+    const auto known = readAblation({file->path()});
+    if (!known) return report(known.diagnostics(), false);
+    Progress progress;
+    const MeasureJob job = ablationJob(device, plan, *known, command.measure.repeats, interrupted);
+    const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
+    const auto all = readAblation({file->path()});
+    if (!all) return report(all.diagnostics(), false);
+    for (const MeasureTask& task : job.tasks)
+        if (const std::vector<AblationRow> rows = rowsOf(*all, task.key); !rows.empty())
+            print("%s, %s%s\n", task.title.c_str(), device.caps().name.c_str(), toText(rows).c_str());
+    return exitCodeOf(summary);
+}
+
+int measurePlan(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources, double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend);
     report(open.diagnostics(), false);
     if (!open) return exitCodeOf(open.diagnostics());
-    Result<LineFile> file = LineFile::open(command.out + "/ablation.jsonl");
-    if (!file) return report(file.diagnostics(), false);
-    catchInterrupts();
-    Progress progress;
-    const double begin = clockSeconds();
-    int missing = 0;
-    int worst = exitCodeOf(plan.diagnostics);
-    for (const BenchTask& task : plan.tasks) {
-        if (time_budget > 0 && clockSeconds() - begin > time_budget) ++missing;
-        if (missing > 0 || interrupted()) continue;
-        const std::string title = pointTitle(task.point);
-        if (!task.point.failure.empty()) {
-            printMessage("failed: %s: %s\n", title.c_str(), task.point.failure.c_str());
-            worst = std::max(worst, static_cast<int>(kExitBadInput));
-            continue;
-        }
-        progress.begin("timing the rules of " + title);
-        const auto rows = ablate(*open->device, task, plan.views[task.view],
-                                 command.measure.repeats, interrupted);
-        progress.wipe();
-        report(rows.diagnostics(), false);
-        if (!rows) worst = std::max(worst, exitCodeOf(rows.diagnostics()));
-        if (!rows || interrupted()) continue;
-        print("%s, %s%s\n", title.c_str(), open->device->caps().name.c_str(),
-              toText(*rows).c_str());
-        for (const AblationRow& row : *rows)
-            if (const Status written = file->append(toJsonLine(row)); !written)
-                return report(written.diagnostics(), false);
-    }
-    if (missing > 0) printMessage("%d not begun, for time\n", missing);
-    return interrupted() ? kExitInterrupted : worst;
+    const int code = command.ablate ? timeRules(command, plan, *open->device, time_budget)
+                                    : measureErrors(command, plan, sources, *open->device, time_budget);
+    return code == kExitOk ? exitCodeOf(plan.diagnostics) : code;
 }
 
 int bench(BenchCommand command)
 {
-    const Result<Shard> shard = parseShard(command.shard);
-    if (!shard) return report(shard.diagnostics(), false);
-    command.bench.shard = *shard;
-    double time_budget = 0;
-    if (!command.time_budget.empty()) {
-        const Result<double> seconds = parseDuration(command.time_budget);
-        if (!seconds) return report(seconds.diagnostics(), false);
-        time_budget = *seconds;
-    }
+    const Result<RunLimits> limits = limitsOf(command.run);
+    if (!limits) return report(limits.diagnostics(), false);
+    command.bench.shard = limits->shard;
     if (command.bench.scenes.empty())
         command.bench.scenes = command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
     const CheckoutSources sources(command.checkout, command.bench.roots);
@@ -176,8 +109,7 @@ int bench(BenchCommand command)
         printMessage("there is no point to measure\n");
         return exitCodeOf(plan->diagnostics);
     }
-    return command.ablate ? ablateAll(command, *plan, time_budget)
-                          : measureAll(command, *plan, sources, time_budget);
+    return measurePlan(command, *plan, sources, limits->time_budget_s);
 }
 
 void addPointOptions(CLI::App& app, BenchCommand& command)
@@ -229,20 +161,10 @@ void addBenchCommand(CLI::App& app, int& exit_code)
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
                       "Leave out noise, model error and precision error: much quicker");
-    command->add_option("--time-budget", options->time_budget,
-                        "Begin no point after this time: 90s, 5m, 1.5h");
-    command->add_option("--shard", options->shard, "Measure the Ith of N shares of the points")
-        ->type_name("I/N");
-    command->add_option("--out", options->out,
-                        "Folder for results.jsonl and pictures; what is there already is not "
-                        "measured again")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    addRunOptions(*command, options->run, "point", "results.jsonl and pictures");
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
-    command->add_option("--effects", options->checkout,
-                        "Read effects/ and configs/ below this folder before those embedded")
-        ->type_name("FOLDER");
+    addCheckoutOption(*command, options->checkout);
     addRootOption(*command, options->bench.roots);
     command->add_flag("--ablate", options->ablate,
                       "Time frames with all rules that leave things out, without each and without "

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // crevice stress: how far each config holds on stiff and extreme cases, and where it breaks.
-#include "tools/cli/long_run.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/device/open_device.h"
 #include "tools/image/image_file.h"
+#include "tools/measure/run_options.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/report/stress_report.h"
 #include "tools/scene/options.h"
@@ -28,9 +28,7 @@ struct StressCommand {
     std::string backend;
     std::string precision;
     std::string size = "256x144";
-    std::string shard = "1/1";
-    std::string time_budget;
-    std::string out = "stress";
+    RunOptions run{"1/1", "", "stress"};
     bool list = false;
     bool json = false;
 };
@@ -129,68 +127,56 @@ Status keepPicture(const std::string& folder, const StressDrawing& done)
     return writePng(folder + "/" + done.record.picture, done.ao);
 }
 
-int measureAll(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
+/// The table and the page. Returns how the command ends.
+int showAll(const StressCommand& command, const std::vector<StressRecord>& records,
+            const std::string& device, int code)
+{
+    const std::vector<StressSeries> all = seriesOf(records);
+    if (command.json) printJson(all, device);
+    else printTable(all);
+    const Status page = writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
+    report(page.diagnostics(), false);
+    if (code != kExitOk) return code;
+    if (!page) return kExitOutput;
+    return totalsOf(all).failing > 0 ? kExitDiffers : kExitOk;
+}
+
+int measureSteps(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
                const SourceSet& sources, double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend, command.precision);
     if (!open) return report(open.diagnostics(), command.json);
     report(open.diagnostics(), false);
-    Result<LineFile> file = LineFile::open(command.out + "/stress.jsonl");
+    Result<LineFile> file = LineFile::open(command.run.out + "/stress.jsonl");
     if (!file) return report(file.diagnostics(), command.json);
     const Result<std::vector<StressRecord>> known = readStressRecords(file->path());
     if (!known) return report(known.diagnostics(), command.json);
 
-    Progress progress;
     StressMeter meter(*open->device, sources, command.cache.path());
-    StressWorld world;
-    world.device = open->device->caps().name;
-    world.version = CREVICE_VERSION;
-    world.key = [&](const StressTask& task) {
-        return keyOnDevice(meter.contentOf(task, size) + world.version, world.device);
+    const std::string device = open->device->caps().name;
+    StressHow how;
+    how.key = [&](const StressTask& task) {
+        return keyOnDevice(meter.contentOf(task, size) + CREVICE_VERSION, device);
     };
-    world.measure = [&](const StressTask& task) {
-        progress.begin(stepTitle(task));
-        return meter.measure(task, size);
-    };
-    world.keep = [&](const StressDrawing& done) { return keepPicture(command.out, done); };
-    world.seconds = clockSeconds;
-    world.interrupted = interrupted;
-    world.say = [&progress](const std::string& line) {
-        progress.wipe();
-        printMessage("%s\n", printableLine(line).c_str());
-    };
-    world.time_budget_s = time_budget;
-    catchInterrupts();
-    const StressSummary summary = runStress(tasks, *known, *file, world);
-    progress.wipe();
-    const std::vector<StressSeries> all = seriesOf(summary.records);
-    if (command.json) printJson(all, world.device);
-    else printTable(all);
-    const Status page =
-        writeFile(command.out + "/stress.html", stressHtml(summary.records, command.out));
-    report(page.diagnostics(), false);
-    printMessage("%d drawn, %d were there already, %d not begun: %s\n", summary.measured,
-                 summary.kept, summary.missing, file->path().c_str());
-    if (summary.missing > 0) printMessage("the same command goes on where this one stopped\n");
-    if (!summary.written) return report(summary.written.diagnostics(), false);
-    if (summary.interrupted) return kExitInterrupted;
-    if (!page) return kExitOutput;
-    return totalsOf(all).failing > 0 ? kExitDiffers : kExitOk;
+    how.measure = [&](const StressTask& task) { return meter.measure(task, size); };
+    how.keep = [&](const StressDrawing& done) { return keepPicture(command.run.out, done); };
+    how.device = device;
+    how.version = CREVICE_VERSION;
+    const MeasureJob job = stressJob(tasks, *known, std::move(how));
+    Progress progress;
+    const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
+    const Result<std::vector<StressRecord>> records = recordsOf(job, file->path());
+    if (!records) return report(records.diagnostics(), command.json);
+    return showAll(command, *records, device, exitCodeOf(summary));
 }
 
 int stress(StressCommand command)
 {
-    const Result<Shard> shard = parseShard(command.shard);
-    if (!shard) return report(shard.diagnostics(), command.json);
+    const Result<RunLimits> limits = limitsOf(command.run);
+    if (!limits) return report(limits.diagnostics(), command.json);
     const Result<Extent> size = parseSize(command.size);
     if (!size) return report(size.diagnostics(), command.json);
-    double time_budget = 0;
-    if (!command.time_budget.empty()) {
-        const Result<double> seconds = parseDuration(command.time_budget);
-        if (!seconds) return report(seconds.diagnostics(), command.json);
-        time_budget = *seconds;
-    }
-    command.stress.shard = *shard;
+    command.stress.shard = limits->shard;
     command.stress.variant = command.config.variant;
     command.stress.overrides = command.config.overrides;
     command.stress.roots = command.config.roots;
@@ -198,7 +184,7 @@ int stress(StressCommand command)
     const Result<std::vector<StressTask>> tasks = planStress(command.stress, sources);
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);
-    return measureAll(command, *tasks, *size, sources, time_budget);
+    return measureSteps(command, *tasks, *size, sources, limits->time_budget_s);
 }
 
 }  // namespace
@@ -219,15 +205,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
         ->capture_default_str();
     command->add_flag("--quick", options->stress.quick,
                       "Two or three steps of each case, in the configs' own formats");
-    command->add_option("--time-budget", options->time_budget,
-                        "Begin no step after this time: 90s, 10m, 1.5h");
-    command->add_option("--shard", options->shard, "Draw the Ith of N shares of the cases")
-        ->type_name("I/N");
-    command->add_option("--out", options->out,
-                        "Folder for stress.jsonl, stress.html and pictures; what is there already is not drawn "
-                        "again")
-        ->type_name("FOLDER")
-        ->capture_default_str();
+    addRunOptions(*command, options->run, "step", "stress.jsonl, stress.html and pictures");
     addConfigOptions(*command, options->config);
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Appending lines to a file that nobody else writes.
+// Appending lines to a file that nobody else writes, and reading them.
 #include "tools/measure/line_file.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+
+#include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -14,6 +19,9 @@
 
 namespace crevice {
 namespace {
+
+/// Most bytes of results that are read: a hundred thousand lines and more.
+constexpr std::size_t kMaxResultBytes = 256u << 20;
 
 const char* const kWayOut =
     "what was measured before is safe; make room or name another folder, and run the same command "
@@ -64,6 +72,32 @@ int writeAll(int file, std::string_view bytes)
     return fdatasync(file) == 0 || errno == EINVAL ? 0 : errno;
 }
 
+/// An interrupt leaves the beginning of a line and no end.
+bool isCutShort(const std::string& line) { return line.front() == '{' && line.back() != '}'; }
+
+constexpr std::size_t kExcerpt = 72;
+
+Diagnostic lineDiagnostic(const std::string& path, int number, const std::string& line,
+                          const LineKind& kind, const std::string& reason)
+{
+    Diagnostic diagnostic{Code::results_broken,
+                          "this line is not a " + std::string(kind.name) + ": " + reason};
+    // The message shows the line's beginning; a whole line would fill the screen.
+    const std::string excerpt = std::string(static_cast<std::size_t>(number - 1), '\n') +
+                                line.substr(0, kExcerpt);
+    diagnostic.place = {std::make_shared<SourceText>(SourceText{path, excerpt}), number, 1, 1};
+    diagnostic.help = "delete the line; '" + std::string(kind.command) + "' measures it again";
+    return diagnostic;
+}
+
+/// Without the library's own prefix, "[json.exception.type_error.302] ".
+std::string reasonOf(const nlohmann::json::exception& error)
+{
+    const std::string text = error.what();
+    const std::size_t end = text.find("] ");
+    return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 }  // namespace
 
 Result<LineFile> LineFile::open(const std::string& path)
@@ -109,6 +143,40 @@ Status LineFile::append(const std::string& line)
 const char* LineFile::wayOut()
 {
     return kWayOut;
+}
+
+std::string jsonLine(const nlohmann::json& json)
+{
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Diagnostics readLines(const std::string& path, const LineKind& kind,
+                      const std::function<void(nlohmann::json&&)>& take)
+{
+    const FileBytes file = readBytes(path, kMaxResultBytes);
+    if (!file) {
+        Diagnostic error{Code::results_broken,
+                         "no results can be read from '" + path + "': " + file.failure};
+        error.help = "'" + std::string(kind.command) + "' writes them: " + kind.command + " --help";
+        return {error};
+    }
+    Diagnostics diagnostics;
+    int number = 0;
+    for (const std::string_view text : split(file.bytes, '\n')) {
+        std::string line(text);
+        ++number;
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        if (line.empty()) continue;
+        try {
+            take(nlohmann::json::parse(line));
+        } catch (const nlohmann::json::exception& error) {
+            const bool cut = isCutShort(line);
+            diagnostics.push_back(
+                lineDiagnostic(path, number, line, kind, cut ? "it was cut short" : reasonOf(error)));
+            if (cut) diagnostics.back().severity = Severity::warning;
+        }
+    }
+    return diagnostics;
 }
 
 }  // namespace crevice

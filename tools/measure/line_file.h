@@ -4,13 +4,12 @@
 
 #include "core/base/result.h"
 
-#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
 #include <string>
 
 namespace crevice {
-
-/// Most bytes of results that are read: a hundred thousand lines and more.
-constexpr std::size_t kMaxResultBytes = 256u << 20;
 
 class LineFile {
 public:
@@ -38,5 +37,21 @@ private:
     std::string path_;
     int file_ = -1;
 };
+
+/// JSON as one line of a file. Text that is no UTF-8 is replaced where it is wrong, which is better than a lost line.
+std::string jsonLine(const nlohmann::json& json);
+
+/// What messages call the lines of a file.
+struct LineKind {
+    const char* name;     ///< "bench point".
+    const char* command;  ///< That writes them: "crevice bench".
+};
+
+/// Has each line of the file taken, as JSON. `take` may throw what nlohmann::json throws. A line that an
+/// interrupt cut short is left out with a warning.
+///
+/// Errors: CV7009 for a file that cannot be read or a line that is not of the kind.
+Diagnostics readLines(const std::string& path, const LineKind& kind,
+                      const std::function<void(nlohmann::json&&)>& take);
 
 }  // namespace crevice

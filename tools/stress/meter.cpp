@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "tools/device/poison_device.h"
 #include "tools/image/image_metrics.h"
+#include "tools/measure/run.h"
 #include "tools/measure/taps.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/render/read_output.h"
@@ -30,13 +31,6 @@ std::string formatOverride(const std::string& format)
 {
     const std::string target = nameIn(format);
     return "/targets/" + target + "/format=[\"" + format.substr(target.size() + 1) + "\"]";
-}
-
-std::string firstErrorText(const Diagnostics& diagnostics)
-{
-    for (const Diagnostic& each : diagnostics)
-        if (each.severity == Severity::error) return codeName(each.code) + ": " + each.message;
-    return {};
 }
 
 bool remembers(const Plan& plan)
@@ -111,8 +105,13 @@ std::string StressMeter::contentOf(const StressTask& task, Extent size)
 {
     ContentHash hash;
     const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
-    const Result<LoadedConfig> loaded = loadWithContent(task.config, stand_ins_.over(shot.geometry));
-    hash.addText(loaded ? loaded->content : std::string());
+    const std::string config = task.config.config + '\n' + shot.geometry;
+    auto content = contents_.find(config);
+    if (content == contents_.end()) {
+        const Result<LoadedConfig> loaded = loadWithContent(task.config, stand_ins_.over(shot.geometry));
+        content = contents_.emplace(config, loaded ? loaded->content : std::string()).first;
+    }
+    hash.addText(content->second);
     hash.addText(task.config.config);
     hash.addText(shot.geometry);
     hash.addText(task.stress->name);
@@ -128,7 +127,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     const SourceSet& sources = stand_ins_.over(shot.geometry);
     const Result<Description> base = loadDescription(task.config, sources);
     if (!base && !shot.geometry.empty()) {
-        ready.absent = "not over " + shot.geometry + ": " + firstErrorText(base.diagnostics());
+        ready.absent = "not over " + shot.geometry + ": " + failureText(base.diagnostics());
         return ready;
     }
     if (!base) return base.diagnostics();
@@ -298,7 +297,7 @@ StressDrawing StressMeter::measure(const StressTask& task, Extent size)
     Result<Drawn> drawn = draw(task, shot);
     record.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     if (!drawn) {
-        record.refusal = firstErrorText(drawn.diagnostics());
+        record.refusal = failureText(drawn.diagnostics());
         return done;
     }
     record.absent = drawn->absent;

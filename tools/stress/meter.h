@@ -32,8 +32,8 @@ struct StressDrawing {
 /// The formats that a config's surface may be stored in, as StressTask::format; the first is empty.
 std::vector<std::string> surfaceFormats(const Description& description);
 
-/// Keeps one renderer, so that a config's programs compile once. The device and the sources must
-/// outlive it.
+/// Keeps one renderer, so that a config's programs compile once. Tasks of one meter differ in no variant and no
+/// override. The device and the sources must outlive it.
 class StressMeter {
 public:
     /// Truths are kept in `cache_folder`; empty for nowhere.
@@ -63,6 +63,7 @@ private:
     const SourceSet& sources_;
     const StandIns stand_ins_;
     const std::string cache_folder_;
+    std::map<std::string, std::string> contents_;  ///< Of each config over each geometry.
     std::string renderer_of_;
     std::unique_ptr<Renderer> renderer_;
     std::string ordinary_of_;

@@ -5,8 +5,9 @@
 #include "core/config/load.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 #include <unordered_map>
 
 namespace crevice {
@@ -37,112 +38,70 @@ bool isQuick(const StressCase& stress, std::size_t step)
     return step == 0 || step + 1 == stress.steps.size() || ordinary;
 }
 
-bool inShard(const Shard& shard, std::size_t index)
-{
-    return index % static_cast<std::size_t>(shard.count) + 1 ==
-           static_cast<std::size_t>(shard.index);
-}
-
 std::string seriesKey(const StressRecord& record)
 {
     return record.config + "\n" + record.variant + "\n" + record.case_name + "\n" + record.format;
 }
 
-std::string leftText(double seconds)
-{
-    const auto whole = static_cast<long long>(std::ceil(seconds));
-    return whole < 100 ? std::to_string(whole) + " s" : std::to_string((whole + 59) / 60) + " min";
-}
-
-class Loop {
+/// Draws steps, and judges each by those of its series that are there already.
+class Steps {
 public:
-    Loop(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known,
-         LineFile& file, const StressWorld& world)
-        : tasks_(tasks), file_(file), world_(world), start_(world.seconds())
+    Steps(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known, StressHow how)
+        : how_(std::move(how)), tasks_(tasks), records_(tasks.size())
     {
-        for (const StressRecord& record : known) known_.emplace(record.key, &record);
+        std::unordered_map<std::string, const StressRecord*> places;
+        for (const StressRecord& record : known) places.emplace(record.key, &record);
+        for (std::size_t task = 0; task < tasks.size(); ++task) {
+            keys_.push_back(how_.key(tasks[task]));
+            const auto found = places.find(keys_[task]);
+            if (found != places.end()) records_[task] = *found->second;
+        }
     }
 
-    StressSummary run()
+    MeasureJob job() const
     {
-        std::size_t next = 0;
-        while (next < tasks_.size() && take(tasks_[next], next)) ++next;
-        summary_.missing = static_cast<int>(tasks_.size() - next);
-        return std::move(summary_);
+        MeasureJob job;
+        for (std::size_t task = 0; task < tasks_.size(); ++task) {
+            job.tasks.push_back({keys_[task], stepTitle(tasks_[task]), {}});
+            if (records_[task]) job.done.insert(keys_[task]);
+        }
+        return job;
+    }
+
+    Result<Measured> measure(std::size_t task)
+    {
+        StressDrawing done = how_.measure(tasks_[task]);
+        done.record.key = keys_[task];
+        done.record.device = how_.device;
+        done.record.version = how_.version;
+        records_[task] = done.record;
+        const Verdict verdict = verdictOf(task);
+        if (verdict.outcome == Outcome::breaks && !done.ao.pixels.empty()) {
+            done.record.picture = "pictures/" + done.record.key + ".png";
+            if (const Status kept = how_.keep(done); !kept) return kept.diagnostics();
+        }
+        const char* const words[] = {"holds", "BREAKS", "beyond the format", "refused", "absent"};
+        std::string outcome = words[static_cast<int>(verdict.outcome)];
+        if (!verdict.why.empty() && verdict.outcome != Outcome::beyond) outcome += ": " + verdict.why;
+        return Measured{toJsonLine(done.record), std::move(outcome)};
     }
 
 private:
-    /// False when the run ends before this step.
-    bool take(const StressTask& task, std::size_t index)
+    Verdict verdictOf(std::size_t task) const
     {
-        const std::string key = world_.key(task);
-        if (const auto found = known_.find(key); found != known_.end()) {
-            ++summary_.kept;
-            summary_.records.push_back(*found->second);
-            return true;
-        }
-        summary_.interrupted = world_.interrupted();
-        const double elapsed = world_.seconds() - start_;
-        if (summary_.interrupted || (world_.time_budget_s > 0 && elapsed >= world_.time_budget_s))
-            return false;
-        StressDrawing done = world_.measure(task);
-        summary_.interrupted = world_.interrupted();
-        if (summary_.interrupted) return false;
-        done.record.key = key;
-        done.record.device = world_.device;
-        done.record.version = world_.version;
-        return write(task, done) && tell(task, index + 1);
+        const std::string key = seriesKey(*records_[task]);
+        std::vector<const StressRecord*> series(tasks_[task].stress->steps.size());
+        std::size_t first = task;
+        while (first > 0 && records_[first - 1] && seriesKey(*records_[first - 1]) == key) --first;
+        for (std::size_t i = first; i < tasks_.size() && records_[i] && seriesKey(*records_[i]) == key; ++i)
+            series[records_[i]->step] = &*records_[i];
+        return judge(*tasks_[task].stress, series, tasks_[task].step);
     }
 
-    bool write(const StressTask& task, StressDrawing& done)
-    {
-        const Verdict verdict = verdictOf(task, done.record);
-        if (verdict.outcome == Outcome::breaks && !done.ao.pixels.empty()) {
-            done.record.picture = "pictures/" + done.record.key + ".png";
-            summary_.written = world_.keep(done);
-            if (!summary_.written) return false;
-        }
-        summary_.written = file_.append(toJsonLine(done.record));
-        if (!summary_.written) return false;
-        ++summary_.measured;
-        verdict_ = verdict;
-        summary_.records.push_back(std::move(done.record));
-        return true;
-    }
-
-    /// As far as what came before tells.
-    Verdict verdictOf(const StressTask& task, const StressRecord& record) const
-    {
-        std::vector<const StressRecord*> series(task.stress->steps.size());
-        for (auto other = summary_.records.rbegin();
-             other != summary_.records.rend() && seriesKey(*other) == seriesKey(record); ++other)
-            series[other->step] = &*other;
-        series[task.step] = &record;
-        return judge(*task.stress, series, task.step);
-    }
-
-    bool tell(const StressTask& task, std::size_t done) const
-    {
-        std::string line = "[" + std::to_string(done) + "/" + std::to_string(tasks_.size()) + "] " +
-                           stepTitle(task) + ": ";
-        const char* const words[] = {"holds", "BREAKS", "beyond the format", "refused", "absent"};
-        line += words[static_cast<int>(verdict_.outcome)];
-        if (!verdict_.why.empty() && verdict_.outcome != Outcome::beyond)
-            line += ": " + verdict_.why;
-        const double elapsed = world_.seconds() - start_;
-        const double left = elapsed / summary_.measured * static_cast<double>(tasks_.size() - done);
-        if (done < tasks_.size()) line += "; about " + leftText(left) + " left";
-        world_.say(line);
-        return true;
-    }
-
+    StressHow how_;
     const std::vector<StressTask>& tasks_;
-    LineFile& file_;
-    const StressWorld& world_;
-    const double start_;
-    std::unordered_map<std::string, const StressRecord*> known_;
-    Verdict verdict_;
-    StressSummary summary_;
+    std::vector<std::string> keys_;
+    std::vector<std::optional<StressRecord>> records_;  ///< By task.
 };
 
 }  // namespace
@@ -162,7 +121,7 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
         std::vector<std::string> formats = surfaceFormats(*description);
         for (const StressCase* stress : *cases) {
             const bool all_formats = stress->formats && !options.quick;
-            if (!inShard(options.shard, index++)) continue;
+            if (!options.shard.has(index++)) continue;
             for (std::size_t f = 0; f < (all_formats ? formats.size() : 1); ++f)
                 for (std::size_t step = 0; step < stress->steps.size(); ++step)
                     if (!options.quick || isQuick(*stress, step))
@@ -180,11 +139,25 @@ std::string stepTitle(const StressTask& task)
            task.stress->steps[task.step].label;
 }
 
-StressSummary runStress(const std::vector<StressTask>& tasks,
-                        const std::vector<StressRecord>& known, LineFile& file,
-                        const StressWorld& world)
+MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known, StressHow how)
 {
-    return Loop(tasks, known, file, world).run();
+    const auto steps = std::make_shared<Steps>(tasks, known, std::move(how));
+    MeasureJob job = steps->job();
+    job.measure = [steps](std::size_t task) { return steps->measure(task); };
+    return job;
+}
+
+Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::string& file)
+{
+    const Result<std::vector<StressRecord>> all = readStressRecords(file);
+    if (!all) return all.diagnostics();
+    std::unordered_map<std::string, const StressRecord*> places;
+    for (const StressRecord& record : *all) places.emplace(record.key, &record);
+    std::vector<StressRecord> records;
+    for (const MeasureTask& task : job.tasks)
+        if (const auto found = places.find(task.key); found != places.end())
+            records.push_back(*found->second);
+    return records;
 }
 
 std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)

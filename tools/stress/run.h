@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A stress run: which steps are to be drawn, and the loop that draws them.
+// A stress run: which steps are to be drawn, and what the engine of tools/measure does with one.
 #pragma once
 
-#include "tools/bench/bench.h"
+#include "tools/measure/run.h"
 #include "tools/stress/meter.h"
 
 #include <functional>
@@ -29,32 +29,22 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
 /// "gtao, near_far depth=depth16, 0.01:1e4".
 std::string stepTitle(const StressTask& task);
 
-/// The world around the loop; tests put in their own.
-struct StressWorld {
+/// How steps are drawn; tests put in their own.
+struct StressHow {
     std::function<std::string(const StressTask&)> key;
     std::function<StressDrawing(const StressTask&)> measure;
     std::function<Status(const StressDrawing&)> keep;  ///< Of a failure, before its line is written.
-    std::function<double()> seconds;
-    std::function<bool()> interrupted;
-    std::function<void(const std::string& line)> say;
     std::string device;
     std::string version;
-    double time_budget_s = 0;  ///< No step is begun after it; 0: no limit.
 };
 
-struct StressSummary {
-    int measured = 0;
-    int kept = 0;     ///< Had figures from an earlier run.
-    int missing = 0;  ///< Not begun.
-    bool interrupted = false;
-    Status written;
-    std::vector<StressRecord> records;  ///< Of the tasks, in their order; those not begun left out.
-};
+/// What the engine needs to draw the steps that `known` has no record of. The tasks and the records must
+/// outlive it.
+MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known, StressHow how);
 
-/// Draws every step that `known` has no record of and adds it to the file.
-StressSummary runStress(const std::vector<StressTask>& tasks,
-                        const std::vector<StressRecord>& known, LineFile& file,
-                        const StressWorld& world);
+/// The file's records of the job's tasks, in their order; those not begun are left out. Errors: those of
+/// readStressRecords.
+Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::string& file);
 
 /// The records of one config, case and format.
 struct StressSeries {

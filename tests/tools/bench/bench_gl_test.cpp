@@ -37,14 +37,15 @@ std::vector<BenchPoint> bench(const BenchOptions& options, const SourceSet& sour
     measure.repeats = 3;
     measure.out_folder = folder.path.string();
     BenchMeter meter(*gl.device, plan, sources, measure);
-    BenchWorld world;
-    world.measure = [&meter](const BenchTask& task) { return meter.measure(task); };
+    PlannedBench planned = plan.planned;
+    planned.device = gl.device->caps().name;
+    BenchFile file = need(openBench(folder.path.string(), planned));
+    MeasureWorld world;
     world.seconds = [] { return 0.0; };
     world.interrupted = [] { return false; };
-    world.say = [](const std::string&) {};
-    world.device = gl.device->caps().name;
-    ResultFile file = need(ResultFile::open(folder.path.string()));
-    need(runBench(plan.tasks, file, world).written);
+    world.begin = world.say = [](const std::string&) {};
+    const auto one = [&meter](const BenchTask& task) { return meter.measure(task); };
+    need(measureAll(benchJob(plan, planned.device, file.done, one), file.lines, world).written);
     return need(readBenchPoints({(folder.path / "results.jsonl").string()}));
 }
 

@@ -6,6 +6,7 @@
 
 #include "effects/catalog.h"
 #include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 
 #include <glm/geometric.hpp>
@@ -55,39 +56,51 @@ struct Series {
     std::string text() const { return describe(stress, found()); }
 };
 
-/// A world in which each step takes ten seconds and the planes of one config are grey.
-struct FakeWorld : StressWorld {
-    FakeWorld()
+/// A device on which each step takes ten seconds and the planes of one config are grey.
+struct FakeStress {
+    MeasureSummary run(const TemporaryFolder& folder, const std::vector<StressTask>& tasks)
     {
-        key = [](const StressTask& task) { return stepTitle(task); };
-        measure = [this](const StressTask& task) {
-            now += 10;
-            drawn.push_back(stepTitle(task));
-            StressDrawing done;
-            done.record = good();
-            done.record.config = task.config.config;
-            done.record.case_name = task.stress->name;
-            done.record.format = task.format;
-            done.record.step = task.step;
-            done.record.judged_mean = task.config.config == grey ? 0.5 : 1;
-            done.ao = Image({2, 2}, 1, 1.0f);
-            return done;
-        };
-        keep = [this](const StressDrawing& done) {
+        LineFile file = need(LineFile::open((folder.path / "stress.jsonl").string()));
+        const auto known = need(readStressRecords(file.path()));
+        StressHow how;
+        how.key = [](const StressTask& task) { return stepTitle(task); };
+        how.measure = [this](const StressTask& task) { return draw(task); };
+        how.keep = [this](const StressDrawing& done) {
             pictures.push_back(done.record.picture);
             return Status();
         };
-        seconds = [this] { return now; };
-        interrupted = [this] { return drawn.size() >= stop_after; };
-        say = [](const std::string&) {};
-        device = "fake";
+        how.device = "fake";
+        MeasureWorld world;
+        world.seconds = [this] { return 10.0 * static_cast<double>(drawn.size()); };
+        world.interrupted = [this] { return drawn.size() >= stop_after; };
+        world.begin = [](const std::string&) {};
+        world.say = [this](const std::string& line) { lines.push_back(line); };
+        const MeasureJob job = stressJob(tasks, known, std::move(how));
+        const MeasureSummary summary = measureAll(job, file, world);
+        records = need(recordsOf(job, file.path()));
+        return summary;
     }
 
-    double now = 100;
+    StressDrawing draw(const StressTask& task)
+    {
+        drawn.push_back(stepTitle(task));
+        StressDrawing done;
+        done.record = good();
+        done.record.config = task.config.config;
+        done.record.case_name = task.stress->name;
+        done.record.format = task.format;
+        done.record.step = task.step;
+        done.record.judged_mean = task.config.config == grey ? 0.5 : 1;
+        done.ao = Image({2, 2}, 1, 1.0f);
+        return done;
+    }
+
     std::string grey;
     std::size_t stop_after = 1000;
     std::vector<std::string> drawn;
     std::vector<std::string> pictures;
+    std::vector<std::string> lines;
+    std::vector<StressRecord> records;
 };
 
 std::vector<StressTask> plan(StressOptions options)
@@ -105,16 +118,6 @@ std::vector<StressTask> fewTasks()
     options.cases = {"plane_fov"};
     options.quick = true;
     return plan(options);
-}
-
-StressSummary run(const TemporaryFolder& folder, const std::vector<StressTask>& tasks,
-                  const StressWorld& world)
-{
-    Result<LineFile> file = LineFile::open((folder.path / "stress.jsonl").string());
-    REQUIRE(file.ok());
-    const auto known = readStressRecords(file->path());
-    REQUIRE(known.ok());
-    return runStress(tasks, *known, *file, world);
 }
 
 }  // namespace
@@ -279,37 +282,24 @@ TEST_CASE("A stress run keeps what it drew, goes on from there and keeps picture
     const TemporaryFolder folder("stress_resume");
     const std::vector<StressTask> tasks = fewTasks();
     REQUIRE(tasks.size() == 6);
-    FakeWorld world;
-    world.stop_after = 3;
-    const StressSummary first = run(folder, tasks, world);
-    CHECK(first.interrupted);
-    CHECK(first.measured == 2);
-    CHECK(first.missing == 4);
-    CHECK(world.pictures.empty());
+    FakeStress stopped;
+    stopped.stop_after = 3;
+    CHECK(stopped.run(folder, tasks).measured == 2);
+    CHECK(stopped.records.size() == 2);
+    CHECK(stopped.pictures.empty());
 
-    FakeWorld next;
+    FakeStress next;
     next.grey = "learnopengl";
-    const StressSummary second = run(folder, tasks, next);
-    CHECK(second.kept == 2);
-    CHECK(second.measured == 4);
-    CHECK(second.records.size() == 6);
+    CHECK(next.run(folder, tasks).kept == 2);
+    CHECK(next.records.size() == 6);
     CHECK(next.pictures.size() == 3);
     CHECK(next.drawn.front() == "gtao, plane_fov, 170");
-    const std::vector<StressSeries> series = seriesOf(second.records);
+    CHECK(next.lines[0].find("[1/4] gtao, plane_fov, 170: holds; about 30 s left") == 0);
+    CHECK(next.lines[3].find("[4/4] learnopengl, plane_fov, 170: BREAKS: mean 0.5") == 0);
+    const std::vector<StressSeries> series = seriesOf(next.records);
     REQUIRE(series.size() == 2);
     CHECK(findBreakdown(*series[0].stress, series[0].steps).failures == 0);
     CHECK(findBreakdown(*series[1].stress, series[1].steps).failures == 3);
-}
-
-TEST_CASE("No step of a stress run begins after its time budget")
-{
-    const TemporaryFolder folder("stress_time");
-    FakeWorld world;
-    world.time_budget_s = 15;
-    const StressSummary summary = run(folder, fewTasks(), world);
-    CHECK(summary.measured == 2);
-    CHECK(summary.missing == 4);
-    CHECK_FALSE(summary.interrupted);
 }
 
 TEST_CASE("Shards of a stress run share its cases out")
@@ -352,16 +342,16 @@ TEST_CASE("Stress records come back from their file as they were, and a broken l
     const auto broken = readStressRecords(folder.write("bad.jsonl", line + "\n{\"key\": 1}\n"));
     REQUIRE_FALSE(broken.ok());
     CHECK(broken.diagnostics()[0].code == Code::results_broken);
-    CHECK(broken.diagnostics()[0].message.find("line 2") != std::string::npos);
+    CHECK(broken.diagnostics()[0].place.line == 2);
 }
 
 TEST_CASE("The stress page holds its figures and needs no other file")
 {
     const TemporaryFolder folder("stress_page");
-    FakeWorld world;
-    world.grey = "learnopengl";
-    const StressSummary summary = run(folder, fewTasks(), world);
-    const std::string page = stressHtml(summary.records, folder.path.string());
+    FakeStress run;
+    run.grey = "learnopengl";
+    run.run(folder, fewTasks());
+    const std::string page = stressHtml(run.records, folder.path.string());
     CHECK(page.find("learnopengl") != std::string::npos);
     CHECK(page.find("breaks at 45: mean 0.5") != std::string::npos);
     CHECK(page.find("/*report.json*/") == std::string::npos);

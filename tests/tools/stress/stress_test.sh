@@ -25,9 +25,9 @@ check "identities of gtao hold" test "$got" -eq 0
 check "the page is there" test -s probe/stress.html
 
 # --- it goes on where it stopped ---
-expect 0 '4 drawn, 0 were there already' stress gtao --case identity "${small[@]}" --out again
-expect 0 '0 drawn, 4 were there already' stress gtao --case identity "${small[@]}" --out again
-expect 0 '0 drawn, 0 were there already, 4 not begun' stress gtao --case identity "${small[@]}" \
+expect 0 '4 measured, 0 were there already' stress gtao --case identity "${small[@]}" --out again
+expect 0 '0 measured, 4 were there already' stress gtao --case identity "${small[@]}" --out again
+expect 0 '0 measured, 0 were there already, 0 failed, 4 not begun' stress gtao --case identity "${small[@]}" \
     --time-budget 0.000001s --out late
 expect 0 '"failures": 0' stress gtao --case identity "${small[@]}" --out again --json
 expect_json

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// The engine without GL: failures, shards, the time budget, and going on after what may stop it.
+#include "tools/measure/run.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/measure/run_options.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+using namespace crevice;
+
+namespace {
+
+/// Keys of a to f, each of which takes ten seconds.
+struct FakeRun {
+    FakeRun()
+    {
+        for (const char* key : {"a", "b", "c", "d", "e", "f"})
+            job.tasks.push_back({key, "task " + std::string(key), {}});
+        job.measure = [this](std::size_t task) -> Result<Measured> {
+            now += 10;
+            order += job.tasks[task].key;
+            if (job.tasks[task].key == fails) return Diagnostic{Code::gl_error, "it broke"};
+            if (order.size() == full_after) return Diagnostic{Code::cannot_write, "no space"};
+            return {Measured{"{\"key\":\"" + job.tasks[task].key + "\"}", "fine"}, warnings};
+        };
+        world.seconds = [this] { return now; };
+        world.interrupted = [this] { return order.size() >= stop_after; };
+        world.begin = [](const std::string&) {};
+        world.say = [this](const std::string& line) { lines.push_back(line); };
+    }
+
+    MeasureSummary run(const TemporaryFolder& folder)
+    {
+        LineFile file = need(LineFile::open(pathIn(folder)));
+        const Diagnostics read = readLines(file.path(), {"task", "a test"}, [this](nlohmann::json&& line) {
+            job.done.insert(line.at("key").get<std::string>());
+        });
+        REQUIRE_FALSE(hasErrors(read));
+        return measureAll(job, file, world);
+    }
+
+    static std::string pathIn(const TemporaryFolder& folder) { return (folder.path / "lines.jsonl").string(); }
+
+    MeasureJob job;
+    MeasureWorld world;
+    Diagnostics warnings;
+    double now = 100;
+    std::string fails;
+    std::size_t full_after = 1000;
+    std::size_t stop_after = 1000;
+    std::string order;
+    std::vector<std::string> lines;
+};
+
+std::size_t linesIn(const TemporaryFolder& folder)
+{
+    std::size_t count = 0;
+    const Diagnostics read =
+        readLines(FakeRun::pathIn(folder), {"task", "a test"}, [&count](nlohmann::json&&) { ++count; });
+    CHECK(read.empty());
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("A second run measures nothing again but tries failures once more")
+{
+    const TemporaryFolder folder("measure_resume");
+    FakeRun first;
+    first.fails = "c";
+    first.job.tasks[4].failure = "there is no such scene";
+    const MeasureSummary broken = first.run(folder);
+    CHECK(broken.measured == 4);
+    CHECK(broken.failures == std::vector<std::string>{"task c: CV6005: it broke",
+                                                      "task e: there is no such scene"});
+    CHECK(first.order == "abcdf");
+    CHECK(first.lines[0] == "[1/6] task a: fine; about 50 s left");
+    CHECK(first.lines[2].find("[3/6] task c: failed: CV6005: it broke; about") == 0);
+    CHECK(first.lines[5] == "[6/6] task f: fine");
+
+    FakeRun mended;
+    const MeasureSummary second = mended.run(folder);
+    CHECK(second.kept == 4);
+    CHECK(second.measured == 2);
+    CHECK(mended.order == "ce");
+    CHECK(linesIn(folder) == 6);
+}
+
+TEST_CASE("A failure has a line where the job gives it one")
+{
+    const TemporaryFolder folder("measure_failure");
+    FakeRun run;
+    run.fails = "c";
+    run.job.failure_line = [](std::size_t task, const std::string& failure) {
+        CHECK(task == 2);
+        return nlohmann::json(failure).dump();
+    };
+    CHECK(run.run(folder).failures.size() == 1);
+    CHECK(linesIn(folder) == 6);
+}
+
+TEST_CASE("No task begins after the time budget, and what is missing is told")
+{
+    const TemporaryFolder folder("measure_time");
+    FakeRun run;
+    run.world.time_budget_s = 25;
+    const MeasureSummary summary = run.run(folder);
+    CHECK(summary.measured == 3);
+    CHECK(summary.missing == std::vector<std::string>{"task d", "task e", "task f"});
+    CHECK_FALSE(summary.interrupted);
+}
+
+TEST_CASE("An interrupt drops the task under way and the next run goes on from there")
+{
+    const TemporaryFolder folder("measure_interrupt");
+    FakeRun stopped;
+    stopped.stop_after = 3;
+    const MeasureSummary summary = stopped.run(folder);
+    CHECK(summary.interrupted);
+    CHECK(summary.measured == 2);
+    CHECK(summary.missing.size() == 4);
+    CHECK(linesIn(folder) == 2);
+    FakeRun next;
+    CHECK(next.run(folder).kept == 2);
+    CHECK(next.order == "cdef");
+}
+
+TEST_CASE("A full disk ends the run and loses nothing that was measured")
+{
+    const TemporaryFolder folder("measure_full");
+    FakeRun run;
+    run.full_after = 3;
+    const MeasureSummary summary = run.run(folder);
+    REQUIRE_FALSE(summary.written.ok());
+    CHECK(summary.written.diagnostics()[0].code == Code::cannot_write);
+    CHECK(summary.written.diagnostics()[0].help == LineFile::wayOut());
+    CHECK(summary.missing.size() == 4);
+    CHECK(linesIn(folder) == 2);
+}
+
+TEST_CASE("A results file that is deleted or replaced during the run ends it")
+{
+    const TemporaryFolder folder("measure_deleted");
+    const std::filesystem::path file = FakeRun::pathIn(folder);
+    const bool replace = GENERATE(false, true);
+    FakeRun run;
+    const auto measure = run.job.measure;
+    run.job.measure = [&](std::size_t task) {
+        if (task == 2) {
+            std::filesystem::rename(file, folder.path / "moved.jsonl");
+            if (replace) std::filesystem::copy_file(folder.path / "moved.jsonl", file);
+        }
+        return measure(task);
+    };
+    const MeasureSummary summary = run.run(folder);
+    REQUIRE_FALSE(summary.written.ok());
+    CHECK(summary.measured == 2);
+    CHECK(summary.missing.size() == 4);
+    CHECK(std::filesystem::exists(file) == replace);
+}
+
+TEST_CASE("A warning of a measurement is said once and the task counts")
+{
+    const TemporaryFolder folder("measure_warned");
+    FakeRun run;
+    run.warnings = {{Code::cannot_write, "the cache is full"}};
+    run.warnings[0].severity = Severity::warning;
+    CHECK(run.run(folder).measured == 6);
+    CHECK(run.lines.size() == 7);
+    CHECK(run.lines[0].find("the cache is full") != std::string::npos);
+}
+
+TEST_CASE("A line that was cut short is cut off, and its task measured again")
+{
+    const TemporaryFolder folder("measure_torn");
+    FakeRun().run(folder);
+    const std::string file = FakeRun::pathIn(folder);
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) - 5);
+    FakeRun next;
+    CHECK(next.run(folder).measured == 1);
+    CHECK(next.order == "f");
+    CHECK(linesIn(folder) == 6);
+}
+
+TEST_CASE("Two runs cannot write to one file")
+{
+    const TemporaryFolder folder("measure_locked");
+    const LineFile first = need(LineFile::open(FakeRun::pathIn(folder)));
+    const Result<LineFile> second = LineFile::open(FakeRun::pathIn(folder));
+    REQUIRE_FALSE(second.ok());
+    CHECK(second.diagnostics()[0].code == Code::cannot_write);
+}
+
+TEST_CASE("A task's key is another on another device, and each shard has its own tasks")
+{
+    CHECK(keyOnDevice("a", "one") == keyOnDevice("a", "one"));
+    CHECK(keyOnDevice("a", "one") != keyOnDevice("a", "another"));
+    for (std::uint64_t task = 0; task < 20; ++task)
+        CHECK(Shard{1, 3}.has(task) + Shard{2, 3}.has(task) + Shard{3, 3}.has(task) == 1);
+}
+
+TEST_CASE("A failure tells the place of its first error and passes over warnings")
+{
+    Diagnostic warning{Code::not_finite, "odd"};
+    warning.severity = Severity::warning;
+    Diagnostic error{Code::shader_compile, "syntax error"};
+    CHECK(failureText({warning, error}) == "CV5001: syntax error");
+    error.place = {std::make_shared<SourceText>(SourceText{"my.frag", "one\ntwo\n"}), 2, 3, 1};
+    CHECK(failureText({warning, error}) == "my.frag:2:3: CV5001: syntax error");
+}
+
+TEST_CASE("Shards and lengths of time are read strictly")
+{
+    CHECK(parseShard("3/8")->index == 3);
+    for (const char* text : {"", "3", "0/8", "9/8", "-1/8", "3/8x", "/8", "3/"})
+        CHECK_FALSE(parseShard(text).ok());
+    CHECK(*parseDuration("90") == 90);
+    CHECK(*parseDuration("90s") == 90);
+    CHECK(*parseDuration("5m") == 300);
+    CHECK(*parseDuration("1.5h") == 5400);
+    for (const char* text : {"", "m", "0", "-5m", "5 m", "5d", "inf", "nan"})
+        CHECK_FALSE(parseDuration(text).ok());
+}
