@@ -7,8 +7,6 @@
 #include "tools/measure/taps.h"
 #include "tools/render/read_output.h"
 
-#include <glm/matrix.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -188,20 +186,6 @@ ErrorBudget budgetOf(const BudgetPictures& pictures)
     budget.model = rmseWhere(mask, pictures.converged, pictures.truth);
     budget.precision = rmseWhere(mask, pictures.ao, pictures.precise);
     return budget;
-}
-
-double radiusOnScreen(double radius, const Camera& camera, const Image& depth)
-{
-    std::vector<float> seen;
-    for (std::size_t k = 0; k < depth.pixels.size(); k += depth.channels)
-        if (depth.pixels[k] < 1.0f) seen.push_back(depth.pixels[k]);
-    if (seen.empty()) return 0.0;
-    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
-    std::nth_element(seen.begin(), middle, seen.end());
-    const glm::dmat4 clip_from_view = camera.clip_from_view;
-    const glm::dvec4 view = glm::inverse(clip_from_view) * glm::dvec4(0, 0, *middle * 2.0 - 1.0, 1);
-    const double w = (clip_from_view * (view / view.w)).w;
-    return radius * std::abs(clip_from_view[1][1] / w) * depth.extent.height / 2.0;
 }
 
 }  // namespace crevice

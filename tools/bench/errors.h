@@ -58,9 +58,4 @@ struct BudgetPictures {
 /// The parts over the pixels where the truth is finite.
 ErrorBudget budgetOf(const BudgetPictures& pictures);
 
-/// A length in pixels at the median depth of what is seen: radius * clip_from_view[1][1] * height / (2
-/// w), where w is the view distance in a perspective and 1 in an orthographic view. `depth` holds
-/// window depths, 1 in the background; 0 when nothing is seen.
-double radiusOnScreen(double radius, const Camera& camera, const Image& depth);
-
 }  // namespace crevice

@@ -8,6 +8,7 @@
 #include "tools/reference/reference_cache.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
+#include "tools/render/view_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,6 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
-const char* const kDepthModule = "bench/depth.json";
 const char* const kFloorModule = "bench/depth_copy.json";
 
 /// Turns end at so many times the least, settled or not.
@@ -115,7 +115,8 @@ Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, 
     if (const Status done = depth->render(frame); !done) return done;
     const Result<Image> image = readOutput(device, *depth, "depth");
     if (!image) return image.diagnostics();
-    radius_px = radiusOnScreen(radius, frame.camera, *image);
+    if (const auto distance = medianDistance(*image, frame.camera))
+        radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
 
     const Result<Description> copied = loadDescription({kFloorModule, {}, {}, {}}, sources);
     if (!copied) return copied.diagnostics();

@@ -8,18 +8,16 @@
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_health.h"
+#include "tools/render/view_check.h"
 #include "tools/render/watched_targets.h"
 #include "tools/scene/options.h"
 
 #include "core/base/numbers.h"
 #include "core/compile/depth_precision.h"
-#include "core/frame/frame_math.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace crevice {
@@ -72,27 +70,15 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
     return images;
 }
 
-/// Distance along the view axis of a depth that a perspective or orthographic projection wrote.
-double distanceOf(const glm::dmat4& view_from_clip, double depth)
-{
-    const glm::dvec4 point = view_from_clip * glm::dvec4(0, 0, depth * 2 - 1, 1);
-    return -point.z / point.w;
-}
-
 /// The size of the radius in pixels at the median distance of what `depth` shows.
 void measureRadius(const Description& description, const Image& depth, const Camera& camera,
                    FrameFacts& facts)
 {
     const ParamDesc* radius = resolvedLength(description);
-    std::vector<float> seen;
-    for (std::size_t i = 0; i < depth.pixels.size(); i += depth.channels)
-        if (depth.pixels[i] < 1.0f) seen.push_back(depth.pixels[i]);
-    if (!radius || seen.empty()) return;
-    std::nth_element(seen.begin(), seen.begin() + seen.size() / 2, seen.end());
-    const CameraMatrices matrices = cameraMatrices(camera);
-    facts.distance = distanceOf(matrices.view_from_clip, seen[seen.size() / 2]);
-    const double scale = 0.5 * depth.extent.height * std::abs(matrices.clip_from_view[1][1]);
-    facts.radius_px = radius->value[0] * scale / (camera.orthographic() ? 1 : facts.distance);
+    const std::optional<double> distance = medianDistance(depth, camera);
+    if (!radius || !distance) return;
+    facts.distance = *distance;
+    facts.radius_px = pixelsOf(radius->value[0], *distance, camera, depth.extent);
 }
 
 Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // crevice render: draws a scene through a config and writes what was asked for.
+#include "tools/cli/long_run.h"
 #include "tools/cli/output.h"
 #include "tools/cli/save_patch.h"
 #include "tools/cli/watched_files.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <thread>
 
 namespace crevice {
@@ -120,19 +120,17 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
     return {*ms, std::move(warnings)};
 }
 
-volatile std::sig_atomic_t stopped = 0;
-
 /// Draws again whenever a file of the config was saved, until it is interrupted.
 int watch(const RenderOptions& options, const SourceSet& sources, Session& session,
           std::vector<Picture>& pictures)
 {
     constexpr std::chrono::milliseconds kPause(100);  // below what a person notices after a save
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stopped = 1; });
+    catchInterrupts();
     WatchedFiles files;
     (void)loadWatched(options, sources, files);
     printMessage("watching %d %s; interrupt to end\n", static_cast<int>(files.size()),
                  files.size() == 1 ? "file" : "files");
-    for (; !stopped; std::this_thread::sleep_for(kPause)) {
+    for (; !interrupted(); std::this_thread::sleep_for(kPause)) {
         if (!files.changed()) continue;
         Result<Description> description = loadWatched(options, sources, files);
         const Result<double> ms = description
@@ -155,15 +153,29 @@ Summary summaryOf(const Session& session, const SceneView& view, double ms)
 }
 
 /// Whether the picture shows ambient occlusion; of two eyes, the left one's.
-Diagnostics checkPicture(const Session& session, const SceneView& view,
+Diagnostics checkPicture(Session& session, const SceneView& view,
                          const std::vector<Picture>& pictures)
 {
     const auto ao = std::find_if(pictures.begin(), pictures.end(), [](const Picture& picture) {
         return picture.source.output == "ao";
     });
     const Renderer& renderer = *session.renderer;
-    return checkView(renderer.description(), renderer.plan(), view.scene, session.frame.camera,
-                     ao == pictures.end() ? nullptr : &ao->image);
+    const Camera& camera = session.frame.camera;
+    const Result<Image> depth = drawDepth(*session.open.device, session.frame, view.extent);
+    if (!depth) return {};
+    return checkView(renderer.description(), renderer.plan(), view.scene, camera,
+                     medianDistance(*depth, camera), ao == pictures.end() ? nullptr : &ao->image);
+}
+
+void showSummary(const RenderOptions& options, Session& session, const SceneView& view,
+                 const std::vector<Picture>& pictures, double ms, Diagnostics warnings)
+{
+    append(warnings, checkPicture(session, view, pictures));
+    if (session.open.programs) append(warnings, session.open.programs->warnings());
+    const Summary summary = summaryOf(session, view, ms);
+    if (options.json) return printJson(summary, pictures, warnings);
+    report(warnings, false);
+    printSummary(summary, pictures);
 }
 
 int render(const RenderOptions& options)
@@ -200,16 +212,27 @@ int render(const RenderOptions& options)
     for (const Diagnostics* more : {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(),
                                     &written.diagnostics()})
         append(warnings, *more);
-    append(warnings, checkPicture(*session, *view, *pictures));
-    if (session->open.programs) append(warnings, session->open.programs->warnings());
-    const Summary summary = summaryOf(*session, *view, *ms);
-    if (options.json) {
-        printJson(summary, *pictures, warnings);
-    } else {
-        report(warnings, false);
-        printSummary(summary, *pictures);
-    }
+    showSummary(options, *session, *view, *pictures, *ms, std::move(warnings));
     return options.watch ? watch(options, sources, *session, *pictures) : kExitOk;
+}
+
+void addPictureOptions(CLI::App& app, RenderOptions& options)
+{
+    app.add_option("--out", options.out,
+                        "What to write where: an output, a debug view or a target (target.NAME where "
+                        "an output has that name), to .png or .pfm; may be repeated")
+        ->type_name("NAME=FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->capture_default_str();
+    app.add_option("--frames", options.frames,
+                        "How many to draw before the last is written; configs that gather over "
+                        "frames need several")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    app.add_option("--save-patch", options.save_patch,
+                        "Write a config that extends CONFIG and says what --variant and --set changed")
+        ->type_name("FILE.json");
 }
 
 }  // namespace
@@ -227,21 +250,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
     addProgramCacheOption(*command, options->program_cache);
-    command->add_option("--out", options->out,
-                        "What to write where: an output, a debug view or a target (target.NAME where "
-                        "an output has that name), to .png or .pfm; may be repeated")
-        ->type_name("NAME=FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->capture_default_str();
-    command->add_option("--frames", options->frames,
-                        "How many to draw before the last is written; configs that gather over "
-                        "frames need several")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    command->add_option("--save-patch", options->save_patch,
-                        "Write a config that extends CONFIG and says what --variant and --set changed")
-        ->type_name("FILE.json");
+    addPictureOptions(*command, *options);
     CLI::Option* json =
         command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
     command->add_flag("--watch", options->watch,

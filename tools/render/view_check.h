@@ -3,26 +3,33 @@
 #pragma once
 
 #include "core/compile/compile.h"
+#include "core/renderer/renderer.h"
 #include "tools/scene/scene.h"
 
 #include <optional>
 
 namespace crevice {
 
-/// Median distance along the view axis of the surfaces in view, at the points of a coarse grid; of the nearest
-/// triangle where all of them pass between the points. Nothing where no triangle is in view. On the CPU, so that
-/// no plan has to keep its depth.
-std::optional<double> medianDistance(const Scene& scene, const Camera& camera);
+/// Draws nothing but depth, where the floor of a bench and the radius on screen come from.
+constexpr const char* kDepthModule = "bench/depth.json";
+
+/// Window depths of a frame's first view, 1 in the background: no plan has to keep its own.
+/// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
+Result<Image> drawDepth(Device& device, Frame frame, Extent extent);
+
+/// Median distance along the view axis of what such depths show. Nothing where that is the background alone.
+std::optional<double> medianDistance(const Image& depth, const Camera& camera);
 
 /// Pixels that a length covers at a distance.
 double pixelsOf(double length, double distance, const Camera& camera, Extent extent);
 
 /// Why a frame of the plan shows no ambient occlusion, or none that can be told from a change of brightness:
-/// one warning with the value to take, or nothing. `ao` is the picture of it, null where nobody asked for one.
+/// one warning with the value to take, or nothing. `distance` is the median one in view, `ao` the picture of
+/// occlusion, null where nobody asked for one.
 ///
 /// CV7008 nothing is in view; CV9003 what the plan or the picture has is the same everywhere; CV4001 the radius
 /// covers less than two pixels at the median distance, or more than the view.
 Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
-                      const Camera& camera, const Image* ao);
+                      const Camera& camera, std::optional<double> distance, const Image* ao);
 
 }  // namespace crevice

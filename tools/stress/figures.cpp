@@ -2,6 +2,8 @@
 // Figures of pictures.
 #include "tools/stress/figures.h"
 
+#include "tools/render/view_check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -124,10 +126,8 @@ double radiusInPixels(const StressShot& shot)
     double distance = shot.farthest;
     if (!shot.distances.pixels.empty())
         distance = shot.distances.at(shot.extent.width / 2, shot.extent.height / 2);
-    if (shot.camera.orthographic()) distance = 1;
-    if (distance <= 0) return 0;
-    return shot.radius * std::abs(shot.camera.clip_from_view[1][1]) * shot.extent.height /
-           (2 * distance);
+    if (distance <= 0 && !shot.camera.orthographic()) return 0;
+    return pixelsOf(shot.radius, distance, shot.camera, shot.extent);
 }
 
 }  // namespace crevice

@@ -6,6 +6,7 @@
 #include "tests/tools/bench/small.h"
 #include "tools/bench/errors.h"
 #include "tools/bench/times.h"
+#include "tools/render/view_check.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -156,7 +157,7 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     Image depth({101, 100}, 1, 1.0f);
     Camera camera;
     camera.clip_from_view = glm::perspective(1.0f, 1.01f, 0.1f, 100.0f);
-    CHECK(radiusOnScreen(1, camera, depth) == 0.0);
+    CHECK_FALSE(medianDistance(depth, camera));
     const auto window = [&camera](float z) {
         const glm::vec4 clip = camera.clip_from_view * glm::vec4(0, 0, z, 1);
         return clip.z / clip.w * 0.5f + 0.5f;
@@ -164,10 +165,10 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     depth.at(0, 0) = window(-2);
     depth.at(1, 0) = window(-4);
     depth.at(2, 0) = window(-50);
-    CHECK(radiusOnScreen(1, camera, depth) == Approx(50 / std::tan(0.5) / 4).epsilon(1e-3));
+    CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(50 / std::tan(0.5) / 4).epsilon(1e-3));
 
     camera.clip_from_view = glm::ortho(-3.0f, 3.0f, -2.5f, 2.5f, 0.0f, 10.0f);
-    CHECK(radiusOnScreen(1, camera, depth) == Approx(20));
+    CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(20));
 }
 
 TEST_CASE("The budget is measured where the truth is known, and -1 where a picture is missing")
