@@ -135,6 +135,20 @@ const char* resetSuffix(const GlInfo& info)
     return info.has("GL_EXT_robustness") ? "EXT" : nullptr;
 }
 
+/// Desktop OpenGL loads functions that its version lacks.
+void dropWhatIsMissing(GlApi& gl, const GlInfo& info)
+{
+    if (info.desktop && info.native_version < 420 && !info.has("GL_ARB_internalformat_query"))
+        gl.GetInternalformativ = nullptr;
+    if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
+        gl.InvalidateFramebuffer = nullptr;
+    if (info.desktop && info.native_version < 410 && !info.has("GL_ARB_get_program_binary")) {
+        gl.GetProgramBinary = nullptr;
+        gl.ProgramBinary = nullptr;
+        gl.ProgramParameteri = nullptr;
+    }
+}
+
 }  // namespace
 
 bool GlInfo::has(const char* extension) const
@@ -195,15 +209,7 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
 
     find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatus", resetSuffix(info));
 
-    if (info.desktop && info.native_version < 420 && !info.has("GL_ARB_internalformat_query"))
-        gl.GetInternalformativ = nullptr;
-    if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
-        gl.InvalidateFramebuffer = nullptr;
-    if (info.desktop && info.native_version < 410 && !info.has("GL_ARB_get_program_binary")) {
-        gl.GetProgramBinary = nullptr;
-        gl.ProgramBinary = nullptr;
-        gl.ProgramParameteri = nullptr;
-    }
+    dropWhatIsMissing(gl, info);
 
     const bool core_labels = info.native_version >= (info.desktop ? 430 : 320);
     const char* labels = core_labels || info.desktop ? "" : "KHR";

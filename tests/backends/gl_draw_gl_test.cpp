@@ -63,8 +63,7 @@ TEST_CASE_METHOD(GlFixture, "uniforms of every type reach the shader, arrays who
 {
     const ProgramId sum = program(R"(
 uniform float a; uniform vec2 b; uniform vec3 c[3]; uniform vec4 d;
-uniform int e; uniform ivec2 f; uniform uint g; uniform bool h; uniform mat3 i; uniform mat4 j;
-out vec4 color;
+uniform int e; uniform ivec2 f; uniform uint g; uniform bool h; uniform mat3 i; uniform mat4 j; out vec4 color;
 void main()
 {
     color.x = a + b.y + c[0].x + c[1].y + c[2].z + d.w;
@@ -86,16 +85,14 @@ void main()
     need(device->beginFrame());
     device->beginPass(wholePass(into, {4, 4}));
     device->setProgram(sum, {});
-    device->setUniform(location(sum, "a"), GlslType::float_, 1, floats);
-    device->setUniform(location(sum, "b"), GlslType::vec2, 1, floats);
-    device->setUniform(location(sum, "c"), GlslType::vec3, 3, floats);
-    device->setUniform(location(sum, "d"), GlslType::vec4, 1, floats);
-    device->setUniform(location(sum, "e"), GlslType::int_, 1, ints);
-    device->setUniform(location(sum, "f"), GlslType::ivec2, 1, ints);
-    device->setUniform(location(sum, "g"), GlslType::uint_, 1, ints);
-    device->setUniform(location(sum, "h"), GlslType::bool_, 1, ints);
-    device->setUniform(location(sum, "i"), GlslType::mat3, 1, floats);
-    device->setUniform(location(sum, "j"), GlslType::mat4, 1, floats);
+    const std::pair<const char*, GlslType> of_floats[] = {
+        {"a", GlslType::float_}, {"b", GlslType::vec2}, {"c", GlslType::vec3},
+        {"d", GlslType::vec4},   {"i", GlslType::mat3}, {"j", GlslType::mat4}};
+    for (const auto& [name, type] : of_floats)
+        device->setUniform(location(sum, name), type, name[0] == 'c' ? 3 : 1, floats);
+    const std::pair<const char*, GlslType> of_ints[] = {
+        {"e", GlslType::int_}, {"f", GlslType::ivec2}, {"g", GlslType::uint_}, {"h", GlslType::bool_}};
+    for (const auto& [name, type] : of_ints) device->setUniform(location(sum, name), type, 1, ints);
     device->drawFullscreen();
     device->endPass();
     need(device->endFrame());

@@ -112,12 +112,11 @@ void HostileHost::setStrangeState()
     for (GLenum name : switches()) gl.Enable(name);
     if (desktop_) gl.Disable(kMultisample);
     gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer_);
-    gl.ActiveTexture(GL_TEXTURE0 + 1);
-    gl.BindTexture(GL_TEXTURE_2D, textures_[1]);
-    gl.BindSampler(1, sampler_);
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, textures_[0]);
-    gl.BindSampler(0, sampler_);
+    for (int unit : {1, 0}) {
+        gl.ActiveTexture(GL_TEXTURE0 + unit);
+        gl.BindTexture(GL_TEXTURE_2D, textures_[unit]);
+        gl.BindSampler(unit, sampler_);
+    }
     gl.ActiveTexture(GL_TEXTURE0 + 5);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[0]);
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[1]);
@@ -149,6 +148,22 @@ void HostileHost::setStrangeState()
     gl.BlendEquationi(2, GL_MAX);
 }
 
+/// What a host may have set, and how many numbers each is.
+const std::pair<GLenum, int> kParameters[] = {
+    {GL_VIEWPORT, 4}, {GL_SCISSOR_BOX, 4}, {GL_COLOR_CLEAR_VALUE, 4}, {GL_COLOR_WRITEMASK, 4},
+    {GL_DEPTH_RANGE, 2}, {GL_BLEND_COLOR, 4}, {GL_DRAW_FRAMEBUFFER_BINDING, 1},
+    {GL_READ_FRAMEBUFFER_BINDING, 1}, {GL_CURRENT_PROGRAM, 1}, {GL_VERTEX_ARRAY_BINDING, 1},
+    {GL_ACTIVE_TEXTURE, 1}, {GL_ARRAY_BUFFER_BINDING, 1}, {GL_ELEMENT_ARRAY_BUFFER_BINDING, 1},
+    {GL_PIXEL_PACK_BUFFER_BINDING, 1}, {GL_PIXEL_UNPACK_BUFFER_BINDING, 1},
+    {GL_RENDERBUFFER_BINDING, 1}, {GL_DEPTH_CLEAR_VALUE, 1}, {GL_POLYGON_OFFSET_FACTOR, 1},
+    {GL_POLYGON_OFFSET_UNITS, 1}, {GL_SAMPLE_COVERAGE_VALUE, 1}, {GL_DEPTH_WRITEMASK, 1},
+    {GL_DEPTH_FUNC, 1}, {GL_CULL_FACE_MODE, 1}, {GL_FRONT_FACE, 1}, {GL_BLEND_SRC_RGB, 1},
+    {GL_BLEND_SRC_ALPHA, 1}, {GL_BLEND_DST_RGB, 1}, {GL_BLEND_DST_ALPHA, 1},
+    {GL_BLEND_EQUATION_RGB, 1}, {GL_BLEND_EQUATION_ALPHA, 1}, {GL_PACK_ALIGNMENT, 1},
+    {GL_PACK_ROW_LENGTH, 1}, {GL_PACK_SKIP_PIXELS, 1}, {GL_PACK_SKIP_ROWS, 1},
+    {GL_UNPACK_ALIGNMENT, 1}, {GL_UNPACK_ROW_LENGTH, 1}, {GL_UNPACK_SKIP_PIXELS, 1},
+    {GL_UNPACK_SKIP_ROWS, 1}};
+
 std::map<std::string, std::vector<float>> HostileHost::snapshot() const
 {
     std::map<std::string, std::vector<float>> values;
@@ -158,46 +173,8 @@ std::map<std::string, std::vector<float>> HostileHost::snapshot() const
         gl.GetFloatv(parameter, value.data());
         value.resize(count);
     };
-#define CREVICE_KEEP(parameter, count) floats(#parameter, parameter, count)
-    CREVICE_KEEP(GL_DRAW_FRAMEBUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_READ_FRAMEBUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_CURRENT_PROGRAM, 1);
-    CREVICE_KEEP(GL_VERTEX_ARRAY_BINDING, 1);
-    CREVICE_KEEP(GL_ACTIVE_TEXTURE, 1);
-    CREVICE_KEEP(GL_ARRAY_BUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_ELEMENT_ARRAY_BUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_PIXEL_PACK_BUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_PIXEL_UNPACK_BUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_RENDERBUFFER_BINDING, 1);
-    CREVICE_KEEP(GL_VIEWPORT, 4);
-    CREVICE_KEEP(GL_SCISSOR_BOX, 4);
-    CREVICE_KEEP(GL_COLOR_CLEAR_VALUE, 4);
-    CREVICE_KEEP(GL_DEPTH_CLEAR_VALUE, 1);
-    CREVICE_KEEP(GL_POLYGON_OFFSET_FACTOR, 1);
-    CREVICE_KEEP(GL_POLYGON_OFFSET_UNITS, 1);
-    CREVICE_KEEP(GL_SAMPLE_COVERAGE_VALUE, 1);
-    CREVICE_KEEP(GL_COLOR_WRITEMASK, 4);
-    CREVICE_KEEP(GL_DEPTH_WRITEMASK, 1);
-    CREVICE_KEEP(GL_DEPTH_FUNC, 1);
-    CREVICE_KEEP(GL_DEPTH_RANGE, 2);
-    CREVICE_KEEP(GL_CULL_FACE_MODE, 1);
-    CREVICE_KEEP(GL_FRONT_FACE, 1);
-    CREVICE_KEEP(GL_BLEND_COLOR, 4);
-    CREVICE_KEEP(GL_BLEND_SRC_RGB, 1);
-    CREVICE_KEEP(GL_BLEND_SRC_ALPHA, 1);
-    CREVICE_KEEP(GL_BLEND_DST_RGB, 1);
-    CREVICE_KEEP(GL_BLEND_DST_ALPHA, 1);
-    CREVICE_KEEP(GL_BLEND_EQUATION_RGB, 1);
-    CREVICE_KEEP(GL_BLEND_EQUATION_ALPHA, 1);
-    CREVICE_KEEP(GL_PACK_ALIGNMENT, 1);
-    CREVICE_KEEP(GL_PACK_ROW_LENGTH, 1);
-    CREVICE_KEEP(GL_PACK_SKIP_PIXELS, 1);
-    CREVICE_KEEP(GL_PACK_SKIP_ROWS, 1);
-    CREVICE_KEEP(GL_UNPACK_ALIGNMENT, 1);
-    CREVICE_KEEP(GL_UNPACK_ROW_LENGTH, 1);
-    CREVICE_KEEP(GL_UNPACK_SKIP_PIXELS, 1);
-    CREVICE_KEEP(GL_UNPACK_SKIP_ROWS, 1);
-#undef CREVICE_KEEP
+    for (const auto& [parameter, count] : kParameters)
+        floats("parameter " + std::to_string(parameter), parameter, count);
     for (GLenum name : switches())
         values["switch " + std::to_string(name)] = {static_cast<float>(gl.IsEnabled(name))};
     if (perDrawBuffer()) {

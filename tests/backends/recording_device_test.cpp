@@ -216,11 +216,7 @@ TEST_CASE("Calls out of order are blamed")
         rig.device.drawFullscreen();
         CHECK(rig.blamed("outside a pass"));
     }
-    SECTION("a pass outside a frame")
-    {
-        rig.device.beginPass(rig.pass());
-        CHECK(rig.blamed("outside a frame"));
-    }
+    SECTION("a pass outside a frame") { rig.device.beginPass(rig.pass()); CHECK(rig.blamed("outside a frame")); }
     SECTION("a frame that ends inside a pass")
     {
         rig.begin();
@@ -252,12 +248,7 @@ TEST_CASE("Calls out of order are blamed")
 TEST_CASE("Draws whose inputs make no sense are blamed")
 {
     Rig rig;
-    SECTION("a texture that nothing was written to")
-    {
-        rig.begin();
-        rig.bindAll();
-        CHECK(rig.blamed("undefined content"));
-    }
+    SECTION("a texture that nothing was written to") { rig.begin(); rig.bindAll(); CHECK(rig.blamed("undefined content")); }
     SECTION("a texture that the pass draws into")
     {
         rig.begin();

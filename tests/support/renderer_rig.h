@@ -49,21 +49,11 @@ inline const char* const kRigConfig = R"({
   "outputs": {"ao": "smooth_ao", "color": "color"}
 })";
 
-/// With `remembers`, its filter reads what it wrote in the last frame.
-inline Description rigDescription(bool remembers = false)
+/// Its shaders; the filter also declares what is given.
+inline std::vector<TestFile> rigSources(const std::string& remembering)
 {
-    std::string config = kRigConfig;
-    std::string remembering;
-    if (remembers) {
-        config.replace(config.find("\"history\": false"), 16, "\"history\": true");
-        remembering = "uniform sampler2D smooth_ao_history;\n"
-                      "uniform mat4 previous_view_from_view, previous_clip_from_view;\n"
-                      "uniform float history_valid;\n"
-                      "uniform int frame_index;\n";
-    }
-    return describe(config, {
-        {"mesh.vert", "#version 300 es\n"
-                      "uniform mat4 clip_from_model, view_from_model;\n"
+    return {
+        {"mesh.vert", "#version 300 es\nuniform mat4 clip_from_model, view_from_model;\n"
                       "uniform mat3 view_normal_from_model;\n"},
         {"geometry.frag", "#version 300 es\n"
                           "precision highp float;\n"
@@ -83,8 +73,7 @@ inline Description rigDescription(bool remembers = false)
                            "uniform float radius, intensity;\n"
                            "uniform sampler2D depth, normal, noise;\n"
                            "layout(location = 0) out float ao;\n"},
-        {"filter.frag", "#version 300 es\n"
-                        "precision highp float;\n"
+        {"filter.frag", "#version 300 es\nprecision highp float;\n"
                         "uniform vec2 viewport_size;\n"
                         "uniform int taps;\n"
                         "const float edge = EDGE;\n"
@@ -99,7 +88,22 @@ inline Description rigDescription(bool remembers = false)
                           "uniform int light_count;\n"
                           "uniform sampler2D albedo, smooth_ao, decal;\n"
                           "layout(location = 0) out vec4 color;\n"},
-    });
+    };
+}
+
+/// With `remembers`, its filter reads what it wrote in the last frame.
+inline Description rigDescription(bool remembers = false)
+{
+    std::string config = kRigConfig;
+    std::string remembering;
+    if (remembers) {
+        config.replace(config.find("\"history\": false"), 16, "\"history\": true");
+        remembering = "uniform sampler2D smooth_ao_history;\n"
+                      "uniform mat4 previous_view_from_view, previous_clip_from_view;\n"
+                      "uniform float history_valid;\n"
+                      "uniform int frame_index;\n";
+    }
+    return describe(config, rigSources(remembering));
 }
 
 /// A device with a mesh, a frame with a draw, a material and a light, and a renderer for them.

@@ -42,6 +42,25 @@ std::string commandHash(const BenchOptions& options)
     return hash.hex();
 }
 
+/// Over all that decides a point's figures on a device.
+ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
+                  const std::string& content)
+{
+    const BenchPoint& point = task.point;
+    ContentHash hash;
+    hash.addText(point.version);
+    hash.addText(point.config);
+    for (const std::string& text : overrides) hash.addText(text);
+    hash.addText(point.scene);
+    hash.addText(point.camera);
+    hash.add(point.extent.width);
+    hash.add(point.extent.height);
+    hash.add(radius);
+    hash.addText(task.reference);
+    hash.addText(content);
+    return hash;
+}
+
 class Planner {
 public:
     Planner(const BenchOptions& options, const SourceSet& sources)
@@ -223,17 +242,7 @@ void Planner::addTask(const Place& place, const std::string& config,
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
     if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
 
-    ContentHash hash;
-    hash.addText(options_.version);
-    hash.addText(config);
-    for (const std::string& text : overrides) hash.addText(text);
-    hash.addText(point.scene);
-    hash.addText(point.camera);
-    hash.add(point.extent.width);
-    hash.add(point.extent.height);
-    hash.add(place.radius);
-    hash.addText(task.reference);
-    hash.addText(loaded ? loaded->content : std::string());
+    const ContentHash hash = keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string());
     point.key = hash.hex();
     point.overrides = std::move(overrides);
     if (!keys_.insert(point.key).second) return;

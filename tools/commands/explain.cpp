@@ -183,6 +183,23 @@ int explain(ExplainOptions& options)
     return kExitOk;
 }
 
+/// What to plan for.
+void addPlanOptions(CLI::App& app, ExplainOptions& options)
+{
+    app.add_option("--output", options.outputs,
+                   "Plan for this output, view or target alone; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addKeepOption(app, options.keep);
+    app.add_flag("--measure", options.measure,
+                      "Draw --scene on --backend with nothing left out, and tell what each pass that is left "
+                      "out takes there");
+    app.add_option("--views", options.views,
+                        "Plan for frames of that many views, 2 for stereo")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+}
+
 }  // namespace
 
 void addExplainCommand(CLI::App& app, int& exit_code)
@@ -202,19 +219,7 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     addConfigOptions(*command, options->config);
     addSceneOptions(*command, options->scene);
     addBackendOption(*command, options->backend);
-    command
-        ->add_option("--output", options->outputs,
-                     "Plan for this output, view or target alone; may be repeated")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    addKeepOption(*command, options->keep);
-    command->add_flag("--measure", options->measure,
-                      "Draw --scene on --backend with nothing left out, and tell what each pass that is left "
-                      "out takes there");
-    command->add_option("--views", options->views,
-                        "Plan for frames of that many views, 2 for stereo")
-        ->check(CLI::Range(1, 64))
-        ->capture_default_str();
+    addPlanOptions(*command, *options);
     command->add_option("--why", options->why,
                         "Tell which files set this value: a param's or feature's name, "
                         "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");

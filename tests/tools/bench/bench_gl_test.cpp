@@ -49,6 +49,23 @@ std::vector<BenchPoint> bench(const BenchOptions& options, const SourceSet& sour
     return need(readBenchPoints({(folder.path / "results.jsonl").string()}));
 }
 
+void checkErrors(const BenchPoint& point)
+{
+    CHECK(point.failure.empty());
+    CHECK(point.error.pixels > 0);
+    CHECK(point.error.rmse > 0.01);
+    CHECK(point.error.rmse < 0.3);
+    CHECK(point.error.rmse_fit <= point.error.rmse);
+    for (const double part : {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
+        CHECK(part >= 0.0);
+        CHECK(part < 0.3);
+    }
+    CHECK(point.budget.precision < 0.05);
+    CHECK(point.budget_failure.empty());
+    CHECK(point.error_without_ao > 0.01);
+    CHECK(point.repeats >= 3);
+}
+
 }  // namespace
 
 TEST_CASE("An ablation times every rule in every situation, and a still frame is next to nothing")
@@ -97,19 +114,7 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
     CHECK(!points[0].failure.empty());
 
     const BenchPoint& point = points[1];
-    CHECK(point.failure.empty());
-    CHECK(point.error.pixels > 0);
-    CHECK(point.error.rmse > 0.01);
-    CHECK(point.error.rmse < 0.3);
-    CHECK(point.error.rmse_fit <= point.error.rmse);
-    for (const double part : {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
-        CHECK(part >= 0.0);
-        CHECK(part < 0.3);
-    }
-    CHECK(point.budget.precision < 0.05);
-    CHECK(point.budget_failure.empty());
-    CHECK(point.error_without_ao > 0.01);
-    CHECK(point.repeats >= 3);
+    checkErrors(point);
     REQUIRE(point.passes.size() == 4);
     CHECK(point.passes[0].name == "geometry");
     CHECK(point.total.median > 0.0);
