@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lays out the report: which config to take, each scene, what is missing, how to repeat it.
+// Lays out the report: which config to take, each scene, what is missing.
 "use strict";
 const ROLES = {
   cheapest: "Cheapest",
@@ -91,39 +91,6 @@ function showMissing(parent) {
   for (const text of left) add(list, "li", {}, `Not among those to choose from: ${text}`);
 }
 
-// A point that failed has no budget to tell it by.
-const hasBudget = p => p.budget.model >= 0;
-const inBudgetRun = p => p.failure ? points.some(hasBudget) : hasBudget(p);
-// The fewest commands that measure all of these points again.
-function benchCommands() {
-  const groups = new Map(), own = o => !/^(radius|samples)=/.test(o);
-  for (const p of points) {
-    const sets = p.overrides.filter(own).map(o => `--set ${quoted(o)}`),
-          radius = p.overrides.find(o => o.startsWith("radius="));
-    const fixed = [
-      `--size ${p.extent.width}x${p.extent.height}`, p.camera && `--camera ${quoted(p.camera)}`,
-      radius && `--radius ${radius.slice(7)}`, !inBudgetRun(p) && "--no-budget", ...sets
-    ].filter(Boolean).join(" ");
-    groups.set(fixed, [...(groups.get(fixed) || []), p]);
-  }
-  const all = (list, get) => [...new Set(list.map(get))];
-  return [...groups].map(([fixed, list]) => {
-    const samples = all(list.flatMap(p => p.overrides).filter(o => o.startsWith("samples=")),
-      o => Number(o.slice(8)));
-    return [
-      "crevice bench", ...all(list, p => p.config).map(c => `--config ${quoted(c)}`),
-      ...all(list, p => p.scene).map(s => `--scene ${quoted(s)}`), fixed,
-      ...(samples.length ? [`--samples ${samples.sort((a, b) => a - b).join(",")}`] : [])
-    ].join(" ");
-  });
-}
-function showCommands(parent) {
-  add(parent, "h2", {}, "Measure it again");
-  add(parent, "p", {class: "soft"}, "Into one folder, then make this page of it:");
-  add(parent, "pre", {class: "card commands"},
-    [...benchCommands(), "crevice report bench"].join("\n"));
-}
-
 // --- the page ---
 const main = document.getElementById("main"), summary = document.getElementById("summary");
 main.replaceChildren();
@@ -151,7 +118,6 @@ for (const advice of data.advice) {
 }
 showAblation(main, data.ablation);
 showMissing(main);
-if (points.length) showCommands(main);
 let width = innerWidth;
 addEventListener("resize", () => {
   if (innerWidth !== width) {

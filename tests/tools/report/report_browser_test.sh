@@ -57,7 +57,6 @@ found 'stillMarks=5'
 found 'budgets=5'
 found 'tableRows=5'
 found 'missing=true'
-found "commands=crevice bench --config quick --config fine --config '&lt;b&gt;slow&lt;/b&gt;' --config broken --scene room --size 960x540 --samples 4,16"
 found 'phone=true'
 check "the page has a light and a dark side" \
     test "$(grep background= light.txt)" != "$(grep background= dark.txt)"
