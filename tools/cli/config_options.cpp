@@ -56,8 +56,7 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
                    "Set a param or feature (radius=0.8), or any value by its JSON pointer "
                    "(/passes/blur/when=null); may be repeated")
         ->type_name("NAME=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
     addCheckoutOption(app, options.checkout);
     addRootOption(app, options.roots);
 }
@@ -85,8 +84,7 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots)
                    "Let configs and scenes read files below this folder too, beside those below their own; may be "
                    "repeated")
         ->type_name("FOLDER")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
         ->check(CLI::ExistingDirectory);
 }
 
@@ -102,8 +100,7 @@ void addKeepOption(CLI::App& app, std::vector<std::string>& keep)
     app.add_option("--keep", keep,
                    "Switch off a rule that leaves things out: " + listed + "or all; may be repeated")
         ->type_name("RULE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(names));
 }
 

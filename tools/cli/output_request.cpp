@@ -2,9 +2,10 @@
 // Reading and resolving what `crevice render` shall write.
 #include "tools/cli/output_request.h"
 
+#include "tools/image/image_file.h"
+
 #include <unistd.h>
 
-#include <cctype>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -13,15 +14,6 @@ namespace crevice {
 namespace {
 
 constexpr std::string_view kTargetPrefix = "target.";
-
-std::string lowerExtension(const std::string& file)
-{
-    const std::size_t dot = file.find_last_of("./");
-    std::string extension;
-    if (dot != std::string::npos && file[dot] == '.') extension = file.substr(dot);
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
 
 Diagnostic usageError(std::string message, std::string help)
 {

@@ -115,15 +115,13 @@ int bench(BenchCommand command)
 void addPointOptions(CLI::App& app, BenchCommand& command)
 {
     BenchOptions& bench = command.bench;
-    const auto repeatable = [](CLI::Option* option) {
-        option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    };
-    repeatable(app.add_option("--config", bench.configs,
-                              "A shipped config's name or a file; may be repeated. Default: all "
-                              "shipped ones"));
-    repeatable(app.add_option("--scene", bench.scenes,
-                              "A file or a built-in scene; may be repeated. Default: room, and all "
-                              "built-in ones for --ablate"));
+    app.add_option("--config", bench.configs,
+                   "A shipped config's name or a file; may be repeated. Default: all shipped ones")
+        ->allow_extra_args(false);
+    app.add_option("--scene", bench.scenes,
+                   "A file or a built-in scene; may be repeated. Default: room, and all built-in ones "
+                   "for --ablate")
+        ->allow_extra_args(false);
     addImportOptions(app, bench.import);
     app.add_option("--size", bench.sizes, "Pixels; several as 480x270,960x540")
         ->type_name("WxH,...")
@@ -140,9 +138,10 @@ void addPointOptions(CLI::App& app, BenchCommand& command)
         ->type_name("N,...")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
-    repeatable(app.add_option("--set", bench.overrides,
-                              "Set a value in every config, as for crevice render; may be repeated")
-                   ->type_name("NAME=VALUE"));
+    app.add_option("--set", bench.overrides,
+                   "Set a value in every config, as for crevice render; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
     app.add_option("--camera", bench.camera, "As for crevice render");
     app.add_option("--rays", bench.rays, "Rays a pixel of the truth")->capture_default_str();
 }

@@ -188,8 +188,7 @@ void addPlanOptions(CLI::App& app, ExplainOptions& options)
 {
     app.add_option("--output", options.outputs,
                    "Plan for this output, view or target alone; may be repeated")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
     addKeepOption(app, options.keep);
     app.add_flag("--measure", options.measure,
                       "Draw --scene on --backend with nothing left out, and tell what each pass that is left "

@@ -222,8 +222,7 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
                         "What to write where: an output, a debug view or a target (target.NAME where "
                         "an output has that name), to .png or .pfm; may be repeated")
         ->type_name("NAME=FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--frames", options.frames,
                         "How many to draw before the last is written; configs that gather over "

@@ -198,8 +198,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
                         "Shipped configs' names, or files. Default: all shipped ones");
     command->add_option("--case", options->stress.cases, "Only this case; may be repeated")
         ->type_name("NAME")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
     command->add_option("--size", options->size, "Pixels of most pictures")
         ->type_name("WxH")
         ->capture_default_str();

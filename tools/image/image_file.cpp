@@ -214,14 +214,14 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name)
     return brokenImage(name, stbi_failure_reason());
 }
 
+}  // namespace
+
 std::string lowerExtension(const std::string& path)
 {
     std::string extension = std::filesystem::path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return extension;
 }
-
-}  // namespace
 
 Status writeFile(const std::string& path, std::string_view bytes)
 {

@@ -27,6 +27,9 @@ Status writePng(const std::string& path, const Image& image);
 /// Errors: CV7005 for an image without pixels, CV7007.
 Status writePfm(const std::string& path, const Image& image);
 
+/// ".png" of "a/B.PNG"; empty where there is none.
+std::string lowerExtension(const std::string& path);
+
 /// By extension: ".png" or ".pfm".
 /// Errors: CV8001 for another extension, and those of the two above.
 Status writeImage(const std::string& path, const Image& image);

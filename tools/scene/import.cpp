@@ -4,6 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "tools/image/image_file.h"
 #include "tools/scene/folder.h"
 #include "tools/scene/gltf_check.h"
 #include "tools/scene/materials.h"
@@ -18,7 +19,6 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -316,8 +316,7 @@ const char* const kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, 
 
 bool isDefaultFormat(const std::string& path)
 {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = lowerExtension(path);
     return !extension.empty() && isDefaultExtension(std::string_view(extension).substr(1));
 }
 

@@ -2,13 +2,14 @@
 // Cameras and lights of an Assimp scene.
 #include "tools/scene/views.h"
 
+#include "tools/image/image_file.h"
+
 #include <assimp/scene.h>
 #include <assimp/version.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace crevice {
 
@@ -128,8 +129,7 @@ void normalizeLights(std::vector<SceneLight>& lights, const Bounds& bounds)
 
 bool isGltf(const std::string& path)
 {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& letter : extension) letter |= 0x20;  // to lower case
+    const std::string extension = lowerExtension(path);
     return extension == ".gltf" || extension == ".glb";
 }
 
