@@ -53,7 +53,7 @@ enum class Code : int {
     output_missing = 2209,      ///< An output that the config does not export was asked for.
     attachment_samples = 2210,  ///< Attachments of one pass differ in samples.
     cannot_filter = 2211,       ///< A linear read of a format that no device filters.
-    pass_unread = 2212,         ///< A pass that no output needs, whichever is asked for (a warning).
+    dead_pass = 2212,         ///< A pass that no output needs, whichever is asked for (a warning).
 
     // keys and types
     unknown_key = 3001,    ///< A key that the format does not have.

@@ -42,12 +42,12 @@ void checkExtent(State& state)
 
 void checkRules(State& state)
 {
-    std::vector<std::string> names = ruleNames();
+    std::vector<std::string> names = optimizationNames();
     names.push_back("all");
-    for (const std::string& rule : state.options.keep) {
-        if (std::find(names.begin(), names.end(), rule) != names.end()) continue;
-        report(state, Code::bad_enum, "'" + rule + "' is no rule that can be switched off", Place{})
-            .help = suggestName(rule, names, "rules");
+    for (const std::string& optimization : state.options.disable) {
+        if (std::find(names.begin(), names.end(), optimization) != names.end()) continue;
+        report(state, Code::bad_enum, "'" + optimization + "' is no optimization that can be switched off", Place{})
+            .help = suggestName(optimization, names, "optimizations");
     }
 }
 
@@ -97,10 +97,10 @@ void dropRepeats(State& state)
 
 }  // namespace
 
-bool State::applies(std::string_view rule) const
+bool State::applies(std::string_view optimization) const
 {
-    return std::none_of(options.keep.begin(), options.keep.end(), [&](const std::string& kept) {
-        return kept == rule || kept == "all";
+    return std::none_of(options.disable.begin(), options.disable.end(), [&](const std::string& kept) {
+        return kept == optimization || kept == "all";
     });
 }
 
@@ -186,7 +186,7 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
                                  description.unused.end());
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     Plan plan = buildPlan(state);
-    plan.reruns = !state.applies("unchanged");
+    plan.reruns = !state.applies("cached");
     return {std::move(plan), std::move(state.diagnostics)};
 }
 

@@ -71,7 +71,7 @@ double bytesOf(const State& state, const Pass& pass)
 std::string constantReason(const State& state, const Pass& pass)
 {
     std::string reason;
-    for (const KeepsConstantDesc& each : pass.desc->keeps_constant) {
+    for (const PreservesConstantDesc& each : pass.desc->preserves_constant) {
         const int output = indexOf(state.description.targets, each.output.name);
         reason += (reason.empty() ? "" : "; ") + each.sampler.name + " is " +
                   shortest(resolveTarget(state, output)->value) + " everywhere, and so is " +
@@ -81,25 +81,25 @@ std::string constantReason(const State& state, const Pass& pass)
 }
 
 // "intensity is 0, so ao is 1".
-std::string standInReason(const Pass& pass)
+std::string substituteReason(const Pass& pass)
 {
     std::string given;
-    for (const IdentityDesc::Gives& gives : pass.identity->gives)
+    for (const NoOpDesc::Gives& gives : pass.no_op->gives)
         given += (given.empty() ? "" : ", ") + gives.output.name + " is " +
                  (gives.constant ? shortest(gives.value) : gives.input.name);
-    return pass.identity->param.name + " is " + shortest(pass.identity->at) + ", so " + given;
+    return pass.no_op->param.name + " is " + shortest(pass.no_op->at) + ", so " + given;
 }
 
-void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left_out)
+void addElided(const State& state, const Pass& pass, std::vector<Elided>& elided)
 {
-    const auto add = [&](const char* rule, const std::string& reason) {
-        left_out.push_back({"pass " + pass.desc->name, rule, reason, bytesOf(state, pass),
+    const auto add = [&](const char* optimization, const std::string& reason) {
+        elided.push_back({"pass " + pass.desc->name, optimization, reason, bytesOf(state, pass),
                             texturesOf(state, pass)});
     };
     if (!pass.active) add("condition", pass.off_reason);
-    else if (pass.identity) add("identity", standInReason(pass));
-    else if (pass.keeps_constant) add("identity", constantReason(state, pass));
-    else if (!pass.live) add("unread", "no output asked for needs it");
+    else if (pass.no_op) add("no_op", substituteReason(pass));
+    else if (pass.preserves_constant) add("no_op", constantReason(state, pass));
+    else if (!pass.live) add("dead_pass", "no output asked for needs it");
     if (!pass.live) return;
     for (const int index : pass.color) {
         const Target& target = state.targets[index];
@@ -109,7 +109,7 @@ void addLeftOut(const State& state, const Pass& pass, std::vector<LeftOut>& left
         const std::string& name = state.description.targets[index].name;
         const char* reason =
             target.wanted ? "nobody reads it" : "nobody reads it, nor is it worked out";
-        left_out.push_back({"attachment " + name, "unread", reason, bytes, bytes});
+        elided.push_back({"attachment " + name, "dead_pass", reason, bytes, bytes});
     }
 }
 
@@ -134,25 +134,25 @@ void estimateBytes(Plan& plan)
     for (const PlanTexture& texture : plan.textures) plan.texture_bytes += textureBytes(texture);
 }
 
-std::vector<LeftOut> leftOutOfFrames(const Plan& plan)
+std::vector<Elided> elidedOfFrames(const Plan& plan)
 {
-    std::vector<LeftOut> left_out;
-    const auto add = [&](const std::string& what, const std::string& passes, const char* rule,
+    std::vector<Elided> elided;
+    const auto add = [&](const std::string& what, const std::string& passes, const char* optimization,
                          const char* reason) {
-        if (!passes.empty()) left_out.push_back({what + passes, rule, reason, 0, 0, -1, true});
+        if (!passes.empty()) elided.push_back({what + passes, optimization, reason, 0, 0, -1, true});
     };
-    add("pixels of ", passesThat(plan, isMasked), "background",
-        "in a frame, those that their mask leaves out");
-    add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.bounded; }), "bounds",
-        "in a frame, those where the bounds of no thing lie");
-    add("things of ", passesThat(plan, [](const PlanPass& pass) { return pass.draws_within > 0; }),
-        "outside", "in a frame, those whose bounds lie outside of what is shown");
+    add("pixels of ", passesThat(plan, isMasked), "depth_mask",
+        "per frame, those that the mask excludes");
+    add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.scissor; }), "scissor",
+        "per frame, those outside the bounds of all draws");
+    add("draws of ", passesThat(plan, [](const PlanPass& pass) { return pass.frustum_scale > 0; }),
+        "frustum_culling", "per frame, those whose bounds are outside the view");
     if (!plan.reruns)
-        add("", "passes", "unchanged", "in a frame, those whose input is that of the frame before");
-    return left_out;
+        add("", "passes", "cached", "per frame, those whose inputs have not changed");
+    return elided;
 }
 
-LeftOut leftOutBySharing(const Plan& plan)
+Elided elidedBySharing(const Plan& plan)
 {
     double own = 0;
     for (const PlanTarget& target : plan.targets) {
@@ -166,22 +166,22 @@ LeftOut leftOutBySharing(const Plan& plan)
                (target.drawn_texture == target.texture ? 0 : once(target.drawn_texture));
     }
     const std::string count = std::to_string(plan.textures.size());
-    return {"textures", "sharing", std::to_string(plan.targets.size()) + " targets share " + count, 0,
+    return {"textures", "aliasing", std::to_string(plan.targets.size()) + " targets share " + count, 0,
             own - plan.texture_bytes};
 }
 
-std::vector<LeftOut> leftOut(const State& state)
+std::vector<Elided> elided(const State& state)
 {
-    std::vector<LeftOut> left_out;
-    for (const Pass& pass : state.passes) addLeftOut(state, pass, left_out);
+    std::vector<Elided> elided;
+    for (const Pass& pass : state.passes) addElided(state, pass, elided);
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const TargetDesc& desc = state.description.targets[i];
         const Target& target = state.targets[i];
         if (desc.history && target.textured && !target.remembered)
-            left_out.push_back({"history " + desc.name, "unread", "no pass reads " + historyName(desc),
+            elided.push_back({"history " + desc.name, "dead_pass", "no pass reads " + historyName(desc),
                                 0});
     }
-    return left_out;
+    return elided;
 }
 
 }  // namespace crevice::compiler

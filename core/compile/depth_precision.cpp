@@ -73,7 +73,7 @@ StoredSurface storedSurface(const Description& description, const TargetDesc& ta
         description.passes.begin(), description.passes.end(), [&](const PassDesc& pass) {
             return pass.type == PassType::draw && pass.depth.name == target.name;
         });
-    return {target.holds, format, drawn};
+    return {target.semantic, format, drawn};
 }
 
 PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height)
@@ -116,9 +116,9 @@ double formatStep(Format format, double value)
 double viewStep(const SceneTraits& traits, const StoredSurface& stored, double distance)
 {
     const FormatInfo& info = formatInfo(stored.format);
-    if (stored.holds == Holds::mask) return 0;
+    if (stored.semantic == Semantic::mask) return 0;
     if (info.format_class != FormatClass::depth) {
-        if (stored.holds == Holds::other) return 0;
+        if (stored.semantic == Semantic::other) return 0;
         return std::max(formatStep(stored.format, distance), isHalf(info) ? kLeastHalf : 0.0);
     }
     const Window window = windowAt(traits, distance);

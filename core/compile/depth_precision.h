@@ -26,7 +26,7 @@ constexpr double kDrawnDepthStep = 1.0 / (1 << 24);
 
 /// What a texture that surfaces are read from holds.
 struct StoredSurface {
-    Holds holds = Holds::other;  ///< Of a colour format; a depth format holds window depth.
+    Semantic semantic = Semantic::other;  ///< Of a colour format; a depth format holds window depth.
     Format format = Format::none;
     bool drawn = true;  ///< Window depth that a rasteriser made, rather than a shader, or a host that may
                         ///< clip at depth 0.

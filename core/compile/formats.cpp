@@ -169,7 +169,7 @@ std::vector<Stored> storedSurfaces(const State& state)
     }
     for (const ImportDesc& desc : state.description.imports)
         if (desc.type == ImportType::texture)
-            all.push_back({desc.name, {Holds::other, formatFromName(desc.format), false},
+            all.push_back({desc.name, {Semantic::other, formatFromName(desc.format), false},
                            desc.place, desc.pointer});
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Stored& each) { return !allowsFor(state, each.name); }),

@@ -57,7 +57,7 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
 // Where the config makes the pass read through this sampler.
 Reference placeOf(const Pass& pass, const Read& read)
 {
-    if (read.sampler.empty()) return pass.desc->drawn_where;
+    if (read.sampler.empty()) return pass.desc->mask;
     if (!read.input) return {read.sampler, pass.desc->place, pass.desc->pointer};
     return read.input->from.empty() ? read.input->sampler : read.input->from;
 }
@@ -127,15 +127,15 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
     else waiting.edges[index].push_back({writer, behind->index});
 }
 
-// What an identity gives is waited for as what a sampler reads is, whether the identity holds or
+// What a no-op gives is waited for as what a sampler reads is, whether the no-op holds or
 // not: so leaving the pass out can only make the graph smaller.
 void addEdges(State& state, int index, Waiting& waiting)
 {
     const Pass& pass = state.passes[index];
     for (const Read& read : pass.reads)
         addEdge(state, index, read.named, placeOf(pass, read), waiting);
-    for (const IdentityDesc& identity : pass.desc->identity) {
-        for (const IdentityDesc::Gives& gives : identity.gives) {
+    for (const NoOpDesc& no_op : pass.desc->no_op) {
+        for (const NoOpDesc::Gives& gives : no_op.gives) {
             if (gives.constant) continue;
             const int target = indexOf(state.description.targets, gives.input.name);
             addEdge(state, index, {InputKind::target, target}, gives.input, waiting);

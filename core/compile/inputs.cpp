@@ -168,8 +168,8 @@ void checkInputs(State& state, const Pass& pass)
 {
     for (const InputDesc& input : pass.desc->inputs)
         checkMentioned(state, pass, input.sampler, input.from, "renames input");
-    for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
-        checkMentioned(state, pass, each.sampler, each.sampler, "keeps constant what sampler");
+    for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
+        checkMentioned(state, pass, each.sampler, each.sampler, "preserves the constant of sampler");
 }
 
 SamplerDesc samplingOf(const Read& read)

@@ -33,7 +33,7 @@ void warnUnread(State& state, const Pass& pass)
 {
     if (!pass.active || pass.live) return;
     Diagnostic& warning =
-        report(state, Code::pass_unread, "pass '" + pass.desc->name +
+        report(state, Code::dead_pass, "pass '" + pass.desc->name +
                                              "' does not run: no output needs what it writes",
                *pass.desc);
     warning.severity = Severity::warning;

@@ -23,9 +23,9 @@ std::optional<Source> readBy(const Pass& pass, const std::string& sampler)
     return std::nullopt;
 }
 
-// What the pass says its output is while it does not run: by `bypass` when inactive, by `identity` or
-// `keeps_constant` when left out.
-std::optional<Source> standIn(const State& state, const Pass& pass, int target)
+// What the pass says its output is while it does not run: by `bypass` when inactive, by `no_op` or
+// `preserves_constant` when left out.
+std::optional<Source> substitute(const State& state, const Pass& pass, int target)
 {
     const std::string& name = state.description.targets[target].name;
     if (!pass.active) {
@@ -33,12 +33,12 @@ std::optional<Source> standIn(const State& state, const Pass& pass, int target)
             if (bypass.output.name == name) return targetNamed(state, bypass.input.name);
         return std::nullopt;
     }
-    if (!pass.identity) {
-        for (const KeepsConstantDesc& each : pass.desc->keeps_constant)
+    if (!pass.no_op) {
+        for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
             if (each.output.name == name) return readBy(pass, each.sampler.name);
         return std::nullopt;
     }
-    for (const IdentityDesc::Gives& gives : pass.identity->gives) {
+    for (const NoOpDesc::Gives& gives : pass.no_op->gives) {
         if (gives.output.name != name) continue;
         if (gives.constant) return Source{InputKind::constant, -1, gives.value};
         return targetNamed(state, gives.input.name);
@@ -46,13 +46,13 @@ std::optional<Source> standIn(const State& state, const Pass& pass, int target)
     return std::nullopt;
 }
 
-bool holds(const Description& description, const IdentityDesc& identity)
+bool holds(const Description& description, const NoOpDesc& no_op)
 {
-    const ParamDesc* param = findNamed(description.params, identity.param.name);
+    const ParamDesc* param = findNamed(description.params, no_op.param.name);
     if (!param) return false;
     const auto first = param->value.begin();
     return std::all_of(first, first + componentCount(param->type),
-                       [&](float value) { return value == identity.at; });
+                       [&](float value) { return value == no_op.at; });
 }
 
 // Whether a texture of `by` reads as one of `replaced` would that a pass has copied it into.
@@ -64,10 +64,10 @@ bool storedAlike(const State& state, int replaced, int by)
            given.absolute_step == wanted.absolute_step && given.relative_step == wanted.relative_step;
 }
 
-// The first target that the identity gives for one of another format; null where there is none.
-const IdentityDesc::Gives* givenOtherwise(const State& state, const IdentityDesc& identity)
+// The first target that the no-op gives for one of another format; null where there is none.
+const NoOpDesc::Gives* givenOtherwise(const State& state, const NoOpDesc& no_op)
 {
-    for (const IdentityDesc::Gives& each : identity.gives) {
+    for (const NoOpDesc::Gives& each : no_op.gives) {
         const int replaced = indexOf(state.description.targets, each.output.name);
         const int by = indexOf(state.description.targets, each.input.name);
         if (!each.constant && replaced >= 0 && by >= 0 && !storedAlike(state, replaced, by)) return &each;
@@ -75,48 +75,48 @@ const IdentityDesc::Gives* givenOtherwise(const State& state, const IdentityDesc
     return nullptr;
 }
 
-// The next identity of the pass, after its present one, whose param has its value.
-const IdentityDesc* nextIdentity(const State& state, const Pass& pass)
+// The next no-op of the pass, after its present one, whose param has its value.
+const NoOpDesc* nextNoOp(const State& state, const Pass& pass)
 {
-    const std::vector<IdentityDesc>& all = pass.desc->identity;
-    std::size_t i = pass.identity ? pass.identity - all.data() + 1 : 0;
+    const std::vector<NoOpDesc>& all = pass.desc->no_op;
+    std::size_t i = pass.no_op ? pass.no_op - all.data() + 1 : 0;
     for (; i < all.size(); ++i)
         if (holds(state.description, all[i]) && !givenOtherwise(state, all[i])) return &all[i];
     return nullptr;
 }
 
-bool keepsConstant(const State& state, const Pass& pass)
+bool preservesConstant(const State& state, const Pass& pass)
 {
-    const auto constant = [&](const KeepsConstantDesc& each) {
+    const auto constant = [&](const PreservesConstantDesc& each) {
         const std::optional<Source> source = readBy(pass, each.sampler.name);
         const std::optional<Source> behind = source ? resolve(state, *source) : std::nullopt;
         return behind && behind->kind == InputKind::constant;
     };
-    const std::vector<KeepsConstantDesc>& all = pass.desc->keeps_constant;
+    const std::vector<PreservesConstantDesc>& all = pass.desc->preserves_constant;
     return !all.empty() && std::all_of(all.begin(), all.end(), constant);
 }
 
 // Leaves out what only passes constants on, in the order of data flow: one may hang on another.
 void chooseConstant(State& state)
 {
-    for (Pass& pass : state.passes) pass.keeps_constant = false;
+    for (Pass& pass : state.passes) pass.preserves_constant = false;
     for (const int index : state.order) {
         Pass& pass = state.passes[index];
-        pass.keeps_constant =
-            !pass.identity && !pass.indispensable && keepsConstant(state, pass);
+        pass.preserves_constant =
+            !pass.no_op && !pass.indispensable && preservesConstant(state, pass);
     }
 }
 
 // Takes back what stands in for the pass, and takes what may do instead, if anything.
 void standBack(const State& state, Pass& pass)
 {
-    if (pass.identity) pass.identity = nextIdentity(state, pass);
+    if (pass.no_op) pass.no_op = nextNoOp(state, pass);
     else pass.indispensable = true;
 }
 
 // Marks the target behind `source` and its writer. False when that writer has been replaced by what does
 // not give this target; the caller must then take that back.
-bool need(State& state, const Source& source, std::vector<int>& work, int& misfit)
+bool need(State& state, const Source& source, std::vector<int>& work, int& conflict)
 {
     const std::optional<Source> behind = resolve(state, source);
     const bool history = behind && behind->kind == InputKind::history;
@@ -124,7 +124,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& misfi
     Target& target = state.targets[behind->index];
     Pass& writer = state.passes[target.writer];
     if (writer.replaced()) {
-        misfit = target.writer;
+        conflict = target.writer;
         return false;
     }
     target.textured = true;
@@ -140,15 +140,15 @@ int markNeeded(State& state)
     for (Pass& pass : state.passes) pass.live = false;
     for (Target& target : state.targets) target.textured = target.remembered = false;
     std::vector<int> work;
-    int misfit = -1;
+    int conflict = -1;
     for (const int index : state.outputs) {
         const std::string& name = state.description.outputs[index].target.name;
         const int target = indexOf(state.description.targets, name);
-        if (!need(state, {InputKind::target, target}, work, misfit)) return misfit;
+        if (!need(state, {InputKind::target, target}, work, conflict)) return conflict;
     }
     for (const int index : state.order) {
         Pass& pass = state.passes[index];
-        if (state.applies("unread") || pass.live || pass.replaced()) continue;
+        if (state.applies("dead_pass") || pass.live || pass.replaced()) continue;
         pass.live = true;
         work.push_back(index);
     }
@@ -156,7 +156,7 @@ int markNeeded(State& state)
         const int index = work.back();
         work.pop_back();
         for (const Read& read : state.passes[index].reads)
-            if (!need(state, read.named, work, misfit)) return misfit;
+            if (!need(state, read.named, work, conflict)) return conflict;
     }
     return -1;
 }
@@ -175,14 +175,14 @@ std::optional<Source> resolve(const State& state, const Source& source)
         const int writer = state.targets[target].writer;
         if (writer >= 0) {
             const Pass& pass = state.passes[writer];
-            const auto given = pass.replaced() ? standIn(state, pass, target) : std::nullopt;
+            const auto given = pass.replaced() ? substitute(state, pass, target) : std::nullopt;
             if (!given) return at;
             at = given;
             continue;
         }
         at = std::nullopt;
         for (const Pass& pass : state.passes)
-            if (!at && !pass.active) at = standIn(state, pass, target);
+            if (!at && !pass.active) at = substitute(state, pass, target);
     }
     return std::nullopt;  // stand-ins that lead round in a circle
 }
@@ -192,15 +192,15 @@ std::optional<Source> resolveTarget(const State& state, int target)
     return resolve(state, {InputKind::target, target});
 }
 
-std::vector<std::string> droppedIdentities(const State& state, const Pass& pass)
+std::vector<std::string> droppedNoOps(const State& state, const Pass& pass)
 {
     std::vector<std::string> dropped;
     const auto named = [&](const std::string& target) {
         const Format format = state.targets[indexOf(state.description.targets, target)].format;
         return target + " (" + formatInfo(format).name + ")";
     };
-    for (const IdentityDesc& each : pass.desc->identity)
-        if (const IdentityDesc::Gives* gives = givenOtherwise(state, each))
+    for (const NoOpDesc& each : pass.desc->no_op)
+        if (const NoOpDesc::Gives* gives = givenOtherwise(state, each))
             dropped.push_back("runs also where " + each.param.name + " is " + shortest(each.at) + ": " +
                               named(gives->input.name) + " is not stored as " +
                               named(gives->output.name) + " is");
@@ -211,20 +211,20 @@ void chooseLive(State& state)
 {
     markNeeded(state);
     for (Target& target : state.targets) target.wanted = target.textured;
-    // Begin with every identity that holds and take back those that do not fit: what is left then
+    // Begin with every no-op that holds and take back those that do not fit: what is left then
     // needs the least, and each round takes one back, so it ends.
-    if (state.applies("identity"))
+    if (state.applies("no_op"))
         for (Pass& pass : state.passes)
-            if (pass.active) pass.identity = nextIdentity(state, pass);
+            if (pass.active) pass.no_op = nextNoOp(state, pass);
     while (true) {
-        if (state.applies("identity")) chooseConstant(state);
-        const int misfit = markNeeded(state);
-        if (misfit < 0) break;
-        standBack(state, state.passes[misfit]);
+        if (state.applies("no_op")) chooseConstant(state);
+        const int conflict = markNeeded(state);
+        if (conflict < 0) break;
+        standBack(state, state.passes[conflict]);
     }
     for (Target& target : state.targets) {
         if (target.writer < 0 || !state.passes[target.writer].live) continue;
-        if (!state.applies("unread")) target.textured = true;
+        if (!state.applies("dead_pass")) target.textured = true;
     }
     for (const Pass& pass : state.passes)
         if (pass.live && pass.depth >= 0) state.targets[pass.depth].textured = true;

@@ -157,9 +157,9 @@ Compare reversed(Compare test)
     }
 }
 
-bool isBounded(const State& state, const Pass& pass)
+bool isScissored(const State& state, const Pass& pass)
 {
-    return pass.desc->bounded && state.applies("bounds");
+    return pass.desc->scissor && state.applies("scissor");
 }
 
 PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) const
@@ -177,7 +177,7 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     // A fragment that fails a test or is thrown away leaves what was there.
     const bool keeps = desc.type == PassType::draw || state.depth_test != Compare::always ||
                        (depth && !state.depth_write) || readsMask(pass) ||
-                       isBounded(state_, pass) ||
+                       isScissored(state_, pass) ||
                        mentions(state_.shaders[pass.shader].fragment.text, "discard");
     if (!keeps) {
         result.reason = "every pixel is overwritten";
@@ -190,7 +190,7 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     if (depth && desc.type == PassType::draw && state_.traits.reversed_depth)
         for (float& value : result.clear) value = 1.0f - value;
     result.reason = desc.type == PassType::draw ? "a draw does not cover every pixel"
-                    : readsMask(pass) || isBounded(state_, pass)
+                    : readsMask(pass) || isScissored(state_, pass)
                         ? "the pass is not drawn everywhere"
                         : "the pass leaves pixels as they are";
     return result;
@@ -258,9 +258,9 @@ void Builder::addPass(int index)
     if (state_.traits.reversed_depth) result.state.depth_test = reversed(desc.state.depth_test);
     result.extent = extentOf(state_, pass);
     result.samples = samplesOf(state_, pass);
-    if (state_.applies("outside")) {
-        const ParamDesc* within = findNamed(description_.params, desc.draws_within_param.name);
-        result.draws_within = within ? within->value[0] : desc.draws_within;
+    if (state_.applies("frustum_culling")) {
+        const ParamDesc* within = findNamed(description_.params, desc.frustum_scale_param.name);
+        result.frustum_scale = within ? within->value[0] : desc.frustum_scale;
     }
     addInputs(pass, result);
     for (const int target : pass.color) result.color.push_back(attachment(pass, target, false));
@@ -268,7 +268,7 @@ void Builder::addPass(int index)
     if (result.has_depth) result.depth = attachment(pass, pass.depth, true);
     addMask(pass, result);
     addUniforms(pass, result);
-    result.notes = droppedIdentities(state_, pass);
+    result.notes = droppedNoOps(state_, pass);
     plan_.passes.push_back(std::move(result));
 }
 
@@ -278,7 +278,7 @@ void Builder::addMask(const Pass& pass, PlanPass& into) const
     if (!readsMask(pass)) return;
     if (into.inputs.back().kind != InputKind::target) return into.inputs.pop_back();
     into.has_depth = true;
-    into.depth.name = pass.desc->drawn_where.name;
+    into.depth.name = pass.desc->mask.name;
     into.depth.target = into.inputs.back().index;
     into.depth.load = LoadOp::load;
     into.depth.reason = "tested: the pass is drawn where it is more than 0";
@@ -297,11 +297,11 @@ void Builder::boundPasses()
     for (PlanPass& pass : plan_.passes) {
         const PassDesc& desc = *findNamed(description_.passes, pass.name);
         const bool draws = pass.type == PassType::draw;
-        shows_things.push_back(draws ? desc.draws_within > 0.0f || !desc.draws_within_param.empty()
+        shows_things.push_back(draws ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
                                      : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromThings));
-        pass.bounded = desc.bounded && state_.applies("bounds") && shows_things.back();
-        if (pass.bounded && !desc.shown_length.empty())
-            pass.shown_length = param(*findNamed(description_.params, desc.shown_length.name));
+        pass.scissor = desc.scissor && state_.applies("scissor") && shows_things.back();
+        if (pass.scissor && !desc.cull_below_pixel.empty())
+            pass.cull_below_pixel = param(*findNamed(description_.params, desc.cull_below_pixel.name));
     }
 }
 
@@ -374,10 +374,10 @@ Plan Builder::build()
     shareTextures(state_, plan_);
     describeStores();
     estimateBytes(plan_);
-    plan_.left_out = leftOut(state_);
-    if (const LeftOut sharing = leftOutBySharing(plan_); sharing.texture_bytes > 0)
-        plan_.left_out.push_back(sharing);
-    for (LeftOut& each : leftOutOfFrames(plan_)) plan_.left_out.push_back(std::move(each));
+    plan_.elided = elided(state_);
+    if (const Elided sharing = elidedBySharing(plan_); sharing.texture_bytes > 0)
+        plan_.elided.push_back(sharing);
+    for (Elided& each : elidedOfFrames(plan_)) plan_.elided.push_back(std::move(each));
     return std::move(plan_);
 }
 

@@ -166,8 +166,8 @@ void readPass(State& state, Pass& pass)
 // The mask of a pass is one more thing that it reads, where some pass draws it and it fits.
 void readMask(State& state, Pass& pass)
 {
-    const int mask = indexOf(state.description.targets, pass.desc->drawn_where.name);
-    if (mask < 0 || !state.applies("background")) return;
+    const int mask = indexOf(state.description.targets, pass.desc->mask.name);
+    if (mask < 0 || !state.applies("depth_mask")) return;
     const std::vector<int> own = writtenBy(pass);
     const bool fits = !own.empty() && sizeOf(state, mask) == sizeOf(state, own.front()) &&
                       askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;

@@ -25,7 +25,7 @@ struct Source {
 
 /// A sampler of a pass.
 struct Read {
-    std::string sampler;  ///< Empty for what `drawn_where` names.
+    std::string sampler;  ///< Empty for what `mask` names.
     Place declared = {};               ///< In the GLSL.
     const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
     Source named = {};                 ///< What the name stands for before passes are left out.
@@ -45,15 +45,15 @@ struct Pass {
     bool active = true;                      ///< Its condition holds.
     std::string off_reason = {};             ///< Why not.
     bool live = false;                       ///< Some output needs it.
-    const IdentityDesc* identity = nullptr;  ///< What stands in for it, when something does.
-    bool keeps_constant = false;             ///< What it reads is constant, and so stands in for it.
+    const NoOpDesc* no_op = nullptr;  ///< What stands in for it, when something does.
+    bool preserves_constant = false;             ///< What it reads is constant, and so stands in for it.
     bool indispensable = false;              ///< ... but not for all that is needed of it.
     std::vector<Read> reads = {};
     std::vector<PlanUniform> uniforms = {};  ///< With indices into the description's lists.
     std::vector<int> color = {};  ///< Targets.
     int depth = -1;               ///< A target, or -1 for none.
 
-    bool replaced() const { return identity != nullptr || keeps_constant; }
+    bool replaced() const { return no_op != nullptr || preserves_constant; }
 };
 
 struct Target {
@@ -80,7 +80,7 @@ struct State {
     std::set<std::string> unplaced = {};  ///< Shader outputs that no target of their pass takes.
     Diagnostics diagnostics = {};
 
-    bool applies(std::string_view rule) const;  ///< False when the options switch the rule off.
+    bool applies(std::string_view optimization) const;  ///< False when the options switch the optimization off.
 };
 
 /// Adds an error and returns it, for notes and help. The reference is valid until the next one.

@@ -60,9 +60,9 @@ void orderPasses(State& state);
 // live.cpp
 void chooseLive(State& state);
 
-/// What `identity` says of the pass and formats do not allow, each a sentence without its subject.
-std::vector<std::string> droppedIdentities(const State& state, const Pass& pass);
-/// What a reader gets, with inactive passes and those that an identity replaces looked through;
+/// What `no_op` says of the pass and formats do not allow, each a sentence without its subject.
+std::vector<std::string> droppedNoOps(const State& state, const Pass& pass);
+/// What a reader gets, with inactive passes and those that a no-op replaces looked through;
 /// nothing when no active pass is behind it.
 std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
@@ -87,11 +87,11 @@ void lint(State& state);
 // costs.cpp
 /// Fills in the bytes of each pass and of the textures.
 void estimateBytes(Plan& plan);
-std::vector<LeftOut> leftOut(const State& state);
+std::vector<Elided> elided(const State& state);
 /// What frames may leave out. Requires all else of the plan.
-std::vector<LeftOut> leftOutOfFrames(const Plan& plan);
+std::vector<Elided> elidedOfFrames(const Plan& plan);
 /// Textures that targets share; saves nothing where none do. Requires the bytes of textures.
-LeftOut leftOutBySharing(const Plan& plan);
+Elided elidedBySharing(const Plan& plan);
 
 // passes.cpp
 Plan buildPlan(const State& state);

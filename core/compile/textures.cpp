@@ -95,7 +95,7 @@ void checkAttachments(State& state, const Pass& pass)
 {
     for (const Reference& color : pass.desc->color) checkKind(state, color, false);
     if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
-    if (!pass.desc->drawn_where.empty()) checkKind(state, pass.desc->drawn_where, true);
+    if (!pass.desc->mask.empty()) checkKind(state, pass.desc->mask, true);
     const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
     const int count = static_cast<int>(pass.desc->color.size());
     if (count <= limit) return;
@@ -105,7 +105,7 @@ void checkAttachments(State& state, const Pass& pass)
            *pass.desc).help = "pack them into fewer targets, or split the pass";
 }
 
-void checkStandIn(State& state, const Reference& output, const Reference& input)
+void checkSubstitute(State& state, const Reference& output, const Reference& input)
 {
     const TargetDesc* replaced = findNamed(state.description.targets, output.name);
     const TargetDesc* by = findNamed(state.description.targets, input.name);
@@ -244,7 +244,7 @@ void checkFormats(State& state)
     for (const Pass& pass : state.passes) {
         if (pass.active) checkAttachments(state, pass);
         for (const BypassDesc& bypass : pass.desc->bypass)
-            checkStandIn(state, bypass.output, bypass.input);
+            checkSubstitute(state, bypass.output, bypass.input);
     }
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const Target& target = state.targets[i];
@@ -254,7 +254,7 @@ void checkFormats(State& state)
 
 void shareTextures(const State& state, Plan& plan)
 {
-    Slots slots(plan.textures, state.applies("sharing"));
+    Slots slots(plan.textures, state.applies("aliasing"));
     for (PlanTarget& target : plan.targets) {
         const int index = indexOf(state.description.targets, target.name);
         const TargetDesc& desc = state.description.targets[index];

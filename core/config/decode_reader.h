@@ -157,10 +157,10 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
         if (isExtension(member.key)) continue;
         const Cursor child = cursor.child(member);
         const bool declared = isDeclared(out, member.value);
-        const bool left_out = !declared && report.leavesOut(child);
+        const bool elided = !declared && report.leavesOut(child);
         const bool bare = member.value.kind != Node::Kind::object;
-        if (!left_out) setKey(report, child, out.emplace_back());
-        if (left_out || (!declared && bare)) reportUndeclared(report, cursor, child);
+        if (!elided) setKey(report, child, out.emplace_back());
+        if (elided || (!declared && bare)) reportUndeclared(report, cursor, child);
         else read(report, child, out.back(), {});
     }
     return true;

@@ -160,16 +160,16 @@ void Checker::checkPass(const PassDesc& pass)
         checkAttached(pass, each.output, "bypasses");
         expect(each.input, who + "reads", targets_);
     }
-    for (const IdentityDesc& each : pass.identity) {
-        expect(each.param, who + "has an identity of", params_);
-        for (const IdentityDesc::Gives& gives : each.gives) {
+    for (const NoOpDesc& each : pass.no_op) {
+        expect(each.param, who + "is a no-op at a value of", params_);
+        for (const NoOpDesc::Gives& gives : each.gives) {
             checkAttached(pass, gives.output, "gives");
             expect(gives.input, who + "reads", targets_);
         }
     }
-    expect(pass.draws_within_param, who + "draws within", params_);
-    for (const KeepsConstantDesc& each : pass.keeps_constant)
-        checkAttached(pass, each.output, "keeps constant");
+    expect(pass.frustum_scale_param, who + "has as frustum scale", params_);
+    for (const PreservesConstantDesc& each : pass.preserves_constant)
+        checkAttached(pass, each.output, "preserves as constant");
     for (const InputDesc& each : pass.inputs) checkInput(pass, each);
 }
 
@@ -189,7 +189,7 @@ void Checker::checkWrites(const PassDesc& pass)
     }
 }
 
-// Clear, bypass and identity speak of what the pass itself writes.
+// Clear, bypass and no_op speak of what the pass itself writes.
 void Checker::checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb)
 {
     const std::string who = "pass '" + pass.name + "' " + verb;
@@ -222,16 +222,16 @@ void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
 void Checker::checkUndrawn(const PassDesc& pass)
 {
     const std::string who = "pass '" + pass.name + "' ";
-    expect(pass.drawn_where, who + "is drawn where", targets_);
-    expect(pass.shown_length, who + "shows the length", params_);
-    const ParamDesc* length = findNamed(description_.params, pass.shown_length.name);
+    expect(pass.mask, who + "has as mask", targets_);
+    expect(pass.cull_below_pixel, who + "culls by", params_);
+    const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
     if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
-        report_.at(pass.shown_length, Code::reference_missing,
-                   who + "shows the length '" + length->name + "', which is not a float")
+        report_.at(pass.cull_below_pixel, Code::reference_missing,
+                   who + "culls by '" + length->name + "', which is not a float")
             .help = "name a param of type float, in scene units";
-    if ((pass.drawn_where.empty() && !pass.bounded) || report_.errorWithin(pass.pointer)) return;
+    if ((pass.mask.empty() && !pass.scissor) || report_.errorWithin(pass.pointer)) return;
     std::vector<Reference> written = pass.color;
-    if (pass.bounded && !pass.depth.empty()) written.push_back(pass.depth);
+    if (pass.scissor && !pass.depth.empty()) written.push_back(pass.depth);
     for (const Reference& target : written) {
         const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
         if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;

@@ -26,7 +26,7 @@ public:
     Diagnostics run()
     {
         collect();
-        check(description_.params, "param", "params", "no shader, size, count or identity");
+        check(description_.params, "param", "params", "no shader, size, count or no_op");
         check(description_.features, "feature", "features", "no condition and no shader");
         check(description_.generated, "generated", "generated values", "no shader and no input");
         check(description_.imports, "import", "imports", "no shader and no input");
@@ -70,8 +70,8 @@ void UseChecker::collectPass(const PassDesc& pass)
     for (const Reference& each : pass.color) used_.insert(each.name);
     for (const Condition::Term& each : pass.when.terms) used_.insert(each.subject.name);
     for (const BypassDesc& each : pass.bypass) used_.insert(each.input.name);
-    for (const IdentityDesc& each : pass.identity) used_.insert(each.param.name);
-    used_.insert({pass.draws_within_param.name, pass.drawn_where.name, pass.shown_length.name});
+    for (const NoOpDesc& each : pass.no_op) used_.insert(each.param.name);
+    used_.insert({pass.frustum_scale_param.name, pass.mask.name, pass.cull_below_pixel.name});
     for (const InputDesc& each : pass.inputs) used_.insert(each.from.name);
 }
 

@@ -86,14 +86,14 @@ struct SizeDesc {
 };
 
 /// What surfaces are found by in a target of a colour format; those of a depth format hold window depth, but
-/// for masks: 0 and 1, for `drawn_where`.
-enum class Holds { other, view_position, view_depth, mask };
+/// for masks: 0 and 1, for `mask`.
+enum class Semantic { other, view_position, view_depth, mask };
 
 struct TargetDesc : Named {
     std::vector<Format> formats;  ///< Preference list: the first one that the device renders to and
                                   ///< that resolves what `holds` says (core/compile/depth_precision.h).
     Place formats_place = {};
-    Holds holds = Holds::other;
+    Semantic semantic = Semantic::other;
     SizeDesc size = {};
     bool history = false;  ///< Last frame's content stays, under `historyName`.
     Reference samples_param = {};  ///< The param that gives the samples; empty when `samples` does.
@@ -114,7 +114,7 @@ struct InterfaceDesc : Named {
     Reference file = {};
 };
 
-/// Holds when every term does; a term holds when its subject has one of the values. Subjects are
+/// Semantic when every term does; a term holds when its subject has one of the values. Subjects are
 /// features and traits ("scene.lights", where true means at least one).
 struct Condition {
     struct Term {
@@ -125,7 +125,7 @@ struct Condition {
 };
 
 /// "At this param's value, this output is that constant or that input."
-struct IdentityDesc {
+struct NoOpDesc {
     Reference param = {};
     float at = 0.0f;
     struct Gives {
@@ -158,7 +158,7 @@ struct BypassDesc {
 };
 
 /// "Where all texels of that sampler are one constant, so are those of this output."
-struct KeepsConstantDesc {
+struct PreservesConstantDesc {
     Reference output = {};
     Reference sampler = {};  ///< The GLSL name.
 };
@@ -171,14 +171,14 @@ struct PassDesc : Named {
     std::vector<ClearDesc> clear = {};
     Condition when = {};
     std::vector<BypassDesc> bypass = {};
-    std::vector<IdentityDesc> identity = {};
-    std::vector<KeepsConstantDesc> keeps_constant = {};
-    Reference draws_within_param = {};  ///< The param that gives `draws_within`; else empty.
-    float draws_within = 0.0f;          ///< View sizes; 0 is unknown.
-    Reference drawn_where = {};         ///< A mask: the pass is drawn where that is above 0; elsewhere stands
+    std::vector<NoOpDesc> no_op = {};
+    std::vector<PreservesConstantDesc> preserves_constant = {};
+    Reference frustum_scale_param = {};  ///< The param that gives `frustum_scale`; else empty.
+    float frustum_scale = 0.0f;          ///< View sizes; 0 is unknown.
+    Reference mask = {};         ///< A mask: the pass is drawn where that is above 0; elsewhere stands
                                         ///< what `clear` says.
-    bool bounded = false;               ///< That stands also where no thing lies on the screen ...
-    Reference shown_length = {};        ///< ... or at which this param, a length, is below a pixel.
+    bool scissor = false;               ///< That stands also where no thing lies on the screen ...
+    Reference cull_below_pixel = {};        ///< ... or at which this param, a length, is below a pixel.
     std::vector<InputDesc> inputs = {};
     StateDesc state = {};
 };

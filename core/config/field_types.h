@@ -41,7 +41,7 @@ inline Spellings spellings(Bind) { return {"uniform", "define"}; }
 inline Spellings spellings(ParamSemantic) { return {"other", "length"}; }
 inline Spellings spellings(FeatureType) { return {"bool", "enum"}; }
 inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights", "texture"}; }
-inline Spellings spellings(Holds) { return {"other", "view_position", "view_depth", "mask"}; }
+inline Spellings spellings(Semantic) { return {"other", "view_position", "view_depth", "mask"}; }
 inline Spellings spellings(PassType) { return {"draw", "fullscreen"}; }
 inline Spellings spellings(Cull) { return {"none", "back", "front"}; }
 inline Spellings spellings(Filter) { return {"nearest", "linear"}; }
@@ -104,9 +104,9 @@ struct NumberOrName {
 inline Reference& keyOf(ClearDesc& clear) { return clear.target; }
 inline Reference& keyOf(Condition::Term& term) { return term.subject; }
 inline Reference& keyOf(BypassDesc& bypass) { return bypass.output; }
-inline Reference& keyOf(KeepsConstantDesc& kept) { return kept.output; }
-inline Reference& keyOf(IdentityDesc& identity) { return identity.param; }
-inline Reference& keyOf(IdentityDesc::Gives& gives) { return gives.output; }
+inline Reference& keyOf(PreservesConstantDesc& kept) { return kept.output; }
+inline Reference& keyOf(NoOpDesc& no_op) { return no_op.param; }
+inline Reference& keyOf(NoOpDesc::Gives& gives) { return gives.output; }
 inline Reference& keyOf(InputDesc& input) { return input.sampler; }
 
 }  // namespace crevice::table

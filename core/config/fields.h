@@ -105,7 +105,7 @@ void fields(V& v, TargetDesc& t)
     v.field("format", t.formats,
             "Preference list: the first that the device renders to and that tells surfaces apart.",
             required());
-    v.field("holds", t.holds,
+    v.field("semantic", t.semantic,
             "What surfaces are found by here, so that its format is chosen to resolve lengths; "
             "depth formats hold window depth without it, or a mask.");
     v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
@@ -152,20 +152,20 @@ void fields(V& v, BypassDesc& b)
 }
 
 template <class V>
-void fields(V& v, KeepsConstantDesc& k)
+void fields(V& v, PreservesConstantDesc& k)
 {
     v.itself(k.sampler, "The sampler that this output is filtered from.");
 }
 
 template <class V>
-void fields(V& v, IdentityDesc::Gives& g)
+void fields(V& v, NoOpDesc::Gives& g)
 {
     v.itself(NumberOrName<float>{g.value, g.input}, "A constant, or the target that it equals.");
     g.constant = g.input.empty();
 }
 
 template <class V>
-void fields(V& v, IdentityDesc& i)
+void fields(V& v, NoOpDesc& i)
 {
     v.field("at", i.at, "The value of the param at which the pass does nothing new.", required());
     v.field("gives", i.gives, "What each output then is.", required());
@@ -199,27 +199,27 @@ void fields(V& v, PassDesc& p)
     v.field("clear", p.clear, "What to clear an attachment to first.");
     v.field("when", p.when.terms, "Features and traits that must hold for the pass to run.");
     v.field("bypass", p.bypass, "Which input stands in for an output when the pass is off.");
-    v.field("identity", p.identity, "Values of params at which the outputs are known unrun.");
-    v.field("keeps_constant", p.keeps_constant, "Outputs that are one constant, the background aside, where all that the sampler reads is.");
-    v.field("draws_within", NumberOrName<float>{p.draws_within, p.draws_within_param},
+    v.field("no_op", p.no_op, "Values of params at which the outputs are known unrun.");
+    v.field("preserves_constant", p.preserves_constant, "Outputs that are one constant, the background aside, where all that the sampler reads is.");
+    v.field("frustum_scale", NumberOrName<float>{p.frustum_scale, p.frustum_scale_param},
             "How much a draw pass shows, in sizes of the view about its middle, or the param that says: things whose bounds lie outside are then not drawn. 0 where the shader moves vertices about.",
             range(0, kLargestScale));
-    if (p.type != PassType::draw && v.has("draws_within"))
-        v.refuse("draws_within", Code::bad_enum, "a fullscreen pass draws no things");
-    v.field("drawn_where", p.drawn_where,
+    if (p.type != PassType::draw && v.has("frustum_scale"))
+        v.refuse("frustum_scale", Code::bad_enum, "a fullscreen pass has no geometry");
+    v.field("mask", p.mask,
             "A mask, in a depth format: where it is 0, outputs are what `clear` says, undrawn. They must be what the shader would write. A mask of another size than theirs is not used.");
     if (p.type == PassType::draw)
-        v.refuse("drawn_where", Code::bad_enum, "a draw pass has a depth test of its own");
+        v.refuse("mask", Code::bad_enum, "a draw pass has a depth test of its own");
     else if (!p.depth.empty())
-        v.refuse("drawn_where", Code::bad_enum, "the pass writes depth");
-    v.field("bounded", p.bounded,
+        v.refuse("mask", Code::bad_enum, "the pass writes depth");
+    v.field("scissor", p.scissor,
             "Where nothing of the draw list is seen, outputs are what `clear` says, so that the pass is drawn within the bounds of things alone. It must cover the view, without a guard band.");
-    v.field("shown_length", p.shown_length,
+    v.field("cull_below_pixel", p.cull_below_pixel,
             "A param in scene units: a bounded pass leaves out things so far away that this is less than a pixel there.");
     if (p.type == PassType::draw)
-        v.refuse("bounded", Code::bad_enum, "a draw pass draws things alone");
-    if (!p.bounded && !v.has("bounded"))
-        v.refuse("shown_length", Code::bad_enum, "the pass is not bounded");
+        v.refuse("scissor", Code::bad_enum, "a draw pass draws things alone");
+    if (!p.scissor && !v.has("scissor"))
+        v.refuse("cull_below_pixel", Code::bad_enum, "the pass has no 'scissor'");
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
     v.field("state", p.state, "Fixed-function state.");

@@ -168,7 +168,7 @@ public:
 
 private:
     struct Opened {
-        std::string identity;
+        std::string no_op;
         std::string name;
     };
     // What a file extends, and where that is written.
@@ -178,7 +178,7 @@ private:
     };
     // Of a file that has been read; in the order of `bodies`.
     struct Read {
-        std::string identity;
+        std::string no_op;
         std::string name;
         Asked asked;
     };
@@ -210,7 +210,7 @@ private:
 
 // What tells two files apart, by whatever path they were reached. A catalog path never begins with
 // '/', a canonical path on disk always does.
-std::string identityOf(const SourceText& source)
+std::string noOpOf(const SourceText& source)
 {
     if (!source.path.empty()) return source.path;
     std::error_code error;
@@ -227,8 +227,8 @@ SourceRef copyFor(const SourceText& found, const Place& asked)
 
 void FileLoader::load(const SourceRef& found, const Asked& asked)
 {
-    const Opened file{identityOf(*found), found->name};
-    if (done_.count(file.identity) > 0 || !mayOpen(file, asked)) return;
+    const Opened file{noOpOf(*found), found->name};
+    if (done_.count(file.no_op) > 0 || !mayOpen(file, asked)) return;
     const SourceRef source = asked.place.source ? copyFor(*found, asked.place) : found;
     Result<Node> document = parseDocument(source);
     append(errors, document.diagnostics());
@@ -242,9 +242,9 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
         loadExtended(extends);
         open_.pop_back();
         bodies.push_back(std::move(*document));
-        read_.push_back({file.identity, file.name, asked});
+        read_.push_back({file.no_op, file.name, asked});
     }
-    done_.insert(file.identity);
+    done_.insert(file.no_op);
 }
 
 void FileLoader::readSwaps()
@@ -313,7 +313,7 @@ void FileLoader::checkClashes()
     for (std::size_t later = read_.size(); later-- > 1;)
         for (std::size_t first = later; first-- > 0;) {
             // A file is read after all that it extends.
-            if (extended_[read_[later].identity].count(read_[first].identity) > 0) continue;
+            if (extended_[read_[later].no_op].count(read_[first].no_op) > 0) continue;
             const auto made = madeByBoth(bodies[first], bodies[later]);
             if (!made) continue;
             Diagnostic error{Code::module_clash, "'" + read_[later].name + "' and '" +
@@ -332,7 +332,7 @@ bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
     std::string chain;
     bool cycle = false;
     for (const Opened& opened : open_) {
-        cycle = cycle || opened.identity == file.identity;
+        cycle = cycle || opened.no_op == file.no_op;
         if (cycle) chain += opened.name + " -> ";
     }
     if (cycle)
@@ -432,8 +432,8 @@ void FileLoader::loadExtended(const Extends& extends)
             continue;
         }
         load(*found, {entry.place, pointer});
-        std::set<std::string>& mine = extended_[open_.back().identity];
-        const std::string theirs = identityOf(**found);
+        std::set<std::string>& mine = extended_[open_.back().no_op];
+        const std::string theirs = noOpOf(**found);
         mine.insert(theirs);
         mine.insert(extended_[theirs].begin(), extended_[theirs].end());
     }

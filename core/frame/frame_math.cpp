@@ -171,7 +171,7 @@ const char* wayOutOf(Fault::Kind fault)
     }
 }
 
-Diagnostic leftOut(const std::string& what, std::string help)
+Diagnostic elided(const std::string& what, std::string help)
 {
     Diagnostic warning = bad(what, std::move(help));
     warning.severity = Severity::warning;
@@ -351,7 +351,7 @@ bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device)
     return faultOf(frame, item, device).kind == Fault::none;
 }
 
-Diagnostics warnLeftOut(const Frame& frame, const Device& device)
+Diagnostics warnElided(const Frame& frame, const Device& device)
 {
     constexpr std::size_t kMostDraws = 8;
     Diagnostics warnings;
@@ -364,17 +364,17 @@ Diagnostics warnLeftOut(const Frame& frame, const Device& device)
             ++more;
             continue;
         }
-        warnings.push_back(leftOut("draw " + std::to_string(i) + " is left out: " +
+        warnings.push_back(elided("draw " + std::to_string(i) + " is left out: " +
                                        reasonOf(fault, frame, item), wayOutOf(fault.kind)));
     }
     if (more > 0)
         warnings.back().notes.push_back({{}, std::to_string(more) + " more draws are left out"});
     for (std::size_t i = 0; i < frame.lights.size() && i < kMaxLights; ++i)
         if (!isFinite(frame.lights[i]))
-            warnings.push_back(leftOut("light " + std::to_string(i) + " is left out: it is not finite",
+            warnings.push_back(elided("light " + std::to_string(i) + " is left out: it is not finite",
                                        "look for a division by zero where it is made"));
     if (!isFinite(frame.ambient_light))
-        warnings.push_back(leftOut("ambient_light is left out: it is not finite", "0 is no light"));
+        warnings.push_back(elided("ambient_light is left out: it is not finite", "0 is no light"));
     return warnings;
 }
 

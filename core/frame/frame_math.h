@@ -74,6 +74,6 @@ bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device);
 
 /// A warning CV6011 for each of the draws and lights that a frame does without, and why; draws past the
 /// eighth are only counted. Items of no indices are no draws.
-Diagnostics warnLeftOut(const Frame& frame, const Device& device);
+Diagnostics warnElided(const Frame& frame, const Device& device);
 
 }  // namespace crevice

@@ -3,20 +3,20 @@
 
 namespace crevice {
 
-const RuleInfo kRules[7] = {
-    {"unread", "passes, attachments and shader outputs that no output asked for needs"},
-    {"identity", "passes whose outputs are known unrun, by a param or by a constant that they read"},
-    {"sharing", "a texture of its own for each target"},
-    {"background", "pixels of a pass whose values are known undrawn, by a mask"},
-    {"outside", "in a frame, things whose bounds lie outside of what a pass shows"},
-    {"bounds", "in a frame, pixels of a pass where the bounds of no thing lie"},
-    {"unchanged", "passes of a frame whose input is the last frame's"},
+const Optimization kOptimizations[7] = {
+    {"dead_pass", "passes, attachments and shader outputs that no requested output needs"},
+    {"no_op", "passes whose outputs are known without running them: by the value of a param, or a constant input"},
+    {"aliasing", "separate textures for targets that are not alive at the same time"},
+    {"depth_mask", "pixels of a pass that its mask excludes, by a depth test"},
+    {"frustum_culling", "per frame, draws whose bounds are outside the view"},
+    {"scissor", "per frame, pixels of a pass outside the bounds of all draws"},
+    {"cached", "per frame, passes whose inputs have not changed"},
 };
 
-std::vector<std::string> ruleNames()
+std::vector<std::string> optimizationNames()
 {
     std::vector<std::string> names;
-    for (const RuleInfo& rule : kRules) names.push_back(rule.name);
+    for (const Optimization& optimization : kOptimizations) names.push_back(optimization.name);
     return names;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules by which plans and frames leave out what changes no picture.
+// The optimizations by which plans and frames leave out what changes no picture.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace crevice {
 
-struct RuleInfo {
-    const char* name;     ///< As CompileOptions::keep and LeftOut::rule have it.
+struct Optimization {
+    const char* name;     ///< As CompileOptions::disable and Elided::optimization have it.
     const char* meaning;  ///< What it leaves out.
 };
 
 /// Those that may be switched off.
-extern const RuleInfo kRules[7];
+extern const Optimization kOptimizations[7];
 
-std::vector<std::string> ruleNames();
+std::vector<std::string> optimizationNames();
 
 }  // namespace crevice

@@ -48,7 +48,7 @@ struct PlanTarget {
 enum class InputKind { target, history, generated, imported, material, constant };
 
 struct PlanInput {
-    std::string sampler;  ///< GLSL name; empty for what the pass is `drawn_where`.
+    std::string sampler;  ///< GLSL name; empty for what the pass is `mask`.
     InputKind kind = InputKind::target;
     int index = -1;  ///< Into targets (of history too), generated, imports, constants, maps.
     SamplerDesc sampling;
@@ -93,9 +93,9 @@ struct PlanPass {
     Extent extent;
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
-    float draws_within = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
-    bool bounded = false;    ///< It is drawn within the bounds of the frame's things alone ...
-    int shown_length = -1;   ///< ... and of those at which this of Plan::params comes to a pixel; -1: of all.
+    float frustum_scale = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
+    bool scissor = false;    ///< It is drawn within the bounds of the frame's things alone ...
+    int cull_below_pixel = -1;   ///< ... and of those at which this of Plan::params comes to a pixel; -1: of all.
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> uniforms;
     std::vector<std::string> notes;  ///< What could have been left out and is not: "runs also where ...".
@@ -103,7 +103,7 @@ struct PlanPass {
     double bytes_written = 0;  ///< An estimate a frame.
 };
 
-/// Whether the pass is tested against a mask (`drawn_where`): its depth attachment is read, not written.
+/// Whether the pass is tested against a mask (`mask`): its depth attachment is read, not written.
 bool isMasked(const PlanPass& pass);
 
 /// A program: the same key means the same text, compiled once.
@@ -120,9 +120,9 @@ struct PlanProgram {
 };
 
 /// One thing that the plan does not do.
-struct LeftOut {
+struct Elided {
     std::string what;    ///< "pass filter_x", "attachment albedo"
-    std::string rule;    ///< Of kRules; or "condition", which is meaning and cannot be switched off.
+    std::string optimization;    ///< Of kOptimizations; or "condition", which is meaning and cannot be switched off.
     std::string reason;  ///< One sentence.
     double bytes = 0;    ///< Estimated bytes a frame that are not moved.
     double texture_bytes = 0;  ///< Of textures that are not there.
@@ -146,7 +146,7 @@ struct Plan {
     Extent extent;
     int views = 1;  ///< Every pass runs once for each, all passes of one before the next.
     bool reruns = false;  ///< Passes run in every frame, also where nothing that they read has changed:
-                          ///< the rule "unchanged" is off.
+                          ///< the optimization "cached" is off.
     std::vector<PlanPass> passes;
     std::vector<PlanTarget> targets;
     std::vector<PlanTexture> textures;
@@ -156,7 +156,7 @@ struct Plan {
     std::vector<GeneratorDesc> generated;  ///< Those that a pass uses.
     std::vector<ImportDesc> imports;       ///< Those that a pass uses.
     std::vector<PlanOutput> outputs;
-    std::vector<LeftOut> left_out;
+    std::vector<Elided> elided;
     double texture_bytes = 0;  ///< Of `textures`, with all their copies.
 };
 

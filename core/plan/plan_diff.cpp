@@ -122,8 +122,8 @@ std::vector<Part> partsOf(const Plan& plan)
     for (const PlanPass& each : plan.passes) parts.push_back(partOf(plan, each));
     for (const PlanTarget& each : plan.targets) parts.push_back(partOf(plan, each));
     for (const PlanOutput& each : plan.outputs) parts.push_back(partOf(plan, each));
-    for (const LeftOut& each : plan.left_out)
-        parts.push_back({"left out", each.what, {{each.rule, each.reason}}});
+    for (const Elided& each : plan.elided)
+        parts.push_back({"left out", each.what, {{each.optimization, each.reason}}});
     return parts;
 }
 

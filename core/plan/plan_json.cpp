@@ -82,8 +82,8 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
            ",\n      \"masked\": " + json(isMasked(pass)) +
-           ", \"bounded\": " + json(pass.bounded) + ", \"shown_length\": " +
-           (pass.shown_length < 0 ? "null" : json(plan.params[pass.shown_length].name)) +
+           ", \"scissor\": " + json(pass.scissor) + ", \"cull_below_pixel\": " +
+           (pass.cull_below_pixel < 0 ? "null" : json(plan.params[pass.cull_below_pixel].name)) +
            ",\n      \"state\": " + stateJson(pass.state) +
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
            ",\n      \"uniforms\": " + list(pass.uniforms, uniformJson, indent) +
@@ -143,9 +143,9 @@ std::string outputJson(const Plan& plan, const PlanOutput& output)
            (constant ? json(plan.constants[output.constant].value) : "null") + "}";
 }
 
-std::string leftOutJson(const LeftOut& each)
+std::string elidedJson(const Elided& each)
 {
-    return "{\"what\": " + json(each.what) + ", \"rule\": " + json(each.rule) + ", \"reason\": " +
+    return "{\"what\": " + json(each.what) + ", \"optimization\": " + json(each.optimization) + ", \"reason\": " +
            json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) + ", \"texture_bytes\": " +
            bytesJson(each.texture_bytes) + ", \"ms\": " +
            (each.ms >= 0 ? json(static_cast<float>(each.ms)) : "null") + ", \"by_frame\": " +
@@ -168,7 +168,7 @@ std::string toJson(const Plan& plan)
            ",\n  \"generated\": " + list(plan.generated, generatedJson) +
            ",\n  \"imports\": " + list(plan.imports, importJson) +
            ",\n  \"outputs\": " + list(plan.outputs, output) +
-           ",\n  \"left_out\": " + list(plan.left_out, leftOutJson) + "\n}\n";
+           ",\n  \"elided\": " + list(plan.elided, elidedJson) + "\n}\n";
 }
 
 }  // namespace crevice

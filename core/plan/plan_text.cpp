@@ -80,9 +80,9 @@ std::string bytesText(double bytes)
 
 std::string boundsText(const Plan& plan, const PlanPass& pass)
 {
-    if (!pass.bounded) return "everything";
-    if (pass.shown_length < 0) return "the bounds of things";
-    return "the bounds of things at which " + plan.params[pass.shown_length].name + " is a pixel or more";
+    if (!pass.scissor) return "everything";
+    if (pass.cull_below_pixel < 0) return "the bounds of things";
+    return "the bounds of things at which " + plan.params[pass.cull_below_pixel].name + " is a pixel or more";
 }
 
 const PlanTexture& textureOf(const Plan& plan, int target)
@@ -152,7 +152,7 @@ std::string passText(const Plan& plan, const PlanPass& pass)
                        plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
                        bytesText(pass.bytes_written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
-    if (pass.bounded) text += "    drawn   within " + boundsText(plan, pass) + "\n";
+    if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
     for (const std::string& note : pass.notes) text += "    note    " + note + "\n";
@@ -190,9 +190,9 @@ std::string millisecondsText(double ms)
     return std::to_string(hundredths / 100) + "." + (rest.size() < 2 ? "0" : "") + rest + " ms";
 }
 
-std::string leftOutText(const LeftOut& each)
+std::string elidedText(const Elided& each)
 {
-    std::string text = "  " + each.what + " (" + each.rule + "): " + each.reason;
+    std::string text = "  " + each.what + " (" + each.optimization + "): " + each.reason;
     if (each.by_frame) return text + "\n";
     const bool stored = each.texture_bytes > 0;
     text += "; saves ";
@@ -239,8 +239,8 @@ std::string toText(const Plan& plan)
     for (const ImportDesc& each : plan.imports)
         text += "  " + each.name + ": " + table::word(each.type) +
                 (each.optional ? ", optional\n" : "\n");
-    if (!plan.left_out.empty()) text += "left out\n";
-    for (const LeftOut& each : plan.left_out) text += leftOutText(each);
+    if (!plan.elided.empty()) text += "left out\n";
+    for (const Elided& each : plan.elided) text += elidedText(each);
     return text;
 }
 

@@ -13,7 +13,7 @@
 namespace crevice {
 namespace {
 
-/// Whether all components are `value`: where an identity holds.
+/// Whether all components are `value`: where a no-op holds.
 bool isAll(const std::array<float, 4>& values, ParamType type, float value)
 {
     return std::all_of(values.begin(), values.begin() + componentCount(type),
@@ -31,10 +31,10 @@ bool changesPlan(const Description& description, const ParamDesc& param,
         if (target.size.scale_param.name == param.name ||
             target.samples_param.name == param.name) return true;
     for (const PassDesc& pass : description.passes) {
-        if (pass.draws_within_param.name == param.name) return true;
-        for (const IdentityDesc& identity : pass.identity)
-            if (identity.param.name == param.name &&
-                isAll(param.value, param.type, identity.at) != isAll(next, param.type, identity.at))
+        if (pass.frustum_scale_param.name == param.name) return true;
+        for (const NoOpDesc& no_op : pass.no_op)
+            if (no_op.param.name == param.name &&
+                isAll(param.value, param.type, no_op.at) != isAll(next, param.type, no_op.at))
                 return true;
     }
     return false;

@@ -59,7 +59,7 @@ public:
 
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
     /// bound as defines, those that a count or size is taken from, values at which a pass is or was
-    /// an identity and a radius that other formats serve better: those plan anew. Only a define, or
+    /// a no-op and a radius that other formats serve better: those plan anew. Only a define, or
     /// a pass that never ran, compiles a shader, which a warning CV5010 names; what was compiled is kept for when the value comes back.
     ///
     /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.

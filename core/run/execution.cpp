@@ -137,7 +137,7 @@ Status Execution::run(const Frame& frame)
 const std::vector<char>& Execution::begin(const Frame& frame)
 {
     swapHistories();
-    const bool draws_changed = takeDraws(frame);
+    const bool draws_changed = updateDraws(frame);
     std::size_t run = 0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
         PreparedView& view = views_[i];
@@ -185,7 +185,7 @@ void Execution::setView(const Frame& frame, const PreparedView& view)
 }
 
 /// Whether things, materials or what they hold are others than in the last frame.
-bool Execution::takeDraws(const Frame& frame)
+bool Execution::updateDraws(const Frame& frame)
 {
     const DrawItem no_draw;
     const Material no_material;
@@ -198,18 +198,18 @@ bool Execution::takeDraws(const Frame& frame)
     };
     changed = changed || frame.draws.size() != drawn_.draws.size();
     drawn_.draws.resize(frame.draws.size());
-    drawn_.left_out = false;
+    drawn_.elided = false;
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
         const DrawItem& item = frame.draws[i];
         const bool drawn = item.count > 0 && isDrawable(frame, item, device_);
-        drawn_.left_out = drawn_.left_out || (item.count > 0 && !drawn);
+        drawn_.elided = drawn_.elided || (item.count > 0 && !drawn);
         take(drawn ? item : no_draw, drawn_.draws[i]);
     }
     changed = changed || frame.materials.size() != drawn_.materials.size();
     drawn_.materials.resize(frame.materials.size());
     for (std::size_t i = 0; i < frame.materials.size(); ++i)
         take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
-    drawn_.left_out = drawn_.left_out || !isFinite(frame.ambient_light) ||
+    drawn_.elided = drawn_.elided || !isFinite(frame.ambient_light) ||
                       !std::all_of(frame.lights.begin(), frame.lights.end(),
                                    [](const Light& light) { return isFinite(light); });
     return changed;
@@ -236,8 +236,8 @@ Status Execution::end(const Frame& frame)
     Status status = device_.endFrame();
     for (PreparedView& view : views_) view.history.valid = status.ok();
     if (!status) cache_.clear();
-    if (!drawn_.left_out || !status) return status;
-    return warnLeftOut(frame, device_);
+    if (!drawn_.elided || !status) return status;
+    return warnElided(frame, device_);
 }
 
 // What was written last frame is now read, and the other way round.
@@ -247,9 +247,9 @@ void Execution::swapHistories()
     for (PreparedView& view : views_) {
         for (PreparedPass& pass : view.passes) {
             for (TextureBinding& binding : pass.textures)
-                if (binding.other) std::swap(binding.texture, binding.other);
-            if (pass.other.id())
-                pass.info.framebuffer = (swapped_ ? pass.other : pass.framebuffer).id();
+                if (binding.odd_frame) std::swap(binding.texture, binding.odd_frame);
+            if (pass.odd_frame.id())
+                pass.info.framebuffer = (swapped_ ? pass.odd_frame : pass.framebuffer).id();
         }
     }
 }
@@ -260,13 +260,13 @@ void Execution::clearHistories()
 {
     for (const PreparedView& view : views_)
         for (const PreparedPass& pass : view.passes)
-            if (pass.other.id()) clearHistory(pass);
+            if (pass.odd_frame.id()) clearHistory(pass);
 }
 
 void Execution::clearHistory(const PreparedPass& pass)
 {
     PassInfo info = pass.info;
-    info.framebuffer = (swapped_ ? pass.framebuffer : pass.other).id();
+    info.framebuffer = (swapped_ ? pass.framebuffer : pass.odd_frame).id();
     for (int i = 0; i < info.color_count; ++i) {
         info.color_load[i] = LoadOp::clear;
         info.color_store[i] = StoreOp::store;
@@ -282,10 +282,10 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
 {
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
-    info.within_area = pass.plan->bounded;
-    if (pass.plan->bounded) info.area = areaOf(pass, camera);
+    info.within_area = pass.plan->scissor;
+    if (pass.plan->scissor) info.area = areaOf(pass, camera);
     device_.beginPass(info);
-    if (!pass.plan->bounded || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
+    if (!pass.plan->scissor || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
         setTextures(pass.textures);
         setUniforms(pass.uniforms);
@@ -301,7 +301,7 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
 PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& camera)
 {
     const Extent& extent = pass.info.extent;
-    if (const int length = pass.plan->shown_length; length >= 0)
+    if (const int length = pass.plan->cull_below_pixel; length >= 0)
         return pixelsOf(areaOfThings(drawn_.draws, camera, extent, values_.param(length)), extent);
     constexpr double kAny = std::numeric_limits<double>::infinity();
     if (!things_) things_ = areaOfThings(drawn_.draws, camera, extent, kAny);
@@ -313,7 +313,7 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
     bool mirrored = false;
     for (const DrawItem& item : drawn_.draws) {
         if (item.count == 0) continue;
-        if (pass.plan->draws_within > 0.0f && isOutside(item, camera, pass.plan->draws_within)) continue;
+        if (pass.plan->frustum_scale > 0.0f && isOutside(item, camera, pass.plan->frustum_scale)) continue;
         if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
             mirrored = !mirrored;
             device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);

@@ -68,7 +68,7 @@ private:
         int location;
         int unit;
         TextureId texture;
-        TextureId other;  // that takes its place in every second frame; null when none does
+        TextureId odd_frame;  // that takes its place in every second frame; null when none does
         SamplerDesc sampling;
         bool multisampled = false;  // what the shader's sampler reads
         int import = -1;  // into the plan's imports; the texture is then set a frame
@@ -88,7 +88,7 @@ private:
         std::vector<std::uint32_t> sent;  // what `uniforms` were when it ran last
         bool imports_changed = true;      // since then
         Owned<FramebufferId> framebuffer;
-        Owned<FramebufferId> other;  // that takes its place in every second frame; null likewise
+        Owned<FramebufferId> odd_frame;  // that takes its place in every second frame; null likewise
     };
 
     struct PreparedView {
@@ -103,7 +103,7 @@ private:
         std::vector<DrawItem> draws;
         std::vector<Material> materials;
         std::uint64_t revision = 0;
-        bool left_out = false;  // something of the frame
+        bool elided = false;  // something of the frame
     };
 
     Execution(Device& device, Plan plan);
@@ -144,7 +144,7 @@ private:
     void clearNewHistories();
     void setView(const Frame& frame, const PreparedView& view);
     Status end(const Frame& frame);
-    bool takeDraws(const Frame& frame);
+    bool updateDraws(const Frame& frame);
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistories();

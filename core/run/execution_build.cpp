@@ -208,7 +208,7 @@ Status Execution::createFramebuffers(const PlanPass& pass, int view, PreparedPas
     };
     if (std::none_of(pass.color.begin(), pass.color.end(), remembered) &&
         !(pass.has_depth && remembered(pass.depth))) return {};
-    return createFramebuffer(pass, view, true, prepared.other);
+    return createFramebuffer(pass, view, true, prepared.odd_frame);
 }
 
 Status Execution::createFramebuffer(const PlanPass& pass, int view, bool swapped,
@@ -312,7 +312,7 @@ void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,
     binding.unit = static_cast<int>(&input - pass.inputs.data());
     binding.texture = textureOf(input, view, false);
     const TextureId other = textureOf(input, view, true);
-    if (other.value != binding.texture.value) binding.other = other;
+    if (other.value != binding.texture.value) binding.odd_frame = other;
     binding.sampling = input.sampling;
     if (input.kind == InputKind::imported) binding.import = input.index;
     const bool material = input.kind == InputKind::material;

@@ -2,7 +2,7 @@
 // Between the screen and view space, for any projection: perspective, off-centre, orthographic.
 // View space is right-handed and looks along -z; lengths are in scene units.
 
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 
 uniform highp mat4 clip_from_view;
 uniform highp mat4 view_from_window;

@@ -26,12 +26,12 @@ struct Here {
 // False in the background, where nothing is to be filtered.
 bool hereAt(highp vec2 at, out Here here)
 {
-    bool known = pointAt(at, here.point);
+    bool known = viewPosition(at, here.point);
     here.normal = normalAt(at);
     highp float cut = depth_cut * radius;
     here.per_length = 1.0 / max(cut, 1e-30);
     here.whole = cut * here.per_length;
-    here.step = 4.0 * offSurface(here.point, here.normal, 0.0);  // either point and, rebuilt from such, the normal
+    here.step = 4.0 * depthTolerance(here.point, here.normal, 0.0);  // either point and, rebuilt from such, the normal
     return known;
 }
 
@@ -39,7 +39,7 @@ bool hereAt(highp vec2 at, out Here here)
 highp float nearnessOf(highp vec2 at, Here here)
 {
     highp vec3 point;
-    bool known = pointAt(at, point);
+    bool known = viewPosition(at, point);
     highp vec3 way = point - here.point;
     highp float off = abs(dot(way, here.normal));
     highp float slope = max(off - here.step, 0.0) * inversesqrt(max(dot(way, way), 1e-30));

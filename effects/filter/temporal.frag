@@ -107,7 +107,7 @@ vec2 rangeAround(float now)
 void main()
 {
     vec3 point;
-    bool known = pointAt(uv, point);
+    bool known = viewPosition(uv, point);
     vec2 history = known ? historyOf(point) : vec2(0.0);
     float frames = floor(history.y + 0.5);
     float now = texture(ao, uv).r;

@@ -6,14 +6,14 @@
 uniform highp sampler2D depth;
 
 // The point in view space of the texel at uv; false in the background.
-bool pointAt(highp vec2 at, out highp vec3 point)
+bool viewPosition(highp vec2 at, out highp vec3 point)
 {
     return pointIn(depth, at, point);
 }
 
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
-highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
+highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)
 {
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }

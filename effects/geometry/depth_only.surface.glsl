@@ -6,7 +6,7 @@
 uniform highp sampler2D depth;
 
 // The point in view space of the texel at uv; false in the background.
-bool pointAt(highp vec2 at, out highp vec3 point)
+bool viewPosition(highp vec2 at, out highp vec3 point)
 {
     return pointIn(depth, at, point);
 }
@@ -23,7 +23,7 @@ highp vec3 normalAt(highp vec2 at)
 }
 
 // How far above the tangent plane of `point` its own surface may come out within `reach`.
-highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
+highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)
 {
     highp float rise = rebuiltRise(vec2(textureSize(depth, 0)), DEPTH_STEP, point, normal, reach);
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal) + rise;

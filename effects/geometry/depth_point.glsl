@@ -9,8 +9,8 @@
 bool pointIn(highp sampler2D depths, highp vec2 at, out highp vec3 point)
 {
     highp vec2 size = vec2(textureSize(depths, 0));
-    highp ivec2 texel = texelAt(uvInGuard(at), size);
+    highp ivec2 texel = texelAt(uvInGuardBand(at), size);
     highp float stored = texelFetch(depths, texel, 0).r;
-    point = viewFromWindow(uvFromGuard((vec2(texel) + 0.5) / size), stored);
+    point = viewFromWindow(uvFromGuardBand((vec2(texel) + 0.5) / size), stored);
     return isDrawn(stored);
 }

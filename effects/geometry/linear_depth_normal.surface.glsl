@@ -13,18 +13,18 @@ uniform highp sampler2D linear_depth;
 #endif
 
 // The point in view space of the texel at uv; false in the background.
-bool pointAt(highp vec2 at, out highp vec3 point)
+bool viewPosition(highp vec2 at, out highp vec3 point)
 {
     highp vec2 size = vec2(textureSize(linear_depth, 0));
-    highp ivec2 texel = texelAt(uvInGuard(at), size);
+    highp ivec2 texel = texelAt(uvInGuardBand(at), size);
     highp float stored = texelFetch(linear_depth, texel, 0).r;
-    point = viewFromDepth(uvFromGuard((vec2(texel) + 0.5) / size), -stored);
+    point = viewFromDepth(uvFromGuardBand((vec2(texel) + 0.5) / size), -stored);
     return stored > 0.0 && stored < LINEAR_FAR;
 }
 
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
-highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
+highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)
 {
     return (LINEAR_DEPTH_STEP.x + LINEAR_DEPTH_STEP.y * abs(point.z)) * raySlope(point, normal);
 }

@@ -7,7 +7,7 @@
 //   uv      texture coordinates of the material
 precision highp float;
 
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 
 uniform mat4 clip_from_model;
 uniform mat4 view_from_model;
@@ -27,5 +27,5 @@ void main()
     facing = view_normal_from_model * model_normal;
     uv = model_uv;
     gl_Position = clip_from_model * vec4(model_point, 1.0);
-    gl_Position.xy /= GUARD;
+    gl_Position.xy /= GUARD_BAND;
 }

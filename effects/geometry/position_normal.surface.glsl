@@ -6,7 +6,7 @@
 uniform highp sampler2D position;
 
 // The point in view space of the texel at uv; false in the background.
-bool pointAt(highp vec2 at, out highp vec3 point)
+bool viewPosition(highp vec2 at, out highp vec3 point)
 {
     highp vec4 stored = texelFetch(position, texelAt(at, vec2(textureSize(position, 0))), 0);
     point = stored.xyz;
@@ -15,7 +15,7 @@ bool pointAt(highp vec2 at, out highp vec3 point)
 
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
-highp float offSurface(highp vec3 point, highp vec3 normal, highp float reach)
+highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)
 {
     return dot(POSITION_STEP.x + POSITION_STEP.y * abs(point), abs(normal));
 }

@@ -3,7 +3,7 @@
 // SURFACE_WITHOUT_NORMAL before it includes a surface, so that a plan sees that nobody reads them.
 
 #ifndef SURFACE_WITHOUT_NORMAL
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 #include "common/texel.glsl"
 
 uniform mediump sampler2D normal;
@@ -11,7 +11,7 @@ uniform mediump sampler2D normal;
 // The unit normal in view space at uv, towards the camera's side.
 highp vec3 normalAt(highp vec2 at)
 {
-    highp ivec2 texel = texelAt(uvInGuard(at), vec2(textureSize(normal, 0)));
+    highp ivec2 texel = texelAt(uvInGuardBand(at), vec2(textureSize(normal, 0)));
     return normalize(texelFetch(normal, texel, 0).xyz * 2.0 - 1.0);
 }
 #endif

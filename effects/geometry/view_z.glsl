@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The interface `surface`'s viewZAt, by the pointAt that was declared before this.
+// The interface `surface`'s viewZAt, by the viewPosition that was declared before this.
 
 // View depth that stands for the background: behind everything.
 const highp float kBackgroundZ = -1e30;
@@ -8,5 +8,5 @@ const highp float kBackgroundZ = -1e30;
 highp float viewZAt(highp vec2 at)
 {
     highp vec3 point;
-    return pointAt(at, point) ? point.z : kBackgroundZ;
+    return viewPosition(at, point) ? point.z : kBackgroundZ;
 }

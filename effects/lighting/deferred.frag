@@ -17,7 +17,7 @@ uniform highp sampler2D visibility;
 #if SCENE_LIGHTS == 0
 #define SURFACE_WITHOUT_NORMAL
 #endif
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 #include "lighting/shade.glsl"
 #include "lighting/srgb.glsl"
 #include <surface>
@@ -81,11 +81,11 @@ void main()
     color = vec4(vec3(texture(visibility, uv).r), 1.0);
 #else
     Surface s;
-    if (!pointAt(uv, s.point)) {
+    if (!viewPosition(uv, s.point)) {
         color = background();
         return;
     }
-    vec4 stored = texture(albedo, uvInGuard(uv));
+    vec4 stored = texture(albedo, uvInGuardBand(uv));
     s.albedo = stored.rgb;
     s.gloss = stored.a;
 #if SCENE_LIGHTS > 0

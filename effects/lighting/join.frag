@@ -7,7 +7,7 @@
 // [Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering"]
 precision mediump float;
 
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 
 uniform mediump sampler2D ao_filtered;
 uniform mediump sampler2D baked_ao;
@@ -17,5 +17,5 @@ layout(location = 0) out float ao_joined;
 
 void main()
 {
-    ao_joined = min(texture(ao_filtered, uv).r, texture(baked_ao, uvInGuard(uv)).r);
+    ao_joined = min(texture(ao_filtered, uv).r, texture(baked_ao, uvInGuardBand(uv)).r);
 }

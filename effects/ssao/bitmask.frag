@@ -30,7 +30,7 @@ precision highp int;    // all 32 bits of a mask: mediump has 16
 #endif
 
 uniform float thickness;
-uniform float bridge;
+uniform float max_gap;
 
 #if BACK_FACES
 uniform highp sampler2D depth_back;
@@ -74,16 +74,16 @@ float countOf(uint mask)
 
 float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
 {
-    return 32.0 * lightUpTo(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
+    return 32.0 * cosineArcIntegral(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
 }
 
 // Whether what lies between two neighbouring taps is filled: it is at most as large in depth as the nearer of
-// them is deep, times `bridge` and the spacing of the taps, and at most kWidest radii, each times `chance`. With wide
+// them is deep, times `max_gap` and the spacing of the taps, and at most kWidest radii, each times `chance`. With wide
 // bridges, as in `balanced`, 0.0457 and 0.0343; with kWidest 1 0.0519 and 0.0294, with 3 0.0442 and 0.0400.
 bool isJoined(Trail trail, float front, float deep, float chance)
 {
     const float kWidest = 1.5;
-    float share = bridge / float(STEPS);
+    float share = max_gap / float(STEPS);
     float most = kWidest * radius;
     return trail.inside && front - trail.back < chance * min(share * (trail.back - trail.front), most) &&
            trail.front - front - deep < chance * min(share * deep, most);
@@ -186,7 +186,7 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
 void main()
 {
     vec3 point;
-    if (!pointAt(uv, point)) {
+    if (!viewPosition(uv, point)) {
         ao = 1.0;
         return;
     }
@@ -195,13 +195,13 @@ void main()
     float whole = 0.0;
     for (int i = 0; i < SLICES; ++i) {
         Slice slice = sliceOf(march, i);
-        float weight = slice.turn.z;
+        float weight = slice.projected_length;
         for (float sign = -1.0; sign < 2.0; sign += 2.0) {
-            Side side = sideOf(slice.turn, sign);
+            Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
             float share = countOf(blockedOn(march, slice, side, sign)) / 32.0;
             blocked += weight * side.whole * share;
             whole += weight * side.whole;
         }
     }
-    ao = visibilityOf(shareShown(march) * blocked / max(whole, 1e-6));
+    ao = visibilityOf(radiusFade(march) * blocked / max(whole, 1e-6));
 }

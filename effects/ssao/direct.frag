@@ -7,7 +7,7 @@
 //   direct   linear colour; 0 in the background
 precision highp float;  // positions
 
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 #include <surface>
 #if SCENE_LIGHTS > 0
 #include "lighting/light.glsl"
@@ -23,7 +23,7 @@ void main()
     vec3 light = vec3(0.0);
 #if SCENE_LIGHTS > 0
     vec3 point;
-    if (pointAt(uv, point)) {
+    if (viewPosition(uv, point)) {
         vec3 normal_here = normalAt(uv);
         for (int i = 0; i < SCENE_LIGHTS; ++i) {
             vec3 direction;
@@ -32,5 +32,5 @@ void main()
         }
     }
 #endif
-    direct = vec4(light * texture(albedo, uvInGuard(uv)).rgb, 1.0);
+    direct = vec4(light * texture(albedo, uvInGuardBand(uv)).rgb, 1.0);
 }

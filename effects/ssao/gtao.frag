@@ -18,7 +18,7 @@ precision highp int;
 #include "ssao/march.glsl"
 #include "ssao/occlusion_curve.glsl"
 
-uniform float bridge;
+uniform float max_gap;
 
 in vec2 uv;
 layout(location = 0) out float ao;
@@ -33,7 +33,7 @@ float horizonOf(March march, Slice slice, Side side, float sign)
     float horizon = lastCosine(side);
     vec3 before = vec3(0.0);
     float before_distance = 0.0;
-    float widest = bridge / float(STEPS) * radius;
+    float widest = max_gap / float(STEPS) * radius;
     for (int i = 0; i < STEPS; ++i) {
         vec2 at = tapAt(march, slice, sign, i);
         vec3 offset;
@@ -57,7 +57,7 @@ float horizonOf(March march, Slice slice, Side side, float sign)
 void main()
 {
     vec3 point;
-    if (!pointAt(uv, point)) {
+    if (!viewPosition(uv, point)) {
         ao = 1.0;
 #ifdef BENT_NORMALS
         bent_normal = vec4(0.5, 0.5, 1.0, 0.0);
@@ -70,11 +70,11 @@ void main()
     vec3 bent = vec3(0.0);
     for (int i = 0; i < SLICES; ++i) {
         Slice slice = sliceOf(march, i);
-        float weight = slice.turn.z;
+        float weight = slice.projected_length;
         for (float sign = -1.0; sign < 2.0; sign += 2.0) {
-            Side side = sideOf(slice.turn, sign);
+            Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
             float horizon = horizonOf(march, slice, side, sign);
-            open += weight * lightUpTo(side, horizon);
+            open += weight * cosineArcIntegral(side, horizon);
             whole += weight * side.whole;
 #ifdef BENT_NORMALS
             vec2 direction = openDirection(side, horizon);
@@ -83,8 +83,8 @@ void main()
         }
     }
 #ifdef BENT_NORMALS
-    bent = mix(march.normal * 1e-3, bent, shareShown(march));
+    bent = mix(march.normal * 1e-3, bent, radiusFade(march));
     bent_normal = vec4(normalize(bent + march.normal * 1e-6) * 0.5 + 0.5, 1.0);
 #endif
-    ao = visibilityOf(shareShown(march) * (1.0 - open / max(whole, 1e-6)));
+    ao = visibilityOf(radiusFade(march) * (1.0 - open / max(whole, 1e-6)));
 }

@@ -19,7 +19,7 @@ layout(location = 0) out float ao;
 void main()
 {
     vec3 point;
-    if (!pointAt(uv, point)) {
+    if (!viewPosition(uv, point)) {
         ao = 1.0;
         return;
     }

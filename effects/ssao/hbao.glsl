@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The occlusion of a point by the horizons about it, for whoever provides `pointAt` and `offSurface`.
+// The occlusion of a point by the horizons about it, for whoever provides `viewPosition` and `depthTolerance`.
 //
 // Each side of a slice is marched outwards. Where a tap rises above all before it, the part of the side
 // between the two horizons is blocked, the less the farther the tap lies.
@@ -29,7 +29,7 @@ highp float weightOf(March march, highp vec3 offset)
 highp float lightBelow(Side side, highp float c)
 {
 #if LIGHT == LIGHT_COSINE
-    return lightUpTo(side, c);
+    return cosineArcIntegral(side, c);
 #else
     return 1.0 - c;
 #endif
@@ -67,15 +67,15 @@ highp float occlusionOf(March march)
     for (int i = 0; i < SLICES; ++i) {
         Slice slice = sliceOf(march, i);
 #if LIGHT == LIGHT_COSINE
-        highp float weight = slice.turn.z;
+        highp float weight = slice.projected_length;
 #else
         const highp float weight = 1.0;
 #endif
         for (highp float sign = -1.0; sign < 2.0; sign += 2.0) {
-            Side side = sideOf(slice.turn, sign);
+            Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
             blocked += weight * blockedOn(march, slice, side, sign);
             whole += weight * lightBelow(side, lastCosine(side));
         }
     }
-    return shareShown(march) * blocked / max(whole, 1e-6);
+    return radiusFade(march) * blocked / max(whole, 1e-6);
 }

@@ -19,7 +19,7 @@ uniform highp sampler2D depth_tiles;
 uniform mediump sampler2D normal_tiles;
 
 // What the march asks of a surface: the nearest pixel of the own tile, false in the background and off the view.
-bool pointAt(vec2 at, out vec3 point)
+bool viewPosition(vec2 at, out vec3 point)
 {
     ivec2 tile = textureSize(depth_tiles, 0) / 4;
     ivec2 which = ivec2(gl_FragCoord.xy) / tile;
@@ -31,7 +31,7 @@ bool pointAt(vec2 at, out vec3 point)
     return isDrawn(stored) && at == clamp(at, 0.0, 1.0);
 }
 
-float offSurface(vec3 point, vec3 normal, float reach)
+float depthTolerance(vec3 point, vec3 normal, float reach)
 {
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }
@@ -48,7 +48,7 @@ void main()
     ivec2 pixel = pixelOfTexel(texel, textureSize(depth_tiles, 0) / 4);
     vec2 uv = uvOfPixel(pixel);
     vec3 point;
-    if (!pointAt(uv, point)) {
+    if (!viewPosition(uv, point)) {
         ao_tiles = 1.0;
         return;
     }

@@ -65,7 +65,7 @@ float shown(float occlusion)
 void main()
 {
     vec3 origin;
-    if (!pointAt(uv, origin)) {
+    if (!viewPosition(uv, origin)) {
         ao = 1.0;
 #ifdef WITH_BOUNCE
         indirect = vec4(0.0);
@@ -74,7 +74,7 @@ void main()
     }
     vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
     vec3 normal_here = normalAt(uv);
-    float lift = max(bias * radius, offSurface(origin, normal_here, radius));
+    float lift = max(bias * radius, depthTolerance(origin, normal_here, radius));
     mat3 view_from_kernel = rotatedFrame(normal_here, rotation);
 #if BIAS_ALONG == BIAS_ALONG_NORMAL
     vec3 center = origin + normal_here * lift;
@@ -95,7 +95,7 @@ void main()
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!seenAt(uv, at, seen)) continue;
+        if (!samplePosition(uv, at, seen)) continue;
         // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
         // shades itself, since a texel's one depth stands for all of its slope.
         bool above = dot(seen - origin, normal_here) > lift;

@@ -55,7 +55,7 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
     march.right = normalize(vec3(max(march.to_camera.z, 1e-6), 0.0, -march.to_camera.x));
     march.up = cross(march.to_camera, march.right);
     // Of a normal that leans, the light that one side loses the other gains: no lift for what lies away from here.
-    march.point = point + normal * max(bias * radius, offSurface(point, normal, 0.0));
+    march.point = point + normal * max(bias * radius, depthTolerance(point, normal, 0.0));
     march.clip = clipOf(vec4(point, 1.0));
     march.reach = seenReach(point);
     march.shown = reachOf(point);
@@ -69,7 +69,9 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
 struct Slice {
     highp vec3 along;  // unit, perpendicular to the direction to the camera
     highp vec3 clip;   // x, y and w in clip space of one reach along it
-    highp vec3 turn;   // cosine and sine of the normal's angle in it, and how much of the normal lies in it
+    highp float cos_n;  // cosine of the angle between the view ray and the normal's projection onto the slice
+    highp float sin_n;  // its sine
+    highp float projected_length;  // of the unit normal, projected onto the slice
 };
 
 // Slices lie evenly over half a turn about the view ray, not on the screen: towards the edge of a wide view
@@ -80,16 +82,21 @@ Slice sliceOf(March march, int index)
 {
     highp float angle = kPi * (float(index) + march.noise.x) / float(SLICES);
     highp vec3 along = cos(angle) * march.right + sin(angle) * march.up;
-    highp vec2 turn = vec2(dot(march.normal, march.to_camera), dot(march.normal, along));
-    highp float size = length(turn);
-    return Slice(along, clipOf(vec4(along * march.reach, 0.0)),
-                 size > 1e-3 ? vec3(turn / size, size) : vec3(1.0, 0.0, 1e-3));
+    highp vec2 projected = vec2(dot(march.normal, march.to_camera), dot(march.normal, along));
+    highp float size = length(projected);
+    Slice slice = Slice(along, clipOf(vec4(along * march.reach, 0.0)), 1.0, 0.0, 1e-3);
+    if (size > 1e-3) {
+        slice.cos_n = projected.x / size;
+        slice.sin_n = projected.y / size;
+        slice.projected_length = size;
+    }
+    return slice;
 }
 
 // On the surface, away from the point; perpendicular to the normal within the slice.
 highp vec3 outward(March march, Slice slice, highp float sign)
 {
-    return sign * (slice.along * slice.turn.x - march.to_camera * slice.turn.y);
+    return sign * (slice.along * slice.cos_n - march.to_camera * slice.sin_n);
 }
 
 // Cosine of the angle of an offset from the point.
@@ -99,9 +106,9 @@ highp float cosineOf(March march, Side side, highp vec3 outwards, highp vec3 off
     return cosineOfRise(side, rise, dot(offset, outwards) >= 0.0);
 }
 
-highp float shareShown(March march)
+highp float radiusFade(March march)
 {
-    return shareShown(march.shown, march.pixel);
+    return radiusFade(march.shown, march.pixel);
 }
 
 // Whether the surface at the uv of a tap is known, and its offset from the point. `at` becomes the uv of what
@@ -109,7 +116,7 @@ highp float shareShown(March march)
 bool offsetAt(March march, inout highp vec2 at, out highp vec3 offset)
 {
     highp vec3 seen;
-    bool known = isCaptured(at) && seenAt(march.uv, at, seen);
+    bool known = isCaptured(at) && samplePosition(march.uv, at, seen);
     offset = seen - march.point;
     return known;
 }

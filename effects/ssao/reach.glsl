@@ -13,7 +13,7 @@ highp vec2 reachOf(highp vec3 point)
 
 // 1 where the radius is two pixels or more, 0 where it is below one: no tap is as near, and there is nothing
 // to see. Ours; XeGTAO fades as well, from ten pixels on.
-highp float shareShown(highp vec2 reach, highp vec2 pixel)
+highp float radiusFade(highp vec2 reach, highp vec2 pixel)
 {
     highp vec2 pixels = reach / pixel;
     return clamp(max(pixels.x, pixels.y) - 1.0, 0.0, 1.0);

@@ -47,13 +47,13 @@ float weightOf(float height, float distance2)
 void main()
 {
     vec3 point;
-    if (!pointAt(uv, point)) {
+    if (!viewPosition(uv, point)) {
         ao = 1.0;
         return;
     }
     float per_radius = 1.0 / max(radius, 1e-18);
     vec3 up = normalAt(uv);
-    float lift = max(bias, offSurface(point, up, radius) * per_radius);
+    float lift = max(bias, depthTolerance(point, up, radius) * per_radius);
     vec2 reach = reachOf(point);
     vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
     vec2 noise = pixelNoise(gl_FragCoord.xy);
@@ -73,9 +73,9 @@ void main()
         if (!isCaptured(at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!seenAt(uv, at, seen)) continue;
+        if (!samplePosition(uv, at, seen)) continue;
         vec3 offset = (seen - point) * per_radius;
         occlusion += weightOf(dot(offset, up) - lift, dot(offset, offset));
     }
-    ao = visibilityOf(shareShown(reach, pixel) * occlusion / max(known, 1.0));
+    ao = visibilityOf(radiusFade(reach, pixel) * occlusion / max(known, 1.0));
 }

@@ -17,22 +17,22 @@ uniform highp float near_taps;
 // The point that the tap at `at` of the pixel at `from` sees, false in the background; `at` becomes the uv of that
 // point. The level is the logarithm of the distance, less that of `near_taps`: 16 pixels, where the authors have 2^3.
 // [McGuire, Mara, Luebke 2012, "Scalable Ambient Obscurance"]
-bool seenAt(highp vec2 from, inout highp vec2 at, out highp vec3 point)
+bool samplePosition(highp vec2 from, inout highp vec2 at, out highp vec3 point)
 {
     highp ivec2 size = textureSize(depth_levels, 0);
-    highp vec2 pixels = (at - from) * vec2(size) / GUARD;
+    highp vec2 pixels = (at - from) * vec2(size) / GUARD_BAND;
     highp float doublings = 0.5 * log2(max(dot(pixels, pixels), 1e-6) / (near_taps * near_taps));
     highp int level = min(int(doublings + 1.0), kDepthLevels);
-    if (doublings < 0.0 || min(size.x, size.y) >> level == 0) return pointAt(at, point);
-    highp ivec2 texel = min(texelAt(uvInGuard(at), vec2(size)) >> level, (size >> level) - 1);
+    if (doublings < 0.0 || min(size.x, size.y) >> level == 0) return viewPosition(at, point);
+    highp ivec2 texel = min(texelAt(uvInGuardBand(at), vec2(size)) >> level, (size >> level) - 1);
     highp float stored = texelFetch(depth_levels, levelCorner(level, size) + texel, 0).r;
-    at = uvFromGuard((vec2(levelSource(level, texel)) + 0.5) / vec2(size));
+    at = uvFromGuardBand((vec2(levelSource(level, texel)) + 0.5) / vec2(size));
     point = viewFromWindow(at, stored);
     return isDrawn(stored);
 }
 #else
-bool seenAt(highp vec2 from, highp vec2 at, out highp vec3 point)
+bool samplePosition(highp vec2 from, highp vec2 at, out highp vec3 point)
 {
-    return pointAt(at, point);
+    return viewPosition(at, point);
 }
 #endif

@@ -4,7 +4,7 @@
 //
 // An angle on a side counts from the direction to the camera and is given by its cosine. Of the light that
 // a cosine-weighted hemisphere gets, angle t of a side brings cos(t - n) sin t dt, where n is the angle
-// of the normal within the slice; `lightUpTo` is its integral.
+// of the normal within the slice; `cosineArcIntegral` is its integral.
 //
 // [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"]. Lines are those of its
 // algorithm 1, as XeGTAO counts them.
@@ -14,7 +14,7 @@
 struct Side {
     highp float cos_n;  // of the normal's angle, positive towards this side
     highp float sin_n;
-    highp float tilt;   // cosine between the normal and the slice: what a rise over the surface shrinks by
+    highp float projected_length;  // of the normal, projected onto the slice: a rise over the surface shrinks by it
     highp float whole;  // the light of all of the side
 };
 
@@ -26,7 +26,7 @@ highp float lastCosine(Side side)
 
 // The light from angle 0 up to that of cosine `c`, at most up to the end of the side. Line 27: with t the angle,
 // (cos n - cos(2 t - n) + 2 t sin n) / 4, here without sines of sums.
-highp float lightUpTo(Side side, highp float c)
+highp float cosineArcIntegral(Side side, highp float c)
 {
     highp float kept = clamp(c, lastCosine(side), 1.0);
     highp float s = sqrt(max(1.0 - kept * kept, 0.0));
@@ -52,17 +52,17 @@ highp vec2 openDirection(Side side, highp float c)
 // at every angle. The paper takes the angle to the camera, lines 23 and 24.
 highp float cosineOfRise(Side side, highp float rise, bool leads)
 {
-    highp float up = clamp(rise / side.tilt, 0.0, 1.0);
+    highp float up = clamp(rise / side.projected_length, 0.0, 1.0);
     highp float level = sqrt(1.0 - up * up);
     if (leads) return side.cos_n * up - side.sin_n * level;
     bool on_this_side = side.sin_n * up > side.cos_n * level;  // between the normal and the camera
     return on_this_side ? side.cos_n * up + side.sin_n * level : lastCosine(side);
 }
 
-// `sign` is 1 for the side along which the march goes, -1 for the other.
-Side sideOf(highp vec3 turn, highp float sign)
+// `sin_n` is positive where the normal leans towards this side.
+Side sideOf(highp float cos_n, highp float sin_n, highp float projected_length)
 {
-    Side side = Side(turn.x, turn.y * sign, turn.z, 0.0);
-    side.whole = lightUpTo(side, -1.0);
+    Side side = Side(cos_n, sin_n, projected_length, 0.0);
+    side.whole = cosineArcIntegral(side, -1.0);
     return side;
 }

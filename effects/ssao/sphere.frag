@@ -30,7 +30,7 @@ layout(location = 0) out float ao;
 void main()
 {
     vec3 origin;
-    if (!pointAt(uv, origin)) {
+    if (!viewPosition(uv, origin)) {
         ao = 1.0;
         return;
     }
@@ -48,9 +48,9 @@ void main()
         if (!uvFromView(probe, at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!seenAt(uv, at, seen) || seen.z < probe.z) continue;
+        if (!samplePosition(uv, at, seen) || seen.z < probe.z) continue;
         occlusion += rangeWeight(origin.z, probe.z, seen.z, radius);
     }
     vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
-    ao = visibilityOf(shareShown(reachOf(origin), pixel) * occlusion / max(known, 1.0));
+    ao = visibilityOf(radiusFade(reachOf(origin), pixel) * occlusion / max(known, 1.0));
 }

@@ -2,14 +2,14 @@
 // The view's pixels in 4x4 tiles of every fourth pixel each. Where the view is not a multiple of four, the
 // last texels of some tiles stand for no pixel.
 
-#include "common/guard.glsl"
+#include "common/guard_band.glsl"
 
 uniform highp sampler2D stored_depth;  // as the geometry left it: what tells the view's size
 
 // Of the view, without its guard band.
 highp ivec2 viewPixels()
 {
-    return ivec2(vec2(textureSize(stored_depth, 0)) / GUARD + 1e-3);
+    return ivec2(vec2(textureSize(stored_depth, 0)) / GUARD_BAND + 1e-3);
 }
 
 highp vec2 uvOfPixel(highp ivec2 pixel)

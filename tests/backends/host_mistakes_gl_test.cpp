@@ -14,7 +14,7 @@ using namespace crevice;
 namespace {
 
 constexpr Extent kExtent = {32, 18};
-constexpr std::uint32_t kGarbage = 12345;
+constexpr std::uint32_t kPoison = 12345;
 
 struct Stage {
     Stage()
@@ -170,14 +170,14 @@ TEST_CASE("Draws of meshes and maps that are not there, or not finite, are left 
     std::swap(stage.frame, rest);
     const Material material = bad.materials[bad.draws[0].material];
     bad.materials.push_back(material);
-    SECTION("mesh") { bad.draws[0].mesh = {kGarbage}; }
+    SECTION("mesh") { bad.draws[0].mesh = {kPoison}; }
     SECTION("null mesh") { bad.draws[0].mesh = {}; }
     SECTION("indices") { bad.draws[0].count = 0xfffffff0; }
     SECTION("matrix") { bad.draws[0].world_from_model[0][0] = std::numeric_limits<double>::quiet_NaN(); }
     SECTION("map")
     {
         bad.draws[0].material = static_cast<int>(bad.materials.size()) - 1;
-        bad.materials.back().base_color_map = {kGarbage};
+        bad.materials.back().base_color_map = {kPoison};
     }
     const Status status = stage.renderer->render(bad);
     INFO(toText(status.diagnostics()));
@@ -193,7 +193,7 @@ TEST_CASE_METHOD(GlFixture, "ids that are none are errors of reading, writing an
     const TextureId gone = texture(Format::r8);
     device->destroy(gone);
     device->destroy(gone);
-    for (const TextureId id : {TextureId{}, TextureId{kGarbage}, TextureId{0xffffffff}, gone}) {
+    for (const TextureId id : {TextureId{}, TextureId{kPoison}, TextureId{0xffffffff}, gone}) {
         INFO(id.value);
         CHECK(onlyCode(device->readTexture(id).diagnostics()) == Code::bad_input);
         CHECK(onlyCode(device->writeTexture(id, Image({4, 4}, 1))) == Code::bad_input);

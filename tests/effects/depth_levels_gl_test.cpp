@@ -52,7 +52,7 @@ bool holds(const Image& depth, int level, int x, int y, float value)
 
 TEST_CASE("A texel of a level is one of the texels of depth that it stands for")
 {
-    PictureRequest request = room({"guard=1"});
+    PictureRequest request = room({"guard_band=1"});
     request.extent = {97, 53};
     request.target = "depth_levels";
     const Image levels = drawn("gtao", request);
@@ -91,7 +91,7 @@ TEST_CASE("Levels change little, the nearer they begin the more, and nothing bey
 TEST_CASE("Levels of tiny and odd views, and of views with a guard band, draw visibility")
 {
     for (const Extent extent : {Extent{1, 1}, Extent{5, 3}, Extent{17, 31}, Extent{33, 16}})
-        for (const char* guard : {"guard=1", "guard=1.37"}) {
+        for (const char* guard : {"guard_band=1", "guard_band=1.37"}) {
             PictureRequest request = room({"radius=4", "near_taps=1", guard});
             request.extent = extent;
             CHECK(allVisibility(drawn("gtao", request)));

@@ -94,7 +94,7 @@ TEST_CASE("More radius never lightens the corner")
     }
 }
 
-TEST_CASE("Intensity 0 and radius 0 are the identity")
+TEST_CASE("Intensity 0 and radius 0 are the no-op")
 {
     for (const char* off : {"intensity=0", "radius=0"}) {
         PictureRequest request;

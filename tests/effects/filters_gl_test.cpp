@@ -36,7 +36,7 @@ precision highp float;
 uniform float radius;
 in vec2 uv;
 layout(location = 0) out float ao;
-void main() { vec3 point; ao = pointAt(uv, point) && radius > 0.0 ? )" + ao + " : 1.0; }\n";
+void main() { vec3 point; ao = viewPosition(uv, point) && radius > 0.0 ? )" + ao + " : 1.0; }\n";
 }
 
 struct Given {

@@ -24,7 +24,7 @@ layout(location = 0) out vec4 color;
 void main()
 {
     vec3 point;
-    color = pointAt(uv, point) ? vec4(normalAt(uv) * 0.5 + 0.5, 1.0) : vec4(0.0);
+    color = viewPosition(uv, point) ? vec4(normalAt(uv) * 0.5 + 0.5, 1.0) : vec4(0.0);
 }
 )";
 
@@ -285,7 +285,7 @@ TEST_CASE("A guard band leaves the lit picture in its place, deferred and forwar
             mine.add("configs/guarded.json",
                      std::string(R"({"format": 1, "extends": ["geometry/depth_normal", "ssao/gtao",
                                  "filter/bilateral_normal", "lighting/)") +
-                         lighting + R"("], "params": {"guard": {"default": )" + guard + "}}}");
+                         lighting + R"("], "params": {"guard_band": {"default": )" + guard + "}}}");
             const LayeredSources sources({&mine, &shippedSources()});
             PictureRequest request;
             request.config = "guarded";

@@ -88,7 +88,7 @@ Frame frameOn(RecordingDevice& device)
 /// What a device is told by a config in two frames that are alike, and what its plan says is left out.
 struct Run {
     std::string log;
-    std::vector<LeftOut> left_out;
+    std::vector<Elided> elided;
 };
 
 Run runOf(const Description& description, std::vector<std::string> outputs, const std::string& kept)
@@ -98,16 +98,16 @@ Run runOf(const Description& description, std::vector<std::string> outputs, cons
     CompileOptions options;
     options.extent = {64, 32};
     options.outputs = std::move(outputs);
-    if (!kept.empty()) options.keep = {kept};
+    if (!kept.empty()) options.disable = {kept};
     const auto renderer = need(Renderer::create(device, description, options, traitsOf(frame)));
     need(renderer->render(frame));
     need(renderer->render(frame));
-    return {device.log(), renderer->plan().left_out};
+    return {device.log(), renderer->plan().elided};
 }
 
-/// Whether the rule changes what a device is told, and the plan says so: of the config as it is, without
+/// Whether the optimization changes what a device is told, and the plan says so: of the config as it is, without
 /// occlusion, or asked for the occlusion alone.
-bool fires(const std::string& rule, const std::string& config)
+bool fires(const std::string& optimization, const std::string& config)
 {
     const Description whole = descriptionOf({config, ""});
     Description without = whole;
@@ -118,8 +118,8 @@ bool fires(const std::string& rule, const std::string& config)
          {std::pair{whole, std::vector<std::string>()}, {without, {}}, {whole, occlusion}}) {
         const Run with = runOf(description, outputs, "");
         bool said = false;
-        for (const LeftOut& each : with.left_out) said = said || each.rule == rule;
-        if (said && with.log != runOf(description, outputs, rule).log) return true;
+        for (const Elided& each : with.elided) said = said || each.optimization == optimization;
+        if (said && with.log != runOf(description, outputs, optimization).log) return true;
     }
     return false;
 }
@@ -134,11 +134,11 @@ TEST_CASE("Every key of the format is used by a shipped module or config")
 
 TEST_CASE("Every optimization fires in at least three shipped configs")
 {
-    for (const std::string& rule : ruleNames()) {
+    for (const std::string& optimization : optimizationNames()) {
         int configs = 0;
         for (const std::string& config : configNames(shippedSources()))
-            if (configs < 3 && fires(rule, config)) ++configs;
-        INFO(rule);
+            if (configs < 3 && fires(optimization, config)) ++configs;
+        INFO(optimization);
         CHECK(configs == 3);
     }
 }

@@ -27,7 +27,7 @@ layout(location = 1) out vec4 bent_normal;
 void main()
 {
     vec3 point;
-    bool seen = pointAt(uv, point);
+    bool seen = viewPosition(uv, point);
     bent_normal = vec4(seen ? normalAt(uv) * 0.5 + 0.5 : vec3(0.5, 0.5, 1.0), 1.0);
     ao_filtered = seen ? )" + ao + " : 1.0; }\n";
 }
@@ -181,7 +181,7 @@ TEST_CASE("A spot lights its cone like a point light, and nothing outside")
     Light light;
     light.position = {0, 3, 0};
     light.direction = {0, -1, 0};
-    scene.lights = {{"lamp", light}};
+    scene.lights = {{"light", light}};
     const auto drawn = [&] {
         PictureRequest request;
         request.camera = "eye=0,6,0.01;at=0,0,0;fov=60";

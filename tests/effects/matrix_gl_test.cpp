@@ -51,7 +51,7 @@ void addOptions(Cell& cell, std::size_t index)
         cell.add_ons.push_back(drawn ? "geometry/depth_levels" : "geometry/host_depth_levels");
     const char* const rotations[] = {"rotation=tile", "rotation=gradient", "rotation=none"};
     if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
-    if (has(*cell.input, "guard") && index % 4 == 0) cell.overrides.push_back("guard=1.2");
+    if (has(*cell.input, "guard_band") && index % 4 == 0) cell.overrides.push_back("guard_band=1.2");
     if (has(*cell.filter, "ao_scale") && index % 2) cell.overrides.push_back("ao_scale=0.25");
 }
 
@@ -97,9 +97,9 @@ Scene edgeScene()
     scene.instances.resize(2);
     scene.instances[1].mesh = 1;
     scene.materials.resize(1);
-    Light lamp;
-    lamp.position = {1, 2, 2};
-    scene.lights = {{"lamp", lamp}};
+    Light light;
+    light.position = {1, 2, 2};
+    scene.lights = {{"light", light}};
     return scene;
 }
 

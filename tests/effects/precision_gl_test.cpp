@@ -33,7 +33,7 @@ struct Stored {
             if (each.name == target) each.formats = {format};
         return description;
     }
-    StoredSurface surface() const { return {Holds::view_position, format}; }
+    StoredSurface surface() const { return {Semantic::view_position, format}; }
 };
 
 struct Drawn {

@@ -93,13 +93,13 @@ TEST_CASE("Every config and variant says what it is and every param what it does
 
 TEST_CASE("learnopengl runs geometry, the mask of its pixels, ssao, filter and lighting in this order")
 {
-    CHECK(passNames(plan({"learnopengl"})) == Names{"geometry", "receivers", "ssao", "filter", "lighting"});
+    CHECK(passNames(plan({"learnopengl"})) == Names{"geometry", "foreground", "ssao", "filter", "lighting"});
 }
 
 TEST_CASE("Asking for the occlusion alone leaves lighting and albedo out")
 {
     const Plan ao = plan({"learnopengl"}, {"ao"});
-    CHECK(passNames(ao) == Names{"geometry", "receivers", "ssao", "filter"});
+    CHECK(passNames(ao) == Names{"geometry", "foreground", "ssao", "filter"});
     CHECK(!hasAttachment(ao, "albedo"));
     CHECK(hasAttachment(ao, "normal"));
 }
@@ -123,15 +123,15 @@ TEST_CASE("Intensity 0 and radius 0 leave the occlusion pass out")
         const Names names = passNames(without);
         INFO(off);
         CHECK(std::find(names.begin(), names.end(), "ssao") == names.end());
-        CHECK(!without.left_out.empty());
+        CHECK(!without.elided.empty());
     }
 }
 
 TEST_CASE("The four combinations of kernel and filter differ in one line of extends")
 {
     CHECK(passNames(plan({"hemisphere_bilateral"})) ==
-          Names{"geometry", "receivers", "ssao", "filter_x", "filter_y", "lighting"});
-    CHECK(passNames(plan({"sphere_box"})) == Names{"geometry", "receivers", "ssao", "filter", "lighting"});
+          Names{"geometry", "foreground", "ssao", "filter_x", "filter_y", "lighting"});
+    CHECK(passNames(plan({"sphere_box"})) == Names{"geometry", "foreground", "ssao", "filter", "lighting"});
 }
 
 TEST_CASE("A device's own variant of a config takes a few lines")

@@ -49,7 +49,7 @@ in vec2 uv;
 layout(location = 0) out float ao;
 void main() {
     vec3 point;
-    bool known = pointAt(uv, point);
+    bool known = viewPosition(uv, point);
     vec3 world = (world_from_view * vec4(point, 1.0)).xyz + 1e-9 * float(frame_index) * radius;
     ao = known ? )" + ao + " : 1.0; }\n");
         mine.add("ssao/given.json", kGiven);

@@ -14,7 +14,7 @@ bench_point() {
     printf '"clock":"wall","repeats":9,"total":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
     printf '"cost":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
     printf '"passes":[{"name":"ao","ms":{"median":%s,"q1":%s,"q3":%s}}],' "$ms" "$ms" "$ms"
-    printf '"ratio_floor":%s,"ratio_learnopengl":1,"texture_bytes":1e6,"bytes_read":2e6,' "$ms"
+    printf '"ratio_copy":%s,"ratio_learnopengl":1,"texture_bytes":1e6,"bytes_read":2e6,' "$ms"
     printf '"bytes_written":1e6,"ao_picture":"%s.png","truth_picture":"truth.png",' "$key"
     printf '"difference_picture":"%s.png"}\n' "$key"
 }

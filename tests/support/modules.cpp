@@ -28,12 +28,12 @@ std::string textAt(const Node& node, const char* key)
     return value ? value->text : "";
 }
 
-/// What a pass says it reads: as inputs, and as what its identities give.
+/// What a pass says it reads: as inputs, and as what its no-ops give.
 std::set<std::string> readBy(const Node& pass)
 {
     std::set<std::string> names;
-    for (const Member& identity : membersOf(pass, "identity"))
-        for (const Member& given : membersOf(identity.value, "gives"))
+    for (const Member& no_op : membersOf(pass, "no_op"))
+        for (const Member& given : membersOf(no_op.value, "gives"))
             if (given.value.kind == Node::Kind::string) names.insert(given.value.text);
     for (const Member& input : membersOf(pass, "inputs")) {
         const Node* from = input.value.find("from");

@@ -113,9 +113,9 @@ inline const PlanAttachment* attachmentOf(const Plan& plan, const std::string& t
     return nullptr;
 }
 
-inline const LeftOut* leftOut(const Plan& plan, const std::string& what)
+inline const Elided* elided(const Plan& plan, const std::string& what)
 {
-    for (const LeftOut& each : plan.left_out)
+    for (const Elided& each : plan.elided)
         if (each.what == what) return &each;
     return nullptr;
 }

@@ -40,7 +40,7 @@ inline const char* const kRigConfig = R"({
     "geometry": {"type": "draw", "shader": "geometry", "color": ["normal", "albedo"],
                  "depth": "depth", "clear": {"albedo": [0.25, 0, 0, 1]}},
     "occlusion": {"type": "fullscreen", "shader": "occlusion", "color": "ao",
-                  "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}}},
+                  "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}}},
     "filter": {"type": "fullscreen", "shader": "filter", "color": "smooth_ao",
                "when": {"soft": true}, "bypass": {"smooth_ao": "ao"},
                "inputs": {"source": {"from": "ao", "filter": "linear"}}},

@@ -29,23 +29,23 @@ static void to_json(json& line, const AblationRow& row)
 {
     line = {{"key", row.key}, {"config", row.config}, {"scene", row.scene}, {"camera", row.camera},
             {"width", row.extent.width}, {"height", row.extent.height}, {"situation", row.situation},
-            {"rule", row.rule}, {"ms", row.ms}, {"factor", row.factor}, {"texture_bytes", row.texture_bytes},
-            {"left_out", row.left_out}, {"repeats", row.repeats}, {"device", row.device}, {"version", row.version}};
+            {"optimization", row.optimization}, {"ms", row.ms}, {"factor", row.factor}, {"texture_bytes", row.texture_bytes},
+            {"elided", row.elided}, {"repeats", row.repeats}, {"device", row.device}, {"version", row.version}};
 }
 
 /// Rows of earlier versions have no key; they are measured again.
 static void from_json(const json& line, AblationRow& row)
 {
     row = {line.value("key", ""), line.at("config"), line.at("scene"), line.at("camera"),
-           {line.at("width"), line.at("height")}, line.at("situation"), line.at("rule"), line.at("ms"),
-           line.at("factor"), line.at("texture_bytes"), line.at("left_out"), line.at("repeats"),
+           {line.at("width"), line.at("height")}, line.at("situation"), line.at("optimization"), line.at("ms"),
+           line.at("factor"), line.at("texture_bytes"), line.at("elided"), line.at("repeats"),
            line.at("device"), line.at("version")};
 }
 
 namespace {
 
 constexpr const char* kIntensity = "intensity";
-constexpr const char* kAllRules = "all";
+constexpr const char* kAllOptimizations = "all";
 
 struct Situation {
     const char* name;
@@ -79,9 +79,9 @@ Result<double> millisecondsOf(Device& device, Renderer& renderer, const Frame& f
     return took.count();
 }
 
-/// A renderer without a rule, and what its turns took.
+/// A renderer without an optimization, and what its turns took.
 struct Contender {
-    std::string rule;
+    std::string optimization;
     std::unique_ptr<Renderer> renderer = {};
     std::vector<double> turns = {};  ///< Median milliseconds of each.
 };
@@ -108,13 +108,13 @@ Result<std::vector<Contender>> contenders(Device& device, const Description& des
 {
     std::vector<Contender> all;
     all.push_back({""});
-    for (const RuleInfo& rule : kRules) all.push_back({rule.name});
-    all.push_back({kAllRules});
+    for (const Optimization& optimization : kOptimizations) all.push_back({optimization.name});
+    all.push_back({kAllOptimizations});
     for (Contender& each : all) {
         CompileOptions options;
         options.extent = extent;
         if (situation.alone) options.outputs = {"ao"};
-        if (!each.rule.empty()) options.keep = {each.rule};
+        if (!each.optimization.empty()) options.disable = {each.optimization};
         auto renderer = Renderer::create(device, description, options, traitsOf(frame));
         if (!renderer) return renderer.diagnostics();
         each.renderer = std::move(*renderer);
@@ -135,10 +135,10 @@ Status takeTurns(Device& device, const Situation& situation, Frame& frame, int r
 }
 
 /// What says the same of the same thing on the same device.
-std::string identityOf(const AblationRow& row)
+std::string noOpOf(const AblationRow& row)
 {
     return row.config + '\n' + row.scene + '\n' + row.camera + '\n' + extentName(row.extent) + '\n' +
-           row.situation + '\n' + row.rule + '\n' + row.device;
+           row.situation + '\n' + row.optimization + '\n' + row.device;
 }
 
 AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation& situation,
@@ -151,11 +151,11 @@ AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation&
     row.camera = task.point.camera;
     row.extent = view.extent;
     row.situation = situation.name;
-    row.rule = contender.rule;
+    row.optimization = contender.optimization;
     row.ms = timeFigures(contender.turns);
     row.factor = ratioFigures(contender.turns, with_all.turns);
     row.texture_bytes = plan.texture_bytes;
-    row.left_out = static_cast<int>(plan.left_out.size());
+    row.elided = static_cast<int>(plan.elided.size());
     row.repeats = static_cast<int>(contender.turns.size());
     row.version = task.point.version;
     return row;
@@ -163,7 +163,7 @@ AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation&
 
 bool isLast(const AblationRow& row)
 {
-    return row.rule == kAllRules && row.situation == std::end(kSituations)[-1].name;
+    return row.optimization == kAllOptimizations && row.situation == std::end(kSituations)[-1].name;
 }
 
 /// FOLDER/ablation.jsonl of each folder among the paths, or beside each file, once each.
@@ -193,7 +193,7 @@ Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& pa
     for (const std::string& file : ablationFiles(paths))
         append(diagnostics, readLines(file, {"row of an ablation", "crevice bench --ablate"}, [&](json&& line) {
                    AblationRow row = line.get<AblationRow>();
-                   const auto [at, fresh] = known.insert({identityOf(row), rows.size()});
+                   const auto [at, fresh] = known.insert({noOpOf(row), rows.size()});
                    if (fresh) rows.push_back(std::move(row));
                    else rows[at->second] = std::move(row);
                }));
@@ -257,14 +257,14 @@ std::string toText(const std::vector<AblationRow>& rows)
 {
     std::string text;
     for (const AblationRow& row : rows) {
-        if (row.rule.empty()) {
+        if (row.optimization.empty()) {
             char cell[64];
             std::snprintf(cell, sizeof cell, "\n%-14s %9s ms;", row.situation.c_str(),
                           fixed(row.ms.median, 3).c_str());
             text += cell;
             continue;
         }
-        const std::string without = row.rule == kAllRules ? "none of them" : "not " + row.rule;
+        const std::string without = row.optimization == kAllOptimizations ? "none of them" : "not " + row.optimization;
         text += "  " + without + " x" + significant(row.factor.median, 3);
     }
     return text + "\n";

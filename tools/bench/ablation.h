@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Ablation: what each rule that leaves things out is worth, by itself.
+// Ablation: what each optimization that leaves things out is worth, by itself.
 //
 // A config is drawn in situations that a host meets: a moving camera, a moving light, nothing that
-// moves, occlusion that is off, occlusion alone. In each, renderers with all rules, without one of them and
+// moves, occlusion that is off, occlusion alone. In each, renderers with all optimizations, without one of them and
 // with none take turns (see tools/bench/times.h). What counts is a whole frame by the wall clock, the
 // wait for the GPU included.
 //
-// Results are JSON Lines, FOLDER/ablation.jsonl, one line a rule, situation, scene and config.
+// Results are JSON Lines, FOLDER/ablation.jsonl, one line an optimization, situation, scene and config.
 #pragma once
 
 #include "core/gpu/device.h"
@@ -25,11 +25,11 @@ struct AblationRow {
     std::string camera;
     Extent extent;
     std::string situation;  ///< "moving camera", "moving light", "still", "off", "ao alone".
-    std::string rule;       ///< Switched off; empty: none is, "all": all are.
+    std::string optimization;       ///< Switched off; empty: none is, "all": all are.
     TimeFigures ms;         ///< A frame.
-    TimeFigures factor;     ///< Over the time with all rules, turn by turn; 1 where `rule` is empty.
+    TimeFigures factor;     ///< Over the time with all optimizations, turn by turn; 1 where `optimization` is empty.
     double texture_bytes = 0;
-    int left_out = 0;       ///< Things that the plan leaves out.
+    int elided = 0;       ///< Things that the plan leaves out.
     int repeats = 0;        ///< Turns.
     std::string device;
     std::string version;    ///< Of crevice.
@@ -44,13 +44,13 @@ std::string toJsonLine(const AblationRow& row);
 /// Errors: those of readLines.
 Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& paths);
 
-/// The rows of a task: every situation by every rule; few or none where it is interrupted between turns.
+/// The rows of a task: every situation by every optimization; few or none where it is interrupted between turns.
 ///
 /// Errors: those of the device and the renderer.
 Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, const BenchView& view,
                                         int repeats, const std::function<bool()>& interrupted);
 
-/// What the engine of tools/measure needs to time every situation by every rule for each task of a plan; `known`
+/// What the engine of tools/measure needs to time every situation by every optimization for each task of a plan; `known`
 /// is what the file has. The device and the plan must outlive it.
 MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<AblationRow>& known, int repeats,
                        std::function<bool()> interrupted);
@@ -58,7 +58,7 @@ MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<
 /// Those of a task.
 std::vector<AblationRow> rowsOf(const std::vector<AblationRow>& rows, const std::string& key);
 
-/// For people: a line a situation, milliseconds with all rules, then the factors without.
+/// For people: a line a situation, milliseconds with all optimizations, then the factors without.
 std::string toText(const std::vector<AblationRow>& rows);
 
 }  // namespace crevice

@@ -80,7 +80,7 @@ public:
             if (gathered.harmful)
                 candidates.harmful.push_back(label);
             else if (!lacking.empty())
-                candidates.left_out.push_back(label + ": no figures for " + lacking);
+                candidates.elided.push_back(label + ": no figures for " + lacking);
             else
                 candidates.list.push_back(std::move(gathered.candidate));
         }
@@ -107,7 +107,7 @@ private:
             candidate.error = point.error.rmse;
             candidate.worst_view = view;
         }
-        candidate.ratio = std::max(candidate.ratio, point.ratio_floor);
+        candidate.ratio = std::max(candidate.ratio, point.ratio_copy);
         gathered.harmful = gathered.harmful || point.error.rmse >= point.error_without_ao;
         gathered.views.push_back(view);
     }
@@ -129,7 +129,7 @@ void addOtherwiseMeasured(const std::vector<BenchPoint>& points,
         for (const std::size_t i : view.points) {
             const std::string label = pointLabel(points[i]);
             if (known.insert(label).second)
-                candidates.left_out.push_back(label + ": measured at " + extentName(view.extent) +
+                candidates.elided.push_back(label + ": measured at " + extentName(view.extent) +
                                               " and radius " + significant(view.radius, 6) + " alone");
         }
 }
@@ -175,7 +175,7 @@ Result<ChoiceLimit> parseBudget(const std::string& text)
     if (number > 0.0 && std::isfinite(number)) {
         if (unit.empty() || unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
         if (unit == "us") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number / 1000.0};
-        if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::floor_ratio, number};
+        if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::copy_ratio, number};
     }
     return scopeError("'" + text + "' is not a time above 0",
                       "write --budget 2ms, 500us, or 10x for ten times a depth copy");
@@ -185,7 +185,7 @@ double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 {
     switch (kind) {
     case ChoiceLimit::Kind::time_ms: return candidate.ms;
-    case ChoiceLimit::Kind::floor_ratio: return candidate.ratio;
+    case ChoiceLimit::Kind::copy_ratio: return candidate.ratio;
     case ChoiceLimit::Kind::error: break;
     }
     return candidate.error;
@@ -196,7 +196,7 @@ std::string limitText(ChoiceLimit limit)
     const std::string most = significant(limit.most, 6);
     switch (limit.kind) {
     case ChoiceLimit::Kind::time_ms: return "at most " + most + " ms";
-    case ChoiceLimit::Kind::floor_ratio: return "at most " + most + " times the floor";
+    case ChoiceLimit::Kind::copy_ratio: return "at most " + most + " times the floor";
     case ChoiceLimit::Kind::error: break;
     }
     return "an error of at most " + most;

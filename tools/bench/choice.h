@@ -35,7 +35,7 @@ struct Candidates {
     std::string device;
     std::vector<ResultView> views;
     std::vector<Candidate> list;        ///< In the order of the results.
-    std::vector<std::string> left_out;  ///< What lacks figures in a view, and where.
+    std::vector<std::string> elided;  ///< What lacks figures in a view, and where.
     std::vector<std::string> harmful;   ///< Labels of what is no better than no ambient occlusion.
     double error_without_ao = 0;        ///< In the scene where it is largest.
 };
@@ -47,7 +47,7 @@ Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const C
 
 /// What is asked of a choice.
 struct ChoiceLimit {
-    enum class Kind { time_ms, floor_ratio, error };
+    enum class Kind { time_ms, copy_ratio, error };
     Kind kind = Kind::time_ms;
     double most = 0;
 };

@@ -12,10 +12,10 @@ namespace {
 /// The same point in other results; null when there is none.
 const BenchPoint* findSame(const std::vector<BenchPoint>& points, const BenchPoint& wanted)
 {
-    const std::string identity = identityOf(wanted);
+    const std::string no_op = noOpOf(wanted);
     const BenchPoint* found = nullptr;
     for (const BenchPoint& point : points) {
-        if (identityOf(point) != identity) continue;
+        if (noOpOf(point) != no_op) continue;
         if (point.device == wanted.device) return &point;
         if (!found) found = &point;
     }
@@ -52,7 +52,7 @@ public:
             ++result.without_ratios;
             return;
         }
-        compareRatio("ratio_floor", before.ratio_floor, now.ratio_floor);
+        compareRatio("ratio_copy", before.ratio_copy, now.ratio_copy);
         compareRatio("ratio_learnopengl", before.ratio_learnopengl, now.ratio_learnopengl);
     }
 

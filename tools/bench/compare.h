@@ -40,7 +40,7 @@ struct BenchComparison {
     bool isWorse() const { return !worse.empty() || !failed.empty() || !missing.empty(); }
 };
 
-/// Points are the same where identityOf() is, whatever became of their shaders; one from the same
+/// Points are the same where noOpOf() is, whatever became of their shaders; one from the same
 /// device goes before one from another. Errors are compared always, cost ratios on one device alone.
 BenchComparison compareBenches(const std::vector<BenchPoint>& before,
                                const std::vector<BenchPoint>& now, const BenchLimits& limits = {});

@@ -59,7 +59,7 @@ void widen(const Description& description, TargetDesc& target, const DeviceCaps&
 }
 
 /// Widens the targets that hold occlusion, before, within and after the filter: `ao`, what the output
-/// comes from, and what has their formats, since an identity passes a filter's input on as its output.
+/// comes from, and what has their formats, since a no-op passes a filter's input on as its output.
 void widenOcclusion(Description& description, const DeviceCaps& caps)
 {
     const OutputDesc* output = findNamed(description.outputs, kOutput);

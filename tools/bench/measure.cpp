@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
-const char* const kFloorModule = "bench/depth_copy.json";
+const char* const kCopyModule = "bench/depth_copy.json";
 
 /// Turns end at so many times the least, settled or not.
 constexpr int kMostPatience = 4;
@@ -83,11 +83,11 @@ struct BenchMeter::Setting {
     /// Of what costs are put in relation to turn by turn: the yardstick, else the floor.
     const std::vector<double>& unitCosts() const
     {
-        return (yardstick_turns ? yardstick_turns : floor_turns)->costs();
+        return (yardstick_turns ? yardstick_turns : copy_turns)->costs();
     }
-    double unitOverFloor() const
+    double unitOverCopy() const
     {
-        return quickest(unitCosts()) / quickest(floor_turns->costs());
+        return quickest(unitCosts()) / quickest(copy_turns->costs());
     }
 
     const BenchView& view;
@@ -98,9 +98,9 @@ struct BenchMeter::Setting {
     double radius_px = 0;
     std::unique_ptr<Renderer> depth;
     std::unique_ptr<Renderer> floor;
-    Frame floor_frame;
+    Frame copy_frame;
     std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
-    std::optional<TurnTaker> floor_turns;
+    std::optional<TurnTaker> copy_turns;
     std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
     std::map<std::string, Result<Image>> converged;  ///< By family.
 };
@@ -118,13 +118,13 @@ Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, 
     if (const auto distance = medianDistance(*image, frame.camera))
         radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
 
-    const Result<Description> copied = loadDescription({kFloorModule, {}, {}, {}}, sources);
+    const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
     if (!copied) return copied.diagnostics();
-    floor_frame.textures = {{"depth", depth->output("depth")}};
-    auto copy = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(floor_frame));
+    copy_frame.textures = {{"depth", depth->output("depth")}};
+    auto copy = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
     if (!copy) return copy.diagnostics();
     floor = std::move(*copy);
-    floor_turns.emplace(*floor, floor_frame);
+    copy_turns.emplace(*floor, copy_frame);
     return {};
 }
 
@@ -142,7 +142,7 @@ void BenchMeter::Setting::makeYardstick(Device& device, const SourceSet& sources
 Status BenchMeter::Setting::beginTurns(int count)
 {
     if (const Status warm = takeTurns(); !warm) return warm;
-    floor_turns->restart();
+    copy_turns->restart();
     if (yardstick_turns) yardstick_turns->restart();
     for (int turn = 0; turn < count; ++turn)
         if (const Status drawn = takeTurns(); !drawn) return drawn;
@@ -151,7 +151,7 @@ Status BenchMeter::Setting::beginTurns(int count)
 
 Status BenchMeter::Setting::takeTurns()
 {
-    if (const Status drawn = floor_turns->takeTurn(); !drawn) return drawn;
+    if (const Status drawn = copy_turns->takeTurn(); !drawn) return drawn;
     return yardstick_turns ? yardstick_turns->takeTurn() : Status();
 }
 
@@ -230,7 +230,7 @@ Status BenchMeter::measureTimes(Renderer& renderer, BenchPoint& point)
         if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
     }
     if (setting_->yardstick) point.ratio_learnopengl = ratio.median;
-    point.ratio_floor = ratio.median * setting_->unitOverFloor();
+    point.ratio_copy = ratio.median * setting_->unitOverCopy();
     point.cost = timeFigures(taker.costs());
     describeFrames(taker.frames(), renderer.plan(), point);
     return {};

@@ -13,7 +13,7 @@ namespace {
 std::string figuresText(const BenchPoint& point)
 {
     return "rmse " + fixed(point.error.rmse, 4) + ", " + fixed(point.total.median, 2) + " ms, " +
-           fixed(point.ratio_floor, 2) + " x floor";
+           fixed(point.ratio_copy, 2) + " x floor";
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, 
                                    camera, extent, radius, rays, radius_px, samples, triangles,
                                    device, software, version, error, error_without_ao, budget,
                                    budget_failure, clock, repeats, total, cost, passes,
-                                   ratio_floor, ratio_learnopengl, texture_bytes, bytes_read,
+                                   ratio_copy, ratio_learnopengl, texture_bytes, bytes_read,
                                    bytes_written, ao_picture, truth_picture, difference_picture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, points)
 
@@ -105,7 +105,7 @@ private:
     void add(BenchPoint point)
     {
         const auto [place, is_new] =
-            places_.emplace(point.device + identityOf(point), points_.size());
+            places_.emplace(point.device + noOpOf(point), points_.size());
         if (is_new) {
             points_.push_back(std::move(point));
             return;
@@ -123,7 +123,7 @@ private:
 
 }  // namespace
 
-std::string identityOf(const BenchPoint& point)
+std::string noOpOf(const BenchPoint& point)
 {
     return jsonLine({point.config, point.overrides, point.scene, point.camera, point.extent,
                  point.radius, point.rays});
@@ -132,7 +132,7 @@ std::string identityOf(const BenchPoint& point)
 std::string plannedId(const BenchPoint& point)
 {
     ContentHash hash;
-    hash.addText(identityOf(point));
+    hash.addText(noOpOf(point));
     return hash.hex();
 }
 

@@ -75,7 +75,7 @@ struct BenchPoint {
     TimeFigures total;  ///< All passes, those that draw the scene's geometry too.
     TimeFigures cost;   ///< The other passes: what it adds to a host that has a G-buffer.
     std::vector<PassTime> passes;
-    double ratio_floor = 0;        ///< Cost over that of a copy of the depth texture, same run.
+    double ratio_copy = 0;        ///< Cost over that of a copy of the depth texture, same run.
     double ratio_learnopengl = 0;  ///< Cost over that of learnopengl, same run.
 
     double texture_bytes = 0;
@@ -102,7 +102,7 @@ std::string toJsonLine(const PlannedBench& planned);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
 /// size, radius and rays. A key says more: it changes with a shader's text, a driver or a version.
-std::string identityOf(const BenchPoint& point);
+std::string noOpOf(const BenchPoint& point);
 
 /// A hash of that, 16 hex digits.
 std::string plannedId(const BenchPoint& point);

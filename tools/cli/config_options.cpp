@@ -88,18 +88,18 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots)
         ->check(CLI::ExistingDirectory);
 }
 
-void addKeepOption(CLI::App& app, std::vector<std::string>& keep)
+void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
 {
     std::vector<std::string> names;
     std::string listed;
-    for (const RuleInfo& rule : kRules) {
-        names.push_back(rule.name);
-        listed += std::string(rule.name) + ", ";
+    for (const Optimization& optimization : kOptimizations) {
+        names.push_back(optimization.name);
+        listed += std::string(optimization.name) + ", ";
     }
     names.push_back("all");
-    app.add_option("--keep", keep,
-                   "Switch off a rule that leaves things out: " + listed + "or all; may be repeated")
-        ->type_name("RULE")
+    app.add_option("--disable", disable,
+                   "Switch off an optimization: " + listed + "or all; may be repeated")
+        ->type_name("NAME")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(names));
 }

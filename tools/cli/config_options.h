@@ -34,8 +34,8 @@ void addCheckoutOption(CLI::App& app, std::string& checkout);
 /// Adds --root alone; added twice, for a config and a scene, it is one option that fills both.
 void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
-/// Adds --keep: rules of core/compile/compile.h that are switched off.
-void addKeepOption(CLI::App& app, std::vector<std::string>& keep);
+/// Adds --disable: optimizations of core/compile/compile.h that are switched off.
+void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
 
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
 class CheckoutSources : public SourceSet {

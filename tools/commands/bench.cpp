@@ -65,7 +65,7 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     return exitCodeOf(summary);
 }
 
-/// Times the rules of every task, and prints a table of each.
+/// Times the optimizations of every task, and prints a table of each.
 int timeRules(const BenchCommand& command, const BenchPlan& plan, Device& device, double time_budget)
 {
     Result<LineFile> file = LineFile::open(command.run.out + "/ablation.jsonl");
@@ -166,7 +166,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     addCheckoutOption(*command, options->checkout);
     addRootOption(*command, options->bench.roots);
     command->add_flag("--ablate", options->ablate,
-                      "Time frames with all rules that leave things out, without each and without "
+                      "Time frames with all optimizations that leave things out, without each and without "
                       "any, into ablation.jsonl");
     command->add_flag("--list", options->list, "Print the points and stop");
     command->footer("Examples:\n"

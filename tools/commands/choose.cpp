@@ -111,7 +111,7 @@ void printAnswer(const Answer& answer)
     printOthers(answer, by_error ? "within the error too, but slower:"
                                  : "within the time too, but more wrong:", answer.choice.also);
     printOthers(answer, by_error ? "too wrong:" : "too slow:", answer.choice.beyond);
-    for (const std::string& left_out : all.left_out) print("left out: %s\n", left_out.c_str());
+    for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
     for (const std::string& label : all.harmful)
         print("left out: %s: no better than no ambient occlusion\n", label.c_str());
     print("see it: %s\n", renderCommand(answer.points[best.point]).c_str());
@@ -121,7 +121,7 @@ nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchPoint>&
 {
     const BenchPoint& point = points[candidate.point];
     return {{"config", point.config}, {"overrides", point.overrides}, {"samples", point.samples},
-            {"cost_ms", candidate.ms}, {"ratio_floor", candidate.ratio},
+            {"cost_ms", candidate.ms}, {"ratio_copy", candidate.ratio},
             {"rmse", candidate.error}};
 }
 
@@ -141,7 +141,7 @@ void printJson(const Answer& answer)
                                  {"best", toJson(answer.best(), answer.points)},
                                  {"also_within", list(answer.choice.also)},
                                  {"beyond", list(answer.choice.beyond)},
-                                 {"left_out", answer.candidates.left_out},
+                                 {"elided", answer.candidates.elided},
                                  {"harmful", answer.candidates.harmful}};
     printAsJson(json);
 }

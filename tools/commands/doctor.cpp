@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crevice doctor: draws a frame in memory full of garbage and tells the first pass that goes wrong.
+// crevice doctor: draws a frame in memory full of poison and tells the first pass that goes wrong.
 #include "tools/cli/config_options.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
@@ -34,8 +34,8 @@ struct DoctorOptions {
 };
 
 // Two values that no pass writes by chance; with both, whatever depends on them differs.
-constexpr float kGarbage = 0.8713f;
-constexpr float kOtherGarbage = 0.3391f;
+constexpr float kPoison = 0.8713f;
+constexpr float kOtherPoison = 0.3391f;
 
 struct Checkup {
     Plan plan;  ///< Of the config as it is.
@@ -45,7 +45,7 @@ struct Checkup {
     Diagnostics warnings;  ///< Of the machine, not of the config.
 };
 
-/// Draws in memory that holds the garbage and reads back all that is watched.
+/// Draws in memory that holds the poison and reads back all that is watched.
 Result<std::vector<Image>> drawIn(Device& device, const Description& description,
                                   const SceneView& view, const std::vector<WatchedTarget>& watched,
                                   const DoctorOptions& options)
@@ -55,7 +55,7 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
     const Frame frame = makeFrame(*scene, view.camera, view.extent);
     CompileOptions compile_options;
     compile_options.extent = view.extent;
-    compile_options.keep = {"sharing"};
+    compile_options.disable = {"aliasing"};
     const auto renderer =
         Renderer::create(device, description, compile_options, traitsOf(frame));
     if (!renderer) return renderer.diagnostics();
@@ -99,11 +99,11 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     if (!plan) return plan.diagnostics();
 
     const std::vector<WatchedTarget> watched = watchAll(*plan, description);
-    progress.begin("drawing in garbage");
-    GarbageDevice garbage(device, kGarbage, false);
-    const auto drawn = drawIn(garbage, description, view, watched, options);
+    progress.begin("drawing in poison");
+    PoisonDevice poison(device, kPoison, false);
+    const auto drawn = drawIn(poison, description, view, watched, options);
     if (!drawn) return drawn.diagnostics();
-    GarbageDevice other(device, kOtherGarbage, true);
+    PoisonDevice other(device, kOtherPoison, true);
     const auto redrawn = drawIn(other, description, view, watched, options);
     if (!redrawn) return redrawn.diagnostics();
 
@@ -209,8 +209,8 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print what was found as JSON");
-    command->footer("Draws the frame twice, in memory that holds other garbage each time, and looks at each\n"
-                    "target of each pass: what is not finite, what depends on the garbage, what is the same\n"
+    command->footer("Draws the frame twice, in memory that holds other poison each time, and looks at each\n"
+                    "target of each pass: what is not finite, what depends on the poison, what is the same\n"
                     "everywhere. Exit code 5 where a pass is wrong.\n"
                     "Example:\n"
                     "  crevice doctor my.json --scene model.glb");

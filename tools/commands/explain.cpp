@@ -29,7 +29,7 @@ struct ExplainOptions {
     SceneOptions scene;
     std::string backend;
     std::vector<std::string> outputs;
-    std::vector<std::string> keep;
+    std::vector<std::string> disable;
     bool measure = false;
     std::string why;
     std::string format = "text";
@@ -63,7 +63,7 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
     const Result<Extent> extent = parseSize(options.scene.size);
     if (!extent) return extent.diagnostics();
     compile_options.extent = *extent;
-    compile_options.keep = options.keep;
+    compile_options.disable = options.disable;
     Result<Description> description = loadDescription(options.config, sources);
     if (!description) return description.diagnostics();
     for (const std::string& name : options.outputs) {
@@ -81,7 +81,7 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
 
 /// Draws the scene with nothing left out and notes what each pass takes that the plan leaves out: the median
 /// of some frames.
-Status measureLeftOut(const ExplainOptions& options, const SourceSet& sources, Plan& plan)
+Status measureElided(const ExplainOptions& options, const SourceSet& sources, Plan& plan)
 {
     constexpr std::size_t kFrames = 7;
     const Result<OpenDevice> open = openDevice(options.backend);
@@ -96,7 +96,7 @@ Status measureLeftOut(const ExplainOptions& options, const SourceSet& sources, P
     if (!description) return description.diagnostics();
     CompileOptions all;
     all.extent = view->extent;
-    all.keep = {"all"};
+    all.disable = {"all"};
     const auto renderer = Renderer::create(device, *description, all, traitsOf(frame));
     if (!renderer) return renderer.diagnostics();
     std::vector<std::vector<double>> ms((*renderer)->plan().passes.size());
@@ -105,7 +105,7 @@ Status measureLeftOut(const ExplainOptions& options, const SourceSet& sources, P
         if (!times) return times.diagnostics();
         for (std::size_t pass = 0; pass < ms.size(); ++pass) ms[pass].push_back(times->pass_ms[pass]);
     }
-    for (LeftOut& each : plan.left_out)
+    for (Elided& each : plan.elided)
         for (std::size_t pass = 0; pass < ms.size(); ++pass)
             if (each.what == "pass " + (*renderer)->plan().passes[pass].name)
                 each.ms = timeFigures(ms[pass]).median;
@@ -172,7 +172,7 @@ int explain(ExplainOptions& options)
     Result<Plan> plan = makePlan(options, sources);
     if (!plan) return report(plan.diagnostics(), options.format == "json");
     if (options.measure)
-        if (const Status status = measureLeftOut(options, sources, *plan); !status)
+        if (const Status status = measureElided(options, sources, *plan); !status)
             return report(status.diagnostics(), options.format == "json");
     report(plan.diagnostics(), false);
     const std::string text = options.format == "json"      ? toJson(*plan)
@@ -189,7 +189,7 @@ void addPlanOptions(CLI::App& app, ExplainOptions& options)
     app.add_option("--output", options.outputs,
                    "Plan for this output, view or target alone; may be repeated")
         ->allow_extra_args(false);
-    addKeepOption(app, options.keep);
+    addDisableOption(app, options.disable);
     app.add_flag("--measure", options.measure,
                       "Draw --scene on --backend with nothing left out, and tell what each pass that is left "
                       "out takes there");

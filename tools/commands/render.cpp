@@ -245,7 +245,7 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addSceneOptions(*command, options->scene);
     addStereoOptions(*command, options->stereo);
     addConfigOptions(*command, options->config);
-    addKeepOption(*command, options->keep);
+    addDisableOption(*command, options->disable);
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
     addProgramCacheOption(*command, options->program_cache);

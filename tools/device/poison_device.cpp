@@ -9,7 +9,7 @@
 
 namespace crevice {
 
-Result<TextureId> GarbageDevice::createTexture(const TextureDesc& desc)
+Result<TextureId> PoisonDevice::createTexture(const TextureDesc& desc)
 {
     Result<TextureId> id = device_.createTexture(desc);
     // What nothing can be drawn into is written by whoever made it.
@@ -20,11 +20,11 @@ Result<TextureId> GarbageDevice::createTexture(const TextureDesc& desc)
     return filled.diagnostics();
 }
 
-Status GarbageDevice::fill(TextureId id, const TextureDesc& desc)
+Status PoisonDevice::fill(TextureId id, const TextureDesc& desc)
 {
     const FormatInfo& format = formatInfo(desc.format);
     const bool depth = format.format_class == FormatClass::depth;
-    FramebufferDesc target{"garbage in " + desc.label};
+    FramebufferDesc target{"poison in " + desc.label};
     if (depth) target.depth = id;
     else target.color = {id};
     const Result<FramebufferId> framebuffer = device_.createFramebuffer(target);
@@ -32,19 +32,19 @@ Status GarbageDevice::fill(TextureId id, const TextureDesc& desc)
     const Owned<FramebufferId> owned(device_, *framebuffer);
 
     PassInfo pass;
-    pass.label = "garbage";
+    pass.label = "poison";
     pass.framebuffer = *framebuffer;
     pass.extent = desc.extent;
     pass.color_count = depth ? 0 : 1;
     pass.color_load[0] = LoadOp::clear;
     pass.color_store[0] = StoreOp::store;
     const bool loud = not_a_number_ && format.format_class == FormatClass::floating;
-    const float value = loud ? std::numeric_limits<float>::quiet_NaN() : garbage_;
+    const float value = loud ? std::numeric_limits<float>::quiet_NaN() : poison_;
     std::fill(std::begin(pass.clear_color[0]), std::end(pass.clear_color[0]), value);
     pass.has_depth = depth;
     pass.depth_load = LoadOp::clear;
     pass.depth_store = StoreOp::store;
-    pass.clear_depth = garbage_;
+    pass.clear_depth = poison_;
     if (Status status = device_.beginFrame(); !status) return status;
     device_.beginPass(pass);
     device_.endPass();

@@ -74,7 +74,7 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     Session session;
     session.options.extent = view.extent;
     session.options.outputs = outputs;
-    session.options.keep = options.keep;
+    session.options.disable = options.disable;
     const Result<std::vector<SceneCamera>> cameras =
         eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
     if (!cameras) return cameras.diagnostics();

@@ -27,7 +27,7 @@ struct RenderOptions {
     std::string precision;
     std::string program_cache;
     std::vector<std::string> out = {"color=color.png"};
-    std::vector<std::string> keep;
+    std::vector<std::string> disable;
     std::string save_patch;
     int frames = 1;
     bool watch = false;

@@ -128,8 +128,8 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
 std::string whyPlanned(const Plan& plan)
 {
     std::string text;
-    for (const LeftOut& each : plan.left_out)
-        if (each.rule == "identity" || each.rule == "condition")
+    for (const Elided& each : plan.elided)
+        if (each.optimization == "no_op" || each.optimization == "condition")
             text += (text.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
     return text;
 }

@@ -46,8 +46,8 @@ std::optional<Diagnostic> constantByPlan(const Plan& plan)
     const PlanOutput* output = findNamed(plan.outputs, "ao");
     if (!output || output->constant < 0) return std::nullopt;
     std::string why;
-    for (const LeftOut& each : plan.left_out)
-        if (each.rule == "identity" || each.rule == "condition")
+    for (const Elided& each : plan.elided)
+        if (each.optimization == "no_op" || each.optimization == "condition")
             why += (why.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
     const float value = plan.constants[output->constant].value;
     return warningOf(Code::output_constant,

@@ -80,7 +80,7 @@ function sampleLists(labels) {
 }
 
 function showMissing(parent) {
-  const left = data.advice.flatMap(a => a.left_out),
+  const left = data.advice.flatMap(a => a.elided),
         partly = points.filter(p => !p.failure && p.budget_failure);
   if (!data.failures.length && !left.length && !partly.length) return;
   add(parent, "h2", {id: "missing"}, "What is missing");

@@ -34,7 +34,7 @@ json toJson(const std::vector<Curve>& curves)
 }
 
 double costOf(const BenchPoint& point) { return point.cost.median; }
-double ratioOf(const BenchPoint& point) { return point.ratio_floor; }
+double ratioOf(const BenchPoint& point) { return point.ratio_copy; }
 
 /// Indexes of the points on the front; no ambient occlusion at all is free and beats some of them.
 json frontOf(const Points& points, const ResultView& view, double (*cost)(const BenchPoint&))
@@ -123,7 +123,7 @@ json adviceFor(const Points& points, const std::string& device)
             {"size", extentName(candidates->views.front().extent)},
             {"views", std::move(views)},
             {"steps", std::move(steps)},
-            {"left_out", candidates->left_out},
+            {"elided", candidates->elided},
             {"harmful", candidates->harmful},
             {"error_without_ao", candidates->error_without_ao},
             {"curves", toJson(curvesAcross(own, candidates->views))}};

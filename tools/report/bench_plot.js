@@ -4,7 +4,7 @@
 "use strict";
 const AXES = {
   ms: ["cost: milliseconds added to a frame", "milliseconds", p => p.cost.median],
-  ratio: ["cost: times a copy of the depth texture", "× depth copy", p => p.ratio_floor]
+  ratio: ["cost: times a copy of the depth texture", "× depth copy", p => p.ratio_copy]
 };
 let axis = "ms";
 const redraws = [];
@@ -28,7 +28,7 @@ function figures(p) {
   return [
     ["error", `${error(rmse)} (without AO ${error(p.error_without_ao)})`],
     ["cost", `${ms(median)}, the middle half ${three(q1)}–${three(q3)}; ` +
-      `${times(p.ratio_floor)} depth copy${against}`],
+      `${times(p.ratio_copy)} depth copy${against}`],
     ["bias", bias >= 0 ? `+${bias.toFixed(3)}, too bright` : `−${(-bias).toFixed(3)}, too dark`],
     ["shape", `error ${error(rmse_fit)} with the best contrast; ` +
       `99 of 100 pixels within ${p99.toFixed(2)}`]

@@ -100,7 +100,7 @@ constexpr const char* kColumns[][2] = {
     {"cost_ms_q3", "/cost/q3"},
     {"total_ms", "/total/median"},
     {"passes_ms", "/passes"},
-    {"ratio_floor", "/ratio_floor"},
+    {"ratio_copy", "/ratio_copy"},
     {"ratio_learnopengl", "/ratio_learnopengl"},
     {"texture_bytes", "/texture_bytes"},
     {"bytes_read", "/bytes_read"},

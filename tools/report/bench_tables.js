@@ -112,7 +112,7 @@ const COLUMNS = [
   ["fitted (power)", p => `${error(p.error.rmse_fit)} (${p.error.power_fit.toFixed(2)})`],
   ["cost, ms", p => three(p.cost.median)],
   ["middle half", p => `${three(p.cost.q1)}–${three(p.cost.q3)}`],
-  ["× copy", p => times(p.ratio_floor)], ["× learnopengl", p => times(p.ratio_learnopengl)],
+  ["× copy", p => times(p.ratio_copy)], ["× learnopengl", p => times(p.ratio_learnopengl)],
   ["with geometry, ms", p => three(p.total.median)], ["MB", p => megabytes(p.texture_bytes)],
   ["MB read", p => megabytes(p.bytes_read)], ["MB written", p => megabytes(p.bytes_written)],
   ["passes, ms", p => p.passes.map(pass => `${pass.name} ${three(pass.ms.median)}`).join(" · ")]
@@ -134,16 +134,16 @@ function showTable(parent, view, select) {
   }
 }
 
-// What each rule that leaves things out is worth: a table a config, scene and size.
+// What each optimization that leaves things out is worth: a table a config, scene and size.
 const FRAMES = {
   "moving camera": "the camera moves", "moving light": "a light moves", still: "nothing moves",
   off: "occlusion is off, the camera moves", "ao alone": "occlusion alone, the camera moves"
 };
 function showAblation(parent, rows) {
   if (!rows.length) return;
-  add(parent, "h2", {id: "rules"}, "What is left out, and what that is worth");
+  add(parent, "h2", {id: "optimizations"}, "What is left out, and what that is worth");
   add(parent, "p", {class: "soft"},
-    "Whole frames by the wall clock. Behind the time with all rules: how many times as long a " +
+    "Whole frames by the wall clock. Behind the time with all optimizations: how many times as long a " +
       "frame takes without one of them, and without any.");
   const groups = new Map();
   for (const row of rows) {
@@ -156,20 +156,20 @@ function showAblation(parent, rows) {
 }
 function showRules(parent, title, rows) {
   add(parent, "h3", {}, title);
-  const rules = [...new Set(rows.map(r => r.rule))].filter(rule => rule);
+  const optimizations = [...new Set(rows.map(r => r.optimization))].filter(optimization => optimization);
   const table = add(add(parent, "div", {class: "card scroll"}), "table");
   const head = add(add(table, "thead"), "tr");
   add(head, "th", {}, "frame");
-  add(head, "th", {class: "num"}, "all rules, ms");
-  for (const rule of rules)
-    add(head, "th", {class: "num"}, rule === "all" ? "no rule" : `not ${rule}`);
+  add(head, "th", {class: "num"}, "all optimizations, ms");
+  for (const optimization of optimizations)
+    add(head, "th", {class: "num"}, optimization === "all" ? "no optimization" : `not ${optimization}`);
   const body = add(table, "tbody");
   for (const situation of new Set(rows.map(r => r.situation))) {
-    const row = add(body, "tr"), of = rule =>
-      rows.find(r => r.situation === situation && r.rule === rule);
+    const row = add(body, "tr"), of = optimization =>
+      rows.find(r => r.situation === situation && r.optimization === optimization);
     add(row, "td", {class: "label"}, FRAMES[situation] || situation);
     add(row, "td", {class: "num"}, of("") ? three(of("").ms.median) : "");
-    for (const rule of rules)
-      add(row, "td", {class: "num"}, of(rule) ? times(of(rule).factor.median) : "");
+    for (const optimization of optimizations)
+      add(row, "td", {class: "num"}, of(optimization) ? times(of(optimization).factor.median) : "");
   }
 }

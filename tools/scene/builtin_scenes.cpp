@@ -71,11 +71,11 @@ void addCamera(Scene& scene, const char* name, const glm::vec3& eye, const glm::
     scene.cameras.push_back(camera);
 }
 
-void addLights(Scene& scene, const glm::vec3& lamp)
+void addLights(Scene& scene, const glm::vec3& light)
 {
     SceneLight point;
-    point.name = "lamp";
-    point.light.position = lamp;
+    point.name = "light";
+    point.light.position = light;
     point.light.color = {0.5f, 0.47f, 0.41f};
     point.light.attenuation = {1.0f, 0.09f, 0.032f};
     SceneLight sky;

@@ -21,7 +21,7 @@ constexpr int kFloat = 5126;  // GL_FLOAT, a componentType
 
 enum class Support {
     read,      // drawn as the file says
-    left_out,  // the surfaces are right without it, though not their look: required or not, a warning
+    elided,  // the surfaces are right without it, though not their look: required or not, a warning
     missing,   // wrong surfaces or textures: an error where it is required
 };
 
@@ -39,16 +39,16 @@ constexpr Extension kExtensions[] = {
     {"EXT_meshopt_compression", Support::missing, "compress with 'gltfpack -noq' and no -c"},
     {"EXT_texture_avif", Support::missing, kToPng},
     {"EXT_texture_webp", Support::missing, kToPng},
-    {"KHR_animation_pointer", Support::left_out, ""},
+    {"KHR_animation_pointer", Support::elided, ""},
     {"KHR_draco_mesh_compression", Support::read, ""},
     {"KHR_lights_punctual", Support::read, ""},
-    {"KHR_materials_*", Support::left_out, ""},
+    {"KHR_materials_*", Support::elided, ""},
     {"KHR_mesh_quantization", Support::missing,
      "write floats: 'gltfpack -noq', or 'gltf-transform dequantize in.glb out.glb'"},
     {"KHR_texture_basisu", Support::missing,
      "convert the textures: 'gltf-transform ktxdecompress in.glb out.glb'"},
-    {"KHR_texture_transform", Support::left_out, ""},
-    {"KHR_xmp*", Support::left_out, ""},
+    {"KHR_texture_transform", Support::elided, ""},
+    {"KHR_xmp*", Support::elided, ""},
     {"MSFT_texture_dds", Support::missing, "convert the textures to PNG"},
 };
 
@@ -166,14 +166,14 @@ Status checkGltf(const std::string& path, bool any_version)
 
     std::set<std::string> used = names(member(gltf, "extensionsUsed"));
     used.insert(needed.begin(), needed.end());
-    std::vector<std::string> left_out;
+    std::vector<std::string> elided;
     for (const std::string& name : used)
-        if (extensionNamed(name).support != Support::read) left_out.push_back(name);
-    if (takesIntegers(gltf, "TEXCOORD")) left_out.push_back("texture coordinates that are not floats");
-    if (takesSecondCoordinates(gltf)) left_out.push_back("the second set of texture coordinates");
-    if (left_out.empty()) return {};
+        if (extensionNamed(name).support != Support::read) elided.push_back(name);
+    if (takesIntegers(gltf, "TEXCOORD")) elided.push_back("texture coordinates that are not floats");
+    if (takesSecondCoordinates(gltf)) elided.push_back("the second set of texture coordinates");
+    if (elided.empty()) return {};
     Diagnostic warning = {Code::scene_features, "the scene '" + path + "' is drawn without " +
-                                                    joined(left_out)};
+                                                    joined(elided)};
     warning.help = "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
                    "the picture with another viewer's";
     warning.severity = Severity::warning;

@@ -268,7 +268,7 @@ Diagnostic failureOf(const Assimp::Importer& importer, const std::string& path,
     return error;
 }
 
-Diagnostic leftOutFaces(const std::string& path, unsigned dropped)
+Diagnostic elidedFaces(const std::string& path, unsigned dropped)
 {
     Diagnostic warning = {Code::not_finite, "the scene '" + path + "' has " +
                                                 std::to_string(dropped) +
@@ -295,7 +295,7 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
     const aiScene* const scene = importer.ApplyPostProcessing(kPostProcess);
     if (!scene) return failureOf(importer, path, folder);
 
-    if (dropped > 0) warnings.push_back(leftOutFaces(path, dropped));
+    if (dropped > 0) warnings.push_back(elidedFaces(path, dropped));
     Scene result = sceneFrom(*scene, path, folder, warnings);
     if (folder.refusedAny()) warnings.push_back(folder.warning());
     if (!hasArea(result)) return noTriangle(path, dropped);

@@ -85,7 +85,7 @@ Diagnostic sceneMissing(const std::string& name)
     return error;
 }
 
-// A lamp over the shoulder of whoever looks at the scene from the front.
+// A light over the shoulder of whoever looks at the scene from the front.
 SceneLight defaultLight()
 {
     SceneLight light;

@@ -108,7 +108,7 @@ double dimming(const Light& light, const Bounds& bounds)
 }
 
 // Files give candela, lux, watts or fractions. What counts is what arrives: colour becomes the
-// light at the scene's centre, as a part of what the brightest lamp brings there.
+// light at the scene's centre, as a part of what the brightest light brings there.
 void normalizeLights(std::vector<SceneLight>& lights, const Bounds& bounds)
 {
     double brightest = 0.0;

@@ -38,7 +38,7 @@ struct StressShot {
     std::vector<std::string> settings = {};  ///< Further params, "intensity=0"; a config without one of
                                              ///< them is left out.
     int samples = 0;      ///< Depth taps a pixel; 0: the config's own, -1: the most.
-    bool keep_identities = false;  ///< No pass is left out because of a param's value.
+    bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
 
     /// What the config runs over, one of the names in tools/stress/geometry.h; empty: its own.
     std::string geometry = {};

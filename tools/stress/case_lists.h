@@ -29,16 +29,16 @@ Extent sizeForTaps(double samples, Extent size);
 std::vector<StressStep> nearFarSteps();
 StressView nearFarView(double power);
 
-/// A plane and the yard as `view` sees them.
+/// A plane and the test scene as `view` sees them.
 StressShot planeShot(const StressView& view, Extent size, double distance, double tilt_degrees);
-StressShot yardShot(const StressView& view, Extent size, Scene scene = yardScene());
+StressShot yardShot(const StressView& view, Extent size, Scene scene = testScene());
 
-/// From where the yard is seen.
-StressView yardView();
+/// From where the test scene is seen.
+StressView testView();
 
 std::vector<StressCase> planeCases();    ///< Flat planes.
-std::vector<StressCase> sameCases();     ///< What must not change the yard.
-std::vector<StressCase> extremeCases();  ///< Radii, sizes, identities; broken meshes and lamps.
+std::vector<StressCase> sameCases();     ///< What must not change the test scene.
+std::vector<StressCase> extremeCases();  ///< Radii, sizes, no-ops; broken meshes and lamps.
 std::vector<StressCase> hostCases();     ///< Other geometry; a host's depth and normals.
 
 }  // namespace crevice

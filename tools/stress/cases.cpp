@@ -121,7 +121,7 @@ StressShot yardShot(const StressView& view, Extent size, Scene scene)
     return shot;
 }
 
-StressView yardView()
+StressView testView()
 {
     StressView view;
     view.eye = {0, 1, 5};
@@ -150,11 +150,11 @@ std::string hashOf(const StressShot& shot)
         hash.add(instance.mesh);
         addMatrix(hash, instance.world_from_model);
     }
-    for (const SceneLight& lamp : shot.scene.lights) {
-        addVector(hash, lamp.light.position);
-        addVector(hash, lamp.light.direction);
-        addVector(hash, lamp.light.color);
-        addVector(hash, lamp.light.attenuation);
+    for (const SceneLight& scene_light : shot.scene.lights) {
+        addVector(hash, scene_light.light.position);
+        addVector(hash, scene_light.light.direction);
+        addVector(hash, scene_light.light.color);
+        addVector(hash, scene_light.light.attenuation);
     }
     for (const SceneMaterial& material : shot.scene.materials) {
         hash.add(material.shininess);
@@ -165,7 +165,7 @@ std::string hashOf(const StressShot& shot)
     hash.add(shot.radius);
     for (const std::string& setting : shot.settings) hash.addText(setting);
     hash.add(shot.samples);
-    hash.add(shot.keep_identities);
+    hash.add(shot.keep_no_ops);
     addImage(hash, shot.distances);
     hash.add(shot.extent.width);
     hash.add(shot.extent.height);

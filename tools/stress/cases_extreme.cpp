@@ -12,14 +12,14 @@ namespace {
 
 StressShot yardRadius(double radius, Extent size)
 {
-    StressShot shot = yardShot(yardView(), size);
+    StressShot shot = yardShot(testView(), size);
     shot.radius = radius;
     return shot;
 }
 
 StressShot cornerRadius(double radius, Extent size)
 {
-    StressView view = yardView();
+    StressView view = testView();
     view.eye = {0, 1, 4};
     StressShot shot = yardShot(view, size, cornerScene());
     shot.radius = radius;
@@ -28,39 +28,39 @@ StressShot cornerRadius(double radius, Extent size)
 
 StressShot yardSamples(double samples, Extent size)
 {
-    StressShot shot = yardShot(yardView(), sizeForTaps(samples, size));
+    StressShot shot = yardShot(testView(), sizeForTaps(samples, size));
     shot.samples = static_cast<int>(samples);
     return shot;
 }
 
 // Identities, sizes, what is empty
 
-StressShot identity(double kind, Extent size)
+StressShot noOp(double kind, Extent size)
 {
-    StressShot shot = yardShot(yardView(), size);
+    StressShot shot = yardShot(testView(), size);
     const bool no_radius = kind >= 2;
     if (no_radius) shot.radius = 0;
     else shot.settings = {"intensity=0"};
-    shot.keep_identities = kind == 1 || kind == 3;
+    shot.keep_no_ops = kind == 1 || kind == 3;
     return shot;
 }
 
 StressShot yardShape(double kind, Extent)
 {
-    return yardShot(yardView(), shapeOf(kind));
+    return yardShot(testView(), shapeOf(kind));
 }
 
 StressShot emptyShape(double kind, Extent)
 {
-    Scene nothing = yardScene();
+    Scene nothing = testScene();
     nothing.instances.clear();
     nothing.meshes.clear();
-    return yardShot(yardView(), shapeOf(kind), nothing);
+    return yardShot(testView(), shapeOf(kind), nothing);
 }
 
 // Meshes
 
-/// A mesh of the yard, the sphere, which stands free.
+/// A mesh of the test scene, the sphere, which stands free.
 MeshDesc& ball(Scene& scene) { return scene.meshes.back(); }
 
 void setNormals(MeshDesc& mesh, float value)
@@ -83,8 +83,8 @@ const char* const kMeshKinds[] = {
 
 StressShot yardMeshes(double kind, Extent size)
 {
-    StressView view = yardView();
-    Scene scene = yardScene();
+    StressView view = testView();
+    Scene scene = testScene();
     glm::dmat4& placed_at = scene.instances.back().world_from_model;
     const auto scaled = [](double x, double y, double z) {
         return glm::scale(glm::dmat4(1.0), {x, y, z});
@@ -113,14 +113,14 @@ StressShot yardMeshes(double kind, Extent size)
 /// Lamps that lie on the surface itself, at the middles of pixels.
 void putOnSurface(StressShot& shot, double distance)
 {
-    const SceneLight lamp = shot.scene.lights.front();
+    const SceneLight scene_light = shot.scene.lights.front();
     shot.scene.lights.clear();
     const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(shot.camera.clip_from_view));
     for (int i = 1; i <= 8; ++i) {
         const double x = (i * shot.extent.width / 9 + 0.5) / shot.extent.width * 2 - 1;
         const double y = (i * shot.extent.height / 9 + 0.5) / shot.extent.height * 2 - 1;
         const glm::dvec4 ray = view_from_clip * glm::dvec4(x, y, 1, 1);
-        shot.scene.lights.push_back(lamp);
+        shot.scene.lights.push_back(scene_light);
         shot.scene.lights.back().light.position =
             glm::dvec3(ray) * (distance / -ray.z);
     }
@@ -139,11 +139,11 @@ StressShot planeLamps(double value, Extent size)
     SceneMaterial& material = shot.scene.materials[0];
     material.shininess = kind == 3 ? 0.0f : kind == 4 || all ? 1e6f : 16.0f;
     if (kind == 1 || all) putOnSurface(shot, kDistance);
-    for (SceneLight& lamp : shot.scene.lights) {
-        if (kind == 2 || all) lamp.light.attenuation = glm::vec3(0);
-        if (kind == 5 || all) lamp.light.color = glm::vec3(1e6f);
-        if (kind == 6) lamp.light.position = glm::dvec3(0);
-        if (kind == 7) lamp.light.direction = glm::vec3(0);
+    for (SceneLight& scene_light : shot.scene.lights) {
+        if (kind == 2 || all) scene_light.light.attenuation = glm::vec3(0);
+        if (kind == 5 || all) scene_light.light.color = glm::vec3(1e6f);
+        if (kind == 6) scene_light.light.position = glm::dvec3(0);
+        if (kind == 7) scene_light.light.direction = glm::vec3(0);
     }
     return shot;
 }
@@ -162,20 +162,20 @@ std::vector<StressCase> extremeCases()
 {
     using E = Expectation;
     return {
-        {"radius_to_zero", "The yard under ever smaller radii.", "scene units",
+        {"radius_to_zero", "The test scene under ever smaller radii.", "scene units",
          {{1e-9, "1e-9"}, {1e-6, "1e-6"}, {1e-4, "1e-4"}, {1e-3, "1e-3"}, {1e-2, "0.01"},
           {0.05, "0.05"}, {0.1, "0.1"}, {0.25, "0.25"}, {0.5, "0.5"}},
          8, E::opens, 0.002, false, yardRadius},
-        {"radius_growing", "The yard under ever larger radii.", "scene units",
+        {"radius_growing", "The test scene under ever larger radii.", "scene units",
          steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, yardRadius},
         {"corner_radius", "An inner corner under larger radii.", "scene units",
          steps({0.05, 0.1, 0.2, 0.4, 0.8, 1.6}), 0, E::darkens, 0.002, false, cornerRadius},
-        {"samples", "The yard by few and many depth taps a pixel; -1 is the most.", "taps",
+        {"samples", "The test scene by few and many depth taps a pixel; -1 is the most.", "taps",
          steps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, yardSamples},
-        {"identity", "No intensity, no radius: planned away, and drawn all the same.", "",
+        {"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
          kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0, E::one, 0,
-         false, identity},
-        {"sizes", "The yard in pictures of other sizes.", "", shapes(), 0, E::sound, 0, false,
+         false, noOp},
+        {"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound, 0, false,
          yardShape},
         {"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0, E::one, 0,
          false, emptyShape},

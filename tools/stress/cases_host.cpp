@@ -23,7 +23,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 StressShot hostShot(Extent size)
 {
-    StressShot shot = yardShot(yardView(), size);
+    StressShot shot = yardShot(testView(), size);
     shot.radius = kRadius;
     shot.geometry = kHostGeometry;
     shot.host_camera = shot.camera;
@@ -47,7 +47,7 @@ auto storedBy(const glm::dmat4& clip_from_view, const Stored& stored)
 StressShot hostProjection(double kind, Extent size)
 {
     StressShot shot = hostShot(size);
-    StressView view = yardView();
+    StressView view = testView();
     view.reversed = kind == 1 || kind == 3;
     view.infinite = kind == 2 || kind == 3;
     shot.camera = cameraOf(view, size);
@@ -164,7 +164,7 @@ StressShot hostInward(double kind, Extent size)
 
 StressShot inputs(double kind, Extent size)
 {
-    StressShot shot = yardShot(yardView(), size);
+    StressShot shot = yardShot(testView(), size);
     const char* const geometry[] = {kDepthGeometry, kPositionGeometry, kLinearGeometry};
     shot.geometry = geometry[static_cast<int>(kind)];
     return shot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress cases that show the yard in other ways, none of which may change the picture.
+// Stress cases that show the test scene in other ways, none of which may change the picture.
 #include "tools/stress/case_lists.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,7 +12,7 @@ namespace {
 constexpr double kRadius = 1;     // scene units
 constexpr int kNoiseBlock = 8;    // pixels; tiles of noise are 4x4, at half the size 8x8
 
-StressShot yard(const StressView& view, Extent size, Scene scene = yardScene())
+StressShot testShot(const StressView& view, Extent size, Scene scene = testScene())
 {
     StressShot shot = yardShot(view, size, std::move(scene));
     shot.radius = kRadius;
@@ -21,14 +21,14 @@ StressShot yard(const StressView& view, Extent size, Scene scene = yardScene())
 
 StressShot yardScaled(double scale, Extent size, bool in_vertices)
 {
-    StressView view = yardView();
+    StressView view = testView();
     view.eye *= scale;
     view.near_distance *= scale;
     view.far_distance *= scale;
-    Scene scene = placed(yardScene(), glm::scale(glm::dmat4(1.0), glm::dvec3(scale)));
-    StressShot shot = yard(view, size, in_vertices ? baked(scene) : scene);
+    Scene scene = placed(testScene(), glm::scale(glm::dmat4(1.0), glm::dvec3(scale)));
+    StressShot shot = testShot(view, size, in_vertices ? baked(scene) : scene);
     shot.radius = kRadius * scale;
-    shot.farthest = yard(yardView(), size).farthest * scale;
+    shot.farthest = testShot(testView(), size).farthest * scale;
     return shot;
 }
 
@@ -39,11 +39,11 @@ StressShot yardMoved(double radii, Extent size, bool in_vertices)
 {
     const double far = radii * kRadius;
     const glm::dvec3 offset = {far, 0, -far};
-    StressView view = yardView();
+    StressView view = testView();
     view.eye += offset;
-    Scene scene = placed(yardScene(), glm::translate(glm::dmat4(1.0), offset));
-    StressShot shot = yard(view, size, in_vertices ? baked(scene) : scene);
-    shot.farthest = yard(yardView(), size).farthest;
+    Scene scene = placed(testScene(), glm::translate(glm::dmat4(1.0), offset));
+    StressShot shot = testShot(view, size, in_vertices ? baked(scene) : scene);
+    shot.farthest = testShot(testView(), size).farthest;
     if (in_vertices) shot.coordinates = far;
     return shot;
 }
@@ -54,23 +54,23 @@ StressShot yardOffsetInVertices(double radii, Extent size) { return yardMoved(ra
 StressShot yardNearFar(double power, Extent size)
 {
     StressView view = nearFarView(power);
-    view.eye = yardView().eye;
-    return yard(view, size);
+    view.eye = testView().eye;
+    return testShot(view, size);
 }
 
 StressShot yardProjection(double kind, Extent size)
 {
-    StressView view = yardView();
+    StressView view = testView();
     view.reversed = kind == 1 || kind == 3;
     view.infinite = kind >= 2;
-    return yard(view, size);
+    return testShot(view, size);
 }
 
 StressShot yardShift(double pixels, Extent size)
 {
-    StressView view = yardView();
+    StressView view = testView();
     view.shift_px = static_cast<int>(pixels) * size.width / 256;
-    StressShot shot = yard(view, size);
+    StressShot shot = testShot(view, size);
     shot.shift_px = view.shift_px;
     shot.block_px = kNoiseBlock;
     return shot;
@@ -78,7 +78,7 @@ StressShot yardShift(double pixels, Extent size)
 
 StressShot yardMirrored(double kind, Extent size)
 {
-    StressShot shot = yard(yardView(), size);
+    StressShot shot = testShot(testView(), size);
     shot.block_px = kNoiseBlock;
     if (kind == 0) return shot;
     shot.scene = placed(shot.scene, glm::scale(glm::dmat4(1.0), {-1, 1, 1}));
@@ -91,7 +91,7 @@ StressShot yardMirrored(double kind, Extent size)
 StressShot yardNarrow(double degrees, Extent size)
 {
     constexpr double kHalfHeight = 2;
-    StressView view = yardView();
+    StressView view = testView();
     const double away =
         degrees > 0 ? kHalfHeight / std::tan(glm::radians(degrees / 2)) : 20.0;
     view.eye.z = away;
@@ -99,7 +99,7 @@ StressShot yardNarrow(double degrees, Extent size)
     view.far_distance = away + 4.5;
     if (degrees > 0) view.fov_degrees = degrees;
     else view.half_height = kHalfHeight;
-    return yard(view, size);
+    return testShot(view, size);
 }
 
 }  // namespace
@@ -108,26 +108,26 @@ std::vector<StressCase> sameCases()
 {
     using E = Expectation;
     return {
-        {"units", "The yard in other units, by its model matrices.", "units", decades(-6, 6), 6,
+        {"units", "The test scene in other units, by its model matrices.", "units", decades(-6, 6), 6,
          E::same, 0.002, false, yardUnits},
-        {"units_in_vertices", "The yard in other units, in its vertices.", "units", decades(-6, 6),
+        {"units_in_vertices", "The test scene in other units, in its vertices.", "units", decades(-6, 6),
          6, E::same, 0.002, false, yardUnitsInVertices},
-        {"offset", "The yard far from the origin, by its model matrices.", "radii",
+        {"offset", "The test scene far from the origin, by its model matrices.", "radii",
          steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, yardOffset},
         {"offset_in_vertices", "The same in its vertices, where floats round it.", "radii",
          steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false,
          yardOffsetInVertices},
-        {"near_far", "The yard between ever farther near and far planes.", "near:far", nearFarSteps(), 1,
+        {"near_far", "The test scene between ever farther near and far planes.", "near:far", nearFarSteps(), 1,
          E::same, 0.002, true, yardNearFar},
-        {"projection", "The yard through other projections of depth.", "",
+        {"projection", "The test scene through other projections of depth.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
          true, yardProjection},
-        {"off_centre", "The yard through an off-centre frustum: means over 8x8 pixels that both show.",
+        {"off_centre", "The test scene through an off-centre frustum: means over 8x8 pixels that both show.",
          "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, 0.01, false, yardShift},
-        {"mirrored", "The yard mirrored; noise is not, so means over 8x8 pixels count.", "",
+        {"mirrored", "The test scene mirrored; noise is not, so means over 8x8 pixels count.", "",
          kinds({"ordinary", "by a matrix", "in the vertices"}), 0, E::same, 0.015, false,
          yardMirrored},
-        {"narrow", "The yard from ever farther through ever less of an angle; 0 is orthographic.",
+        {"narrow", "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
          "degrees", steps({0, 0.01, 0.03, 0.1}), 0, E::same, 0.01, false, yardNarrow},
     };
 }

@@ -21,14 +21,14 @@ void main()
 }
 )";
 
-const char* const kNoGuard =
-    R"("guard": {"type": "float", "default": 1, "min": 1, "max": 2, "bind": "define"})";
+const char* const kNoGuardBand =
+    R"("guard_band": {"type": "float", "default": 1, "min": 1, "max": 2, "bind": "define"})";
 
 // The host's textures have no guard band; its albedo is the same everywhere.
 std::string overHost(const std::string& module)
 {
     return R"({"format": 1, "name": ")" + module + R"(", "description": "A host's own.",
-        "extends": [")" + module + R"("], "params": {)" + kNoGuard + R"(},
+        "extends": [")" + module + R"("], "params": {)" + kNoGuardBand + R"(},
         "targets": {"albedo": {"format": ["rgba8"]}},
         "shaders": {"host_albedo": {"vertex": "common/fullscreen.vert", "fragment": "host/albedo.frag"}},
         "passes": {"host_albedo": {
@@ -68,7 +68,7 @@ MemorySources positionModules()
     modules.add("geometry/depth_normal.json",
                 std::string(R"({"format": 1, "name": "geometry/depth_normal",
         "description": "Stored positions.", "extends": ["geometry/position_normal"],
-        "params": {)") + kNoGuard + R"(},
+        "params": {)") + kNoGuardBand + R"(},
         "targets": {"position": {"format": ["rgba32f", "rgba16f"]}}})");
     return modules;
 }
@@ -86,12 +86,12 @@ MemorySources depthModules()
 
 }  // namespace
 
-StandIns::Layer::Layer(MemorySources stand_ins, const SourceSet& sources)
-    : modules(std::move(stand_ins)), all({&modules, &sources})
+Substitutes::Layer::Layer(MemorySources substitutes, const SourceSet& sources)
+    : modules(std::move(substitutes)), all({&modules, &sources})
 {
 }
 
-StandIns::StandIns(const SourceSet& sources) : own_(sources)
+Substitutes::Substitutes(const SourceSet& sources) : own_(sources)
 {
     over_.try_emplace(kHostGeometry, hostModules("host_"), sources);
     over_.try_emplace(kHostLogGeometry, hostModules("host_log_"), sources);
@@ -101,7 +101,7 @@ StandIns::StandIns(const SourceSet& sources) : own_(sources)
     over_.try_emplace(kDepthGeometry, depthModules(), sources);
 }
 
-const SourceSet& StandIns::over(const std::string& geometry) const
+const SourceSet& Substitutes::over(const std::string& geometry) const
 {
     const auto found = over_.find(geometry);
     return found == over_.end() ? own_ : found->second.all;

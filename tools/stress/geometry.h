@@ -13,16 +13,16 @@ namespace crevice {
 
 /// What stands in for geometry modules, so that any config that extends one of them becomes one over
 /// another. Others stay as they are.
-class StandIns {
+class Substitutes {
 public:
-    explicit StandIns(const SourceSet& sources);
+    explicit Substitutes(const SourceSet& sources);
 
     /// Sources in which `geometry`, one of the names below, is extended instead; else those given.
     const SourceSet& over(const std::string& geometry) const;
 
 private:
     struct Layer {
-        Layer(MemorySources stand_ins, const SourceSet& sources);
+        Layer(MemorySources substitutes, const SourceSet& sources);
 
         MemorySources modules;
         LayeredSources all;

@@ -21,7 +21,7 @@
 namespace crevice {
 namespace {
 
-constexpr float kGarbage = 0.8713f;  // where a format holds no NaN
+constexpr float kPoison = 0.8713f;  // where a format holds no NaN
 constexpr int kTruthRays = 64;       // a pixel: an error of context needs no more
 
 std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
@@ -92,9 +92,9 @@ std::vector<std::string> surfaceFormats(const Description& description)
 }
 
 StressMeter::StressMeter(Device& device, const SourceSet& sources, std::string cache_folder)
-    : garbage_(std::make_unique<GarbageDevice>(device, kGarbage, true)),
+    : poison_(std::make_unique<PoisonDevice>(device, kPoison, true)),
       sources_(sources),
-      stand_ins_(sources),
+      substitutes_(sources),
       cache_folder_(std::move(cache_folder))
 {
 }
@@ -108,7 +108,7 @@ std::string StressMeter::contentOf(const StressTask& task, Extent size)
     const std::string config = task.config.config + '\n' + shot.geometry;
     auto content = contents_.find(config);
     if (content == contents_.end()) {
-        const Result<LoadedConfig> loaded = loadWithContent(task.config, stand_ins_.over(shot.geometry));
+        const Result<LoadedConfig> loaded = loadWithContent(task.config, substitutes_.over(shot.geometry));
         content = contents_.emplace(config, loaded ? loaded->content : std::string()).first;
     }
     hash.addText(content->second);
@@ -124,7 +124,7 @@ std::string StressMeter::contentOf(const StressTask& task, Extent size)
 Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const StressShot& shot)
 {
     Ready ready;
-    const SourceSet& sources = stand_ins_.over(shot.geometry);
+    const SourceSet& sources = substitutes_.over(shot.geometry);
     const Result<Description> base = loadDescription(task.config, sources);
     if (!base && !shot.geometry.empty()) {
         ready.absent = "not over " + shot.geometry + ": " + failureText(base.diagnostics());
@@ -132,7 +132,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     }
     if (!base) return base.diagnostics();
     ConfigOptions config = task.config;
-    if (!shot.geometry.empty() && findNamed(base->params, "guard")) config.overrides.push_back("guard=1");
+    if (!shot.geometry.empty() && findNamed(base->params, "guard_band")) config.overrides.push_back("guard_band=1");
     if (const char* what = missingFrom(*base, shot)) ready.absent = what;
     if (findNamed(base->params, "radius"))
         config.overrides.push_back("radius=" + significant(shot.radius, 9));
@@ -154,8 +154,8 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     ready.description = std::move(*description);
     if (shot.samples < 0) takeAllSamples(ready.description);
     ready.options.extent = shot.extent;
-    ready.options.keep = {"sharing"};
-    if (shot.keep_identities) ready.options.keep.push_back("identity");
+    ready.options.disable = {"aliasing"};
+    if (shot.keep_no_ops) ready.options.disable.push_back("no_op");
     return ready;
 }
 
@@ -167,7 +167,7 @@ Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& fr
     if (anew || !renderer_->reload(ready.description, ready.options)) {
         renderer_.reset();
         renderer_of_.clear();
-        auto created = Renderer::create(*garbage_, ready.description, ready.options,
+        auto created = Renderer::create(*poison_, ready.description, ready.options,
                                         traitsOf(frame));
         if (!created) return created.diagnostics();
         renderer_ = std::move(*created);
@@ -183,7 +183,7 @@ Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& fr
 Status StressMeter::look(const std::vector<WatchedTarget>& watched, Drawn& drawn)
 {
     for (const WatchedTarget& each : watched) {
-        const Result<Image> image = readOutput(*garbage_, *renderer_, each.output);
+        const Result<Image> image = readOutput(*poison_, *renderer_, each.output);
         if (!image) return image.diagnostics();
         TargetHealth health = examine(*image, *image);
         if (!health.bad() || drawn.bad.bad()) continue;
@@ -192,7 +192,7 @@ Status StressMeter::look(const std::vector<WatchedTarget>& watched, Drawn& drawn
         drawn.bad.pass = each.pass;
     }
     if (renderer_->output("color")) {
-        const Result<Image> color = readOutput(*garbage_, *renderer_, "color");
+        const Result<Image> color = readOutput(*poison_, *renderer_, "color");
         if (!color) return color.diagnostics();
         for (const float value : color->pixels) drawn.negative_colors += value < 0;
     }
@@ -206,19 +206,19 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     Drawn drawn;
     drawn.absent = ready->absent;
     if (!drawn.absent.empty()) return drawn;
-    const Result<UploadedScene> scene = UploadedScene::upload(*garbage_, shot.scene);
+    const Result<UploadedScene> scene = UploadedScene::upload(*poison_, shot.scene);
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
     frame.camera = shot.camera;
     std::optional<HostTextures> host;
     if (shot.host) {
-        Result<HostTextures> made = HostTextures::make(*garbage_, shot, sources_);
+        Result<HostTextures> made = HostTextures::make(*poison_, shot, sources_);
         if (!made) return made.diagnostics();
         host.emplace(std::move(*made));
         frame.textures = host->textures();
     }
     const Result<Plan> plan =
-        compile(ready->description, traitsOf(frame), garbage_->caps(), ready->options);
+        compile(ready->description, traitsOf(frame), poison_->caps(), ready->options);
     if (!plan) return plan.diagnostics();
     drawn.stored = storedFormat(*plan);
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
@@ -227,7 +227,7 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
         task.config.config + " " + task.config.variant + shot.geometry;
     if (const Status done = render(*ready, *plan, frame, owner); !done) return done.diagnostics();
     if (const Status done = look(watched, drawn); !done) return done.diagnostics();
-    Result<Image> ao = readOutput(*garbage_, *renderer_, "ao");
+    Result<Image> ao = readOutput(*poison_, *renderer_, "ao");
     if (!ao) return ao.diagnostics();
     drawn.ao = std::move(*ao);
     return drawn;

@@ -59,9 +59,9 @@ private:
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
     double errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const;
 
-    std::unique_ptr<Device> garbage_;
+    std::unique_ptr<Device> poison_;
     const SourceSet& sources_;
-    const StandIns stand_ins_;
+    const Substitutes substitutes_;
     const std::string cache_folder_;
     std::map<std::string, std::string> contents_;  ///< Of each config over each geometry.
     std::string renderer_of_;

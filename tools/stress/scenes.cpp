@@ -45,13 +45,13 @@ Scene emptyYard()
     Scene scene;
     scene.materials.resize(1);
     scene.materials[0].specular = glm::vec3(0.2f);
-    SceneLight lamp;
-    lamp.light.position = {1, 2.5f, 2};
-    lamp.light.attenuation = {1.0f, 0.09f, 0.032f};
+    SceneLight scene_light;
+    scene_light.light.position = {1, 2.5f, 2};
+    scene_light.light.attenuation = {1.0f, 0.09f, 0.032f};
     SceneLight sky;
     sky.light.directional = true;
     sky.light.direction = glm::normalize(glm::vec3(-0.4f, -0.8f, -0.6f));
-    scene.lights = {lamp, sky};
+    scene.lights = {scene_light, sky};
     return scene;
 }
 
@@ -142,7 +142,7 @@ PlaneView planeView(const StressView& view, Extent size, double distance, double
     return plane;
 }
 
-Scene yardScene()
+Scene testScene()
 {
     Scene scene = emptyYard();
     add(scene, makeBox({-6, -0.5f, -3}, {6, 0, 6}));
@@ -171,8 +171,8 @@ Scene placed(Scene scene, const glm::dmat4& first)
 {
     for (SceneInstance& instance : scene.instances)
         instance.world_from_model = first * instance.world_from_model;
-    for (SceneLight& lamp : scene.lights)
-        lamp.light.position = glm::dvec3(first * glm::dvec4(lamp.light.position, 1.0));
+    for (SceneLight& scene_light : scene.lights)
+        scene_light.light.position = glm::dvec3(first * glm::dvec4(scene_light.light.position, 1.0));
     return scene;
 }
 

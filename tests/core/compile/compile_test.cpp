@@ -23,9 +23,9 @@ TEST_CASE("A pass that no output needs is left out with what it would cost")
     const Plan plan = planOf(describe(Sketch{
         {"used: -> a", "unused: a -> b", "end: a -> c"}, {{"out", "c"}}}));
     CHECK(passNames(plan) == "used, end");
-    const LeftOut* left = leftOut(plan, "pass unused");
+    const Elided* left = elided(plan, "pass unused");
     REQUIRE(left);
-    CHECK(left->rule == "unread");
+    CHECK(left->optimization == "dead_pass");
     CHECK(left->bytes == 2 * 64 * 32);  // reads one byte a pixel and writes one
 }
 
@@ -58,14 +58,14 @@ TEST_CASE("A config without outputs is refused")
     CHECK(error.code == Code::no_outputs);
 }
 
-TEST_CASE("A rule that does not exist cannot be switched off")
+TEST_CASE("A optimization that does not exist cannot be switched off")
 {
     CompileOptions options = sized();
-    options.keep = {"unraed"};
+    options.disable = {"dead_pas"};
     const Diagnostic error =
         onlyError(describe(Sketch{{"a: -> x"}, {{"out", "x"}}}), {}, ampleCaps(), options);
     CHECK(error.code == Code::bad_enum);
-    CHECK(error.help.find("'unread'") != error.help.npos);
+    CHECK(error.help.find("'dead_pass'") != error.help.npos);
 }
 
 TEST_CASE("A cycle is told along the data, with the targets")

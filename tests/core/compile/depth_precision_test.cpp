@@ -66,9 +66,9 @@ double windowOf(const glm::dmat4& m, double distance)
     return clip.z / clip.w * 0.5 + 0.5;
 }
 
-StoredSurface drawn(Format format) { return {Holds::other, format}; }
-StoredSurface ofHost(Format format) { return {Holds::other, format, false}; }
-StoredSurface position(Format format) { return {Holds::view_position, format}; }
+StoredSurface drawn(Format format) { return {Semantic::other, format}; }
+StoredSurface ofHost(Format format) { return {Semantic::other, format, false}; }
+StoredSurface position(Format format) { return {Semantic::view_position, format}; }
 
 const auto about = [](double value) { return Approx(value).epsilon(0.01); };
 
@@ -114,7 +114,7 @@ TEST_CASE("The known steps of depth and half floats come out")
     CHECK(viewStep(traits, position(Format::rgba16f), 1e-6) == std::exp2(-14));
     CHECK(formatStep(Format::rgba16f, 1e-6) == std::exp2(-24));
     CHECK(formatStep(Format::rgba32f, 1e-6) == std::exp2(-43));
-    CHECK(viewStep(traits, {Holds::other, Format::rgba8}, 100) == 0);
+    CHECK(viewStep(traits, {Semantic::other, Format::rgba8}, 100) == 0);
 }
 
 TEST_CASE("Float depth is finer than 24 bits only where a host reverses it")

@@ -73,8 +73,8 @@ TEST_CASE("A history that nobody reads costs nothing, and the plan says so")
     const Plan plan =
         planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}, {{"x", kKept}}}));
     CHECK(plan.textures.size() == 1);
-    REQUIRE(leftOut(plan, "history x"));
-    CHECK(leftOut(plan, "history x")->rule == "unread");
+    REQUIRE(elided(plan, "history x"));
+    CHECK(elided(plan, "history x")->optimization == "dead_pass");
 }
 
 TEST_CASE("A history without a pass that writes its target is an error")
@@ -91,11 +91,11 @@ TEST_CASE("A target without a history has none to read")
     CHECK(error.code == Code::uniform_unbound);
 }
 
-TEST_CASE("A pass whose output is remembered runs even at its identity")
+TEST_CASE("A pass whose output is remembered runs even at its no-op value")
 {
     const auto planFor = [](const std::string& reads) {
         return planOf(describe(Sketch{
-            {"a: -> x | \"identity\": {\"strength\": {\"at\": 0, \"gives\": {\"x\": 1}}}",
+            {"a: -> x | \"no_op\": {\"strength\": {\"at\": 0, \"gives\": {\"x\": 1}}}",
              "b: x " + reads + " -> y"},
             {{"out", "y"}},
             {{"x", kKept}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a plan leaves out: conditions with bypasses, identities, attachments nobody reads.
+// What a plan leaves out: conditions with bypasses, no-ops, attachments nobody reads.
 #include "tests/support/plan_rig.h"
 
 using namespace crevice;
@@ -18,10 +18,10 @@ Sketch filtered(const std::string& filter_keys, const std::string& extra = "")
 const char* const kSoft = R"("features": {"soft": {"type": "bool", "default": false}})";
 
 // A chain whose first pass is known at intensity 0 and whose second is known at blur 0.
-Sketch withIdentities(const std::string& intensity, const std::string& blur)
+Sketch withNoOps(const std::string& intensity, const std::string& blur)
 {
-    return {{R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-             R"(filter: ao -> smooth | "identity": {"blur": {"at": 0, "gives": {"smooth": "ao"}}})",
+    return {{R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+             R"(filter: ao -> smooth | "no_op": {"blur": {"at": 0, "gives": {"smooth": "ao"}}})",
              "light: smooth -> lit"},
             {{"ao", "smooth"}, {"color", "lit"}},
             {},
@@ -29,10 +29,10 @@ Sketch withIdentities(const std::string& intensity, const std::string& blur)
                 R"(}, "blur": {"type": "int", "default": )" + blur + "}}"};
 }
 
-CompileOptions keeping(const std::string& rule)
+CompileOptions keeping(const std::string& optimization)
 {
     CompileOptions options = sized();
-    options.keep = {rule};
+    options.disable = {optimization};
     return options;
 }
 
@@ -46,9 +46,9 @@ TEST_CASE("A pass whose condition fails is left out, and its bypass stands in fo
     REQUIRE(plan.passes[1].inputs.size() == 1);
     CHECK(plan.targets[plan.passes[1].inputs[0].index].name == "ao");
     CHECK(plan.targets[plan.outputs[0].target].name == "ao");
-    const LeftOut* left = leftOut(plan, "pass filter");
+    const Elided* left = elided(plan, "pass filter");
     REQUIRE(left);
-    CHECK(left->rule == "condition");
+    CHECK(left->optimization == "condition");
     CHECK(left->reason == "it needs soft true, and soft is false");
     CHECK(left->bytes > 0);
 }
@@ -60,7 +60,7 @@ TEST_CASE("A pass that no output needs is left out with a warning, unless that w
     REQUIRE(plan.ok());
     CHECK(passNames(*plan) == "a");
     REQUIRE(plan.diagnostics().size() == 1);
-    CHECK(plan.diagnostics()[0].code == Code::pass_unread);
+    CHECK(plan.diagnostics()[0].code == Code::dead_pass);
     CHECK(plan.diagnostics()[0].severity == Severity::warning);
     CHECK(plan.diagnostics()[0].pointer == "/passes/b");
 
@@ -171,9 +171,9 @@ TEST_CASE("Each trait of the scene and the camera can be a condition")
     CHECK(planOf(description).passes.size() == 1);
 }
 
-TEST_CASE("A pass at its identity gives a constant, and what only it needed goes too")
+TEST_CASE("A pass at its no-op value gives a constant, and what only it needed goes too")
 {
-    Sketch sketch = withIdentities("0", "2");
+    Sketch sketch = withNoOps("0", "2");
     sketch.passes.insert(sketch.passes.begin(), "geometry: -> depth normal");
     sketch.passes[1].replace(0, 5, "ssao: depth normal ");
     const Plan plan = planOf(describe(sketch));
@@ -181,24 +181,24 @@ TEST_CASE("A pass at its identity gives a constant, and what only it needed goes
     REQUIRE(plan.passes[0].inputs.size() == 1);
     CHECK(plan.passes[0].inputs[0].kind == InputKind::constant);
     CHECK(plan.constants.at(plan.passes[0].inputs[0].index).value == 1.0f);
-    const LeftOut* left = leftOut(plan, "pass ssao");
+    const Elided* left = elided(plan, "pass ssao");
     REQUIRE(left);
-    CHECK(left->rule == "identity");
+    CHECK(left->optimization == "no_op");
     CHECK(left->reason == "intensity is 0, so ao is 1");
-    REQUIRE(leftOut(plan, "pass geometry"));
-    CHECK(leftOut(plan, "pass geometry")->rule == "unread");
+    REQUIRE(elided(plan, "pass geometry"));
+    CHECK(elided(plan, "pass geometry")->optimization == "dead_pass");
 }
 
-TEST_CASE("A pass at its identity gives its input")
+TEST_CASE("A pass at its no-op value gives its input")
 {
-    const Plan plan = planOf(describe(withIdentities("1", "0")));
+    const Plan plan = planOf(describe(withNoOps("1", "0")));
     CHECK(passNames(plan) == "ssao, light");
     CHECK(plan.targets[plan.outputs[0].target].name == "ao");
 }
 
 TEST_CASE("Identities are followed through one another, down to an output that is a constant")
 {
-    const Plan plan = planOf(describe(withIdentities("0", "0")));
+    const Plan plan = planOf(describe(withNoOps("0", "0")));
     CHECK(passNames(plan) == "light");
     REQUIRE(plan.outputs[0].name == "ao");
     REQUIRE(plan.outputs[0].constant >= 0);
@@ -207,16 +207,16 @@ TEST_CASE("Identities are followed through one another, down to an output that i
     CHECK(plan.constants.size() == 1);
 }
 
-TEST_CASE("An identity holds at its exact value alone")
+TEST_CASE("A no-op holds at its exact value alone")
 {
-    CHECK(passNames(planOf(describe(withIdentities("1e-6", "1")))) == "ssao, filter, light");
+    CHECK(passNames(planOf(describe(withNoOps("1e-6", "1")))) == "ssao, filter, light");
 }
 
-TEST_CASE("A pass stays when its identity leaves out an output that is needed")
+TEST_CASE("A pass stays when its no-op value leaves out an output that is needed")
 {
     const auto names = [](const std::string& reads) {
         return passNames(planOf(describe(Sketch{
-            {R"(ssao: -> ao bent | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+            {R"(ssao: -> ao bent | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
              "light: " + reads + " -> lit"},
             {{"out", "lit"}}, {}, R"("params": {"intensity": {"default": 0}})"})));
     };
@@ -224,23 +224,23 @@ TEST_CASE("A pass stays when its identity leaves out an output that is needed")
     CHECK(names("ao bent") == "ssao, light");
 }
 
-TEST_CASE("The next identity is tried when the first leaves out an output that is needed")
+TEST_CASE("The next no-op is tried when the first leaves out an output that is needed")
 {
     const Plan plan = planOf(describe(Sketch{
-        {R"(ssao: -> ao bent | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}},
+        {R"(ssao: -> ao bent | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}},
                                             "radius": {"at": 0, "gives": {"ao": 1, "bent": 0}}})",
          "light: ao bent -> lit"},
         {{"out", "lit"}}, {},
         R"("params": {"intensity": {"default": 0}, "radius": {"default": 0}})"}));
     CHECK(passNames(plan) == "light");
     CHECK(plan.constants.size() == 2);
-    CHECK(leftOut(plan, "pass ssao")->reason == "radius is 0, so ao is 1, bent is 0");
+    CHECK(elided(plan, "pass ssao")->reason == "radius is 0, so ao is 1, bent is 0");
 }
 
-TEST_CASE("What an identity gives counts as read, so no param's value can break the graph")
+TEST_CASE("What a no-op gives counts as read, so no param's value can break the graph")
 {
-    const auto identity = [](const std::string& gives) {
-        return R"( | "identity": {"amount": {"at": 0, "gives": {)" + gives + "}}}";
+    const auto noOp = [](const std::string& gives) {
+        return R"( | "no_op": {"amount": {"at": 0, "gives": {)" + gives + "}}}";
     };
     const auto described = [](const std::vector<std::string>& passes, const std::string& amount) {
         return describe(Sketch{passes, {{"out", "x"}}, {{"ghost", R"({"format": ["r8"]})"}},
@@ -250,34 +250,34 @@ TEST_CASE("What an identity gives counts as read, so no param's value can break 
     SECTION("a target that no pass writes")
     {
         const Diagnostic error =
-            onlyError(described({"a: -> x" + identity(R"("x": "ghost")")}, amount));
+            onlyError(described({"a: -> x" + noOp(R"("x": "ghost")")}, amount));
         CHECK(error.code == Code::never_written);
-        CHECK(error.pointer == "/passes/a/identity/amount/gives/x");
+        CHECK(error.pointer == "/passes/a/no_op/amount/gives/x");
     }
     SECTION("its own output")
     {
-        CHECK(onlyError(described({"a: -> x" + identity(R"("x": "x")")}, amount)).code ==
+        CHECK(onlyError(described({"a: -> x" + noOp(R"("x": "x")")}, amount)).code ==
               Code::reads_own_output);
     }
     SECTION("one another's outputs")
     {
-        CHECK(onlyError(described({"a: -> x" + identity(R"("x": "y")"),
-                                   "b: -> y" + identity(R"("y": "x")")}, amount)).code ==
+        CHECK(onlyError(described({"a: -> x" + noOp(R"("x": "y")"),
+                                   "b: -> y" + noOp(R"("y": "x")")}, amount)).code ==
               Code::cycle);
     }
     SECTION("what is made from the output")
     {
         const Description description =
-            described({"a: -> x" + identity(R"("x": "y")"), "b: x -> y"}, amount);
+            described({"a: -> x" + noOp(R"("x": "y")"), "b: x -> y"}, amount);
         CHECK(onlyError(description).code == Code::cycle);
     }
 }
 
-TEST_CASE("A vector param is at an identity when each component is")
+TEST_CASE("A vector param is at a no-op when each component is")
 {
     const auto passes = [](const std::string& tint) {
         return planOf(describe(Sketch{
-            {"a: -> x", R"(b: x -> y | "identity": {"tint": {"at": 1, "gives": {"y": "x"}}})"},
+            {"a: -> x", R"(b: x -> y | "no_op": {"tint": {"at": 1, "gives": {"y": "x"}}})"},
             {{"out", "y"}}, {},
             R"("params": {"tint": {"type": "vec3", "default": )" + tint + "}}"})).passes.size();
     };
@@ -289,9 +289,9 @@ TEST_CASE("A pass that keeps constants goes where it reads one, down a chain")
 {
     const auto chain = [](const std::string& intensity, const std::string& extra = "") {
         return describe(Sketch{
-            {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-             R"(x: ao -> blur | "keeps_constant": {"blur": "ao"})",
-             R"(y: blur -> smooth )" + extra + R"(| "keeps_constant": {"smooth": "blur"})",
+            {R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+             R"(x: ao -> blur | "preserves_constant": {"blur": "ao"})",
+             R"(y: blur -> smooth )" + extra + R"(| "preserves_constant": {"smooth": "blur"})",
              "light: smooth -> lit"},
             {{"ao", "smooth"}, {"color", "lit"}},
             {},
@@ -304,22 +304,22 @@ TEST_CASE("A pass that keeps constants goes where it reads one, down a chain")
     REQUIRE(plan.constants.size() == 1);
     CHECK(plan.constants[0].value == 1.0f);
     CHECK(plan.outputs[0].constant == 0);
-    const LeftOut* left = leftOut(plan, "pass y");
+    const Elided* left = elided(plan, "pass y");
     REQUIRE(left);
-    CHECK(left->rule == "identity");
+    CHECK(left->optimization == "no_op");
     CHECK(left->reason == "blur is 1 everywhere, and so is smooth");
     CHECK(left->bytes > 0);
 
     CHECK(passNames(planOf(chain("1"))) == "ssao, x, y, light");
-    CHECK(passNames(planOf(chain("0"), {}, keeping("identity"))) == "ssao, x, y, light");
+    CHECK(passNames(planOf(chain("0"), {}, keeping("no_op"))) == "ssao, x, y, light");
 }
 
 TEST_CASE("A pass that keeps constants stays for what else is needed of it")
 {
     const Description description = describe(Sketch{
-        {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-         R"(x: ao -> blur edges | "keeps_constant": {"blur": "ao"})",
-         R"(y: blur -> smooth | "keeps_constant": {"smooth": "blur"})", "light: smooth edges -> lit"},
+        {R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+         R"(x: ao -> blur edges | "preserves_constant": {"blur": "ao"})",
+         R"(y: blur -> smooth | "preserves_constant": {"smooth": "blur"})", "light: smooth edges -> lit"},
         {{"color", "lit"}},
         {},
         R"("params": {"intensity": {"default": 0}})"});
@@ -332,19 +332,19 @@ TEST_CASE("A pass that keeps constants stays for what else is needed of it")
 TEST_CASE("A constant is kept of a sampler that the shader has")
 {
     const Diagnostic error = onlyError(describe(Sketch{
-        {"ssao: -> ao", R"(x: ao -> blur | "keeps_constant": {"blur": "aoo"})"},
+        {"ssao: -> ao", R"(x: ao -> blur | "preserves_constant": {"blur": "aoo"})"},
         {{"ao", "blur"}}}));
     CHECK(error.code == Code::input_unused);
-    CHECK(error.pointer == "/passes/x/keeps_constant/blur");
+    CHECK(error.pointer == "/passes/x/preserves_constant/blur");
     CHECK(error.help.find("'ao'") != error.help.npos);
 }
 
-TEST_CASE("The identity rule can be switched off")
+TEST_CASE("The no-op optimization can be switched off")
 {
-    const Description description = describe(withIdentities("0", "0"));
-    CHECK(passNames(planOf(description, {}, keeping("identity"))) == "ssao, filter, light");
+    const Description description = describe(withNoOps("0", "0"));
+    CHECK(passNames(planOf(description, {}, keeping("no_op"))) == "ssao, filter, light");
     CHECK(passNames(planOf(description, {}, keeping("all"))) == "ssao, filter, light");
-    CHECK(passNames(planOf(description, {}, keeping("sharing"))) == "light");
+    CHECK(passNames(planOf(description, {}, keeping("aliasing"))) == "light");
 }
 
 TEST_CASE("An attachment that nobody reads gets no texture, and is listed with its saving")
@@ -356,34 +356,34 @@ TEST_CASE("An attachment that nobody reads gets no texture, and is listed with i
     REQUIRE(albedo);
     CHECK(albedo->target == -1);
     CHECK(albedo->store == StoreOp::discard);
-    const LeftOut* left = leftOut(plan, "attachment albedo");
+    const Elided* left = elided(plan, "attachment albedo");
     REQUIRE(left);
-    CHECK(left->rule == "unread");
+    CHECK(left->optimization == "dead_pass");
     CHECK(left->bytes == 64 * 32);
 
     CHECK(plan.programs[plan.passes[0].program].fragment.text.find("out vec4 to_albedo") ==
           std::string::npos);
 
-    const Plan kept = planOf(description, {}, keeping("unread"));
+    const Plan kept = planOf(description, {}, keeping("dead_pass"));
     CHECK(kept.programs[kept.passes[0].program].fragment.text.find("out vec4 to_albedo") !=
           std::string::npos);
     CHECK(attachmentOf(kept, "albedo")->target >= 0);
     CHECK(attachmentOf(kept, "albedo")->store == StoreOp::discard);
-    CHECK_FALSE(leftOut(kept, "attachment albedo"));
+    CHECK_FALSE(elided(kept, "attachment albedo"));
 }
 
-TEST_CASE("Passes that nobody needs run when the unread rule is switched off")
+TEST_CASE("Passes that nobody needs run when the unread optimization is switched off")
 {
     const Description description = describe(Sketch{
         {"used: -> a", "unused: a -> b", "end: a -> c"}, {{"out", "c"}}});
-    CHECK(passNames(planOf(description, {}, keeping("unread"))) == "used, unused, end");
+    CHECK(passNames(planOf(description, {}, keeping("dead_pass"))) == "used, unused, end");
 }
 
-TEST_CASE("An identity is dropped with a note where the formats do not store the same values")
+TEST_CASE("A no-op is dropped with a note where the formats do not store the same values")
 {
     for (const char* format : {"r16f", "rgb10_a2"}) {
         INFO(format);
-        Sketch sketch = withIdentities("1", "0");
+        Sketch sketch = withNoOps("1", "0");
         CHECK(passNames(planOf(describe(sketch))) == "ssao, light");
         sketch.targets = {{"ao", R"({"format": [")" + std::string(format) + "\"]}"}};
         const Plan plan = planOf(describe(sketch));
@@ -416,7 +416,7 @@ TEST_CASE("A stand-in must hold the kind of values that it replaces")
     }
     SECTION("sizes may differ")
     {
-        Sketch sketch = withIdentities("1", "0");
+        Sketch sketch = withNoOps("1", "0");
         sketch.targets = {{"ao", R"({"format": ["r8"], "size": {"scale": 0.5}})"}};
         CHECK(passNames(planOf(describe(sketch))) == "ssao, light");
     }
@@ -427,12 +427,12 @@ namespace {
 // draw -> mask -> ao, where ao is drawn where the mask says.
 Sketch masked(const std::string& mask_keys = "", const std::string& ao_keys = "")
 {
-    return {{R"(things: -> normal | "type": "draw", "draws_within": 1)",
+    return {{R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
              R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})" + mask_keys,
-             R"(ao: normal -> ao | "drawn_where": "mask", "clear": {"ao": 1})" + ao_keys,
+             R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + ao_keys,
              "light: ao -> lit"},
             {{"color", "lit"}},
-            {{"mask", R"({"format": ["depth16"], "holds": "mask", "size": {"of": "ao"}})"}},
+            {{"mask", R"({"format": ["depth16"], "semantic": "mask", "size": {"of": "ao"}})"}},
             R"("imports": {"scene": {"type": "draw_list"}},
                "features": {"soft": {"type": "bool", "default": false}})"};
 }
@@ -456,13 +456,13 @@ TEST_CASE("A pass that is drawn where a mask says is tested against it, and clea
     CHECK(mask.last_pass == 2);
 }
 
-TEST_CASE("A mask is left out with its rule, where its pass is off, and where it does not fit")
+TEST_CASE("A mask is left out with its optimization, where its pass is off, and where it does not fit")
 {
     const auto drawnWhole = [](const Plan& plan) {
         return passNames(plan) == "things, ao, light" && !plan.passes[1].has_depth &&
                plan.passes[1].color[0].load == LoadOp::discard;
     };
-    CHECK(drawnWhole(planOf(describe(masked()), {}, keeping("background"))));
+    CHECK(drawnWhole(planOf(describe(masked()), {}, keeping("depth_mask"))));
     CHECK(drawnWhole(planOf(describe(masked(R"(, "when": {"soft": true})")))));
     Sketch smaller = masked();
     smaller.targets["mask"] = R"({"format": ["depth16"], "size": {"scale": 0.5}})";
@@ -474,7 +474,7 @@ TEST_CASE("A mask is left out with its rule, where its pass is off, and where it
 
 TEST_CASE("A pass whose mask is a constant is drawn everywhere")
 {
-    Sketch sketch = masked(R"(, "identity": {"fill": {"at": 0, "gives": {"mask": 1}}})");
+    Sketch sketch = masked(R"(, "no_op": {"fill": {"at": 0, "gives": {"mask": 1}}})");
     sketch.extra += R"(, "params": {"fill": {"default": 0}})";
     const Plan plan = planOf(describe(sketch));
     CHECK(passNames(plan) == "things, ao, light");
@@ -485,21 +485,21 @@ TEST_CASE("A pass whose mask is a constant is drawn everywhere")
 TEST_CASE("A long chain of passes that each read twice what is before is planned at once")
 {
     Sketch sketch;
-    sketch.passes = {R"(pass_0: -> t_0 | "type": "draw", "draws_within": 1)"};
+    sketch.passes = {R"(pass_0: -> t_0 | "type": "draw", "frustum_scale": 1)"};
     for (int i = 1; i < 40; ++i) {
         const std::string now = std::to_string(i), before = "t_" + std::to_string(i - 1);
-        sketch.passes.push_back("pass_" + now + ": " + before + " again -> t_" + now + R"( | "bounded": true,
+        sketch.passes.push_back("pass_" + now + ": " + before + " again -> t_" + now + R"( | "scissor": true,
             "clear": {"t_)" + now + R"(": 0}, "inputs": {"again": ")" + before + "\"}");
     }
     sketch.outputs = {{"out", "t_39"}};
     sketch.extra = R"("imports": {"scene": {"type": "draw_list"}})";
-    CHECK(planOf(describe(sketch)).passes.back().bounded);
+    CHECK(planOf(describe(sketch)).passes.back().scissor);
 }
 
 TEST_CASE("A mask must be a depth target of another pass")
 {
     Sketch color = masked();
-    color.passes[2] = R"(ao: normal -> ao | "drawn_where": "normal", "clear": {"ao": 1})";
+    color.passes[2] = R"(ao: normal -> ao | "mask": "normal", "clear": {"ao": 1})";
     color.passes.erase(color.passes.begin() + 1);
     color.targets.erase("mask");
     CHECK(onlyError(describe(color)).code == Code::attachment_kind);
@@ -512,11 +512,11 @@ TEST_CASE("A bounded pass is drawn within things where all that it reads comes f
         const Plan plan = planOf(describe(sketch), {}, options);
         const PlanPass* pass = findNamed(plan.passes, "ao");
         CHECK((pass->color[0].load == LoadOp::clear || kept == "all"));
-        return pass->bounded;
+        return pass->scissor;
     };
-    const Sketch sketch = masked("", R"(, "bounded": true)");
+    const Sketch sketch = masked("", R"(, "scissor": true)");
     CHECK(bounded(sketch));
-    CHECK_FALSE(bounded(sketch, "bounds"));
+    CHECK_FALSE(bounded(sketch, "scissor"));
     CHECK_FALSE(bounded(sketch, "all"));
     CHECK_FALSE(bounded(masked()));
 

@@ -186,7 +186,7 @@ TEST_CASE("What is read linearly keeps a format that filters")
     const char* const config = R"({
   "format": 1, "name": "mixed", "params": {"reach": {"default": 0.5, "semantic": "length"}},
   "imports": {"camera": {"type": "camera"}},
-  "targets": {"there": {"format": ["rgba16f", "rgba32f"], "holds": "view_position"},
+  "targets": {"there": {"format": ["rgba16f", "rgba32f"], "semantic": "view_position"},
               "ao": {"format": ["r8"]}},
   "shaders": {"write": {"vertex": "full.vert", "fragment": "write.frag"},
               "read": {"vertex": "full.vert", "fragment": "read.frag"}},

@@ -13,10 +13,10 @@ Sketch oneTarget(const std::string& json)
     return {{"a: -> x"}, {{"out", "x"}}, {{"x", json}}};
 }
 
-CompileOptions keeping(const std::string& rule, const std::string& output = "")
+CompileOptions keeping(const std::string& optimization, const std::string& output = "")
 {
     CompileOptions options = sized();
-    options.keep = {rule};
+    options.disable = {optimization};
     if (!output.empty()) options.outputs = {output};
     return options;
 }
@@ -238,7 +238,7 @@ TEST_CASE("Targets whose lifetimes do not meet share a texture")
     CHECK(plan.textures.size() == 2);
     CHECK(plan.textures[0].targets == std::vector<std::string>{"w", "y"});
     CHECK(plan.texture_bytes == 2 * 64 * 32);
-    CHECK(planOf(description, {}, keeping("sharing")).textures.size() == 4);
+    CHECK(planOf(description, {}, keeping("aliasing")).textures.size() == 4);
 }
 
 TEST_CASE("Textures are not shared between formats or sizes")

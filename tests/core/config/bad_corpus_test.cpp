@@ -36,7 +36,7 @@ TEST_CASE("What shipped modules do together is told in the config, with a note i
         {"graph/two_modules_write", "effects/filter/bilateral.json:39:61"},
         {"graph/writer_deleted", "effects/lighting/deferred.json:41:33"},
         {"references/filter_missing", "effects/lighting/deferred.json:41:33"},
-        {"references/target_deleted", "effects/ssao/receivers.json:6:87"}};
+        {"references/target_deleted", "effects/ssao/foreground.json:6:91"}};
     std::size_t seen = 0;
     for (const CorpusCase& config : corpusCases()) {
         const auto module = kModules.find(config.name);

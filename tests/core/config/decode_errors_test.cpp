@@ -26,8 +26,8 @@ TEST_CASE("a missing key is an error at what lacks it", "[decode]")
         {"imports", R"({"photo": {"type": "texture"}, "eye": {}})", "CV3003 /imports/eye"},
         {"views", R"({"v": {"scale": 1}})", "CV3003 /views/v"},
         {"passes", R"({"p": {"color": "ao"}})", "CV3003 /passes/p"},
-        {"passes", R"({"p": {"shader": "ao", "color": "ao", "identity": {"radius": {}}}})",
-         "CV3003 /passes/p/identity/radius; CV3003 /passes/p/identity/radius"},
+        {"passes", R"({"p": {"shader": "ao", "color": "ao", "no_op": {"radius": {}}}})",
+         "CV3003 /passes/p/no_op/radius; CV3003 /passes/p/no_op/radius"},
         {"features", R"({"check": {"type": "enum"}})", "CV3003 /features/check"},
     });
 }

@@ -56,10 +56,10 @@ TEST_CASE("each reference of a pass is checked", "[decode]")
     checkPass(R"("when": {"scene.lamps": true})", "CV2105 /passes/p/when/scene.lamps");
     checkPass(R"("bypass": {"ao": "ao_raw"})", "CV2103 /passes/p/bypass/ao");
     checkPass(R"("bypass": {"aoo": "depth"})", "CV2103 /passes/p/bypass/aoo");
-    checkPass(R"("identity": {"radios": {"at": 0, "gives": {"ao": 1}}})",
-              "CV2102 /passes/p/identity/radios");
-    checkPass(R"("identity": {"radius": {"at": 0, "gives": {"ao": "one"}}})",
-              "CV2103 /passes/p/identity/radius/gives/ao");
+    checkPass(R"("no_op": {"radios": {"at": 0, "gives": {"ao": 1}}})",
+              "CV2102 /passes/p/no_op/radios");
+    checkPass(R"("no_op": {"radius": {"at": 0, "gives": {"ao": "one"}}})",
+              "CV2103 /passes/p/no_op/radius/gives/ao");
     checkPass(R"("inputs": {"photos": {}})", "CV2103 /passes/p/inputs/photos");
     checkPass(R"("inputs": {"tile": {"from": "nose"}})", "CV2103 /passes/p/inputs/tile/from");
     checkPass(R"("inputs": {"tile": "kernel"})", "CV2103 /passes/p/inputs/tile");
@@ -86,12 +86,12 @@ TEST_CASE("shaders, outputs, views and sizes are checked", "[decode]")
     });
 }
 
-TEST_CASE("clear, bypass and identity speak only of what the pass writes", "[decode]")
+TEST_CASE("clear, bypass and no_op speak only of what the pass writes", "[decode]")
 {
     checkPass(R"("clear": {"depth": 1})", "CV2102 /passes/p/clear/depth");
     checkPass(R"("bypass": {"ao_filtered": "depth"})", "CV2102 /passes/p/bypass/ao_filtered");
-    checkPass(R"("identity": {"radius": {"at": 0, "gives": {"depth": 1}}})",
-              "CV2102 /passes/p/identity/radius/gives/depth");
+    checkPass(R"("no_op": {"radius": {"at": 0, "gives": {"depth": 1}}})",
+              "CV2102 /passes/p/no_op/radius/gives/depth");
     checkPass(R"("clear": {"ao": 1}, "bypass": {"ao": "depth"})", "");
 }
 

@@ -162,7 +162,7 @@ TEST_CASE("a pass has the documented defaults", "[decode]")
     CHECK(p.clear.empty());
     CHECK(p.when.terms.empty());
     CHECK(p.bypass.empty());
-    CHECK(p.identity.empty());
+    CHECK(p.no_op.empty());
     CHECK(p.inputs.empty());
     CHECK(p.state.depth_test == Compare::always);
     CHECK_FALSE(p.state.depth_write);
@@ -193,7 +193,7 @@ TEST_CASE("a pass takes every key", "[decode]")
         "clear": {"ao": 0.5, "ao_filtered": [1, 2, 3, 4], "depth": 1},
         "when": {"fast": true, "check": ["hard", "smooth"], "scene.lights": 3},
         "bypass": {"ao": "depth"},
-        "identity": {"radius": {"at": 0, "gives": {"ao": 1, "ao_filtered": "depth"}}},
+        "no_op": {"radius": {"at": 0, "gives": {"ao": 1, "ao_filtered": "depth"}}},
         "inputs": {"base_color_map": {"filter": "linear", "wrap": "repeat"}, "photo": {},
                    "tile": "noise", "lowered": {"from": "photo", "filter": "nearest"}},
         "state": {"depth_test": "greater_equal", "depth_write": true, "cull": "front"}}})"}}).passes.at(0);
@@ -208,12 +208,12 @@ TEST_CASE("a pass takes every key", "[decode]")
     CHECK(p.when.terms.at(2).values == std::vector<std::string>{"3"});
     CHECK(p.bypass.at(0).output.name == "ao");
     CHECK(p.bypass.at(0).input.name == "depth");
-    CHECK(p.identity.at(0).param.name == "radius");
-    CHECK(p.identity.at(0).at == 0.0f);
-    CHECK(p.identity.at(0).gives.at(0).constant);
-    CHECK(p.identity.at(0).gives.at(0).value == 1.0f);
-    CHECK_FALSE(p.identity.at(0).gives.at(1).constant);
-    CHECK(p.identity.at(0).gives.at(1).input.name == "depth");
+    CHECK(p.no_op.at(0).param.name == "radius");
+    CHECK(p.no_op.at(0).at == 0.0f);
+    CHECK(p.no_op.at(0).gives.at(0).constant);
+    CHECK(p.no_op.at(0).gives.at(0).value == 1.0f);
+    CHECK_FALSE(p.no_op.at(0).gives.at(1).constant);
+    CHECK(p.no_op.at(0).gives.at(1).input.name == "depth");
     CHECK(p.state.depth_test == Compare::greater_equal);
 
     CHECK(p.inputs.at(0).from.empty());

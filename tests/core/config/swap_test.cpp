@@ -106,13 +106,13 @@ TEST_CASE("A swap changes the module and leaves out with a warning what was set 
     CHECK(at(document, "shaders/ssao/fragment")->text == "ssao/gtao.frag");
     const Result<Description> description = decode(document, shippedSources());
     REQUIRE(description.ok());
-    Names left_out;
+    Names elided;
     for (const Diagnostic& each : description->unused) {
         CHECK(each.severity == Severity::warning);
         CHECK(each.code == Code::unknown_param);
-        left_out.push_back(each.pointer);
+        elided.push_back(each.pointer);
     }
-    CHECK(left_out == Names{"/params/samples", "/features/range_check", "/generated/kernel"});
+    CHECK(elided == Names{"/params/samples", "/features/range_check", "/generated/kernel"});
     CHECK_FALSE(findNamed(description->params, "samples"));
 }
 

@@ -164,7 +164,7 @@ TEST_CASE("Setting what is already so makes no new plan")
     CHECK(rig.device.attempts() == attempts);
 }
 
-TEST_CASE("At its identity a pass is left out, and comes back with another value")
+TEST_CASE("At its no-op value a pass is left out, and comes back with another value")
 {
     Rig rig;
     REQUIRE(rig.renderer->setParam("intensity", 0.0f).ok());
@@ -261,7 +261,7 @@ TEST_CASE("A frame with other traits is planned anew, once")
 
 TEST_CASE("The warnings of a plan that a frame asks for come back with that frame alone")
 {
-    const Description description = describe(R"({"format": 1, "name": "unread",
+    const Description description = describe(R"({"format": 1, "name": "dead_pass",
         "imports": {"scene": {"type": "draw_list"}},
         "targets": {"color": {"format": ["rgba8"]}, "shine": {"format": ["rgba8"]}},
         "shaders": {"plain": {"vertex": "v", "fragment": "f"}},
@@ -280,7 +280,7 @@ TEST_CASE("The warnings of a plan that a frame asks for come back with that fram
     const Status drawn = (*renderer)->render(rig.frame);
     CHECK(drawn.ok());
     REQUIRE(drawn.diagnostics().size() == 1);
-    CHECK(drawn.diagnostics()[0].code == Code::pass_unread);
+    CHECK(drawn.diagnostics()[0].code == Code::dead_pass);
     CHECK(drawn.diagnostics()[0].pointer == "/passes/sheen");
     CHECK((*renderer)->render(rig.frame).diagnostics().empty());
     rig.frame.materials[0].specular = glm::vec3(0.0f);

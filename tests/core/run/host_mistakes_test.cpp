@@ -11,7 +11,7 @@ using namespace crevice;
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr std::uint32_t kGarbage = 12345;
+constexpr std::uint32_t kPoison = 12345;
 
 int count(const std::string& text, const std::string& part)
 {
@@ -73,7 +73,7 @@ TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back a
     SECTION("null mesh") { scene.item().mesh = {}; why = "it has no mesh"; }
     SECTION("unknown mesh")
     {
-        scene.item().mesh = {kGarbage};
+        scene.item().mesh = {kPoison};
         why = "mesh 12345 is none of this device";
     }
     SECTION("a mesh that was destroyed")
@@ -112,7 +112,7 @@ TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back a
     }
     SECTION("unknown map")
     {
-        scene.material().base_color_map = {kGarbage};
+        scene.material().base_color_map = {kPoison};
         why = "material 1 has texture 12345 as base_color_map, which is none of this device";
     }
     SECTION("a map of samples")
@@ -141,7 +141,7 @@ TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back a
 TEST_CASE("A renderer's first frame may have a draw that cannot be drawn")
 {
     Rig rig;
-    rig.frame.draws[0].mesh = {kGarbage};
+    rig.frame.draws[0].mesh = {kPoison};
     const Drawn drawn(rig);
     CHECK(drawn.draws == 0);
     CHECK(rig.ranPass("geometry"));
@@ -186,7 +186,7 @@ TEST_CASE("A light that is not finite is left out with a warning, and the pictur
 TEST_CASE("Timed frames leave out the same")
 {
     Scene scene;
-    scene.item().mesh = {kGarbage};
+    scene.item().mesh = {kPoison};
     const auto times = scene.rig.renderer->renderTimed(scene.rig.frame);
     REQUIRE(times.ok());
     CHECK(onlyCode(times.diagnostics()) == Code::bad_input);
@@ -198,7 +198,7 @@ TEST_CASE("A frame's texture that the device does not have is refused, and the l
     rig.draw();
     const TextureId gone = need(rig.device.createTexture({"gone", Format::rgba8, {4, 4}}));
     rig.device.destroy(gone);
-    const TextureId wrong[] = {TextureId{kGarbage}, gone, TextureId{rig.mesh.value}};
+    const TextureId wrong[] = {TextureId{kPoison}, gone, TextureId{rig.mesh.value}};
     rig.frame.textures = {{"decal", wrong[GENERATE(0, 1, 2)]}};
     rig.device.clearLog();
     const Status status = rig.renderer->render(rig.frame);
@@ -261,12 +261,12 @@ TEST_CASE("A device knows its objects, and what is none of them")
     CHECK(rig.device.info(rig.mesh).index_count == 6);
     CHECK_FALSE(rig.device.info(TextureId{rig.mesh.value}).exists);
     CHECK_FALSE(rig.device.info(MeshId{}).exists);
-    CHECK_FALSE(rig.device.info(MeshId{kGarbage}).exists);
+    CHECK_FALSE(rig.device.info(MeshId{kPoison}).exists);
     const TextureId adopted = need(rig.device.adoptTexture(77, {"host", Format::r8, {4, 4}}));
     CHECK(rig.device.nativeName(adopted) == 77);
     CHECK(rig.device.nativeName(rig.renderer->output("ao")) != 0);
     CHECK(rig.device.nativeName({}) == 0);
-    CHECK(rig.device.nativeName({kGarbage}) == 0);
+    CHECK(rig.device.nativeName({kPoison}) == 0);
     rig.device.destroy(adopted);
     CHECK(rig.device.nativeName(adopted) == 0);
 }

@@ -76,7 +76,7 @@ textures
 outputs
   out: target graded
 left out
-  passes (unchanged): in a frame, those whose input is that of the frame before
+  passes (cached): per frame, those whose inputs have not changed
 )");
     CHECK(toJson(plan).find("\"samples\": 4") != std::string::npos);
     CHECK(toDot(plan).find("64x32, 4 samples") != std::string::npos);

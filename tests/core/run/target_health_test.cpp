@@ -58,7 +58,7 @@ TEST_CASE("An examination counts what is not finite, and tells where the first o
     CHECK(health.maximum[0] == Approx(1.1f));
 }
 
-TEST_CASE("A pixel that differs with the garbage in memory is undefined")
+TEST_CASE("A pixel that differs with the poison in memory is undefined")
 {
     Image other = ramp();
     other.at(1, 2) += 0.5f;
@@ -95,7 +95,7 @@ TEST_CASE("The first pass that is wrong is named, and those behind it are notes"
     CHECK(found[0].notes[0].text.find("'third'") != std::string::npos);
 }
 
-TEST_CASE("What depends on garbage is an error of the pass that left it")
+TEST_CASE("What depends on poison is an error of the pass that left it")
 {
     const Description description = chain();
     TargetHealth first = healthy("x", "first");

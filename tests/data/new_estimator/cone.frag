@@ -17,14 +17,14 @@ void main()
 {
     vec3 point;
     ao = 1.0;
-    if (!pointAt(uv, point)) return;
+    if (!viewPosition(uv, point)) return;
     vec3 normal = normalAt(uv);
-    float lift = offSurface(point, normal, radius);
+    float lift = depthTolerance(point, normal, radius);
     float occlusion = 0.0;
     for (int i = 0; i < TAPS; ++i) {
         float angle = 6.28318531 * float(i) / float(TAPS);
         vec3 seen;
-        if (!pointAt(uv + 0.5 * reachOf(point) * vec2(cos(angle), sin(angle)), seen)) continue;
+        if (!viewPosition(uv + 0.5 * reachOf(point) * vec2(cos(angle), sin(angle)), seen)) continue;
         vec3 offset = seen - point;
         if (length(offset) > radius || dot(offset, normal) <= lift) continue;
         occlusion += dot(offset, normal) / length(offset) / float(TAPS);

@@ -15,7 +15,7 @@ using namespace crevice;
 
 namespace {
 
-AblationRow row(const std::string& rule, double ms, double factor)
+AblationRow row(const std::string& optimization, double ms, double factor)
 {
     AblationRow row;
     row.key = "0123456789abcdef";
@@ -24,11 +24,11 @@ AblationRow row(const std::string& rule, double ms, double factor)
     row.camera = "main";
     row.extent = {64, 36};
     row.situation = "off";
-    row.rule = rule;
+    row.optimization = optimization;
     row.ms = {ms, ms - 0.1, ms + 0.1};
     row.factor = {factor, factor, factor};
     row.texture_bytes = 4096;
-    row.left_out = 4;
+    row.elided = 4;
     row.repeats = 7;
     row.device = "a GPU";
     row.version = "0.1.0";
@@ -46,14 +46,14 @@ void write(const TemporaryFolder& folder, const std::vector<std::string>& lines)
 TEST_CASE("Rows come back as they were written, the later of two about one thing")
 {
     const TemporaryFolder folder("ablation");
-    write(folder, {toJsonLine(row("", 2, 1)), toJsonLine(row("identity", 3, 1.5)),
+    write(folder, {toJsonLine(row("", 2, 1)), toJsonLine(row("no_op", 3, 1.5)),
                    toJsonLine(row("", 2.5, 1))});
     for (const std::string& path :
          {folder.path.string(), (folder.path / "results.jsonl").string()}) {
         const std::vector<AblationRow> rows = need(readAblation({path, path}));
         REQUIRE(rows.size() == 2);
         CHECK(toJsonLine(rows[0]) == toJsonLine(row("", 2.5, 1)));
-        CHECK(toJsonLine(rows[1]) == toJsonLine(row("identity", 3, 1.5)));
+        CHECK(toJsonLine(rows[1]) == toJsonLine(row("no_op", 3, 1.5)));
     }
     CHECK(need(readAblation({"/nowhere"})).empty());
 }
@@ -73,10 +73,10 @@ TEST_CASE("A line that is no row is an error at its place")
 
 TEST_CASE("An ablation reads as a line a situation, and is part of the report")
 {
-    const std::vector<AblationRow> rows = {row("", 2, 1), row("identity", 3, 1.5), row("all", 6, 3)};
-    CHECK(toText(rows) == "\noff                2.000 ms;  not identity x1.5  none of them x3\n");
+    const std::vector<AblationRow> rows = {row("", 2, 1), row("no_op", 3, 1.5), row("all", 6, 3)};
+    CHECK(toText(rows) == "\noff                2.000 ms;  not no_op x1.5  none of them x3\n");
     const auto report = nlohmann::json::parse(reportJson({}, rows));
     REQUIRE(report["ablation"].size() == 3);
-    CHECK(report["ablation"][2]["rule"] == "all");
-    CHECK(need(reportHtml({}, false, rows)).find("\"rule\":\"identity\"") != std::string::npos);
+    CHECK(report["ablation"][2]["optimization"] == "all");
+    CHECK(need(reportHtml({}, false, rows)).find("\"optimization\":\"no_op\"") != std::string::npos);
 }

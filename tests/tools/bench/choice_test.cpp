@@ -43,7 +43,7 @@ TEST_CASE("the worst scene decides what a config costs and how wrong it is")
     CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
     CHECK(chosen(points, Kind::time_ms, 5) == "good samples=16");
     CHECK(chosen(points, Kind::time_ms, 1.2) == "fast samples=4");
-    CHECK(chosen(points, Kind::floor_ratio, 20) == "middle samples=8");
+    CHECK(chosen(points, Kind::copy_ratio, 20) == "middle samples=8");
     CHECK(chosen(points, Kind::error, 0.09) == "middle samples=8");
     CHECK(chosen(points, Kind::error, 0.06) == "good samples=16");
     const auto candidates = findCandidates(points, {});
@@ -86,8 +86,8 @@ TEST_CASE("a config that lacks a scene is left out of the choice and said so")
     points.push_back(failed);
     CHECK(chosen(points, Kind::time_ms, 100) == "good samples=16");
     const auto candidates = findCandidates(points, {});
-    REQUIRE(candidates->left_out.size() == 1);
-    CHECK(candidates->left_out[0] == "wonder samples=4: no figures for hall");
+    REQUIRE(candidates->elided.size() == 1);
+    CHECK(candidates->elided[0] == "wonder samples=4: no figures for hall");
 }
 
 TEST_CASE("what is no better than no ambient occlusion in one scene is no candidate")
@@ -99,7 +99,7 @@ TEST_CASE("what is no better than no ambient occlusion in one scene is no candid
     REQUIRE(candidates.ok());
     CHECK(candidates->list.size() == 2);
     CHECK(candidates->harmful == std::vector<std::string>{"fast samples=4"});
-    CHECK(candidates->left_out.empty());
+    CHECK(candidates->elided.empty());
     CHECK(candidates->error_without_ao == 0.4);
     CHECK(!choose(*candidates, {Kind::time_ms, 1.5}).ok());
 }
@@ -131,7 +131,7 @@ TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be ask
     points.push_back(small);
     points.push_back(narrow);
     CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
-    CHECK(findCandidates(points, {})->left_out.empty());
+    CHECK(findCandidates(points, {})->elided.empty());
     ChoiceScope scope;
     scope.extent = {96, 54};
     CHECK(chosen(points, Kind::time_ms, 4, scope) == "fast samples=4");
@@ -144,8 +144,8 @@ TEST_CASE("a config that has another radius than the rest is no candidate and sa
     points.back().radius = 1.5;
     const auto candidates = findCandidates(points, {});
     CHECK(candidates->list.size() == 3);
-    REQUIRE(candidates->left_out.size() == 1);
-    CHECK(candidates->left_out[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
+    REQUIRE(candidates->elided.size() == 1);
+    CHECK(candidates->elided[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
 }
 
 TEST_CASE("scenes with radii of their own compare, since the radius is part of the question")
@@ -181,7 +181,7 @@ TEST_CASE("a budget has a unit")
     CHECK(parseBudget("2ms")->most == 2);
     CHECK(parseBudget("2")->kind == Kind::time_ms);
     CHECK(parseBudget("500us")->most == 0.5);
-    CHECK(parseBudget("3.5x")->kind == Kind::floor_ratio);
+    CHECK(parseBudget("3.5x")->kind == Kind::copy_ratio);
     for (const char* text : {"", "ms", "0ms", "-1ms", "2 s", "2msx", "infms", "nan"})
         CHECK(!parseBudget(text).ok());
 }

@@ -74,12 +74,12 @@ TEST_CASE("a bias that grows is worse in either direction")
 TEST_CASE("a cost ratio is worse beyond its share")
 {
     BenchPoint now = kBefore;
-    now.ratio_floor *= 1.14;
+    now.ratio_copy *= 1.14;
     CHECK(compared(now).worse.empty());
-    now.ratio_floor = kBefore.ratio_floor * 1.16;
+    now.ratio_copy = kBefore.ratio_copy * 1.16;
     now.ratio_learnopengl = kBefore.ratio_learnopengl / 1.16;
     REQUIRE(compared(now).worse.size() == 1);
-    CHECK(compared(now).worse[0].figure == "ratio_floor");
+    CHECK(compared(now).worse[0].figure == "ratio_copy");
     CHECK(compared(now).better.size() == 1);
     BenchLimits loose;
     loose.ratio = 0.2;
@@ -87,7 +87,7 @@ TEST_CASE("a cost ratio is worse beyond its share")
     BenchLimits errors;
     errors.errors_only = true;
     CHECK(compared(now, errors).worse.empty());
-    now.ratio_floor = 0;
+    now.ratio_copy = 0;
     CHECK(compared(now).worse.empty());
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("on another device errors are compared and ratios are not")
 {
     BenchPoint now = kBefore;
     now.device = "device B";
-    now.ratio_floor *= 5;
+    now.ratio_copy *= 5;
     CHECK(compared(now).worse.empty());
     CHECK(compared(now).without_ratios == 1);
     now.error.rmse += 0.1;

@@ -37,7 +37,7 @@ inline BenchPoint benchPoint(const std::string& config, int samples, double ms, 
     point.total = {2 * ms, ms * 1.8, ms * 2.2};
     point.cost = {ms, ms * 0.9, ms * 1.1};
     point.passes = {{"geometry", {ms, ms, ms}}, {"ao", {ms, ms, ms}}};
-    point.ratio_floor = ms * 10;
+    point.ratio_copy = ms * 10;
     point.ratio_learnopengl = ms / 4;
     return point;
 }

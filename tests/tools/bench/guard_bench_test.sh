@@ -46,8 +46,8 @@ expect 0 '0 figures worse'
 measure 0 's/"rmse":0.05,/"rmse":0.06,/'
 expect 1 'worse: fine samples=4, room, 960x540: rmse was 0.05'
 expect 1 'guard_bench.sh --update'
-measure 0 's/"ratio_floor":3.0/"ratio_floor":4.0/'
-expect 1 'worse: fine samples=4, room, 960x540: ratio_floor'
+measure 0 's/"ratio_copy":3.0/"ratio_copy":4.0/'
+expect 1 'worse: fine samples=4, room, 960x540: ratio_copy'
 expect 0 '0 figures worse' --errors-only
 check "the points are the same" grep -qF -- "$(sed 's/ --out.*//' all.txt)" bench.txt
 measure 1 's/"key":"b4","failure":""/"key":"x","failure":"no memory"/'

@@ -6,7 +6,7 @@ using namespace crevice;
 
 namespace {
 
-// One of everything: a draw, a condition, an identity, unread, generated, a constant, renames.
+// One of everything: a draw, a condition, an no_op, unread, generated, a constant, renames.
 Description everything()
 {
     Sketch sketch{
@@ -14,7 +14,7 @@ Description everything()
             "clear": {"normal": [0, 0, 1, 0]})",
          "ssao: depth normal noise -> ao",
          R"(glow: -> light_glow |
-            "identity": {"strength": {"at": 0, "gives": {"light_glow": 0.5}}})",
+            "no_op": {"strength": {"at": 0, "gives": {"light_glow": 0.5}}})",
          R"(filter: ao -> smooth | "when": {"soft": true}, "bypass": {"smooth": "ao"})",
          R"(light: visible light_glow -> color |
             "inputs": {"visible": {"from": "smooth", "filter": "linear"}})",
@@ -67,11 +67,11 @@ generated
 imports
   things: draw_list
 left out
-  attachment albedo (unread): nobody reads it, nor is it worked out; saves 8.0 KiB a frame, 8.0 KiB of textures
-  pass glow (identity): strength is 0, so light_glow is 0.5; saves 2.0 KiB a frame, 2.0 KiB of textures
+  attachment albedo (dead_pass): nobody reads it, nor is it worked out; saves 8.0 KiB a frame, 8.0 KiB of textures
+  pass glow (no_op): strength is 0, so light_glow is 0.5; saves 2.0 KiB a frame, 2.0 KiB of textures
   pass filter (condition): it needs soft true, and soft is false; saves 2.0 KiB a frame, 2.0 KiB of textures
-  pass debug (unread): no output asked for needs it; saves 10.0 KiB a frame, 2.0 KiB of textures
-  passes (unchanged): in a frame, those whose input is that of the frame before
+  pass debug (dead_pass): no output asked for needs it; saves 10.0 KiB a frame, 2.0 KiB of textures
+  passes (cached): per frame, those whose inputs have not changed
 )");
 }
 
@@ -115,15 +115,15 @@ TEST_CASE("The JSON of a plan is JSON and tells the same")
     CHECK(passes->items[2].find("inputs")->items[1].find("kind")->text == "constant");
     CHECK(json->find("programs")->items[0].find("key")->text == plan.programs[0].key);
     CHECK(json->find("outputs")->items[0].find("target")->text == "ao");
-    CHECK(json->find("left_out")->items.size() == 5);
-    CHECK(json->find("left_out")->items[4].find("by_frame")->boolean);
+    CHECK(json->find("elided")->items.size() == 5);
+    CHECK(json->find("elided")->items[4].find("by_frame")->boolean);
     CHECK(json->find("texture_bytes")->number == plan.texture_bytes);
 }
 
 TEST_CASE("An output that is a constant says so everywhere")
 {
     const Plan plan = planOf(describe(Sketch{
-        {R"(ssao: -> ao | "identity": {"intensity": {"at": 0, "gives": {"ao": 1}}})"},
+        {R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})"},
         {{"ao", "ao"}}, {}, R"("params": {"intensity": {"default": 0}})"}));
     CHECK(toText(plan).find("ao: constant 1\n") != std::string::npos);
     CHECK(toJson(plan).find(R"("constant": 1})") != std::string::npos);

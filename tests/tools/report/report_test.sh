@@ -62,8 +62,8 @@ sed 's/"rmse":0.05,/"rmse":0.06,/' results.jsonl >worse.jsonl
 expect 5 'worse: fine samples=4, room, 960x540: rmse was 0.05 and is 0.06' compare-bench results.jsonl worse.jsonl
 expect 0 'better: fine samples=4' compare-bench worse.jsonl results.jsonl
 expect 0 '0 figures worse' compare-bench results.jsonl worse.jsonl --max-error 0.02
-sed 's/"ratio_floor":6.0/"ratio_floor":7.0/' results.jsonl >slower.jsonl
-expect 5 'ratio_floor was 6 and is 7' compare-bench results.jsonl slower.jsonl
+sed 's/"ratio_copy":6.0/"ratio_copy":7.0/' results.jsonl >slower.jsonl
+expect 5 'ratio_copy was 6 and is 7' compare-bench results.jsonl slower.jsonl
 expect 0 '0 figures worse' compare-bench results.jsonl slower.jsonl --max-ratio 0.2
 sed 's/"room"/"hall"/' results.jsonl >other.jsonl
 expect 1 'CV7009.*no point is in both' compare-bench results.jsonl other.jsonl

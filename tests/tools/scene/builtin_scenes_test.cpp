@@ -112,7 +112,7 @@ TEST_CASE("boxes, spheres and stairs are closed and face outwards")
     CHECK(volumeOf(makeStairs(4, 2, 0.5f, 0.25f)) == Approx(2 * 0.25 * 0.5 * (1 + 2 + 3 + 4)));
 }
 
-TEST_CASE("every built-in scene has a main camera, a lamp and a weaker sky")
+TEST_CASE("every built-in scene has a main camera, a light and a weaker sky")
 {
     for (const std::string& name : builtinSceneNames()) {
         INFO(name);

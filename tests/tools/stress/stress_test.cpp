@@ -194,7 +194,7 @@ TEST_CASE("A refusal is no failure, and neither is what a config lacks")
     CHECK(series.text() == "holds from b to d; 1 refused");
 }
 
-TEST_CASE("An identity must be exact and a change within the limit")
+TEST_CASE("A no-op must be exact and a change within the limit")
 {
     Series one{caseOf(Expectation::one)};
     one.records[1].least = 0.9999;

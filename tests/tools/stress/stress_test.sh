@@ -16,20 +16,20 @@ check "one message for a wrong shard" test "$(grep -c error stderr.txt)" -eq 1
 
 got=0
 small=(--size 64x36)
-"$crevice" stress gtao --case identity "${small[@]}" --out probe >stdout.txt 2>stderr.txt || got=$?
+"$crevice" stress gtao --case no_op "${small[@]}" --out probe >stdout.txt 2>stderr.txt || got=$?
 if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
     sed 's/^/SKIPPED: /' stderr.txt
     exit 77
 fi
-check "identities of gtao hold" test "$got" -eq 0
+check "no-ops of gtao hold" test "$got" -eq 0
 check "the page is there" test -s probe/stress.html
 
 # --- it goes on where it stopped ---
-expect 0 '4 measured, 0 were there already' stress gtao --case identity "${small[@]}" --out again
-expect 0 '0 measured, 4 were there already' stress gtao --case identity "${small[@]}" --out again
-expect 0 '0 measured, 0 were there already, 0 failed, 4 not begun' stress gtao --case identity "${small[@]}" \
+expect 0 '4 measured, 0 were there already' stress gtao --case no_op "${small[@]}" --out again
+expect 0 '0 measured, 4 were there already' stress gtao --case no_op "${small[@]}" --out again
+expect 0 '0 measured, 0 were there already, 0 failed, 4 not begun' stress gtao --case no_op "${small[@]}" \
     --time-budget 0.000001s --out late
-expect 0 '"failures": 0' stress gtao --case identity "${small[@]}" --out again --json
+expect 0 '"failures": 0' stress gtao --case no_op "${small[@]}" --out again --json
 expect_json
 
 # --- a shader that takes the root of what is below 0 near four points ---
@@ -71,7 +71,7 @@ layout(location = 0) out float ao;
 void main()
 {
     highp vec3 point;
-    ao = pointAt(uv, point) ? 1.0 - 0.2 * smoothstep(0.0, 50.0, -point.z) : 1.0;
+    ao = viewPosition(uv, point) ? 1.0 - 0.2 * smoothstep(0.0, 50.0, -point.z) : 1.0;
 }
 GLSL
 cat >broken/absolute.json <<'JSON'

@@ -14,5 +14,5 @@ in vec2 uv;
 void main()
 {
     vec3 point;
-    gl_FragDepth = pointAt(uv, point) ? 1.0 : 0.0;
+    gl_FragDepth = viewPosition(uv, point) ? 1.0 : 0.0;
 }

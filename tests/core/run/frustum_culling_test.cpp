@@ -50,7 +50,7 @@ TEST_CASE("Nothing that has a point in the view is outside, however it is placed
     std::mt19937 random(7);
     std::uniform_real_distribution<float> around(-1.0f, 1.0f);
     const auto vector = [&] { return glm::vec3(around(random), around(random), around(random)); };
-    int left_out = 0;
+    int elided = 0;
     int shown = 0;
     for (const View& view : kViews) {
         INFO(view.name);
@@ -77,11 +77,11 @@ TEST_CASE("Nothing that has a point in the view is outside, however it is placed
             }
             const bool outside = isOutside(item, matrices, wider);
             CHECK_FALSE((visible && outside));
-            left_out += outside;
+            elided += outside;
             shown += visible;
         }
     }
-    CHECK(left_out > 3000);
+    CHECK(elided > 3000);
     CHECK(shown > 500);
 }
 
@@ -183,12 +183,12 @@ struct Cubes {
         }
     }
 
-    /// The calls of a frame, with these rules off.
+    /// The calls of a frame, with these optimizations off.
     std::vector<std::string> calls(const std::vector<std::string>& keep)
     {
         CompileOptions options;
         options.extent = {64, 32};
-        options.keep = keep;
+        options.disable = keep;
         const auto renderer = need(
             Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
         device.clearLog();
@@ -205,7 +205,7 @@ struct Cubes {
 
 }  // namespace
 
-TEST_CASE("A frame draws what lies in the view, and all of it with the rule off")
+TEST_CASE("A frame draws what lies in the view, and all of it with the optimization off")
 {
     Cubes cubes({0, 100});
     const auto drawn = [&](const std::vector<std::string>& keep) {
@@ -213,7 +213,7 @@ TEST_CASE("A frame draws what lies in the view, and all of it with the rule off"
         return std::count(calls.begin(), calls.end(), "draw mesh 'cube' 0..6");
     };
     CHECK(drawn({}) == 1);
-    CHECK(drawn({"outside"}) == 2);
+    CHECK(drawn({"frustum_culling"}) == 2);
 }
 
 TEST_CASE("With nothing in view occlusion and its filters are cleared and not drawn")
@@ -229,8 +229,8 @@ TEST_CASE("With nothing in view occlusion and its filters are cleared and not dr
         CHECK(cubes.device.misuse().empty());
         return joined(passes, " ");
     };
-    const std::string all = "receivers ssao filter_x filter_y lighting";
+    const std::string all = "foreground ssao filter_x filter_y lighting";
     CHECK(drawn(0, {}) == all);
     CHECK(drawn(100, {}) == "lighting");
-    CHECK(drawn(100, {"bounds"}) == all);
+    CHECK(drawn(100, {"scissor"}) == all);
 }

@@ -102,7 +102,7 @@ TEST_CASE("A new size, a new plan and a frame that failed run all")
     CHECK(passesOf(rig) == kAll);
 }
 
-TEST_CASE("Timed frames and those of a plan that keeps the rule off run every pass")
+TEST_CASE("Timed frames and those of a plan that keeps the optimization off run every pass")
 {
     Rig rig;
     rig.draw();
@@ -111,7 +111,7 @@ TEST_CASE("Timed frames and those of a plan that keeps the rule off run every pa
     CHECK(rig.ranPass("geometry"));
     CHECK(passesOf(rig).empty());
     CompileOptions options{{64, 32}};
-    options.keep = {"unchanged"};
+    options.disable = {"cached"};
     auto kept = Renderer::create(rig.device, rigDescription(), options, traitsOf(rig.frame));
     REQUIRE(kept);
     rig.renderer = std::move(*kept);

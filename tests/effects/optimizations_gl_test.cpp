@@ -49,11 +49,11 @@ struct Stage {
     SceneCamera camera;
 };
 
-CompileOptions keeping(const std::vector<std::string>& rules)
+CompileOptions keeping(const std::vector<std::string>& optimizations)
 {
     CompileOptions options;
     options.extent = kExtent;
-    options.keep = rules;
+    options.disable = optimizations;
     return options;
 }
 
@@ -63,16 +63,16 @@ bool isConstant(const Renderer& renderer, const std::string& output)
     return findNamed(renderer.plan().outputs, output)->constant >= 0;
 }
 
-/// The params of passes' identities, each with the value at which one holds.
-std::map<std::string, float> identitiesOf(const Description& description)
+/// The params of passes' no-ops, each with the value at which one holds.
+std::map<std::string, float> noOpsOf(const Description& description)
 {
     std::map<std::string, float> found;
     for (const PassDesc& pass : description.passes)
-        for (const IdentityDesc& identity : pass.identity) found[identity.param.name] = identity.at;
+        for (const NoOpDesc& no_op : pass.no_op) found[no_op.param.name] = no_op.at;
     return found;
 }
 
-/// Without alpha, which says nothing in a picture of colours: an identity gives one number for all channels.
+/// Without alpha, which says nothing in a picture of colours: a no-op gives one number for all channels.
 Image opaque(Image image)
 {
     if (image.channels < 4) return image;
@@ -95,7 +95,7 @@ void checkSame(GlFixture& gl, const Renderer& lean, const Renderer& full,
 
 }  // namespace
 
-TEST_CASE("With all rules and with none the pictures of shipped configs are the same, whatever changes")
+TEST_CASE("With all optimizations and with none the pictures of shipped configs are the same, whatever changes")
 {
     GlFixture gl;
     const Stage stage(*gl.device, "spheres");
@@ -119,7 +119,7 @@ TEST_CASE("With all rules and with none the pictures of shipped configs are the 
     }
 }
 
-TEST_CASE("With all rules and with none the pictures are the same in every built-in scene, ao alone too")
+TEST_CASE("With all optimizations and with none the pictures are the same in every built-in scene, ao alone too")
 {
     GlFixture gl;
     for (const char* name : {"corner", "plane", "room", "spheres"}) {
@@ -144,13 +144,13 @@ TEST_CASE("With all rules and with none the pictures are the same in every built
     }
 }
 
-TEST_CASE("What an identity gives is what its pass would have drawn, and so on down the filters")
+TEST_CASE("What a no-op gives is what its pass would have drawn, and so on down the filters")
 {
     GlFixture gl;
     const Stage stage(*gl.device, "spheres");
     const Frame frame = stage.frame();
     for (const std::string& config : configNames(shippedSources())) {
-        for (const auto& [param, at] : identitiesOf(descriptionOf({config, ""}))) {
+        for (const auto& [param, at] : noOpsOf(descriptionOf({config, ""}))) {
             INFO(config << ", " << param << ' ' << at);
             Description description = descriptionOf({config, ""});
             for (ParamDesc& each : description.params)
@@ -181,7 +181,7 @@ TEST_CASE("Masks and bounds change no pixel: half a background, things off the m
             const auto full =
                 need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
             need(full->render(frame));
-            for (const char* kept : {"background", "bounds"}) {
+            for (const char* kept : {"depth_mask", "scissor"}) {
                 const auto lean =
                     need(Renderer::create(*gl.device, description, keeping({kept}), traitsOf(frame)));
                 need(lean->render(frame));
