@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-const char* const kOutcomes[] = {"semantic", "breaks", "beyond", "refused", "absent"};
+const char* const kOutcomes[] = {"holds", "breaks", "beyond", "refused", "absent"};
 
 /// What the curve of a case shows: how far a step is off what must come out.
 double figureOf(const StressCase& stress, const StressRecord& record)
@@ -84,7 +84,7 @@ public:
         const char* state = found.absent         ? "absent"
                             : found.failures > 0 ? "breaks"
                             : found.refused > 0  ? "refused"
-                                                 : "semantic";
+                                                 : "holds";
         return {{"config", series.config},
                 {"case", series.stress->name},
                 {"format", series.format},

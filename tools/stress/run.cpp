@@ -80,7 +80,7 @@ public:
             done.record.picture = "pictures/" + done.record.key + ".png";
             if (const Status kept = how_.keep(done); !kept) return kept.diagnostics();
         }
-        const char* const words[] = {"semantic", "BREAKS", "beyond the format", "refused", "absent"};
+        const char* const words[] = {"holds", "BREAKS", "beyond the format", "refused", "absent"};
         std::string outcome = words[static_cast<int>(verdict.outcome)];
         if (!verdict.why.empty() && verdict.outcome != Outcome::beyond) outcome += ": " + verdict.why;
         return Measured{toJsonLine(done.record), std::move(outcome)};

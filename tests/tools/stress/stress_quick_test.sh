@@ -17,7 +17,7 @@ if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
     sed 's/^/SKIPPED: /' stderr.txt
     exit 77
 fi
-check "all of it semantic: $(grep breaks stdout.txt || true)" test "$got" -eq 0
+check "all of it holds: $(grep breaks stdout.txt || true)" test "$got" -eq 0
 check "every config was drawn" test "$(grep -c '^[a-z]' stdout.txt)" -eq "${#configs[@]}"
 check "nothing is left over" grep -q ' 0 not begun' stderr.txt
 finish
