@@ -47,7 +47,7 @@ bool isModule(const Place& place);
 /// of `extends` in such a file that brought the module.
 Place ownPlace(const Place& place);
 
-/// Texts by path: "ssao/hemisphere.json", "ssao/hemisphere.frag", "configs/learnopengl.json".
+/// Texts by path: "ssao/hemisphere.json", "ssao/shaders/hemisphere.frag", "configs/learnopengl.json".
 /// Paths use '/', have no leading slash and no "..".
 class SourceSet {
 public:

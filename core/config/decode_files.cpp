@@ -64,16 +64,6 @@ std::string suggestFile(const SourceSet& sources, const std::string& name,
     return relative ? "the path is seen from the folder of the file that has it; " + help : help;
 }
 
-// ": geometry/depth_normal, ..." for "surface": a module's files have its name in front.
-std::string listProviders(const SourceSet& sources, const std::string& interface)
-{
-    const std::string ending = "." + interface + ".glsl";
-    std::string modules;
-    for (const std::string& path : filesEndingIn(sources, ending))
-        modules += (modules.empty() ? ": " : ", ") + path.substr(0, path.size() - ending.size());
-    return modules;
-}
-
 class FileReader {
 public:
     FileReader(const Node& document, const SourceSet& sources, Description& description,
@@ -137,10 +127,10 @@ private:
         const std::vector<std::string> names = namesOf(description_.interfaces);
         if (contains(names, include.name) || contains(stray_, include.name)) return;
         if (report_.errorAt("/interfaces")) return;
+        const std::string modules = modulesThatDeclare(sources_, "interfaces", include.name);
         missing(include, pointer, "interface <" + include.name + ">")
-            .help = "add a module that provides it to extends" +
-                    listProviders(sources_, include.name) + "; " +
-                    suggestName(include.name, names, "interfaces");
+            .help = "add a module that provides it to extends" + (modules.empty() ? "" : ": " + modules) +
+                    "; " + suggestName(include.name, names, "interfaces");
     }
 
     Diagnostic& missing(const GlslInclude& include, const std::string& pointer,

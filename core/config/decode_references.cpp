@@ -27,24 +27,6 @@ bool isCount(std::string_view text)
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// "filter/box, filter/none" for the target "ao_filtered"; empty when no module makes it.
-std::string listMakers(const SourceSet& sources, const std::string& target)
-{
-    constexpr std::string_view kSuffix = ".json";
-    std::string makers;
-    for (const std::string& path : sources.list()) {
-        if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
-        const SourceRef source = sources.find(path);
-        if (!source || source->text.find('"' + target + '"') == std::string::npos) continue;
-        const Result<Node> document = parseDocument(source);
-        const Node* targets = document ? document->find("targets") : nullptr;
-        const Node* made = targets ? targets->find(target) : nullptr;
-        if (made && made->find("format"))
-            makers += (makers.empty() ? "" : ", ") + path.substr(0, path.size() - kSuffix.size());
-    }
-    return makers;
-}
-
 class Checker {
 public:
     Checker(const Node& document, const SourceSet& sources, const Description& description,
@@ -125,7 +107,7 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
                    who + " " + names.what + " '" + reference.name + "', which does not exist");
     error.help = suggestName(reference.name, names.all, names.listed);
     const bool target = names.code == Code::target_missing;
-    if (const std::string makers = target ? listMakers(sources_, reference.name) : "";
+    if (const std::string makers = target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
         !makers.empty())
         error.help = "add a module that makes it to 'extends': " + makers;
     Place cause = ownPlace(reference.place);
@@ -288,6 +270,23 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
 }
 
 }  // namespace
+
+std::string modulesThatDeclare(const SourceSet& sources, std::string_view section, const std::string& name)
+{
+    constexpr std::string_view kSuffix = ".json";
+    std::string modules;
+    for (const std::string& path : sources.list()) {
+        if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
+        const SourceRef source = sources.find(path);
+        if (!source || source->text.find('"' + name + '"') == std::string::npos) continue;
+        const Result<Node> document = parseDocument(source);
+        const Node* entries = document ? document->find(section) : nullptr;
+        const Node* declared = entries ? entries->find(name) : nullptr;
+        if (declared && (declared->kind == Node::Kind::string || declared->find("format")))
+            modules += (modules.empty() ? "" : ", ") + path.substr(0, path.size() - kSuffix.size());
+    }
+    return modules;
+}
 
 void checkReferences(const Node& document, const SourceSet& sources,
                      const Description& description, Report& report)

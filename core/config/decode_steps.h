@@ -32,6 +32,11 @@ std::vector<Named> deletedNames(const Node& document);
 /// Names declared in what looks like a misspelt section ("targts"). They count as known.
 std::vector<std::string> strayNames(const Node& document, const Report& report);
 
+/// The modules of `sources` that declare a name in a section themselves, a target with its format:
+/// "filter/box, filter/none" for the target "ao_filtered". Empty where none does.
+std::string modulesThatDeclare(const SourceSet& sources, std::string_view section,
+                               const std::string& name);
+
 bool contains(const std::vector<std::string>& names, std::string_view name);
 
 }  // namespace crevice::table

@@ -243,7 +243,7 @@ bool isOutside(const Sphere& sphere, const CameraMatrices& camera, double wider)
     return false;
 }
 
-// Whether at no point of the sphere a length comes to a pixel, as shaders count (effects/ssao/reach.glsl).
+// Whether at no point of the sphere a length comes to a pixel, as shaders count (effects/ssao/shaders/reach.glsl).
 bool isBelowPixel(const Sphere& sphere, const glm::dmat4& clip_from_view, const Extent& extent,
                   double length)
 {

@@ -59,7 +59,7 @@ Description showingSample(const std::string& texture, int sample)
 {
     return describeText(R"({"format": 1, "imports": {")" + texture + R"(": {"type": "texture"}},
         "targets": {"shown": {"format": ["rgba32f"]}},
-        "shaders": {"show": {"vertex": "geometry/resolve.vert", "fragment": "mine/show.frag"}},
+        "shaders": {"show": {"vertex": "geometry/shaders/resolve.vert", "fragment": "mine/show.frag"}},
         "passes": {"show": {"shader": "show", "color": "shown"}}, "outputs": {"shown": "shown"}})",
                         "#version 310 es\nprecision highp float;\nuniform highp sampler2DMS " +
                             texture + ";\nout vec4 shown;\nvoid main() { shown = texelFetch(" +

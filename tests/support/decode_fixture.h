@@ -22,7 +22,7 @@ inline MemorySources glslSources()
                 "#version 300 es\n#include \"common/view.glsl\"\n#include <surface>\n");
     sources.add("geometry/a.surface.glsl", "#include \"./normal.glsl\"\n");
     sources.add("geometry/normal.glsl", "// normals\n");
-    sources.add("geometry/mesh.vert", "void main() {}\n");
+    sources.add("geometry/shaders/mesh.vert", "void main() {}\n");
     return sources;
 }
 

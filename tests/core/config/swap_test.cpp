@@ -103,7 +103,7 @@ TEST_CASE("A swap changes the module and leaves out with a warning what was set 
 {
     const Node document =
         need(loadConfig(shippedSources(), {"thesis", "", {"ssao/hemisphere=ssao/gtao"}}));
-    CHECK(at(document, "shaders/ssao/fragment")->text == "ssao/gtao.frag");
+    CHECK(at(document, "shaders/ssao/fragment")->text == "ssao/shaders/gtao.frag");
     const Result<Description> description = decode(document, shippedSources());
     REQUIRE(description.ok());
     Names elided;
@@ -119,7 +119,7 @@ TEST_CASE("A swap changes the module and leaves out with a warning what was set 
 TEST_CASE("A module is swapped in the configs that a config extends, and not in other modules")
 {
     const Node deep = need(loadConfig(shippedSources(), {"mobile", "", {"filter/upsample=filter/box"}}));
-    CHECK(at(deep, "shaders/filter/fragment")->text == "filter/box.frag");
+    CHECK(at(deep, "shaders/filter/fragment")->text == "filter/shaders/box.frag");
     // ssao/ssdo extends ssao/hemisphere, which takes the place of nothing here.
     const Node ssdo = need(loadConfig(shippedSources(), {"thesis", "", {"ssao/hemisphere=ssao/ssdo"}}));
     CHECK(at(ssdo, "targets/indirect"));

@@ -121,7 +121,7 @@ TEST_CASE("Bent normals are refused on an estimator that has none")
 {
     for (const Module& estimator : shippedEstimators()) {
         const Names modules = {"geometry/depth_normal", estimator.name, "ssao/bent_normals"};
-        const SourceRef shader = shippedSources().find(estimator.name + ".frag");
+        const SourceRef shader = shippedSources().find("ssao/shaders" + estimator.name.substr(4) + ".frag");
         const bool has = shader && shader->text.find("BENT_NORMALS") != std::string::npos;
         if (has) CHECK(refusal(modules).empty());
         else if (estimator.targets.size() > 1) CHECK(hasErrors(refusal(modules)));

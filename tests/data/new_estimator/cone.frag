@@ -7,8 +7,8 @@
 precision highp float;  // positions and depths
 
 #include <surface>
-#include "ssao/occlusion_curve.glsl"
-#include "ssao/reach.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/shaders/reach.glsl"
 
 in vec2 uv;
 layout(location = 0) out float ao;

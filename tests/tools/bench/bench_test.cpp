@@ -62,9 +62,9 @@ TEST_CASE("The key of a point is the same in every plan and changes with what de
 
 TEST_CASE("An edited shader is another point")
 {
-    const std::string text = shippedSources().find("ssao/hemisphere.frag")->text;
+    const std::string text = shippedSources().find("ssao/shaders/hemisphere.frag")->text;
     MemorySources edited;
-    edited.add("ssao/hemisphere.frag", text + "// edited\n");
+    edited.add("ssao/shaders/hemisphere.frag", text + "// edited\n");
     const LayeredSources sources({&edited, &shippedSources()});
     BenchOptions options = smallOptions();
     options.configs = {"learnopengl"};

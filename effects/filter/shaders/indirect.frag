@@ -11,7 +11,7 @@
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 precision highp float;  // positions are compared
 
-#include "filter/near_plane.glsl"
+#include "filter/shaders/near_plane.glsl"
 
 uniform mediump sampler2D indirect;
 

@@ -8,7 +8,7 @@
 precision highp float;
 precision highp int;
 
-#include "ssao/tiles.glsl"
+#include "ssao/shaders/tiles.glsl"
 
 uniform mediump sampler2D ao_tiles;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interface `surface`, from depth and stored normals; works for any projection.
 
-#include "geometry/depth_point.glsl"
+#include "geometry/shaders/depth_point.glsl"
 
 uniform highp sampler2D depth;
 
@@ -18,5 +18,5 @@ highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reac
     return viewStepOf(DEPTH_STEP, point) * raySlope(point, normal);
 }
 
-#include "geometry/view_z.glsl"
-#include "geometry/stored_normal.glsl"
+#include "geometry/shaders/view_z.glsl"
+#include "geometry/shaders/stored_normal.glsl"

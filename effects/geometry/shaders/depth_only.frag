@@ -5,7 +5,7 @@
 //   albedo  linear colour; alpha is the strength of the highlight
 precision highp float;
 
-#include "geometry/material.glsl"
+#include "geometry/shaders/material.glsl"
 
 in vec2 uv;
 

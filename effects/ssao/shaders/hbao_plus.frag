@@ -13,7 +13,7 @@ precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
 #include "common/view_space.glsl"
-#include "ssao/tiles.glsl"
+#include "ssao/shaders/tiles.glsl"
 
 uniform highp sampler2D depth_tiles;
 uniform mediump sampler2D normal_tiles;
@@ -37,8 +37,8 @@ float depthTolerance(vec3 point, vec3 normal, float reach)
 }
 
 #define SEEN_IN_TILES
-#include "ssao/hbao.glsl"
-#include "ssao/occlusion_curve.glsl"
+#include "ssao/shaders/hbao.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
 
 layout(location = 0) out float ao_tiles;
 

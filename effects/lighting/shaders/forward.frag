@@ -7,9 +7,9 @@
 //   DISPLAY     the lit picture with occlusion, without, or the occlusion alone
 precision highp float;  // positions
 
-#include "geometry/material.glsl"
-#include "lighting/shade.glsl"
-#include "lighting/srgb.glsl"
+#include "geometry/shaders/material.glsl"
+#include "lighting/shaders/shade.glsl"
+#include "lighting/shaders/srgb.glsl"
 
 uniform vec2 viewport_size;
 #if DISPLAY != DISPLAY_NO_AO

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interface `surface`, from depth alone; works for any projection. A normal costs nine fetches.
 
-#include "geometry/depth_point.glsl"
+#include "geometry/shaders/depth_point.glsl"
 
 uniform highp sampler2D depth;
 
@@ -11,10 +11,10 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
     return pointIn(depth, at, point);
 }
 
-#include "geometry/view_z.glsl"
+#include "geometry/shaders/view_z.glsl"
 
 #ifndef SURFACE_WITHOUT_NORMAL
-#include "geometry/rebuilt_normal.glsl"
+#include "geometry/shaders/rebuilt_normal.glsl"
 
 // The unit normal in view space at uv, towards the camera's side.
 highp vec3 normalAt(highp vec2 at)

@@ -14,9 +14,9 @@ precision highp float;  // positions and depths; mediump bands
 
 #include <surface>
 #include "common/pixel_noise.glsl"
-#include "ssao/occlusion_curve.glsl"
-#include "ssao/reach.glsl"
-#include "ssao/seen.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/shaders/reach.glsl"
+#include "ssao/shaders/seen.glsl"
 
 uniform float bias;
 uniform float turns;

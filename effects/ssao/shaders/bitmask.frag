@@ -11,15 +11,15 @@
 //   ao                 visibility, 1 open .. 0 blocked; 1 in the background
 //
 // [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
-// of equal angle. Slices are those of ssao/slice.glsl. That taps join, and that each is clipped to the radius, is ours.
+// of equal angle. Slices are those of ssao/shaders/slice.glsl. That taps join, and that each is clipped to the radius, is ours.
 // Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/methods/bitmask.md says how to measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
 
 #include <surface>
-#include "geometry/depth_point.glsl"
-#include "ssao/march.glsl"
-#include "ssao/occlusion_curve.glsl"
+#include "geometry/shaders/depth_point.glsl"
+#include "ssao/shaders/march.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
 
 // Switches of geometry/back_faces and geometry/second_layer, which a config may lack.
 #ifndef BACK_FACES

@@ -10,13 +10,13 @@
 // where the surface leaves the radius between two taps, the place where it does is interpolated, without
 // which few taps see too low a horizon.
 // [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
-// is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/march.glsl for its figures.
+// is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/shaders/march.glsl for its figures.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
 #include <surface>
-#include "ssao/march.glsl"
-#include "ssao/occlusion_curve.glsl"
+#include "ssao/shaders/march.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
 
 uniform float max_gap;
 

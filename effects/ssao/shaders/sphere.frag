@@ -14,10 +14,10 @@ precision highp float;  // positions and depths; mediump bands
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
-#include "ssao/occlusion_curve.glsl"
-#include "ssao/range_check.glsl"
-#include "ssao/reach.glsl"
-#include "ssao/seen.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/shaders/range_check.glsl"
+#include "ssao/shaders/reach.glsl"
+#include "ssao/shaders/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
 #if ROTATE

@@ -20,7 +20,7 @@
 uniform vec3 ambient_light;
 uniform float ambient;
 #if SCENE_LIGHTS > 0
-#include "lighting/light.glsl"
+#include "lighting/shaders/light.glsl"
 #endif
 #if HIGHLIGHTS
 uniform float specular_power;

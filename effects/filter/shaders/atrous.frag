@@ -13,7 +13,7 @@
 // Filtering"]
 precision highp float;  // positions are compared
 
-#include "filter/near_plane.glsl"
+#include "filter/shaders/near_plane.glsl"
 
 uniform mediump sampler2D ao;
 

@@ -11,7 +11,7 @@
 // [Kopf et al. 2007, "Joint Bilateral Upsampling"] - bilinear shares times a weight by the full-size picture
 precision highp float;  // positions are compared
 
-#include "filter/near_plane.glsl"
+#include "filter/shaders/near_plane.glsl"
 
 uniform mediump sampler2D ao_low;
 

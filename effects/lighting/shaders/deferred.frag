@@ -18,8 +18,8 @@ uniform highp sampler2D visibility;
 #define SURFACE_WITHOUT_NORMAL
 #endif
 #include "common/guard_band.glsl"
-#include "lighting/shade.glsl"
-#include "lighting/srgb.glsl"
+#include "lighting/shaders/shade.glsl"
+#include "lighting/shaders/srgb.glsl"
 #include <surface>
 
 uniform mediump sampler2D albedo;
@@ -36,7 +36,7 @@ uniform mediump sampler2D indirect_filtered;
 #endif
 #if HIGHLIGHTS && SPECULAR_OCCLUSION != SPECULAR_OCCLUSION_NONE
 #define GLOSS_OCCLUDED
-#include "lighting/caps.glsl"
+#include "lighting/shaders/caps.glsl"
 #if SPECULAR_OCCLUSION == SPECULAR_OCCLUSION_BENT && defined BENT_NORMAL_STEP  // there is such a target
 uniform mediump sampler2D bent_normal;
 #endif

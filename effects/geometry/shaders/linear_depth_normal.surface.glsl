@@ -29,5 +29,5 @@ highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reac
     return (LINEAR_DEPTH_STEP.x + LINEAR_DEPTH_STEP.y * abs(point.z)) * raySlope(point, normal);
 }
 
-#include "geometry/view_z.glsl"
-#include "geometry/stored_normal.glsl"
+#include "geometry/shaders/view_z.glsl"
+#include "geometry/shaders/stored_normal.glsl"

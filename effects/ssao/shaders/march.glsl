@@ -2,9 +2,9 @@
 // What the estimators that march over the screen share: the pixel's slices and where their taps lie.
 
 #include "common/pixel_noise.glsl"
-#include "ssao/reach.glsl"
-#include "ssao/seen.glsl"
-#include "ssao/slice.glsl"
+#include "ssao/shaders/reach.glsl"
+#include "ssao/shaders/seen.glsl"
+#include "ssao/shaders/slice.glsl"
 
 uniform highp float bias;
 

@@ -7,7 +7,7 @@
 //   albedo    linear colour; alpha is the strength of the highlight
 precision highp float;
 
-#include "geometry/material.glsl"
+#include "geometry/shaders/material.glsl"
 
 in vec3 point;
 in vec3 facing;

@@ -3,7 +3,7 @@
 // Depth alone; what the alpha test cuts away is discarded.
 precision highp float;
 
-#include "geometry/material.glsl"
+#include "geometry/shaders/material.glsl"
 
 in vec2 uv;
 

@@ -8,7 +8,7 @@
 //   linear_depth  with LINEAR_DEPTH: distance along the view axis; 0 (the clear value) in the background
 precision highp float;
 
-#include "geometry/material.glsl"
+#include "geometry/shaders/material.glsl"
 
 in vec3 point;
 in vec3 facing;

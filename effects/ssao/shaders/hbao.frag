@@ -10,8 +10,8 @@ precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
 #include <surface>
-#include "ssao/hbao.glsl"
-#include "ssao/occlusion_curve.glsl"
+#include "ssao/shaders/hbao.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
 
 in vec2 uv;
 layout(location = 0) out float ao;

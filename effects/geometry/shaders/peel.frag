@@ -6,7 +6,7 @@
 // [Everitt 2001, "Interactive Order-Independent Transparency"]
 precision highp float;
 
-#include "geometry/material.glsl"
+#include "geometry/shaders/material.glsl"
 
 uniform highp sampler2D behind;
 

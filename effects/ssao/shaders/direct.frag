@@ -10,7 +10,7 @@ precision highp float;  // positions
 #include "common/guard_band.glsl"
 #include <surface>
 #if SCENE_LIGHTS > 0
-#include "lighting/light.glsl"
+#include "lighting/shaders/light.glsl"
 #endif
 
 uniform mediump sampler2D albedo;

@@ -20,5 +20,5 @@ highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reac
     return dot(POSITION_STEP.x + POSITION_STEP.y * abs(point), abs(normal));
 }
 
-#include "geometry/view_z.glsl"
-#include "geometry/stored_normal.glsl"
+#include "geometry/shaders/view_z.glsl"
+#include "geometry/shaders/stored_normal.glsl"

@@ -22,9 +22,9 @@ precision highp float;  // positions and depths; mediump bands
 #include "common/tangent_frame.glsl"
 #include "common/view_space.glsl"
 #include <surface>
-#include "ssao/occlusion_curve.glsl"
-#include "ssao/range_check.glsl"
-#include "ssao/seen.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/shaders/range_check.glsl"
+#include "ssao/shaders/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
 uniform mediump sampler2D rotation_noise;

@@ -14,7 +14,7 @@ precision highp int;
 
 #include "common/texel.glsl"
 #include <surface>
-#include "ssao/tiles.glsl"
+#include "ssao/shaders/tiles.glsl"
 
 uniform vec2 viewport_size;
 
