@@ -139,7 +139,7 @@ std::vector<Elided> elidedOfFrames(const Plan& plan)
     std::vector<Elided> elided;
     const auto add = [&](const std::string& what, const std::string& passes, const char* optimization,
                          const char* reason) {
-        if (!passes.empty()) elided.push_back({what + passes, optimization, reason, 0, 0, -1, true});
+        if (!passes.empty()) elided.push_back({what + passes, optimization, reason, 0, 0, true});
     };
     add("pixels of ", passesThat(plan, isMasked), "depth_mask",
         "per frame, those that the mask excludes");

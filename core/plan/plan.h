@@ -126,7 +126,6 @@ struct Elided {
     std::string reason;  ///< One sentence.
     double bytes = 0;    ///< Estimated bytes a frame that are not moved.
     double texture_bytes = 0;  ///< Of textures that are not there.
-    double ms = -1;            ///< What a pass takes where it runs, once someone has measured that.
     bool by_frame = false;     ///< What is left out, and what that saves, depends on the frame.
 };
 
@@ -159,11 +158,5 @@ struct Plan {
     std::vector<Elided> elided;
     double texture_bytes = 0;  ///< Of `textures`, with all their copies.
 };
-
-/// Text for people, stable enough to compare in tests.
-std::string toText(const Plan& plan);
-std::string toJson(const Plan& plan);
-std::string toDot(const Plan& plan);
-std::string toMermaid(const Plan& plan);
 
 }  // namespace crevice

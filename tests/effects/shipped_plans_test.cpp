@@ -5,6 +5,7 @@
 #include "effects/catalog.h"
 #include "tests/support/catch.h"
 #include "tools/plan/planning.h"
+#include "tools/plan/print.h"
 
 #include <algorithm>
 #include <cstdlib>

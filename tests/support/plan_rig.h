@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/compile/compile.h"
 #include "tests/support/test_config.h"
+#include "tools/plan/print.h"
 
 #include <map>
 #include <set>

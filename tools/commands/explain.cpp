@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // crevice explain: the plan of a config, what it leaves out and why, and where a value came from.
-#include "tools/bench/times.h"
 #include "tools/cli/config_options.h"
 #include "tools/cli/output.h"
 #include "tools/cli/output_request.h"
 #include "tools/commands/commands.h"
 #include "tools/device/open_device.h"
+#include "tools/plan/diff.h"
 #include "tools/plan/explain_value.h"
 #include "tools/plan/planning.h"
+#include "tools/plan/print.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/options.h"
 
 #include "backends/recording/device.h"
 #include "core/config/load.h"
-#include "core/plan/plan_diff.h"
 
 #include <CLI/CLI.hpp>
 
@@ -30,7 +30,6 @@ struct ExplainOptions {
     std::string backend;
     std::vector<std::string> outputs;
     std::vector<std::string> disable;
-    bool measure = false;
     std::string why;
     std::string format = "text";
     int views = 1;
@@ -79,39 +78,6 @@ Result<Plan> makePlan(const ExplainOptions& options, const SourceSet& sources)
     return compile(*description, *traits, *caps, compile_options);
 }
 
-/// Draws the scene with nothing left out and notes what each pass takes that the plan leaves out: the median
-/// of some frames.
-Status measureElided(const ExplainOptions& options, const SourceSet& sources, Plan& plan)
-{
-    constexpr std::size_t kFrames = 7;
-    const Result<OpenDevice> open = openDevice(options.backend);
-    if (!open) return open.diagnostics();
-    Device& device = *open->device;
-    const Result<SceneView> view = loadSceneView(options.scene);
-    if (!view) return view.diagnostics();
-    const Result<UploadedScene> scene = UploadedScene::upload(device, view->scene);
-    if (!scene) return scene.diagnostics();
-    const Frame frame = makeFrame(*scene, view->camera, view->extent);
-    const Result<Description> description = loadDescription(options.config, sources);
-    if (!description) return description.diagnostics();
-    CompileOptions all;
-    all.extent = view->extent;
-    all.disable = {"all"};
-    const auto renderer = Renderer::create(device, *description, all, traitsOf(frame));
-    if (!renderer) return renderer.diagnostics();
-    std::vector<std::vector<double>> ms((*renderer)->plan().passes.size());
-    for (std::size_t i = 0; i < kFrames; ++i) {
-        const Result<FrameTimes> times = timeFrame(**renderer, frame);
-        if (!times) return times.diagnostics();
-        for (std::size_t pass = 0; pass < ms.size(); ++pass) ms[pass].push_back(times->pass_ms[pass]);
-    }
-    for (Elided& each : plan.elided)
-        for (std::size_t pass = 0; pass < ms.size(); ++pass)
-            if (each.what == "pass " + (*renderer)->plan().passes[pass].name)
-                each.ms = timeFigures(ms[pass]).median;
-    return {};
-}
-
 int explainValue(const ExplainOptions& options, const SourceSet& sources)
 {
     const bool json = options.format == "json";
@@ -153,8 +119,6 @@ int explainDiff(const ExplainOptions& options, const SourceSet& sources)
 std::string misuse(const ExplainOptions& options)
 {
     if (options.configs.size() > 1 && !options.diff) return "two configs need --diff";
-    if (options.measure && (options.diff || !options.why.empty() || options.scene.scene.empty()))
-        return "--measure explains the plan for a --scene";
     if (!options.diff) return {};
     if (!options.why.empty()) return "--why explains one config, --diff compares two";
     if (options.format != "text" && options.format != "json") return "--diff prints text or json";
@@ -169,16 +133,12 @@ int explain(ExplainOptions& options)
     const CheckoutSources sources(options.config.checkout, options.config.roots);
     if (!options.why.empty()) return explainValue(options, sources);
     if (options.diff) return explainDiff(options, sources);
-    Result<Plan> plan = makePlan(options, sources);
+    const Result<Plan> plan = makePlan(options, sources);
     if (!plan) return report(plan.diagnostics(), options.format == "json");
-    if (options.measure)
-        if (const Status status = measureElided(options, sources, *plan); !status)
-            return report(status.diagnostics(), options.format == "json");
     report(plan.diagnostics(), false);
-    const std::string text = options.format == "json"      ? toJson(*plan)
-                             : options.format == "dot"     ? toDot(*plan)
-                             : options.format == "mermaid" ? toMermaid(*plan)
-                                                           : toText(*plan);
+    const std::string text = options.format == "json"  ? toJson(*plan)
+                             : options.format == "dot" ? toDot(*plan)
+                                                       : toText(*plan);
     printLines(text);
     return kExitOk;
 }
@@ -190,9 +150,6 @@ void addPlanOptions(CLI::App& app, ExplainOptions& options)
                    "Plan for this output, view or target alone; may be repeated")
         ->allow_extra_args(false);
     addDisableOption(app, options.disable);
-    app.add_flag("--measure", options.measure,
-                      "Draw --scene on --backend with nothing left out, and tell what each pass that is left "
-                      "out takes there");
     app.add_option("--views", options.views,
                         "Plan for frames of that many views, 2 for stereo")
         ->check(CLI::Range(1, 64))
@@ -222,13 +179,12 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     command->add_option("--why", options->why,
                         "Tell which files set this value: a param's or feature's name, "
                         "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");
-    command->add_option("--format", options->format, "text, json, dot or mermaid")
-        ->check(CLI::IsMember({"text", "json", "dot", "mermaid"}))
+    command->add_option("--format", options->format, "text, json or dot")
+        ->check(CLI::IsMember({"text", "json", "dot"}))
         ->capture_default_str();
     command->footer("Examples:\n"
                     "  crevice explain learnopengl\n"
                     "  crevice explain learnopengl --set intensity=0 --output ao\n"
-                    "  crevice explain gtao --set intensity=0 --scene room --measure\n"
                     "  crevice explain my.json --why radius\n"
                     "  crevice explain --diff learnopengl gtao\n"
                     "  crevice explain --diff gtao --set slices=1\n"

@@ -4,7 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/config/field_types.h"
-#include "core/plan/plan_names.h"
+#include "tools/plan/names.h"
 #include "tools/schema/schema.h"
 
 #include <nlohmann/json.hpp>

@@ -7,6 +7,7 @@
 #include "core/base/numbers.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/planning.h"
+#include "tools/plan/print.h"
 
 #include <cmath>
 #include <sstream>

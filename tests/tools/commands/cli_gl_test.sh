@@ -83,8 +83,6 @@ expect 0 'wrote' render two.json "${small[@]}" --out color=saved.png
 check "so does one over a file in another folder" cmp set.png saved.png
 expect 0 'wrote' render thesis "${small[@]}" --set radius=0.5 --set bias=0.1 --save-patch three.json
 expect 0 'bias' explain three.json --why bias
-expect 0 'pass ssao .no_op.: .* [0-9.]+ ms$' explain gtao --set intensity=0 --scene corner --size 64x36 --measure
-expect 2 'CV8001' explain gtao --measure
 check "a value that is the default is not in the patch" bash -c '! grep -q radius three.json'
 
 # Mediump as on a phone: another picture, by little. A build without glslang says so.

@@ -70,7 +70,6 @@ expect 0 'another: ok' validate --all --effects checkout
 # --- explain ---
 expect 0 'geometry' explain learnopengl
 expect 0 'digraph' explain learnopengl --format dot
-expect 0 'graph|flowchart' explain learnopengl --format mermaid
 expect 0 '' explain learnopengl --format json
 expect_json
 expect 0 'configs/learnopengl.json:[0-9]+:[0-9]+: 0.5' explain learnopengl --why radius

@@ -89,7 +89,7 @@ printf '{"format": 1, "name": "%s", "extends": ["learnopengl"], "variants": {"%s
 for format in text json sarif; do
     quiet validate "$bad.json" --format "$format"
 done
-for format in text json dot mermaid; do
+for format in text json dot; do
     quiet explain "$bad.json" --format "$format"
 done
 quiet explain "$bad.json" --why radius

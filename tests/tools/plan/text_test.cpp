@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plans as text, JSON, Graphviz and Mermaid.
+// Plans as text, JSON and Graphviz.
 #include "tests/support/plan_rig.h"
 
 using namespace crevice;
@@ -154,16 +154,4 @@ TEST_CASE("A name with quotes and backslashes stays inside its quotes")
     plan.config = "my \"best\\ plan";
     CHECK(toDot(plan).find(R"(digraph "my \"best\\ plan" {)") == 0);
     CHECK(toJson(plan).find(R"("config": "my \"best\\ plan")") != std::string::npos);
-}
-
-TEST_CASE("The Mermaid drawing has boxes for passes, round shapes for textures, and the data's way")
-{
-    CHECK(toMermaid(planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}}))) ==
-R"(flowchart LR
-  pass_a["a<br/>a 64x32"]
-  target_x(["x<br/>r8 64x32, texture 0"])
-  output_out{{"out"}}
-  pass_a --> target_x
-  target_x --> output_out
-)");
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Plans as drawings: passes are boxes, textures are ellipses, edges follow the data.
+#include "tools/plan/names.h"
+#include "tools/plan/print.h"
+
 #include "core/base/text.h"
-#include "core/plan/plan_names.h"
 
 #include <algorithm>
 
@@ -12,7 +14,7 @@ namespace {
 enum class Shape { pass, texture, output };
 
 struct GraphNode {
-    std::string id;  // a C identifier
+    std::string id;
     Shape shape;
     std::string label;
     std::string detail = {};
@@ -92,18 +94,15 @@ Graph graphOf(const Plan& plan)
     return graph;
 }
 
-// `text` in double quotes; `quote` is what a quote inside becomes.
-std::string quoted(const std::string& text, const std::string& quote, const std::string& backslash)
+// `text` in double quotes, as Graphviz reads it.
+std::string quoted(const std::string& text)
 {
     std::string result = "\"";
-    for (const char c : text)
-        result += c == '"' ? quote : c == '\\' ? backslash : std::string(1, c);
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c == '\n' ? "\\n" : std::string(1, c);
+    }
     return result + "\"";
-}
-
-std::string labelOf(const GraphNode& node, const std::string& line_break)
-{
-    return node.detail.empty() ? node.label : node.label + line_break + node.detail;
 }
 
 std::string dotNode(const GraphNode& node)
@@ -111,18 +110,8 @@ std::string dotNode(const GraphNode& node)
     const char* const shape = node.shape == Shape::pass      ? "box"
                               : node.shape == Shape::texture ? "ellipse"
                                                              : "plaintext";
-    std::string label = quoted(labelOf(node, "\n"), "\\\"", "\\\\");
-    for (auto at = label.find('\n'); at != label.npos; at = label.find('\n', at))
-        label.replace(at, 1, "\\n");
-    return "  \"" + node.id + "\" [shape=" + shape + ", label=" + label + "];\n";
-}
-
-std::string mermaidNode(const GraphNode& node)
-{
-    const std::string label = quoted(labelOf(node, "<br/>"), "#quot;", "\\");
-    if (node.shape == Shape::pass) return "  " + node.id + "[" + label + "]\n";
-    if (node.shape == Shape::texture) return "  " + node.id + "([" + label + "])\n";
-    return "  " + node.id + "{{" + label + "}}\n";
+    const std::string label = node.detail.empty() ? node.label : node.label + "\n" + node.detail;
+    return "  \"" + node.id + "\" [shape=" + shape + ", label=" + quoted(label) + "];\n";
 }
 
 }  // namespace
@@ -130,20 +119,10 @@ std::string mermaidNode(const GraphNode& node)
 std::string toDot(const Plan& plan)
 {
     const Graph graph = graphOf(plan);
-    std::string text =
-        "digraph " + quoted(printableLine(plan.config), "\\\"", "\\\\") + " {\n  rankdir=LR;\n";
+    std::string text = "digraph " + quoted(printableLine(plan.config)) + " {\n  rankdir=LR;\n";
     for (const GraphNode& node : graph.nodes) text += dotNode(node);
     for (const auto& [from, to] : graph.edges) text += "  \"" + from + "\" -> \"" + to + "\";\n";
     return text + "}\n";
-}
-
-std::string toMermaid(const Plan& plan)
-{
-    const Graph graph = graphOf(plan);
-    std::string text = "flowchart LR\n";
-    for (const GraphNode& node : graph.nodes) text += mermaidNode(node);
-    for (const auto& [from, to] : graph.edges) text += "  " + from + " --> " + to + "\n";
-    return text;
 }
 
 }  // namespace crevice

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Two plans as lists of facts, and what differs between the lists.
-#include "core/plan/plan_diff.h"
+#include "tools/plan/diff.h"
+
+#include "tools/plan/names.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/config/field_types.h"
-#include "core/plan/plan_names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What differs between two plans: passes, their shaders, inputs and sizes, textures and bytes.
-#include "core/plan/plan_diff.h"
+#include "tools/plan/diff.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/plan_rig.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words in which plans are printed. Private to core and the tools.
+// The words in which plans are printed.
 #pragma once
 
 #include "core/plan/plan.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Plans as text for people. Nothing in it changes with the wording of a shader, so that tests can
 // keep it.
+#include "tools/plan/names.h"
+#include "tools/plan/print.h"
+
 #include "core/base/numbers.h"
-#include "core/plan/plan_names.h"
 
 #include "core/base/text.h"
 #include "core/config/field_types.h"
@@ -183,13 +185,6 @@ std::string programText(const PlanProgram& program)
     return text + "\n";
 }
 
-std::string millisecondsText(double ms)
-{
-    const long long hundredths = std::llround(ms * 100);
-    const std::string rest = std::to_string(hundredths % 100);
-    return std::to_string(hundredths / 100) + "." + (rest.size() < 2 ? "0" : "") + rest + " ms";
-}
-
 std::string elidedText(const Elided& each)
 {
     std::string text = "  " + each.what + " (" + each.optimization + "): " + each.reason;
@@ -198,7 +193,6 @@ std::string elidedText(const Elided& each)
     text += "; saves ";
     if (each.bytes > 0 || !stored) text += bytesText(each.bytes) + " a frame" + (stored ? ", " : "");
     if (stored) text += bytesText(each.texture_bytes) + " of textures";
-    if (each.ms >= 0) text += ", " + millisecondsText(each.ms);
     return text + "\n";
 }
 

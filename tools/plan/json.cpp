@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Plans as JSON for programs: the same facts as the text, and the keys of the programs.
+#include "tools/plan/names.h"
+#include "tools/plan/print.h"
+
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/config/field_types.h"
-#include "core/plan/plan_names.h"
 
 #include <cmath>
 
@@ -147,9 +149,7 @@ std::string elidedJson(const Elided& each)
 {
     return "{\"what\": " + json(each.what) + ", \"optimization\": " + json(each.optimization) + ", \"reason\": " +
            json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) + ", \"texture_bytes\": " +
-           bytesJson(each.texture_bytes) + ", \"ms\": " +
-           (each.ms >= 0 ? json(static_cast<float>(each.ms)) : "null") + ", \"by_frame\": " +
-           json(each.by_frame) + "}";
+           bytesJson(each.texture_bytes) + ", \"by_frame\": " + json(each.by_frame) + "}";
 }
 
 }  // namespace

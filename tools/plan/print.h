@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Plans as text, JSON and Graphviz: what `crevice explain` prints.
+#pragma once
+
+#include "core/plan/plan.h"
+
+#include <string>
+
+namespace crevice {
+
+/// Text for people, stable enough to compare in tests.
+std::string toText(const Plan& plan);
+std::string toJson(const Plan& plan);
+
+/// A drawing for Graphviz: passes are boxes, textures are ellipses, edges follow the data.
+std::string toDot(const Plan& plan);
+
+}  // namespace crevice
