@@ -16,7 +16,7 @@ cmake --build --preset release --target crevice
 
 step "Rendering the default scene, into out"
 mkdir -p out
-configs=(learnopengl hemisphere_bilateral ogldev45 thesis)
+configs=(balanced high mobile)
 for config in "${configs[@]}"; do
     build/release/tools/crevice render "$config" \
         --out "color=out/$config.png" --out "ao=out/${config}_ao.png"

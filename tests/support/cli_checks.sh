@@ -38,13 +38,16 @@ expect_json() {
     check "the output is JSON" cmake -P is_json.cmake
 }
 
-# The fenced block of README.md that follows the line "<!-- FILE -->", written to FILE.
+# from_readme FILE [PAGE]: the fenced block that follows the line "<!-- FILE -->" in PAGE, seen from the folder of README.md,
+# or in README.md itself; written to FILE.
 from_readme() {
+    local page=$readme
+    [[ $# == 1 ]] || page=$(dirname -- "$readme")/$2
     awk -v mark="<!-- $1 -->" '
         $0 == mark { found = 1; next }
         found && /^```/ { if (inside) exit; inside = 1; next }
-        found && inside { print }' "$readme" >"$1"
-    check "README.md has a block for $1" test -s "$1"
+        found && inside { print }' "$page" >"$1"
+    check "$page has a block for $1" test -s "$1"
 }
 
 finish() {

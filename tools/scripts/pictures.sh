@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of docs/methods: one view of the room, radius 1, through each method. Half a minute.
+# Draws the pictures of README.md and docs/methods: one view of the room, radius 1, through each method. Half a minute.
 #
 #   tools/scripts/pictures.sh          into docs/methods/pictures: look at them, and at git diff, before you commit
 #   tools/scripts/pictures.sh --check  changes nothing; exit code 1 where a picture is not what is drawn now
@@ -21,7 +21,7 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 mkdir "$work/pictures"
 
-main='eye=0.1,1.15,2.1;at=-0.1,0.4,-0.9;fov=50'  # no sky: the truth is known everywhere
+main='eye=0.1,1.15,2.1;at=-0.1,0.4,-0.9;fov=50'  # no sky: the ground truth is known everywhere
 near='eye=0.1,1.15,2.1;at=-0.6,0.33,-0.9;fov=24'  # the bunny, the cube and the corner behind them
 
 # Shows what a command prints only where it fails.
@@ -56,6 +56,9 @@ half lighting_everything color gtao --set ao_on=everything
 half lighting_ambient color gtao
 draw stereo 240x180 "$near" color gtao --stereo 0.065
 for config in mobile_low balanced high reference; do half "presets_$config" ao "$config"; done
+
+half balanced_no_ao color balanced --set ambient=0.5 --set display=no_ao  # the README's
+half balanced_lit color balanced --set ambient=0.5
 
 for filter in none box edges3x3 upsample; do
     made "gtao_$filter" "\"geometry/depth_normal\",\"ssao/gtao\",\"filter/$filter\""

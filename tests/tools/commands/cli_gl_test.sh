@@ -118,8 +118,8 @@ rm -rf kept && printf 'a file' >kept
 expect 4 "CV7007: 'kept/programs'" "${cached[@]}" --out color=never.png
 
 from_readme mine.json
-from_readme cross.json
-from_readme cross.frag
+from_readme cross.json effects/README.md
+from_readme cross.frag effects/README.md
 expect 0 'wrote' render mine.json "${small[@]}"
 expect 0 'wrote' render cross.json "${small[@]}" --out ao=cross.pfm
 expect 5 'over' compare cross.pfm ao.pfm --max-rmse 0.0001

@@ -53,8 +53,8 @@ expect 1 'cut.json:1:[0-9]+: error CV1001' validate cut.json
 # --- the README's examples ---
 from_readme mine.json
 expect 0 'mine.json: ok' validate mine.json
-from_readme cross.json
-from_readme cross.frag
+from_readme cross.json effects/README.md
+from_readme cross.frag effects/README.md
 expect 0 'cross.json: ok' validate cross.json
 expect 0 'mine.json:[0-9]+:[0-9]+' explain mine.json --why radius
 

@@ -32,7 +32,7 @@ for page in "${methods[@]}"; do
     grep -q "($(basename -- "$page")" docs/methods/README.md || fail "$page: docs/methods/README.md does not name it"
 done
 for picture in docs/methods/pictures/*.png; do
-    grep -q "pictures/$(basename -- "$picture")" docs/methods/*.md || fail "$picture: no page shows it"
+    grep -q "pictures/$(basename -- "$picture")" README.md docs/methods/*.md || fail "$picture: no page shows it"
 done
 
 for config in configs/*.json; do
