@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
 
 #include "effects/catalog_data.h"
 

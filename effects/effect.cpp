@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "effects/effect.h"
+#include <crevice/effect.h>
 
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
 
 #include <glm/gtc/type_ptr.hpp>
 

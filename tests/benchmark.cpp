@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // CPU time of a frame: a plan of ten passes on the recording device, in microseconds. And of what
 // comes before it: reading a mebibyte of JSON, and the slowest shipped config from text to plan.
-#include "backends/recording/device.h"
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
 
 #include <algorithm>
 #include <chrono>

@@ -12,19 +12,42 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix")
-run("${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" -B "${WORK}/build"
+# The example of the README is compiled as it stands there, its includes ahead of a function around the rest.
+file(READ "${SOURCE}/../../README.md" readme)
+string(REGEX MATCH "<!-- example.cpp -->\n```cpp\n(.*)" example "${readme}")
+string(REGEX REPLACE "\n```.*" "\n" example "${CMAKE_MATCH_1}")
+string(REGEX MATCHALL "#include [^\n]*" includes "${example}")
+string(REGEX REPLACE "#include [^\n]*\n" "" example "${example}")
+list(JOIN includes "\n" includes)
+file(WRITE "${WORK}/example.cpp" "${includes}\n
+unsigned ao(unsigned depth_texture, const float* projection, const crevice::GlLoader& loader)
+{\n${example}}\n")
+
+run("${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" -B "${WORK}/build" "-DEXAMPLE=${WORK}/example.cpp"
   "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
   -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 
-# Every installed header must compile alone, so that none leans on one that stays behind; and as the
-# strictest host builds.
+# Every installed header must compile alone, so that none leans on one that stays behind; beside a host's
+# headers of the same names; and as the strictest host builds.
 file(WRITE "${WORK}/empty.cpp" "")
-file(GLOB_RECURSE headers RELATIVE "${WORK}/prefix/include/crevice" "${WORK}/prefix/include/*.h")
+set(compile "${CXX}" -std=c++17 -fsyntax-only -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wshadow -Werror
+  "-I${SOURCE}/host" "-I${WORK}/prefix/include" "${WORK}/empty.cpp")
+file(GLOB_RECURSE headers RELATIVE "${WORK}/prefix/include" "${WORK}/prefix/include/*.h")
 foreach(header IN LISTS headers)
-  run("${CXX}" -std=c++17 -fsyntax-only -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wshadow
-    -Werror "-I${WORK}/prefix/include/crevice" -include "${header}" "${WORK}/empty.cpp")
+  if(NOT header MATCHES "^crevice/[a-z_]+[.]h$")
+    message(FATAL_ERROR "installed, and not <crevice/...>: ${header}")
+  endif()
+  run(${compile} -include "${header}")
 endforeach()
+
+# GLM types of another layout are refused, and the facade has none.
+set(aligned -DGLM_FORCE_DEFAULT_ALIGNED_GENTYPES -DGLM_FORCE_INTRINSICS)
+run(${compile} ${aligned} -include crevice/effect.h)
+execute_process(COMMAND ${compile} ${aligned} -include crevice/frame.h RESULT_VARIABLE code ERROR_VARIABLE said)
+if(code EQUAL 0 OR NOT said MATCHES "GLM_FORCE_DEFAULT_ALIGNED_GENTYPES")
+  message(FATAL_ERROR "aligned GLM types are not refused: ${said}")
+endif()
 
 execute_process(COMMAND "${WORK}/build/outside" RESULT_VARIABLE code)
 if(code EQUAL 77 AND NOT "$ENV{CREVICE_REQUIRE_GL}")

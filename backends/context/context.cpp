@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/context/context.h"
+#include <crevice/context.h>
 
 #include "backends/gl/api.h"
 #include "backends/gl/failure.h"

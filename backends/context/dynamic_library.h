@@ -2,7 +2,7 @@
 // A shared library opened at run time.
 #pragma once
 
-#include "core/base/result.h"
+#include <crevice/result.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // OpenGL ES through EGL, without a window system.
-#include "backends/context/context.h"
+#include <crevice/context.h>
+
 #include "backends/context/dynamic_library.h"
 #include "backends/gl/failure.h"
 

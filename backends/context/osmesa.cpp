@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // OSMesa: desktop OpenGL on the CPU, without display or driver. Newer Mesa has dropped it, so it is
 // optional, and osmesa_missing.cpp takes this file's place where its header is not found.
-#include "backends/context/context.h"
+#include <crevice/context.h>
+
 #include "backends/context/dynamic_library.h"
 #include "backends/gl/failure.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stands in for osmesa.cpp in a build without OSMesa.
-#include "backends/context/context.h"
+#include <crevice/context.h>
+
 #include "backends/gl/failure.h"
 
 namespace crevice {

@@ -2,8 +2,9 @@
 // What the current context is and can do; read once, when a device is made.
 #pragma once
 
+#include <crevice/device.h>
+
 #include "backends/gl/api.h"
-#include "core/gpu/device.h"
 
 #include <string>
 #include <vector>

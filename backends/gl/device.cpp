@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/gl/device.h"
+#include <crevice/gl_device.h>
 
 #include "backends/gl/device_class.h"
 #include "backends/gl/failure.h"

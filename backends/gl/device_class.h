@@ -2,8 +2,9 @@
 // The class behind makeGlDevice: device.cpp makes and reads objects, frame.cpp draws.
 #pragma once
 
+#include <crevice/gl_device.h>
+
 #include "backends/gl/copy.h"
-#include "backends/gl/device.h"
 #include "backends/gl/timers.h"
 
 namespace crevice {

@@ -2,7 +2,7 @@
 // Diagnostics that have no place in a text.
 #pragma once
 
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
 
 #include <utility>
 

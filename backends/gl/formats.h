@@ -2,9 +2,10 @@
 // How GL spells each format, and pixels in the form in which GL takes them.
 #pragma once
 
+#include <crevice/device.h>
+#include <crevice/image.h>
+
 #include "backends/gl/api.h"
-#include "core/base/image.h"
-#include "core/gpu/format.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,9 +2,10 @@
 // Programs: compiled and linked or taken from the cache, and asked for their uniforms.
 #pragma once
 
+#include <crevice/device.h>
+
 #include "backends/gl/objects.h"
 #include "backends/gl/program_cache.h"
-#include "core/gpu/device.h"
 
 #include <vector>
 

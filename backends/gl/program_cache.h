@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Linked programs that the host keeps between runs: backends/gl/device.h says how it does.
+// Linked programs that the host keeps between runs: <crevice/gl_device.h> says how it does.
 //
 // Sources
 //   OpenGL ES 3.0.6, section 2.12.5 - program binaries.
 //   GL_ARB_get_program_binary - the same for desktop OpenGL before 4.1.
 #pragma once
 
-#include "backends/gl/device.h"
+#include <crevice/gl_device.h>
+
 #include "backends/gl/objects.h"
 #include "core/base/content_hash.h"
 

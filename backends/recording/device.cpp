@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The recording device between frames: what is created, filled, read and destroyed.
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The recording device inside a frame: what is drawn in which order, and with which content.
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
 
 #include <algorithm>
 #include <cstring>

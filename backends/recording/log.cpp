@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The recording device's log as text; nothing is formatted before somebody asks for it.
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
 
 #include "core/base/numbers.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Diagnostics as text and as JSON, and the search for the name that was meant.
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
 
 #include "core/base/text.h"
 

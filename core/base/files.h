@@ -2,7 +2,7 @@
 // Files on disk: reading them, and which of them a config may name.
 #pragma once
 
-#include "core/base/result.h"
+#include <crevice/result.h>
 
 #include <cstddef>
 #include <string>

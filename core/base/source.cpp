@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sets of texts: in memory, in a folder, in layers; and paths between them.
-#include "core/base/source.h"
+#include <crevice/source.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"

@@ -8,9 +8,9 @@
 // that are stored as they are have steps of 2^floor(log2 z) times that of 1.
 #pragma once
 
-#include "core/config/description.h"
-#include "core/frame/frame.h"
-#include "core/gpu/device.h"
+#include <crevice/config.h>
+#include <crevice/device.h>
+#include <crevice/frame.h>
 
 namespace crevice {
 

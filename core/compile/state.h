@@ -6,7 +6,7 @@
 // steps before could make sense of, so that one run finds all errors.
 #pragma once
 
-#include "core/compile/compile.h"
+#include <crevice/compile.h>
 
 #include <optional>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From a merged document to a description.
-#include "core/config/description.h"
+#include <crevice/config.h>
 
 #include "core/config/decode_reader.h"
 #include "core/config/decode_steps.h"

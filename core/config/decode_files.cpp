@@ -2,8 +2,9 @@
 // The GLSL files that a config names, and what they include.
 #include "core/config/decode_steps.h"
 
+#include <crevice/glsl_stage.h>
+
 #include "core/base/files.h"
-#include "core/glsl/stage.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // What the steps of `decode` share: where in the document they are, and the errors so far.
 #pragma once
 
-#include "core/config/description.h"
+#include <crevice/config.h>
 
 namespace crevice::table {
 

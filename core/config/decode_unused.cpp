@@ -2,9 +2,10 @@
 // What a config declares and nothing uses: surely misspelt.
 #include "core/config/decode_steps.h"
 
+#include <crevice/glsl_stage.h>
+
 #include "core/base/text.h"
 #include "core/glsl/lexer.h"
-#include "core/glsl/stage.h"
 #include "core/json/override.h"
 
 #include <algorithm>

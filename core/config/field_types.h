@@ -3,7 +3,7 @@
 // says by itself.
 #pragma once
 
-#include "core/config/description.h"
+#include <crevice/config.h>
 
 #include <limits>
 

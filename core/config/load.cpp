@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From a config's name to one merged document.
-#include "core/config/load.h"
+#include <crevice/config.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"

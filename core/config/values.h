@@ -2,7 +2,7 @@
 // The values of a description's params and features, to be compared with others of the same config.
 #pragma once
 
-#include "core/config/description.h"
+#include <crevice/config.h>
 
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a plan may depend on, drawn from a frame.
-#include "core/frame/frame.h"
+#include <crevice/frame.h>
 
 #include <glm/vector_relational.hpp>
 

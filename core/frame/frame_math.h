@@ -3,7 +3,7 @@
 // double: a camera far from the origin would otherwise shake by the last bits of its position.
 #pragma once
 
-#include "core/frame/frame.h"
+#include <crevice/frame.h>
 
 #include <glm/mat3x3.hpp>
 
@@ -57,7 +57,7 @@ PixelArea pixelsOf(const ViewArea& area, const Extent& extent);
 /// A light in view space: (x, y, z, 1) of a point, (x, y, z, 0) towards a directional one.
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 
-/// How a light's cone dims it, as (x, y, z, w) of core/frame/frame.h; (0, 0, 0, 1) of all but spots.
+/// How a light's cone dims it, as (x, y, z, w) of <crevice/frame.h>; (0, 0, 0, 1) of all but spots.
 glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world);
 
 /// What nothing of a frame can be drawn with: a camera that is not finite or has no inverse, views of

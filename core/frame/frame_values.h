@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The names that a frame gives to GLSL and to conditions: the values of core/frame/frame.h and the traits.
+// The names that a frame gives to GLSL and to conditions: the values of <crevice/frame.h> and the traits.
 //
 // Private to core, and the one list of each: decode knows the names by it, compile the types and
 // defines, the value table the layout.
 #pragma once
 
-#include "core/frame/frame.h"
-#include "core/frame/imports.h"
+#include <crevice/frame.h>
 
 #include <algorithm>
 #include <optional>

@@ -5,8 +5,9 @@
 // author's directives, and the driver evaluates them again.
 #pragma once
 
+#include <crevice/glsl_stage.h>
+
 #include "core/glsl/macros.h"
-#include "core/glsl/stage.h"
 
 #include <deque>
 #include <set>

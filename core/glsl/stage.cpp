@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shader stages from GLSL files.
-#include "core/glsl/stage.h"
+#include <crevice/glsl_stage.h>
 
 #include "core/glsl/declarations.h"
 #include "core/glsl/preprocessor.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What every device can do, and what none can.
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 #include <algorithm>
 

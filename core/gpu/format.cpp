@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of texture formats.
-#include "core/gpu/format.h"
+#include <crevice/device.h>
 
 namespace crevice {
 

@@ -2,7 +2,7 @@
 // A device object that is destroyed with its owner.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // JSON text to a tree with places.
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"

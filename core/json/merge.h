@@ -2,7 +2,7 @@
 // Merging documents: RFC 7396 merge patches that remember where each value came from.
 #pragma once
 
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 namespace crevice {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Looking into a document's tree, and showing a value in a message.
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 #include "core/base/text.h"
 

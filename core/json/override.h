@@ -2,7 +2,7 @@
 // Overrides: single values laid over a merged document, as `--set` takes them.
 #pragma once
 
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 #include <string>
 

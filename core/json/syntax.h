@@ -3,7 +3,7 @@
 // could not read; this looks again at the place where it stopped.
 #pragma once
 
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 namespace crevice {
 

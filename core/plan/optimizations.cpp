@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/plan/optimizations.h"
+#include <crevice/plan.h>
 
 namespace crevice {
 

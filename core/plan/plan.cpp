@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/plan/plan.h"
+#include <crevice/plan.h>
 
 namespace crevice {
 

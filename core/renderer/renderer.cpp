@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The renderer: keeps a description's plan in step with params, size and scene, and runs it.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
@@ -158,7 +158,7 @@ Status Renderer::State::replan(std::unique_ptr<State>& state, Description descri
 }
 
 Renderer::Renderer(std::unique_ptr<State> state)
-    : state_(std::move(state)), loaded_(valuesOf(state_->description))
+    : state_(std::move(state)), loaded_(std::make_unique<Values>(valuesOf(state_->description)))
 {
 }
 
@@ -244,12 +244,12 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
 Status Renderer::reload(Description description, const CompileOptions& options)
 {
     const Values loaded = valuesOf(description);
-    Diagnostics all = carryOver(loaded_, state_->description, description);
+    Diagnostics all = carryOver(*loaded_, state_->description, description);
     auto next = State::make(state_->device, std::move(description), options, state_->traits,
                             state_.get());
     if (!next) return next.diagnostics();
     state_ = std::move(*next);
-    loaded_ = loaded;
+    *loaded_ = loaded;
     return joined(std::move(all), next.diagnostics());
 }
 
@@ -266,7 +266,7 @@ TextureId Renderer::output(std::string_view name, int view) const
     return state_->execution->output(name, view);
 }
 
-std::string Renderer::changes() const { return valuesPatch(loaded_, state_->description); }
+std::string Renderer::changes() const { return valuesPatch(*loaded_, state_->description); }
 
 const Plan& Renderer::plan() const { return state_->execution->plan(); }
 const Description& Renderer::description() const { return state_->description; }

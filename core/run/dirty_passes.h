@@ -5,7 +5,7 @@
 // Private to the renderer, and pure: it knows textures by their numbers in the plan.
 #pragma once
 
-#include "core/plan/plan.h"
+#include <crevice/plan.h>
 
 #include <vector>
 

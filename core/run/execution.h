@@ -5,9 +5,10 @@
 // `create`; `run` walks flat lists of prepared commands.
 #pragma once
 
-#include "core/frame/frame_times.h"
+#include <crevice/frame.h>
+#include <crevice/plan.h>
+
 #include "core/gpu/owned.h"
-#include "core/plan/plan.h"
 #include "core/run/dirty_passes.h"
 #include "core/run/uniform_values.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Making a plan's objects and preparing its commands.
 #include "core/run/execution.h"
+#include "core/sampling/generators.h"
 
 #include <algorithm>
 #include <utility>

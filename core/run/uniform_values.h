@@ -5,8 +5,9 @@
 // uniform is an offset into it. Nothing here allocates once the table is filled.
 #pragma once
 
+#include <crevice/plan.h>
+
 #include "core/frame/frame_math.h"
-#include "core/plan/plan.h"
 
 #include <cstring>
 #include <vector>

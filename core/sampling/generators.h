@@ -8,9 +8,8 @@
 //   core/sampling/random.h names that of the numbers behind them.
 #pragma once
 
-#include "core/base/image.h"
-#include "core/base/named.h"
-#include "core/base/result.h"
+#include <crevice/image.h>
+#include <crevice/result.h>
 
 #include <glm/vec3.hpp>
 
@@ -25,14 +24,6 @@ constexpr int kMaxKernelSize = 128;
 
 /// Longest side of a noise texture, in pixels.
 constexpr int kMaxNoiseSize = 64;
-
-/// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
-struct GeneratorDesc : Named {
-    std::string generator;  ///< One of generatorNames().
-    int count = 16;         ///< Offsets of a kernel, or pixels along a side of a noise.
-    std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
-    unsigned seed = 1;
-};
 
 /// What a kernel is made of.
 struct KernelDesc {

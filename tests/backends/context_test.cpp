@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What contexts say when there are none, without needing one.
-#include "backends/context/context.h"
+#include <crevice/context.h>
+
 #include "backends/context/dynamic_library.h"
 #include "tests/support/catch.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The GL device on a driver that runs out of memory or loses its context, at any call.
-#include "backends/gl/device.h"
+#include <crevice/gl_device.h>
+
 #include "tests/support/kept_programs.h"
 #include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What hosts do wrong, on a real context: calls without it or in another one, ids of nothing.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/render/scene_upload.h"

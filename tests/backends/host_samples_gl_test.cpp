@@ -2,9 +2,10 @@
 // The host's own multisampled depth and normals: of each pixel one sample, whole.
 #include "tests/support/picture.h"
 
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A host samples outputs in shaders of its own, by their native names.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/render/scene_upload.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Real GL at the limits of what it takes: sizes, counts, uniforms.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tests/support/watched_gl.h"

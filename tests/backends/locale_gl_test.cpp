@@ -5,8 +5,8 @@
 #include "tests/support/comma_locale.h"
 #include "tests/support/picture.h"
 
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
 
 using namespace crevice;
 

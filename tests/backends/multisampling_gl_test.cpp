@@ -2,7 +2,7 @@
 // Multisampling, drawn for real: what resolves to a mean, what to one sample, and what stays.
 #include "tests/support/picture.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Programs that a host keeps between runs, on a real driver: they draw the same bits, and what the
 // driver refuses is compiled in silence.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tests/support/gl_fixture.h"
 #include "tests/support/kept_programs.h"
 #include "tests/support/shipped_subjects.h"

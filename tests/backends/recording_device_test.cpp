@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The recording device: what it logs, what it notices, how it fails.
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/need.h"

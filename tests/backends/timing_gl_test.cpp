@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Frames timed for real. No absolute time is asserted: machines are shared and noisy.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
+#include <crevice/config.h>
+#include <crevice/shipped.h>
 
 #include "backends/gl/timers.h"
-#include "core/config/load.h"
-#include "effects/catalog.h"
 #include "tests/support/gl_fixture.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"

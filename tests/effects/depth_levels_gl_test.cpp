@@ -2,7 +2,7 @@
 // Far taps read coarser copies of depth, each texel of which is one of depth.
 #include "tests/support/picture.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The facade in a host's context: the host's own depth goes in, an AO texture comes out.
-#include "effects/effect.h"
+#include <crevice/effect.h>
 
 #include "tests/support/gl_fixture.h"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The facade, on a device that draws nothing: what it makes of names, texts and textures.
-#include "effects/effect.h"
+#include <crevice/renderer.h>
+#include <crevice/effect.h>
 
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"

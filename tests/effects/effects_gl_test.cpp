@@ -2,8 +2,8 @@
 // Properties of the shipped effects, drawn for real: what must hold whatever the pixels are.
 #include "tests/support/picture.h"
 
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
 
 using namespace crevice;
 

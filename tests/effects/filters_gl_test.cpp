@@ -3,10 +3,10 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 
-#include "backends/recording/device.h"
-#include "core/config/load.h"
-#include "core/compile/compile.h"
-#include "effects/catalog.h"
+#include <crevice/compile.h>
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/shipped.h>
 
 #include <algorithm>
 

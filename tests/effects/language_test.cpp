@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The config language and the optimizations stay small: what nothing that ships uses is to be deleted.
-#include "backends/recording/device.h"
-#include "core/renderer/renderer.h"
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+
 #include "tests/support/shipped_subjects.h"
 #include "tools/schema/form.h"
 

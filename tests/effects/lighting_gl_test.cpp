@@ -2,7 +2,7 @@
 // What must hold for the lighting modules, drawn for real with an occlusion that each test gives.
 #include "tests/support/picture.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
 
 using namespace crevice;
 

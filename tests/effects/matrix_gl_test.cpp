@@ -4,8 +4,9 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"
 #include "tools/scene/mesh_shapes.h"

@@ -3,7 +3,8 @@
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"
 

@@ -2,9 +2,10 @@
 // What core/compile/depth_precision.h foretells, against what a device stores and draws.
 #include "tests/support/gl_fixture.h"
 
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
 #include "core/compile/depth_precision.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
 #include "tests/support/picture.h"
 #include "tools/cli/config_options.h"
 #include "tools/render/scene_upload.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8 bits.
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 #include "tools/plan/planning.h"
 

@@ -2,7 +2,8 @@
 // What a user may change in a shipped config: every switch that it offers, and every format.
 #include "tests/support/catch.h"
 
-#include "core/compile/compile.h"
+#include <crevice/compile.h>
+
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/planning.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every shipped config on a device without memory: nothing is left behind, what worked works on, and
 // the next try is as good as if nothing had failed.
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
+
 #include "tests/support/failing_changes.h"
 #include "tests/support/shipped_subjects.h"
 

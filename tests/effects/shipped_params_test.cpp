@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every param of every shipped config at values that cannot be, and at the ends of its range.
-#include "backends/recording/device.h"
-#include "core/renderer/renderer.h"
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/planning.h"
 

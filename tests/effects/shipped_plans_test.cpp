@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The plan of each shipped config, as `crevice explain NAME` prints it, held against the approved
 // one in tests/data/plans. tools/scripts/approve.sh takes the new plans as the approved ones.
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 #include "tools/plan/planning.h"
 #include "tools/plan/print.h"

@@ -4,9 +4,10 @@
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
 #include "tools/render/scene_upload.h"
 #include "tools/scene/builtin_scenes.h"
 #include "tools/scene/camera_framing.h"

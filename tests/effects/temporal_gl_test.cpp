@@ -2,9 +2,10 @@
 // The mean over frames, drawn for real: what it gathers, what it forgets, and what it never shows.
 #include "tests/support/picture.h"
 
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
 #include "tools/render/scene_upload.h"
 #include "tools/scene/camera_framing.h"
 

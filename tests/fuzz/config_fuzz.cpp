@@ -2,10 +2,10 @@
 // Any text as a config over the shipped modules: merged, decoded and compiled, down to the calls of
 // a recording device. What a line of "====" parts is a module that the config may extend, as
 // "fuzz/base", then the config with its variant "fast", then one override.
-#include "backends/recording/device.h"
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
 
 #include <cstdint>
 #include <cstdlib>

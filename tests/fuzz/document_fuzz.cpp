@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a document and as a value: a tree whose places lie in the text, or errors that do.
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 #include <cstdint>
 #include <cstdlib>

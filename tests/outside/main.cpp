@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The least that a host does: a context, a mesh, a config, a frame. Draws a cube on a floor and
 // checks its ambient occlusion. Exits with 0, 1 (wrong), or 77 (no GL on this machine).
-#include "backends/context/context.h"
-#include "backends/gl/device.h"
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/context.h>
+#include <crevice/gl_device.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -14,6 +14,9 @@
 #include <cstdio>
 
 using namespace crevice;
+
+/// The example of the README.
+unsigned ao(unsigned depth_texture, const float* projection, const GlLoader& loader);
 
 namespace {
 
@@ -111,6 +114,20 @@ int draw(Device& device)
     return judge(*ao);
 }
 
+/// Runs the example of the README on a texture for depth.
+int drawExample(Device& device, const GlLoader& loader)
+{
+    TextureDesc desc;
+    desc.format = Format::depth24;
+    desc.extent = {1920, 1080};
+    const auto depth = device.createTexture(desc);
+    if (!depth) return fail(depth.diagnostics());
+    const glm::mat4 projection = glm::perspective(glm::radians(50.0f), 16.0f / 9.0f, 0.1f, 50.0f);
+    const unsigned name = ao(device.nativeName(*depth), &projection[0][0], loader);
+    device.destroy(*depth);
+    return name == 0 ? 1 : 0;
+}
+
 }  // namespace
 
 int main()
@@ -122,5 +139,7 @@ int main()
         return kSkip;
     }
     const auto device = makeGlDevice((*context)->loader());
-    return device ? draw(**device) : fail(device.diagnostics());
+    if (!device) return fail(device.diagnostics());
+    const int drawn = draw(**device);
+    return drawn == 0 ? drawExample(**device, (*context)->loader()) : drawn;
 }

@@ -3,10 +3,11 @@
 // tests/data/bad/README.md describes expected.json, from which all of this is read.
 #pragma once
 
-#include "backends/recording/device.h"
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 
 #include <string>

@@ -2,7 +2,8 @@
 // A small valid config whose sections a test replaces, and its errors as one line of text.
 #pragma once
 
-#include "core/config/description.h"
+#include <crevice/config.h>
+
 #include "tests/support/catch.h"
 
 #include <map>

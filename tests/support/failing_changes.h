@@ -5,7 +5,8 @@
 // live(), which counts the objects: RecordingDevice or FailingDevice.
 #pragma once
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tests/support/need.h"
 
 #include <functional>

@@ -3,9 +3,10 @@
 // draw and read.
 #pragma once
 
-#include "backends/context/context.h"
+#include <crevice/context.h>
+#include <crevice/gl_device.h>
+
 #include "backends/gl/api.h"
-#include "backends/gl/device.h"
 #include "tests/support/need.h"
 
 #include <memory>

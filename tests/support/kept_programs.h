@@ -2,7 +2,7 @@
 // A host that keeps linked programs in memory.
 #pragma once
 
-#include "backends/gl/device.h"
+#include <crevice/gl_device.h>
 
 #include <map>
 

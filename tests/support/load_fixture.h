@@ -2,7 +2,7 @@
 // What the tests of loading share: a small catalog, and short forms for results.
 #pragma once
 
-#include "core/config/load.h"
+#include <crevice/config.h>
 
 #include "tests/support/catch.h"
 

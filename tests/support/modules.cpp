@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/modules.h"
 
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 
 namespace crevice {

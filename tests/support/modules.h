@@ -3,7 +3,7 @@
 // among them by itself.
 #pragma once
 
-#include "core/base/source.h"
+#include <crevice/source.h>
 
 #include <set>
 #include <string>

@@ -2,7 +2,8 @@
 // What a test needs in order to go on.
 #pragma once
 
-#include "core/base/result.h"
+#include <crevice/result.h>
+
 #include "tests/support/catch.h"
 
 namespace crevice {

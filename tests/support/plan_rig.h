@@ -2,8 +2,9 @@
 // Plans for tests: graphs sketched in a line a pass, and compiling with few words.
 #pragma once
 
+#include <crevice/compile.h>
+
 #include "core/base/text.h"
-#include "core/compile/compile.h"
 #include "tests/support/test_config.h"
 #include "tools/plan/print.h"
 

@@ -2,8 +2,9 @@
 // A small pipeline that has one of everything, on a recording device, for tests of the renderer.
 #pragma once
 
-#include "backends/recording/device.h"
-#include "core/renderer/renderer.h"
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+
 #include "tests/support/test_config.h"
 
 #include <string>

@@ -4,9 +4,8 @@
 
 #include "tests/support/need.h"
 
-#include "core/config/description.h"
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
 
 namespace crevice {
 

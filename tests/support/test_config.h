@@ -2,7 +2,8 @@
 // Descriptions for tests, from a few lines of JSON and GLSL.
 #pragma once
 
-#include "core/config/description.h"
+#include <crevice/config.h>
+
 #include "tests/support/catch.h"
 
 #include <string>

@@ -2,8 +2,9 @@
 // Situations, turns, and the table.
 #include "tools/bench/ablation.h"
 
+#include <crevice/renderer.h>
+
 #include "core/base/numbers.h"
-#include "core/renderer/renderer.h"
 #include "tools/bench/times.h"
 #include "tools/bench/views.h"
 #include "tools/cli/output.h"

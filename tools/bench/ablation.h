@@ -9,7 +9,8 @@
 // Results are JSON Lines, FOLDER/ablation.jsonl, one line an optimization, situation, scene and config.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
+
 #include "tools/bench/bench.h"
 
 #include <functional>

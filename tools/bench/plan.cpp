@@ -7,9 +7,10 @@
 #include "tools/scene/camera_framing.h"
 #include "tools/scene/options.h"
 
+#include <crevice/config.h>
+
 #include "core/base/content_hash.h"
 #include "core/base/numbers.h"
-#include "core/config/load.h"
 
 #include <algorithm>
 #include <map>

@@ -7,8 +7,8 @@
 // what the run is to measure, so that a part of a bench is not taken for the whole.
 #pragma once
 
-#include "core/base/image.h"
-#include "core/base/result.h"
+#include <crevice/image.h>
+#include <crevice/result.h>
 
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@
 
 #include "tools/bench/sample.h"
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include <functional>
 #include <vector>

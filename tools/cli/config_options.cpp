@@ -2,9 +2,10 @@
 // The arguments that say which config a command works on.
 #include "tools/cli/config_options.h"
 
+#include <crevice/compile.h>
+#include <crevice/shipped.h>
+
 #include "core/base/content_hash.h"
-#include "core/compile/compile.h"
-#include "effects/catalog.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,8 +2,7 @@
 // Which config a command works on: the arguments that render, validate and explain share.
 #pragma once
 
-#include "core/config/description.h"
-#include "core/config/load.h"
+#include <crevice/config.h>
 
 #include <string>
 #include <vector>
@@ -34,7 +33,7 @@ void addCheckoutOption(CLI::App& app, std::string& checkout);
 /// Adds --root alone; added twice, for a config and a scene, it is one option that fills both.
 void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
-/// Adds --disable: optimizations of core/compile/compile.h that are switched off.
+/// Adds --disable: optimizations of <crevice/compile.h> that are switched off.
 void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
 
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.

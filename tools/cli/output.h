@@ -2,7 +2,7 @@
 // What the crevice command says: diagnostics, exit codes, progress.
 #pragma once
 
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -2,9 +2,9 @@
 // What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a file.
 #pragma once
 
-#include "core/base/image.h"
-#include "core/base/result.h"
-#include "core/config/description.h"
+#include <crevice/config.h>
+#include <crevice/image.h>
+#include <crevice/result.h>
 
 #include <string>
 

@@ -3,21 +3,21 @@
 // and code hosts show at the line that they are about.
 #pragma once
 
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
 
 #include <string>
 #include <vector>
 
 namespace crevice {
 
-/// A code, its name in core/base/codes.h and what it means, as that file says it.
+/// A code, its name in <crevice/codes.h> and what it means, as that file says it.
 struct CodeRule {
     Code code;
     std::string name;  ///< "target_missing"
     std::string text;  ///< "A pass or output names a target that does not exist."
 };
 
-/// All codes in the order of core/base/codes.h.
+/// All codes in the order of <crevice/codes.h>.
 const std::vector<CodeRule>& codeRules();
 
 /// A log of one run: a rule for each code that occurs, a result for each diagnostic, with its

@@ -2,9 +2,9 @@
 // A config with the smallest patch over another.
 #include "tools/cli/save_patch.h"
 
+#include <crevice/config.h>
+
 #include "core/base/text.h"
-#include "core/config/description.h"
-#include "core/config/load.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"
 #include "tools/cli/output_request.h"

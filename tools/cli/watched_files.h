@@ -2,8 +2,8 @@
 // The files that a config was read from, watched for edits.
 #pragma once
 
-#include "core/base/diagnostic.h"
-#include "core/config/description.h"
+#include <crevice/config.h>
+#include <crevice/diagnostic.h>
 
 #include <map>
 #include <string>

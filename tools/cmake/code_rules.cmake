@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes code_rules.cpp: the codes of core/base/codes.h with the comment that each has there.
+# Writes code_rules.cpp: the codes of core/include/crevice/codes.h with the comment that each has there.
 #   cmake -D INPUT=<codes.h> -D OUTPUT=<file> -P code_rules.cmake
 file(STRINGS "${INPUT}" lines REGEX "= [0-9]+,")
 set(rules "")

@@ -2,6 +2,7 @@
 # What all targets share: warnings, sanitizers, and the rules for libraries.
 
 add_library(crevice_flags INTERFACE)
+target_include_directories(crevice_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(crevice_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
   $<$<BOOL:${CREVICE_WERROR}>:-Werror>)
 if(CREVICE_SANITIZE)
@@ -16,7 +17,8 @@ if(CREVICE_FUZZ)
 endif()
 
 # crevice_library(NAME SOURCES... ) makes crevice_NAME, exported as crevice::NAME. Host applications
-# link it, so it neither throws nor uses run-time types. Headers are included as "NAME/file.h".
+# link it, so it neither throws nor uses run-time types. Public headers are
+# <crevice/file.h>, in NAME/include; the others are the library's own, "NAME/room/file.h".
 function(crevice_library name)
   add_library(crevice_${name} STATIC ${ARGN})
   add_library(crevice::${name} ALIAS crevice_${name})
@@ -25,6 +27,6 @@ function(crevice_library name)
   target_compile_options(crevice_${name} PRIVATE -fno-exceptions -fno-rtti)
   target_link_libraries(crevice_${name} PRIVATE $<BUILD_INTERFACE:crevice_flags>)
   target_include_directories(crevice_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/crevice>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()

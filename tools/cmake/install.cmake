@@ -8,39 +8,9 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/crevice)
 install(TARGETS crevice_core crevice_backends crevice_effects EXPORT creviceTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
-# Only what a host may include; the other headers are the libraries' own.
-set(public_headers
-  backends/context/context.h
-  backends/gl/device.h
-  backends/gl/loader.h
-  backends/recording/device.h
-  core/base/codes.h
-  core/config/description.h
-  core/gpu/device.h
-  core/base/diagnostic.h
-  core/json/document.h
-  core/gpu/format.h
-  core/frame/frame.h
-  core/frame/frame_times.h
-  core/sampling/generators.h
-  core/glsl/stage.h
-  core/base/image.h
-  core/frame/imports.h
-  core/json/lazy.h
-  core/config/load.h
-  core/json/merge.h
-  core/plan/plan.h
-  core/plan/optimizations.h
-  core/renderer/renderer.h
-  core/base/result.h
-  core/base/source.h
-  core/gpu/state.h
-  core/config/values.h
-  effects/catalog.h
-)
-foreach(header IN LISTS public_headers)
-  cmake_path(GET header PARENT_PATH folder)
-  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/crevice/${folder})
+# Only what a host may include, as <crevice/...>; all other headers are the libraries' own.
+foreach(library core backends effects)
+  install(DIRECTORY ${library}/include/crevice DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
 install(EXPORT creviceTargets NAMESPACE crevice:: DESTINATION ${config_dir})
 

@@ -12,8 +12,8 @@
 #include "tools/render/scene_upload.h"
 #include "tools/scene/options.h"
 
-#include "backends/recording/device.h"
-#include "core/config/load.h"
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
 
 #include <CLI/CLI.hpp>
 

@@ -8,9 +8,10 @@
 #include "tools/render/session.h"
 #include "tools/render/view_check.h"
 
+#include <crevice/config.h>
+
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/config/load.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 #include "tools/commands/commands.h"
 #include "tools/plan/planning.h"
 
-#include "core/config/load.h"
+#include <crevice/config.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

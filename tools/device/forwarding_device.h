@@ -2,7 +2,7 @@
 // A device that hands every call on to another: what devices that change a little of one begin with.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 namespace crevice {
 

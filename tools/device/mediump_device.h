@@ -6,7 +6,7 @@
 // writes it as GLSL again, all in highp.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 #include <memory>
 

@@ -2,7 +2,8 @@
 // Choosing a context and making the device in it.
 #include "tools/device/open_device.h"
 
-#include "backends/gl/device.h"
+#include <crevice/gl_device.h>
+
 #include "tools/device/mediump_device.h"
 
 #include <CLI/CLI.hpp>

@@ -2,8 +2,9 @@
 // A context without a window and the device in it: what --backend asks for.
 #pragma once
 
-#include "backends/context/context.h"
-#include "core/gpu/device.h"
+#include <crevice/context.h>
+#include <crevice/device.h>
+
 #include "tools/device/program_folder.h"
 
 #include <memory>

@@ -6,8 +6,8 @@
 // no reader ever sees half a file.
 #pragma once
 
-#include "core/base/image.h"
-#include "core/base/result.h"
+#include <crevice/image.h>
+#include <crevice/result.h>
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 // How many depth taps a pixel a config takes, and what to set for another number of them.
 #pragma once
 
-#include "core/config/description.h"
+#include <crevice/config.h>
 
 #include <string>
 #include <vector>

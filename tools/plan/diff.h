@@ -2,7 +2,7 @@
 // What one plan does otherwise than another: what `crevice explain --diff` prints.
 #pragma once
 
-#include "core/plan/plan.h"
+#include <crevice/plan.h>
 
 #include <string>
 #include <utility>

@@ -2,8 +2,8 @@
 // Where a value of a merged document came from: what `crevice explain --why` prints.
 #pragma once
 
-#include "core/json/document.h"
-#include "core/plan/plan.h"
+#include <crevice/document.h>
+#include <crevice/plan.h>
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 // The words in which plans are printed.
 #pragma once
 
-#include "core/plan/plan.h"
+#include <crevice/plan.h>
 
 namespace crevice {
 

@@ -2,7 +2,8 @@
 // Planning a config where there is no graphics device: what validate and explain work on.
 #pragma once
 
-#include "core/compile/compile.h"
+#include <crevice/compile.h>
+
 #include "tools/cli/config_options.h"
 
 namespace crevice {

@@ -2,7 +2,7 @@
 // Plans as text, JSON and Graphviz: what `crevice explain` prints.
 #pragma once
 
-#include "core/plan/plan.h"
+#include <crevice/plan.h>
 
 #include <string>
 

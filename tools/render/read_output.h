@@ -2,7 +2,7 @@
 // A renderer's output as an image in CPU memory.
 #pragma once
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include <string_view>
 

@@ -2,7 +2,8 @@
 // What `crevice render` does: a scene on a device, drawn through a config, and pictures of it.
 #pragma once
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tools/cli/config_options.h"
 #include "tools/cli/output_request.h"
 #include "tools/device/open_device.h"

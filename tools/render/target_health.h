@@ -2,8 +2,8 @@
 // What is wrong with the targets of a frame, which pass did it, and what probably made it do so.
 #pragma once
 
-#include "core/base/diagnostic.h"
-#include "core/compile/compile.h"
+#include <crevice/compile.h>
+#include <crevice/diagnostic.h>
 
 #include <array>
 #include <cstddef>

@@ -2,10 +2,11 @@
 // Distances in view, and the warnings that follow.
 #include "tools/render/view_check.h"
 
+#include <crevice/shipped.h>
+
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
-#include "effects/catalog.h"
 #include "tools/cli/config_options.h"
 #include "tools/render/read_output.h"
 #include "tools/scene/camera_framing.h"

@@ -2,8 +2,9 @@
 // Whether a view shows ambient occlusion at all: how far away its surfaces are, and how large a radius is there.
 #pragma once
 
-#include "core/compile/compile.h"
-#include "core/renderer/renderer.h"
+#include <crevice/compile.h>
+#include <crevice/renderer.h>
+
 #include "tools/scene/scene.h"
 
 #include <optional>

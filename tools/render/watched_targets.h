@@ -2,7 +2,7 @@
 // Having a config export all that its passes write, so that every target can be looked at.
 #pragma once
 
-#include "core/compile/compile.h"
+#include <crevice/compile.h>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // Which files a scene may name: regular ones below its own folder, or below one that was allowed.
 #pragma once
 
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
 
 #include <filesystem>
 #include <set>

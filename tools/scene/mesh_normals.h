@@ -3,7 +3,7 @@
 // looks like: files hold fans of a million triangles and as many copies of one.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 namespace crevice {
 

@@ -2,7 +2,7 @@
 // Simple meshes with outward normals, for scenes that need no file.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 #include <glm/vec3.hpp>
 

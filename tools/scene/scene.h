@@ -5,7 +5,7 @@
 // device upload and the ray tracer start from the same triangles.
 #pragma once
 
-#include "core/frame/frame.h"
+#include <crevice/frame.h>
 
 #include <string>
 #include <vector>

@@ -5,8 +5,9 @@
 
 #include "tools/schema/form.h"
 
+#include <crevice/document.h>
+
 #include "core/base/text.h"
-#include "core/json/document.h"
 
 #include <map>
 

@@ -3,7 +3,7 @@
 // (core/config/fields.h): what `crevice schema` prints.
 #pragma once
 
-#include "core/base/source.h"
+#include <crevice/source.h>
 
 #include <optional>
 #include <string>

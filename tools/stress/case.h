@@ -7,7 +7,7 @@
 
 #include "tools/scene/scene.h"
 
-#include "core/gpu/format.h"
+#include <crevice/device.h>
 
 #include <glm/vec2.hpp>
 

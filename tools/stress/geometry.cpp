@@ -5,7 +5,7 @@
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include <utility>
 

@@ -7,7 +7,7 @@
 #include "tools/stress/geometry.h"
 #include "tools/stress/record.h"
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include <map>
 #include <memory>

@@ -4,7 +4,7 @@
 
 #include "tools/stress/case.h"
 
-#include "core/base/result.h"
+#include <crevice/result.h>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // Planning and running the steps of stress cases.
 #include "tools/stress/run.h"
 
-#include "core/config/load.h"
+#include <crevice/config.h>
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Diagnostics as people and as programs see them.
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
+#include <crevice/document.h>
+
 #include "core/base/text.h"
-#include "core/json/document.h"
 
 #include "tests/support/catch.h"
 

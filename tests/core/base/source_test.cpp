@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sets of texts and the paths between them.
-#include "core/base/source.h"
+#include <crevice/source.h>
+
 #include "core/base/text.h"
 
 #include "tests/support/catch.h"

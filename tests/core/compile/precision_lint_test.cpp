@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a plan says of formats that are too coarse for camera and radius, and which it chooses.
+#include <crevice/config.h>
+#include <crevice/shipped.h>
+
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/config/load.h"
-#include "effects/catalog.h"
 #include "tests/support/renderer_rig.h"
 #include "tools/plan/planning.h"
+#include "tools/plan/print.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Decoding: the GLSL files that a config names and what they include.
-#include "core/glsl/stage.h"
+#include <crevice/glsl_stage.h>
+
 #include "tests/support/decode_fixture.h"
 
 #include <cstdio>
@@ -141,6 +142,7 @@ TEST_CASE("an interface that no module provides is told once, with modules that 
 {
     MemorySources sources = glslSources();
     sources.add("ssao/two.frag", "#include <surface>\n");
+    sources.add("geometry/a.json", R"({"interfaces": {"surface": "geometry/a.surface.glsl"}})");
     const auto result = decodeWith(
         {{"interfaces", ""},
          {"shaders", R"({"ao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/ao.frag"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Decoding, the names that nothing uses: a typo makes one, and it must not pass in silence.
-#include "core/config/load.h"
+#include <crevice/config.h>
+
 #include "tests/support/decode_fixture.h"
 #include "tests/support/plan_rig.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which files on disk a config may name, and which may be read at all.
+#include <crevice/config.h>
+
 #include "core/base/files.h"
-#include "core/config/description.h"
 
 #include "tests/support/load_fixture.h"
 #include "tests/support/temporary_folder.h"

@@ -5,10 +5,11 @@
 //
 // The whole takes long under sanitizers, so each run takes every third mutation; with
 // CREVICE_MUTATIONS=all in the environment it takes all of them.
-#include "backends/recording/device.h"
-#include "core/config/load.h"
-#include "core/renderer/renderer.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 
 #include <algorithm>

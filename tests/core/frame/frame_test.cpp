@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a plan may depend on, drawn from a frame; and the least device.
-#include "core/frame/frame.h"
+#include <crevice/frame.h>
 
 #include "tests/support/catch.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Driver logs become diagnostics in the author's files.
-#include "core/glsl/stage.h"
+#include <crevice/glsl_stage.h>
 
 #include "tests/support/catch.h"
 

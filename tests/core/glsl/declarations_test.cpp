@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The scan: what a stage declares, found without a GL context.
-#include "core/glsl/stage.h"
+#include <crevice/glsl_stage.h>
 
 #include "tests/support/catch.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Assembled stages in a real driver: what it reads, and where its messages lead.
-#include "core/glsl/stage.h"
+#include <crevice/glsl_stage.h>
 
 #include "tests/support/gl_fixture.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shader stages: includes, #line, defines, conditions.
-#include "core/glsl/stage.h"
+#include <crevice/glsl_stage.h>
 
 #include "tests/support/catch.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Meshes that no device takes, refused before any memory is asked for.
-#include "backends/gl/device.h"
-#include "backends/recording/device.h"
+#include <crevice/gl_device.h>
+#include <crevice/recording_device.h>
+
 #include "tests/support/need.h"
 #include "tests/support/watched_gl.h"
 

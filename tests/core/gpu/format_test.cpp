@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texture formats: the table is whole and true to OpenGL ES 3.0.
-#include "core/gpu/format.h"
+#include <crevice/device.h>
+
 #include "tests/support/catch.h"
 
 #include <set>

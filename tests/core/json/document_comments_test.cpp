@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Comments and commas behind the last entry, in all JSON that users write.
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 #include "tests/support/catch.h"
 

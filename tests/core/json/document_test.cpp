@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Documents: values with their places, and every way in which a text is none.
-#include "core/json/document.h"
+#include <crevice/document.h>
 
 #include "tests/support/catch.h"
 

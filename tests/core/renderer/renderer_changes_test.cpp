@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What is set at run time: which values compile shaders, and all of them as the smallest patch.
-#include "core/config/load.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
+
 #include "core/json/merge.h"
-#include "effects/catalog.h"
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
+#include "core/config/values.h"
 
 using namespace crevice;
 

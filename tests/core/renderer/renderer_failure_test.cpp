@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The renderer on a device that fails: an error, no leak, and what worked before works on.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/failing_changes.h"
 #include "tests/support/renderer_rig.h"
+#include "core/config/values.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What shaders see of a frame, and which frames are refused.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include "core/frame/frame_math.h"
 #include "tests/support/catch.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The renderer keeps its plan in step with params, features, size and scene.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"

@@ -2,7 +2,7 @@
 // Steady frames allocate no memory. Counts every operator new of the program.
 #include "tests/support/allocations.h"
 
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"

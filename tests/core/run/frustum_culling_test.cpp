@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Things outside the view: never one of which a part could show, and most that are far from it.
+#include <crevice/renderer.h>
+
 #include "core/base/text.h"
 #include "core/frame/frame_math.h"
-#include "core/renderer/renderer.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 #include "tests/support/shipped_subjects.h"

@@ -2,7 +2,8 @@
 // A plan that no config stands behind, on the recording device: what running needs is in the plan.
 #include "core/run/execution.h"
 
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
+
 #include "core/frame/frame_values.h"
 #include "tests/support/catch.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hosts that hand in what is not there or not finite, or that call without their context.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
+
 #include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A renderer that lives long: ten thousand resizes, reloads, swaps and settings later nothing has grown.
-#include "backends/gl/device.h"
+#include <crevice/gl_device.h>
+
 #include "tests/support/allocations.h"
 #include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Multisampled targets: what a plan makes of them, and what a device is asked to do.
-#include "backends/recording/device.h"
-#include "core/renderer/renderer.h"
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+
 #include "tests/support/plan_rig.h"
 #include "tests/support/renderer_rig.h"
 

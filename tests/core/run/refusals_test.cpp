@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Combinations of shipped modules that make no sense: one error each, with a place and the way out.
-#include "backends/recording/device.h"
-#include "core/config/load.h"
-#include "core/compile/compile.h"
-#include "effects/catalog.h"
+#include <crevice/compile.h>
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/modules.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames that are timed pass by pass: which clock is taken, in which order, and when it is void.
-#include "core/renderer/renderer.h"
+#include <crevice/renderer.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/need.h"

@@ -3,7 +3,8 @@
 #include "tools/bench/ablation.h"
 #include "tools/bench/measure.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
+
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/image/image_file.h"

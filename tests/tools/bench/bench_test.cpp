@@ -2,7 +2,8 @@
 // Benches without GL: their points, keys, shards and figures.
 #include "tools/bench/bench.h"
 
-#include "core/plan/plan.h"
+#include <crevice/plan.h>
+
 #include "tests/tools/bench/small.h"
 #include "tools/bench/errors.h"
 #include "tools/bench/times.h"

@@ -2,7 +2,8 @@
 // A small bench to plan, for tests without GL.
 #pragma once
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 #include "tools/bench/bench.h"
 

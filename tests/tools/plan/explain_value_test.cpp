@@ -2,9 +2,10 @@
 // Finding a value by pointer, path or bare name, and telling who set it.
 #include "tests/support/catch.h"
 
-#include "core/config/load.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
+
 #include "core/json/merge.h"
-#include "effects/catalog.h"
 #include "tools/plan/explain_value.h"
 #include "tools/plan/planning.h"
 

@@ -2,7 +2,8 @@
 // What `crevice validate` calls ok plans in every scene and under every camera.
 #include "tests/support/catch.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
+
 #include "tests/support/temporary_folder.h"
 #include "tools/plan/planning.h"
 

@@ -2,7 +2,8 @@
 // Scenes on a device, and the frames made from them.
 #include "tools/render/scene_upload.h"
 
-#include "backends/recording/device.h"
+#include <crevice/recording_device.h>
+
 #include "tests/support/catch.h"
 #include "tools/scene/mesh_shapes.h"
 

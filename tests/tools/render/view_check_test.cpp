@@ -6,8 +6,8 @@
 #include "tools/plan/planning.h"
 #include "tools/scene/camera_framing.h"
 
-#include "core/config/load.h"
-#include "effects/catalog.h"
+#include <crevice/config.h>
+#include <crevice/shipped.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -4,7 +4,8 @@
 #include "tools/stress/run.h"
 #include "tools/stress/scenes.h"
 
-#include "effects/catalog.h"
+#include <crevice/shipped.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"

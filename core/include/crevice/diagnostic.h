@@ -9,8 +9,8 @@
 //       help: did you mean 'ao_filtered'? targets: albedo, ao, ao_filtered, color, depth, normal
 #pragma once
 
-#include "core/base/codes.h"
-#include "core/base/source.h"
+#include <crevice/codes.h>
+#include <crevice/source.h>
 
 #include <string>
 #include <string_view>

@@ -5,8 +5,8 @@
 // the same plan on every machine, so tests compare plans as text.
 #pragma once
 
-#include "core/config/description.h"
-#include "core/plan/plan.h"
+#include <crevice/config.h>
+#include <crevice/plan.h>
 
 #include <string>
 #include <vector>

@@ -11,15 +11,15 @@
 // trait or a param that is bound as a define changes.
 #pragma once
 
-#include "core/compile/compile.h"
-#include "core/config/values.h"
-#include "core/frame/frame.h"
-#include "core/frame/frame_times.h"
+#include <crevice/compile.h>
+#include <crevice/frame.h>
 
 #include <memory>
 #include <string>
 
 namespace crevice {
+
+struct Values;
 
 class Renderer {
 public:
@@ -103,7 +103,7 @@ private:
     struct State;
     explicit Renderer(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
-    Values loaded_;
+    std::unique_ptr<Values> loaded_;  // those that the config gave
 };
 
 }  // namespace crevice

@@ -6,7 +6,7 @@
 // destroyed. It can also fail on demand, as a device without memory would.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 #include <bitset>
 #include <initializer_list>

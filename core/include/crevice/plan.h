@@ -5,18 +5,25 @@
 // and a host may as well fill one by hand.
 #pragma once
 
-#include "core/frame/frame.h"
-#include "core/frame/imports.h"
-#include "core/glsl/stage.h"
-#include "core/gpu/device.h"
-#include "core/plan/optimizations.h"
-#include "core/sampling/generators.h"
+#include <crevice/device.h>
+#include <crevice/frame.h>
+#include <crevice/glsl_stage.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
 namespace crevice {
+
+struct Optimization {
+    const char* name;     ///< As CompileOptions::disable and Elided::optimization have it.
+    const char* meaning;  ///< What it leaves out.
+};
+
+/// Those that may be switched off.
+extern const Optimization kOptimizations[7];
+
+std::vector<std::string> optimizationNames();
 
 /// A texture that the renderer creates. Targets whose lifetimes do not meet share one.
 struct PlanTexture {

@@ -13,7 +13,8 @@
 // Below it lie loadConfig, decode, compile and Renderer, for applications that want one of those steps.
 #pragma once
 
-#include "core/renderer/renderer.h"
+#include <crevice/device.h>
+#include <crevice/result.h>
 
 #include <cstdint>
 #include <memory>
@@ -22,6 +23,9 @@
 #include <vector>
 
 namespace crevice {
+
+class Renderer;
+struct Frame;
 
 class Effect {
 public:
@@ -74,10 +78,10 @@ public:
     /// The same as an id of the device, for Device::present and Device::readTexture.
     TextureId output(std::string_view name) const;
 
-    /// Draw list, materials, lights and all else that the next frame is drawn from.
+    /// Draw list, materials, lights and all else that the next frame is drawn from (<crevice/frame.h>).
     Frame& frame();
 
-    /// What runs below: the plan, times of passes, changes of params as a patch.
+    /// What runs below: the plan, times of passes, changes of params as a patch (<crevice/renderer.h>).
     Renderer& renderer();
 
 private:

@@ -23,7 +23,8 @@
 // camera, lights and the matrices of the last frame are those of the view at hand.
 #pragma once
 
-#include "core/gpu/device.h"
+#include <crevice/device.h>
+#include <crevice/source.h>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -32,6 +33,30 @@
 #include <vector>
 
 namespace crevice {
+
+// The libraries are built with GLM's packed float types. A host that forces aligned ones would read other
+// offsets than they write.
+static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec4) == 4 && alignof(glm::dmat4) == 8,
+              "crevice's structs hold packed GLM types: include <crevice/effect.h> alone, which has no GLM types, "
+              "or build this file without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+
+enum class ImportType { camera, draw_list, lights, texture };
+
+/// What the host supplies. A camera, draw list and lights give the uniforms listed in
+/// <crevice/frame.h>; a texture is a sampler of the import's name.
+struct ImportDesc : Named {
+    ImportType type = ImportType::texture;
+    bool optional = false;  ///< Absent is allowed: 0 for a texture, no lights, nothing drawn.
+    std::string format = "depth24";  ///< Of a texture: how finely it tells values apart.
+};
+
+/// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
+struct GeneratorDesc : Named {
+    std::string generator;  ///< One of generatorNames().
+    int count = 16;         ///< Offsets of a kernel, or pixels along a side of a noise.
+    std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
+    unsigned seed = 1;
+};
 
 /// Lights that one frame may have: 16 take 48 of the 224 uniform vectors every device has.
 constexpr int kMaxLights = 16;
@@ -162,5 +187,23 @@ struct SceneTraits {
 };
 
 SceneTraits traitsOf(const Frame& frame);
+
+enum class TimingMethod {
+    wall_clock,  ///< CPU and GPU together, waiting for the GPU after each pass: no two overlap.
+    gpu_timer,   ///< The GPU alone, nothing waiting.
+};
+
+/// All in milliseconds. Compare only figures of one method.
+struct FrameTimes {
+    TimingMethod method = TimingMethod::wall_clock;
+
+    /// In the order of the plan's passes, each with all views together. Negative where the GPU's
+    /// timer gave no valid result.
+    std::vector<double> pass_ms = {};
+
+    /// By the clock: all of the frame, with what lies between the passes. By the GPU's timer: the
+    /// sum of the passes, or -1 when one of them is void; then draw again.
+    double total_ms = 0;
+};
 
 }  // namespace crevice

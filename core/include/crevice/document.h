@@ -8,7 +8,7 @@
 // equal keys and reads 16.7 as the int 16).
 #pragma once
 
-#include "core/base/result.h"
+#include <crevice/result.h>
 
 #include <cstdint>
 #include <string>

@@ -6,17 +6,82 @@
 // may assert that what it gets makes sense.
 #pragma once
 
-#include "core/base/image.h"
-#include "core/base/result.h"
-#include "core/glsl/stage.h"
-#include "core/gpu/format.h"
-#include "core/gpu/state.h"
+#include <crevice/glsl_stage.h>
+#include <crevice/image.h>
+#include <crevice/result.h>
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace crevice {
+
+enum class Format {
+    none,
+    r8,
+    rg8,
+    rgba8,
+    rgb10_a2,
+    r16f,
+    rg16f,
+    rgba16f,
+    r32f,
+    rg32f,
+    rgba32f,
+    r11g11b10f,
+    depth16,
+    depth24,
+    depth32f,
+};
+
+constexpr int kFormatCount = 15;
+
+enum class FormatClass { none, unorm, floating, depth };
+
+/// What holds for a format on every device.
+struct FormatInfo {
+    Format format;
+    const char* name;  ///< The JSON spelling.
+    FormatClass format_class;
+    int channels;
+    int bytes;       ///< A texel; depth24 counts 4.
+    bool core_renderable;  ///< OpenGL ES 3.0 renders to it with no extension.
+    bool filterable;       ///< ... and reads it with the filter linear; else that reads black
+                           ///< (table 3.13, section 3.8.13).
+    double absolute_step;  ///< Between neighbouring values: this much,
+    double relative_step;  ///< and this share of the value, at most.
+};
+
+/// Facts about `format`; Format::none has zero channels and bytes.
+const FormatInfo& formatInfo(Format format);
+
+/// The format of that JSON name; Format::none when there is none.
+Format formatFromName(std::string_view name);
+
+/// The JSON spellings of all formats but none, in the order of the enum.
+const std::vector<std::string>& formatNames();
+
+/// All formats but none, in the order of the enum.
+const std::vector<FormatInfo>& allFormats();
+
+/// Most samples that a pixel may have; what a device draws, `DeviceCaps::sample_counts` says.
+constexpr int kMaxSamples = 32;
+
+/// Draws the draw list, or one triangle over the target.
+enum class PassType { draw, fullscreen };
+
+enum class Cull { none, back, front };
+enum class Compare { always, less, less_equal, greater, greater_equal, equal };
+enum class Filter { nearest, linear };
+enum class Wrap { clamp, repeat };
+
+/// Fixed-function state.
+struct StateDesc {
+    Compare depth_test = Compare::always;  ///< A draw pass with a depth target defaults to less.
+    bool depth_write = false;              ///< ... and to true.
+    Cull cull = Cull::none;
+};
 
 struct TextureId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
 struct MeshId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };

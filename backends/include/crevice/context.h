@@ -5,8 +5,8 @@
 // EGL and OSMesa are opened when a context is asked for; nothing links them.
 #pragma once
 
-#include "backends/gl/loader.h"
-#include "core/base/result.h"
+#include <crevice/gl_device.h>
+#include <crevice/result.h>
 
 #include <memory>
 #include <string>

@@ -7,7 +7,8 @@
 // the declarations that the compiler will see.
 #pragma once
 
-#include "core/base/result.h"
+#include <crevice/result.h>
+
 
 #include <map>
 #include <string>

@@ -2,7 +2,7 @@
 // Result<T>: a value, or the diagnostics that say why there is none. Nothing in crevice throws.
 #pragma once
 
-#include "core/base/diagnostic.h"
+#include <crevice/diagnostic.h>
 
 #include <cassert>
 #include <optional>

@@ -2,7 +2,7 @@
 // The shipped modules and configs, embedded in the library at build time.
 #pragma once
 
-#include "core/base/source.h"
+#include <crevice/source.h>
 
 namespace crevice {
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The device on a GL context: OpenGL ES 3.0 to 3.2, or desktop OpenGL that takes ES 3.0 shaders.
 //
-// It adopts whatever context is current: the application's own, or one of backends/context/context.h. It
+// It adopts whatever context is current: the application's own, or one of <crevice/context.h>. It
 // keeps the context's state and puts it back; backends/gl/state.h lists exactly what.
 //
 //     auto device = makeGlDevice([](const char* name) { return (void*)eglGetProcAddress(name); });
 #pragma once
 
-#include "backends/gl/loader.h"
-#include "core/gpu/device.h"
+#include <crevice/device.h>
 
 #include <cstdint>
 #include <functional>
@@ -17,6 +16,10 @@
 #include <vector>
 
 namespace crevice {
+
+/// Finds a function of the current context by its name, "glClear"; null when there is none.
+/// What `eglGetProcAddress` is wrapped in. Must not be empty.
+using GlLoader = std::function<void*(const char* name)>;
 
 /// Where a host keeps linked programs between runs, so that the next run compiles none of them: in a
 /// folder, say, with a file for each. The library itself writes no file.
