@@ -33,13 +33,6 @@ bool isText(const fs::path& path)
     return false;
 }
 
-template <class Texts>
-auto lowerBound(Texts& texts, std::string_view path)
-{
-    const auto before = [](const auto& entry, std::string_view key) { return entry.first < key; };
-    return std::lower_bound(texts.begin(), texts.end(), path, before);
-}
-
 std::shared_ptr<SourceText> readText(const std::string& path)
 {
     FileBytes file = readStart(path, kMaxDocumentBytes + 1);
@@ -55,17 +48,13 @@ std::shared_ptr<SourceText> readText(const std::string& path)
 void MemorySources::add(std::string path, std::string text, std::string name)
 {
     if (name.empty()) name = path;
-    auto source = std::make_shared<SourceText>(
-        SourceText{std::move(name), std::move(text), path});
-    const auto at = lowerBound(texts_, path);
-    if (at != texts_.end() && at->first == path) at->second = std::move(source);
-    else texts_.emplace(at, std::move(path), std::move(source));
+    texts_[path] = std::make_shared<SourceText>(SourceText{std::move(name), std::move(text), path});
 }
 
 SourceRef MemorySources::find(std::string_view path) const
 {
-    const auto at = lowerBound(texts_, path);
-    return at != texts_.end() && at->first == path ? at->second : nullptr;
+    const auto at = texts_.find(path);
+    return at != texts_.end() ? at->second : nullptr;
 }
 
 std::vector<std::string> MemorySources::list() const
@@ -136,10 +125,11 @@ bool isRelative(std::string_view path)
     return startsWith(path, "./") || startsWith(path, "../");
 }
 
+bool isOnDisk(std::string_view path) { return startsWith(path, "/") || isRelative(path); }
+
 std::string resolvePath(std::string_view from, std::string_view path)
 {
     if (!isRelative(path)) return std::string(path);
-    const bool on_disk = startsWith(from, "/") || isRelative(from);
     std::vector<std::string_view> parts = split(from, '/');
     parts.pop_back();
     for (const std::string_view part : split(path, '/')) {
@@ -149,22 +139,18 @@ std::string resolvePath(std::string_view from, std::string_view path)
                              parts.back() == "..";
         if (!climbs) parts.push_back(part);
         else if (!at_root) parts.pop_back();
-        else if (!on_disk) return {};
+        else if (!isOnDisk(from)) return {};
         else parts.push_back(part);
     }
-    std::string joined;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i > 0) joined += '/';
-        joined += parts[i];
-    }
-    return joined;
+    std::string whole(parts.empty() ? "" : parts.front());
+    for (std::size_t i = 1; i < parts.size(); ++i) whole.append("/").append(parts[i]);
+    return whole;
 }
 
 std::string locationOf(const SourceText& source)
 {
     if (!source.path.empty()) return source.path;
-    const bool on_disk = startsWith(source.name, "/") || isRelative(source.name);
-    return on_disk ? source.name : "./" + source.name;
+    return isOnDisk(source.name) ? source.name : "./" + source.name;
 }
 
 SourceRef readFile(const std::string& path, SourceRoots roots)

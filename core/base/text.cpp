@@ -77,6 +77,16 @@ char shortEscape(char c)
 
 }  // namespace
 
+std::size_t findWord(std::string_view text, std::string_view word, std::size_t begin)
+{
+    for (auto at = text.find(word, begin); at != text.npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool starts = at == 0 || !isWord(text[at - 1]);
+        if (starts && (end == text.size() || !isWord(text[end]))) return at;
+    }
+    return text.npos;
+}
+
 bool startsWith(std::string_view text, std::string_view start)
 {
     return text.substr(0, start.size()) == start;
@@ -155,7 +165,7 @@ std::string upperCase(std::string_view text)
 {
     std::string upper(text);
     for (char& c : upper)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+        if (isLower(c)) c = static_cast<char>(c - 'a' + 'A');
     return upper;
 }
 
@@ -163,7 +173,7 @@ std::string lowerCase(std::string_view text)
 {
     std::string lower(text);
     for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
     return lower;
 }
 

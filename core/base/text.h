@@ -8,6 +8,18 @@
 
 namespace crevice {
 
+// Of ASCII, whatever the locale is.
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+inline bool isLower(char c) { return c >= 'a' && c <= 'z'; }
+inline bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
+
+/// What an identifier of GLSL may begin with, and what it may go on with.
+inline bool isWordStart(char c) { return isLower(c) || isUpper(c) || c == '_'; }
+inline bool isWord(char c) { return isWordStart(c) || isDigit(c); }
+
+/// Where `word` stands in the text as a word of its own, from `begin` on; npos where nowhere.
+std::size_t findWord(std::string_view text, std::string_view word, std::size_t begin = 0);
+
 bool startsWith(std::string_view text, std::string_view start);
 bool endsWith(std::string_view text, std::string_view end);
 

@@ -2,6 +2,7 @@
 // Which passes run: `when` against features and the scene's traits.
 #include "core/compile/steps.h"
 
+#include "core/base/text.h"
 #include "core/frame/frame_values.h"
 
 namespace crevice::compiler {
@@ -38,10 +39,8 @@ bool termHolds(const State& state, const Condition::Term& term)
 // "it needs scene.lights true, and scene.lights is 0".
 std::string whyNot(const State& state, const Condition::Term& term)
 {
-    std::string wanted;
-    for (const std::string& value : term.values) wanted += (wanted.empty() ? "" : " or ") + value;
     const std::string& subject = term.subject.name;
-    return "it needs " + subject + " " + wanted + ", and " + subject + " is " +
+    return "it needs " + subject + " " + joined(term.values, " or ") + ", and " + subject + " is " +
            valueOf(state, subject);
 }
 

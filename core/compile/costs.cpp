@@ -48,8 +48,7 @@ double texturesOf(const State& state, const Pass& pass)
 {
     double bytes = 0;
     for (const int target : writtenBy(pass))
-        bytes += sizeOf(state, target).width * static_cast<double>(sizeOf(state, target).height) *
-                 formatInfo(state.targets[target].format).bytes;
+        bytes += pixels(sizeOf(state, target)) * formatInfo(state.targets[target].format).bytes;
     return bytes;
 }
 

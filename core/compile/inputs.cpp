@@ -2,6 +2,7 @@
 // Samplers: the target, texture or import behind each, and renames of what no shader has.
 #include "core/compile/steps.h"
 
+#include "core/base/text.h"
 #include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
 
@@ -51,18 +52,13 @@ std::vector<std::string> texturesOf(const State& state)
     return names;
 }
 
-bool isWord(char c)
-{
-    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 // Looks through every file that the shader could include, whatever the #ifs say.
 bool mentionedAnywhere(const State& state, const std::string& path, std::string_view word,
                        std::set<std::string>& seen)
 {
     const auto file = state.description.files.find(path);
     if (file == state.description.files.end() || !seen.insert(path).second) return false;
-    if (mentions(file->second->text, word)) return true;
+    if (findWord(file->second->text, word) != std::string::npos) return true;
     for (const GlslInclude& include : findIncludes(file->second)) {
         const InterfaceDesc* interface = findNamed(state.description.interfaces, include.name);
         const std::string next = !include.interface ? resolvePath(path, include.name)
@@ -124,16 +120,6 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
 }
 
 }  // namespace
-
-bool mentions(std::string_view text, std::string_view word)
-{
-    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-        const bool starts = at == 0 || !isWord(text[at - 1]);
-        const auto end = at + word.size();
-        if (starts && (end == text.size() || !isWord(text[end]))) return true;
-    }
-    return false;
-}
 
 void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
 {

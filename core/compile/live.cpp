@@ -2,8 +2,6 @@
 // What is needed: which passes some output hangs on, and what stands in for those that do not run.
 #include "core/compile/steps.h"
 
-#include "core/base/numbers.h"
-
 #include <algorithm>
 
 namespace crevice::compiler {
@@ -64,15 +62,14 @@ bool storedAlike(const State& state, int replaced, int by)
            given.absolute_step == wanted.absolute_step && given.relative_step == wanted.relative_step;
 }
 
-// The first target that the no-op gives for one of another format; null where there is none.
-const NoOpDesc::Gives* givenOtherwise(const State& state, const NoOpDesc& no_op)
+// Whether each target that the no-op gives for another one is stored as that is.
+bool givesAlike(const State& state, const NoOpDesc& no_op)
 {
-    for (const NoOpDesc::Gives& each : no_op.gives) {
+    return std::all_of(no_op.gives.begin(), no_op.gives.end(), [&](const NoOpDesc::Gives& each) {
         const int replaced = indexOf(state.description.targets, each.output.name);
         const int by = indexOf(state.description.targets, each.input.name);
-        if (!each.constant && replaced >= 0 && by >= 0 && !storedAlike(state, replaced, by)) return &each;
-    }
-    return nullptr;
+        return each.constant || replaced < 0 || by < 0 || storedAlike(state, replaced, by);
+    });
 }
 
 // The next no-op of the pass, after its present one, whose param has its value.
@@ -81,7 +78,7 @@ const NoOpDesc* nextNoOp(const State& state, const Pass& pass)
     const std::vector<NoOpDesc>& all = pass.desc->no_op;
     std::size_t i = pass.no_op ? pass.no_op - all.data() + 1 : 0;
     for (; i < all.size(); ++i)
-        if (holds(state.description, all[i]) && !givenOtherwise(state, all[i])) return &all[i];
+        if (holds(state.description, all[i]) && givesAlike(state, all[i])) return &all[i];
     return nullptr;
 }
 
@@ -190,21 +187,6 @@ std::optional<Source> resolve(const State& state, const Source& source)
 std::optional<Source> resolveTarget(const State& state, int target)
 {
     return resolve(state, {InputKind::target, target});
-}
-
-std::vector<std::string> droppedNoOps(const State& state, const Pass& pass)
-{
-    std::vector<std::string> dropped;
-    const auto named = [&](const std::string& target) {
-        const Format format = state.targets[indexOf(state.description.targets, target)].format;
-        return target + " (" + formatInfo(format).name + ")";
-    };
-    for (const NoOpDesc& each : pass.desc->no_op)
-        if (const NoOpDesc::Gives* gives = givenOtherwise(state, each))
-            dropped.push_back("runs also where " + each.param.name + " is " + shortest(each.at) + ": " +
-                              named(gives->input.name) + " is not stored as " +
-                              named(gives->output.name) + " is");
-    return dropped;
 }
 
 void chooseLive(State& state)

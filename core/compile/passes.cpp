@@ -178,7 +178,7 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     const bool keeps = desc.type == PassType::draw || state.depth_test != Compare::always ||
                        (depth && !state.depth_write) || readsMask(pass) ||
                        isScissored(state_, pass) ||
-                       mentions(state_.shaders[pass.shader].fragment.text, "discard");
+                       findWord(state_.shaders[pass.shader].fragment.text, "discard") != std::string::npos;
     if (!keeps) {
         result.reason = "every pixel is overwritten";
         return result;
@@ -268,7 +268,6 @@ void Builder::addPass(int index)
     if (result.has_depth) result.depth = attachment(pass, pass.depth, true);
     addMask(pass, result);
     addUniforms(pass, result);
-    result.notes = droppedNoOps(state_, pass);
     plan_.passes.push_back(std::move(result));
 }
 

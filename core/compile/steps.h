@@ -38,8 +38,6 @@ void checkInputs(State& state, const Pass& pass);
 SamplerDesc samplingOf(const Read& read);
 /// Whether a mask of its own says where the pass is drawn.
 bool readsMask(const Pass& pass);
-/// True when `word` stands in the text as a word of its own.
-bool mentions(std::string_view text, std::string_view word);
 
 // uniforms.cpp
 /// Finds what feeds the uniform, and adds that to the pass.
@@ -60,8 +58,6 @@ void orderPasses(State& state);
 // live.cpp
 void chooseLive(State& state);
 
-/// What `no_op` says of the pass and formats do not allow, each a sentence without its subject.
-std::vector<std::string> droppedNoOps(const State& state, const Pass& pass);
 /// What a reader gets, with inactive passes and those that a no-op replaces looked through;
 /// nothing when no active pass is behind it.
 std::optional<Source> resolve(const State& state, const Source& source);

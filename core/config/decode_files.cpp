@@ -5,6 +5,7 @@
 #include <crevice/glsl_stage.h>
 
 #include "core/base/files.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 
@@ -17,19 +18,13 @@ struct Found {
     SourceRef source;
 };
 
-bool isOnDisk(std::string_view path)
-{
-    return path.substr(0, 1) == "/" || path.substr(0, 1) == ".";  // no path in sources begins so
-}
-
 // What `name`, written by `writer` in the file at `from`, stands for. Only "./" and "../" leave the
 // sources, and only from a file on disk. Errors, without a place: CV1204, CV1006.
 Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const std::string& from,
                        const std::string& name)
 {
-    const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
     const std::string key = resolvePath(from, name);
-    const bool disk = relative && isOnDisk(from);
+    const bool disk = isRelative(name) && isOnDisk(from);
     const Result<SourceRef> found = disk ? openNamed(writer, key) : sources.find(key);
     if (!found) return found.diagnostics();
     if (*found && (*found)->text.size() > kMaxDocumentBytes)
@@ -41,11 +36,8 @@ Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const
 std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::string& ending)
 {
     std::vector<std::string> paths;
-    for (const std::string& path : sources.list()) {
-        const bool longer = path.size() >= ending.size();
-        if (longer && path.compare(path.size() - ending.size(), ending.size(), ending) == 0)
-            paths.push_back(path);
-    }
+    for (const std::string& path : sources.list())
+        if (endsWith(path, ending)) paths.push_back(path);
     return paths;
 }
 
@@ -61,8 +53,7 @@ std::string suggestFile(const SourceSet& sources, const std::string& name,
                         const std::string& ending)
 {
     const std::string help = suggestName(name, filesEndingIn(sources, ending), "files");
-    const bool relative = name.substr(0, 2) == "./" || name.substr(0, 3) == "../";
-    return relative ? "the path is seen from the folder of the file that has it; " + help : help;
+    return isRelative(name) ? "the path is seen from the folder of the file that has it; " + help : help;
 }
 
 class FileReader {

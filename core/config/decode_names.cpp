@@ -131,24 +131,18 @@ void checkCount(const Node& document, const Description& description,
         .help = "4 suits a 4x4 filter; larger noises need larger filters";
 }
 
-void checkScale(const Node& document, const Description& description, const TargetDesc& target,
+void checkTaken(const Node& document, const Description& description, const TargetDesc& target,
                 Report& report)
 {
-    if (target.size.scale_param.pointer.empty()) return;
-    checkTaken(document, description,
-               {"target '" + target.name + "'", "scale", target.size.scale_param, false,
-                kSmallestScale, kLargestScale},
-               report);
-}
-
-void checkSamples(const Node& document, const Description& description, const TargetDesc& target,
-                  Report& report)
-{
-    if (target.samples_param.pointer.empty()) return;
-    checkTaken(document, description,
-               {"target '" + target.name + "'", "samples", target.samples_param, true, 1.0,
-                static_cast<double>(kMaxSamples)},
-               report);
+    const SizeDesc& size = target.size;
+    const std::string what = "target '" + target.name + "'";
+    const double most = kMaxSamples;
+    if (!size.scale_param.pointer.empty())
+        checkTaken(document, description,
+                   {what, "scale", size.scale_param, false, kSmallestScale, kLargestScale}, report);
+    if (!target.samples_param.pointer.empty())
+        checkTaken(document, description, {what, "samples", target.samples_param, true, 1.0, most},
+                   report);
 }
 
 void reportSizeCycle(std::vector<const TargetDesc*> cycle, Report& report)
@@ -211,10 +205,8 @@ void checkNames(const Node& document, const Description& description, Report& re
     for (const ParamDesc& each : description.params) blameBound(document, each, report);
     for (const GeneratedDesc& each : description.generated)
         checkCount(document, description, each, report);
-    for (const TargetDesc& each : description.targets) {
-        checkScale(document, description, each, report);
-        checkSamples(document, description, each, report);
-    }
+    for (const TargetDesc& each : description.targets)
+        checkTaken(document, description, each, report);
     checkSizeCycles(description, report);
     checkCollisions(description, report);
 }

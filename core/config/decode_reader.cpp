@@ -14,21 +14,6 @@ namespace {
 // One GLSL line holds it with room to spare, and the shortest limit among drivers is far longer.
 constexpr std::size_t kMaxNameBytes = 64;
 
-bool isLower(char c)
-{
-    return c >= 'a' && c <= 'z';
-}
-
-bool isUpper(char c)
-{
-    return c >= 'A' && c <= 'Z';
-}
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 // What people write who know other systems, and what this format calls it.
 constexpr struct {
     const char* written;
@@ -84,11 +69,12 @@ std::string spellName(std::string_view name)
     std::string out;
     for (std::size_t i = 0; i < name.size(); ++i) {
         const bool hump = isUpper(name[i]) && i > 0 && !isUpper(name[i - 1]);
-        const bool kept = isLower(name[i]) || isUpper(name[i]) || isDigit(name[i]);
+        const bool kept = isWord(name[i]) && name[i] != '_';
         if ((hump || !kept) && !out.empty() && out.back() != '_') out += '_';
-        if (kept) out += isUpper(name[i]) ? static_cast<char>(name[i] - 'A' + 'a') : name[i];
+        if (kept) out += name[i];
     }
     while (!out.empty() && out.back() == '_') out.pop_back();
+    out = lowerCase(out);
     if (out.substr(0, 3) == "gl_") out.erase(0, 3);
     if (out.empty()) return "name";
     if (!isLower(out.front())) out.insert(0, "my_");

@@ -112,13 +112,6 @@ bool Report::errorAt(std::string_view pointer) const
                        [&](const Entry& entry) { return entry.diagnostic.pointer == pointer; });
 }
 
-bool Report::errorWithin(std::string_view pointer) const
-{
-    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-        return isWithin(entry.diagnostic.pointer, pointer);
-    });
-}
-
 Diagnostic* Report::firstWithin(std::string_view pointer)
 {
     for (Entry& entry : entries_)

@@ -55,7 +55,7 @@ public:
 
     /// Whether an error was reported at the pointer, or at it or below.
     bool errorAt(std::string_view pointer) const;
-    bool errorWithin(std::string_view pointer) const;
+    bool errorWithin(std::string_view pointer) { return firstWithin(pointer) != nullptr; }
 
     /// Everything, in the order of the document, each mistake once.
     Diagnostics take(const Node& document);

@@ -165,13 +165,9 @@ bool forEachItem(Report& report, const Cursor& cursor, F each)
 
 bool isMacroName(std::string_view name)
 {
-    const auto letter = [](char c) {
-        return c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    };
-    const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9'); };
-    return !name.empty() && letter(name.front()) && name.substr(0, 3) != "GL_" &&
+    return !name.empty() && isWordStart(name.front()) && name.substr(0, 3) != "GL_" &&
            name.find("__") == std::string_view::npos &&
-           std::all_of(name.begin(), name.end(), allowed);
+           std::all_of(name.begin(), name.end(), isWord);
 }
 
 }  // namespace

@@ -167,18 +167,13 @@ public:
     Diagnostics errors;
 
 private:
-    struct Opened {
-        std::string no_op;
-        std::string name;
-    };
     // What a file extends, and where that is written.
     struct Extends {
         std::optional<Node> list;
         std::string pointer;
     };
-    // Of a file that has been read; in the order of `bodies`.
-    struct Read {
-        std::string no_op;
+    struct File {
+        std::string identity;
         std::string name;
         Asked asked;
     };
@@ -190,7 +185,7 @@ private:
 
     void readSwaps();
     const Node& swapped(const Node& entry);
-    bool mayOpen(const Opened& file, const Asked& asked);
+    bool mayOpen(const File& file);
     Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
     Extends takeExtends(Node& document);
     void loadExtended(const Extends& extends);
@@ -200,9 +195,9 @@ private:
 
     const SourceSet& sources_;
     const LoadRequest& request_;
-    std::vector<Opened> open_;  // from the config to the file being read
+    std::vector<File> open_;  // from the config to the file being read
     std::set<std::string> done_;
-    std::vector<Read> read_;
+    std::vector<File> read_;  // in the order of `bodies`
     std::vector<Swap> swaps_;
     std::vector<std::string> extends_;  // all that configs name
     std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
@@ -210,7 +205,7 @@ private:
 
 // What tells two files apart, by whatever path they were reached. A catalog path never begins with
 // '/', a canonical path on disk always does.
-std::string noOpOf(const SourceText& source)
+std::string identityOf(const SourceText& source)
 {
     if (!source.path.empty()) return source.path;
     std::error_code error;
@@ -227,8 +222,8 @@ SourceRef copyFor(const SourceText& found, const Place& asked)
 
 void FileLoader::load(const SourceRef& found, const Asked& asked)
 {
-    const Opened file{noOpOf(*found), found->name};
-    if (done_.count(file.no_op) > 0 || !mayOpen(file, asked)) return;
+    const File file{identityOf(*found), found->name, asked};
+    if (done_.count(file.identity) > 0 || !mayOpen(file)) return;
     const SourceRef source = asked.place.source ? copyFor(*found, asked.place) : found;
     Result<Node> document = parseDocument(source);
     append(errors, document.diagnostics());
@@ -242,9 +237,9 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
         loadExtended(extends);
         open_.pop_back();
         bodies.push_back(std::move(*document));
-        read_.push_back({file.no_op, file.name, asked});
+        read_.push_back(file);
     }
-    done_.insert(file.no_op);
+    done_.insert(file.identity);
 }
 
 void FileLoader::readSwaps()
@@ -275,9 +270,9 @@ void FileLoader::checkSwaps()
 {
     for (const Swap& swap : swaps_) {
         if (swap.used) continue;
-        Diagnostic error{Code::module_missing, "no config extends '" + swap.read.name + "'", swap.read.place};
-        error.help = suggestName(swap.read.name, extends_, "modules to swap");
-        errors.push_back(std::move(error));
+        errors.push_back({Code::module_missing, "no config extends '" + swap.read.name + "'",
+                          swap.read.place, {}, {},
+                          suggestName(swap.read.name, extends_, "modules to swap")});
     }
 }
 
@@ -313,38 +308,33 @@ void FileLoader::checkClashes()
     for (std::size_t later = read_.size(); later-- > 1;)
         for (std::size_t first = later; first-- > 0;) {
             // A file is read after all that it extends.
-            if (extended_[read_[later].no_op].count(read_[first].no_op) > 0) continue;
+            if (extended_[read_[later].identity].count(read_[first].identity) > 0) continue;
             const auto made = madeByBoth(bodies[first], bodies[later]);
             if (!made) continue;
-            Diagnostic error{Code::module_clash, "'" + read_[later].name + "' and '" +
-                             read_[first].name + "' both make " + *made +
-                             ", and neither extends the other", read_[later].asked.place,
-                             read_[later].asked.pointer};
-            error.notes.push_back({read_[first].asked.place, "the other one was asked for here"});
-            error.help = "keep one of the two in 'extends'";
-            errors.push_back(std::move(error));
+            errors.push_back({Code::module_clash, "'" + read_[later].name + "' and '" +
+                              read_[first].name + "' both make " + *made +
+                              ", and neither extends the other", read_[later].asked.place,
+                              read_[later].asked.pointer,
+                              {{read_[first].asked.place, "the other one was asked for here"}},
+                              "keep one of the two in 'extends'"});
             return;
         }
 }
 
-bool FileLoader::mayOpen(const Opened& file, const Asked& asked)
+bool FileLoader::mayOpen(const File& file)
 {
+    const Asked& asked = file.asked;
     std::string chain;
-    bool cycle = false;
-    for (const Opened& opened : open_) {
-        cycle = cycle || opened.no_op == file.no_op;
-        if (cycle) chain += opened.name + " -> ";
-    }
-    if (cycle)
+    for (const File& opened : open_)
+        if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
+    if (!chain.empty())
         errors.push_back({Code::module_cycle,
                           "'extends' leads back to itself: " + chain + file.name, asked.place,
-                          asked.pointer, {},
-                          "take this entry out of 'extends'"});
+                          asked.pointer, {}, "take this entry out of 'extends'"});
     else if (open_.size() > kMaxExtendsDepth)
         errors.push_back({Code::module_depth, "found 'extends' more than " +
                           std::to_string(kMaxExtendsDepth) + " deep", asked.place,
-                          asked.pointer, {},
-                          "let the config name what it needs in one list"});
+                          asked.pointer, {}, "let the config name what it needs in one list"});
     else
         return true;
     return false;
@@ -432,8 +422,8 @@ void FileLoader::loadExtended(const Extends& extends)
             continue;
         }
         load(*found, {entry.place, pointer});
-        std::set<std::string>& mine = extended_[open_.back().no_op];
-        const std::string theirs = noOpOf(**found);
+        std::set<std::string>& mine = extended_[open_.back().identity];
+        const std::string theirs = identityOf(**found);
         mine.insert(theirs);
         mine.insert(extended_[theirs].begin(), extended_[theirs].end());
     }
@@ -511,10 +501,9 @@ void applyVariant(Node& document, const FileLoader& files, const LoadRequest& re
     for (const Member& variant : files.variants)
         if (variant.key == request.variant) mergePatch(document, variant.value, errors);
     if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
-    Diagnostic missing{Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
-                       request.config + "'", document.place, "/variants"};
-    missing.help = suggestName(request.variant, std::move(names), "variants");
-    errors.push_back(std::move(missing));
+    errors.push_back({Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
+                      request.config + "'", document.place, "/variants", {},
+                      suggestName(request.variant, std::move(names), "variants")});
 }
 
 }  // namespace

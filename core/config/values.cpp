@@ -36,11 +36,7 @@ void add(std::string& text, const std::string& opening, const std::string& membe
 
 Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
 {
-    Diagnostic error{code, param.name + " " + what};
-    error.place = param.place;
-    error.pointer = param.pointer;
-    error.help = std::move(help);
-    return error;
+    return {code, param.name + " " + what, param.place, param.pointer, {}, std::move(help)};
 }
 
 std::string numberText(double value) { return significant(value, 6); }
@@ -59,11 +55,9 @@ bool wholeInt(float value)
 
 Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
 {
-    Diagnostic warning{Code::value_dropped, what + " '" + old.name +
-                                                "' is no longer what was set at run time: " + why};
-    warning.severity = Severity::warning;
-    warning.help = "set it again, to a value that the config has now";
-    return warning;
+    return {Code::value_dropped,
+            what + " '" + old.name + "' is no longer what was set at run time: " + why, {}, {}, {},
+            "set it again, to a value that the config has now", Severity::warning};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace crevice {
 namespace {
@@ -56,9 +57,7 @@ bool invertible(const glm::dmat4& columns)
 
 Diagnostic bad(std::string what, std::string help)
 {
-    Diagnostic diagnostic{Code::bad_input, std::move(what)};
-    diagnostic.help = std::move(help);
-    return diagnostic;
+    return {Code::bad_input, std::move(what), {}, {}, {}, std::move(help)};
 }
 
 std::string ownedBy(std::size_t view, const char* matrix)
@@ -81,101 +80,53 @@ Status checkCamera(const Camera& camera, std::size_t view)
     return check(camera.view_from_world, "view_from_world", "its three axes must be independent and not 0");
 }
 
-Status checkViews(const Frame& frame)
+Diagnostic elided(std::string what, std::string help)
 {
-    const bool orthographic = frame.camera.orthographic();
-    const bool reversed = frame.camera.reversedDepth();
-    for (std::size_t view = 0; view <= frame.other_views.size(); ++view) {
-        const Camera& camera = cameraOf(frame, view);
-        if (Status status = checkCamera(camera, view); !status) return status;
-        const auto unlike = [view](bool is, const char* what) {
-            return bad("view " + std::to_string(view) + (is ? " is " : " is not ") + what +
-                           ", and the camera is" + (is ? " not" : ""),
-                       "draw it as a frame of its own, by another renderer");
-        };
-        if (camera.orthographic() != orthographic)
-            return unlike(camera.orthographic(), "orthographic");
-        if (camera.reversedDepth() != reversed)
-            return unlike(camera.reversedDepth(), "reversed in depth");
-    }
-    return {};
+    return {Code::bad_input, std::move(what), {}, {}, {}, std::move(help), Severity::warning};
 }
 
-/// Why an item cannot be drawn.
-struct Fault {
-    enum Kind {
-        none, no_mesh, unknown_mesh, past_indices, matrix, bounds, no_material, material,
-        unknown_map, sampled_map,
-    } kind = none;
-    const MaterialMapInfo* map = nullptr;
-};
+constexpr const char* kUnknownIdHelp =
+    "take an id that this device gave and that is not destroyed yet, or set its count to 0";
+constexpr const char* kNotFiniteHelp = "look for a division by zero where it is made";
 
-Fault faultOf(const Frame& frame, const DrawItem& item, const Device& device)
+// Why an item cannot be drawn for its material; nothing where it can.
+std::optional<Diagnostic> materialFault(const Frame& frame, const DrawItem& item, const Device& device)
 {
-    if (!item.mesh) return {Fault::no_mesh};
-    const ObjectInfo mesh = device.info(item.mesh);
-    if (!mesh.exists) return {Fault::unknown_mesh};
-    if (std::uint64_t{item.first} + item.count > mesh.index_count) return {Fault::past_indices};
-    if (!finite(item.world_from_model)) return {Fault::matrix};
-    if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius)) return {Fault::bounds};
+    const auto named = [&item] { return "material " + std::to_string(item.material); };
     if (item.material < 0 || static_cast<std::size_t>(item.material) >= frame.materials.size())
-        return {Fault::no_material};
+        return elided("it has " + named() + ", and the frame has " +
+                          std::to_string(frame.materials.size()) + " materials",
+                      "materials count from 0");
     const Material& material = frame.materials[item.material];
-    if (!isFinite(material)) return {Fault::material};
+    if (!isFinite(material)) return elided(named() + " is not finite", kNotFiniteHelp);
     for (const MaterialMapInfo& map : kMaterialMaps) {
         const TextureId id = material.*map.texture;
-        if (!id) continue;
-        const ObjectInfo texture = device.info(id);
-        if (!texture.exists) return {Fault::unknown_map, &map};
-        if (texture.samples != 1) return {Fault::sampled_map, &map};
+        const ObjectInfo texture = id ? device.info(id) : ObjectInfo{};
+        if (!id || (texture.exists && texture.samples == 1)) continue;
+        const std::string has =
+            named() + " has texture " + std::to_string(id.value) + " as " + map.name;
+        if (!texture.exists)
+            return elided(has + ", which is none of this device", kUnknownIdHelp);
+        return elided(has + ", which has several samples a pixel",
+                      "resolve it to a texture of one sample");
     }
-    return {};
+    return std::nullopt;
 }
 
-std::string reasonOf(const Fault& fault, const Frame& frame, const DrawItem& item)
+// Why an item cannot be drawn; nothing where it can. Allocates only where there is something to say.
+std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, const Device& device)
 {
-    const std::string mesh = "mesh " + std::to_string(item.mesh.value);
-    const std::string material = "material " + std::to_string(item.material);
-    const auto map = [&] {
-        return material + " has texture " +
-               std::to_string((frame.materials[item.material].*fault.map->texture).value) + " as " +
-               fault.map->name;
-    };
-    switch (fault.kind) {
-    case Fault::no_mesh: return "it has no mesh";
-    case Fault::unknown_mesh: return mesh + " is none of this device";
-    case Fault::past_indices: return mesh + " has fewer indices than it draws";
-    case Fault::matrix: return "its matrix is not finite";
-    case Fault::bounds: return "its bounds are not finite";
-    case Fault::no_material:
-        return "it has " + material + ", and the frame has " +
-               std::to_string(frame.materials.size()) + " materials";
-    case Fault::material: return material + " is not finite";
-    case Fault::unknown_map: return map() + ", which is none of this device";
-    case Fault::sampled_map: return map() + ", which has several samples a pixel";
-    case Fault::none: break;
-    }
-    return "";
-}
-
-const char* wayOutOf(Fault::Kind fault)
-{
-    switch (fault) {
-    case Fault::matrix: case Fault::material:
-        return "look for a division by zero where it is made";
-    case Fault::bounds: return "a radius below 0 means that none are known";
-    case Fault::no_material: return "materials count from 0";
-    case Fault::sampled_map: return "resolve it to a texture of one sample";
-    case Fault::past_indices: return "first and count are indices, not triangles";
-    default: return "take an id that this device gave and that is not destroyed yet, or set its count to 0";
-    }
-}
-
-Diagnostic elided(const std::string& what, std::string help)
-{
-    Diagnostic warning = bad(what, std::move(help));
-    warning.severity = Severity::warning;
-    return warning;
+    if (!item.mesh) return elided("it has no mesh", kUnknownIdHelp);
+    const ObjectInfo mesh = device.info(item.mesh);
+    const auto named = [&item] { return "mesh " + std::to_string(item.mesh.value); };
+    if (!mesh.exists) return elided(named() + " is none of this device", kUnknownIdHelp);
+    if (std::uint64_t{item.first} + item.count > mesh.index_count)
+        return elided(named() + " has fewer indices than it draws",
+                      "first and count are indices, not triangles");
+    if (!finite(item.world_from_model)) return elided("its matrix is not finite", kNotFiniteHelp);
+    if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius))
+        return elided("its bounds are not finite", "a radius below 0 means that none are known");
+    return materialFault(frame, item, device);
 }
 
 }  // namespace
@@ -328,7 +279,25 @@ glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world)
     return glm::vec4(towardsLight(light, view_from_world) * scale, -outer * scale);
 }
 
-Status checkFrame(const Frame& frame) { return checkViews(frame); }
+Status checkFrame(const Frame& frame)
+{
+    const bool orthographic = frame.camera.orthographic();
+    const bool reversed = frame.camera.reversedDepth();
+    for (std::size_t view = 0; view <= frame.other_views.size(); ++view) {
+        const Camera& camera = cameraOf(frame, view);
+        if (Status status = checkCamera(camera, view); !status) return status;
+        const auto unlike = [view](bool is, const char* what) {
+            return bad("view " + std::to_string(view) + (is ? " is " : " is not ") + what +
+                           ", and the camera is" + (is ? " not" : ""),
+                       "draw it as a frame of its own, by another renderer");
+        };
+        if (camera.orthographic() != orthographic)
+            return unlike(camera.orthographic(), "orthographic");
+        if (camera.reversedDepth() != reversed)
+            return unlike(camera.reversedDepth(), "reversed in depth");
+    }
+    return {};
+}
 
 bool isFinite(const glm::vec3& vector) { return finite(vector); }
 
@@ -348,7 +317,7 @@ bool isFinite(const Light& light)
 
 bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device)
 {
-    return faultOf(frame, item, device).kind == Fault::none;
+    return !faultOf(frame, item, device);
 }
 
 Diagnostics warnElided(const Frame& frame, const Device& device)
@@ -358,21 +327,22 @@ Diagnostics warnElided(const Frame& frame, const Device& device)
     std::size_t more = 0;
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
         const DrawItem& item = frame.draws[i];
-        const Fault fault = item.count > 0 ? faultOf(frame, item, device) : Fault{};
-        if (fault.kind == Fault::none) continue;
+        std::optional<Diagnostic> fault;
+        if (item.count > 0) fault = faultOf(frame, item, device);
+        if (!fault) continue;
         if (warnings.size() == kMostDraws) {
             ++more;
             continue;
         }
-        warnings.push_back(elided("draw " + std::to_string(i) + " is left out: " +
-                                       reasonOf(fault, frame, item), wayOutOf(fault.kind)));
+        fault->message = "draw " + std::to_string(i) + " is left out: " + fault->message;
+        warnings.push_back(std::move(*fault));
     }
     if (more > 0)
         warnings.back().notes.push_back({{}, std::to_string(more) + " more draws are left out"});
     for (std::size_t i = 0; i < frame.lights.size() && i < kMaxLights; ++i)
         if (!isFinite(frame.lights[i]))
             warnings.push_back(elided("light " + std::to_string(i) + " is left out: it is not finite",
-                                       "look for a division by zero where it is made"));
+                                       kNotFiniteHelp));
     if (!isFinite(frame.ambient_light))
         warnings.push_back(elided("ambient_light is left out: it is not finite", "0 is no light"));
     return warnings;

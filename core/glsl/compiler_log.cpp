@@ -18,21 +18,6 @@ namespace {
 
 constexpr std::string_view kLineEnds("\n\0", 2);  // a log may hold its own terminator
 
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isWord(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || isDigit(c);
-}
-
-char lower(char c)
-{
-    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-}
-
 std::string_view trimmed(std::string_view text, std::string_view what)
 {
     const std::size_t begin = text.find_first_not_of(what);
@@ -57,10 +42,9 @@ struct LogReader {
     bool takeWord(std::string_view word)
     {
         if (rest.size() < word.size()) return false;
-        for (std::size_t i = 0; i < word.size(); ++i)
-            if (lower(rest[i]) != word[i]) return false;
-        const char next = rest.size() > word.size() ? lower(rest[word.size()]) : ' ';
-        if (next >= 'a' && next <= 'z') return false;
+        if (lowerCase(rest.substr(0, word.size())) != word) return false;
+        const char next = rest.size() > word.size() ? rest[word.size()] : ' ';
+        if (isLower(next) || isUpper(next)) return false;
         rest.remove_prefix(word.size());
         return true;
     }
@@ -142,7 +126,7 @@ bool saysNothing(std::string_view line)
     constexpr std::string_view kHeading = " info";
     if (trimmed(line, "- \t").empty()) return true;
     if (line.find("No code generated") != std::string_view::npos) return true;
-    return line.size() > kHeading.size() && line.substr(line.size() - kHeading.size()) == kHeading;
+    return line.size() > kHeading.size() && endsWith(line, kHeading);
 }
 
 /// The first name that the message quotes as `name', 'name' or "name"; empty when there is none.
@@ -163,13 +147,9 @@ int findName(std::string_view text, std::string_view name, int column)
 {
     int nearest = 0;
     if (name.empty()) return nearest;
-    for (std::size_t at = 0; (at = text.find(name, at)) != std::string_view::npos; ++at) {
-        const std::size_t end = at + name.size();
-        const bool begins = at == 0 || !isWord(text[at - 1]);
-        const bool ends = end == text.size() || !isWord(text[end]);
+    for (std::size_t at = 0; (at = findWord(text, name, at)) != std::string_view::npos; ++at) {
         const int found = int(at) + 1;
-        const bool nearer = nearest == 0 || std::abs(found - column) < std::abs(nearest - column);
-        if (begins && ends && nearer) nearest = found;
+        if (nearest == 0 || std::abs(found - column) < std::abs(nearest - column)) nearest = found;
     }
     return nearest;
 }

@@ -2,26 +2,13 @@
 // Comments, lines and tokens of GLSL.
 #include "core/glsl/lexer.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 
 namespace crevice {
 
 namespace {
-
-bool isWordStart(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isWord(char c)
-{
-    return isWordStart(c) || isDigit(c);
-}
 
 bool isSpace(char c)
 {

@@ -23,15 +23,12 @@ Status checkReadable(const Device& device, TextureId id)
     const ObjectInfo info = device.info(id);
     if (info.exists && info.samples == 1) return {};
     const std::string name = "texture " + std::to_string(id.value);
-    if (!info.exists) {
-        Diagnostic error{Code::bad_input, name + " is none of this device"};
-        error.help = "take an id that this device gave and that is not destroyed yet";
-        return error;
-    }
-    Diagnostic error{Code::bad_input, name + " has " + std::to_string(info.samples) +
-                                          " samples a pixel, and only one can be read or written"};
-    error.help = "resolve it to a texture of one sample";
-    return error;
+    if (!info.exists)
+        return Diagnostic{Code::bad_input, name + " is none of this device", {}, {}, {},
+                          "take an id that this device gave and that is not destroyed yet"};
+    return Diagnostic{Code::bad_input, name + " has " + std::to_string(info.samples) +
+                      " samples a pixel, and only one can be read or written", {}, {}, {},
+                      "resolve it to a texture of one sample"};
 }
 
 Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint64_t indices)
@@ -39,12 +36,11 @@ Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint
     constexpr std::uint64_t kVertices = kMaxMeshBytes / sizeof(Vertex);
     constexpr std::uint64_t kIndices = kMaxMeshBytes / sizeof(std::uint32_t);
     if (vertices <= kVertices && indices <= kIndices) return {};
-    Diagnostic error{Code::too_big_for_device,
-                     "mesh '" + label + "' has " + std::to_string(vertices) + " vertices and " +
-                         std::to_string(indices) + " indices; one mesh holds " +
-                         std::to_string(kVertices) + " and " + std::to_string(kIndices)};
-    error.help = "split the mesh";
-    return error;
+    return Diagnostic{Code::too_big_for_device,
+                      "mesh '" + label + "' has " + std::to_string(vertices) + " vertices and " +
+                          std::to_string(indices) + " indices; one mesh holds " +
+                          std::to_string(kVertices) + " and " + std::to_string(kIndices),
+                      {}, {}, {}, "split the mesh"};
 }
 
 Status checkMesh(const MeshDesc& mesh)
@@ -53,12 +49,11 @@ Status checkMesh(const MeshDesc& mesh)
         return size;
     const auto last = std::max_element(mesh.indices.begin(), mesh.indices.end());
     if (last == mesh.indices.end() || *last < mesh.vertices.size()) return {};
-    Diagnostic error{Code::bad_input,
-                     "mesh '" + mesh.label + "' has " + std::to_string(mesh.vertices.size()) +
-                         " vertices, and index " + std::to_string(last - mesh.indices.begin()) +
-                         " names vertex " + std::to_string(*last)};
-    error.help = "vertices count from 0";
-    return error;
+    return Diagnostic{Code::bad_input,
+                      "mesh '" + mesh.label + "' has " + std::to_string(mesh.vertices.size()) +
+                          " vertices, and index " + std::to_string(last - mesh.indices.begin()) +
+                          " names vertex " + std::to_string(*last),
+                      {}, {}, {}, "vertices count from 0"};
 }
 
 }  // namespace crevice

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <utility>
 
 namespace crevice {
@@ -170,22 +171,16 @@ std::string TreeBuilder::pointer() const
     return path;
 }
 
-// Sorted, because comparing each key with each takes minutes for a file made of nothing but keys.
+// By a map, because comparing each key with each takes minutes for a file made of nothing but keys.
 void TreeBuilder::checkKeys()
 {
-    std::vector<const Member*> sorted;
-    for (const Member& member : open_.back()->members) sorted.push_back(&member);
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Member* a, const Member* b) { return a->key < b->key; });
-    const Member* first = nullptr;
-    for (const Member* member : sorted) {
-        if (!first || member->key != first->key) {
-            first = member;
-            continue;
-        }
-        errors_.push_back({Code::duplicate_key, "found the key '" + first->key + "' a second time",
-                           member->key_place, memberPointer(pointer(), first->key),
-                           {{first->key_place, "the first one is here"}}, "keep one of them"});
+    std::map<std::string_view, Place> first;
+    for (const Member& member : open_.back()->members) {
+        const auto [known, fresh] = first.emplace(member.key, member.key_place);
+        if (fresh) continue;
+        errors_.push_back({Code::duplicate_key, "found the key '" + member.key + "' a second time",
+                           member.key_place, memberPointer(pointer(), member.key),
+                           {{known->second, "the first one is here"}}, "keep one of them"});
     }
 }
 
@@ -293,7 +288,7 @@ bool looksLikeJson(std::string_view text)
 {
     const std::size_t sign = text[0] == '+' || text[0] == '-' || text[0] == '.' ? 1 : 0;
     const char first = sign < text.size() ? text[sign] : '\0';
-    return text[0] == '-' || (first >= '0' && first <= '9') || text[0] == '"' || text[0] == '{' ||
+    return text[0] == '-' || isDigit(first) || text[0] == '"' || text[0] == '{' ||
            text[0] == '[' || text == "true" || text == "false" || text == "null";
 }
 

@@ -157,42 +157,11 @@ private:
     Diagnostics& diagnostics_;
 };
 
-bool same(const Node& a, const Node& b)
-{
-    if (a.kind != b.kind || a.items.size() != b.items.size() ||
-        a.members.size() != b.members.size())
-        return false;
-    if (a.kind == Node::Kind::number) return a.number == b.number;
-    if (a.text != b.text || a.boolean != b.boolean) return false;
-    for (const Member& member : a.members) {
-        const Node* other = b.find(member.key);
-        if (!other || !same(member.value, *other)) return false;
-    }
-    return std::equal(a.items.begin(), a.items.end(), b.items.begin(), same);
-}
-
 }  // namespace
 
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics)
 {
     Merger(diagnostics).merge(base, patch, {});
-}
-
-Node patchBetween(const Node& base, const Node& now)
-{
-    Node patch;
-    patch.kind = Node::Kind::object;
-    std::vector<Member>& changes = patch.members;
-    for (const Member& member : now.members) {
-        const Node* before = base.find(member.key);
-        if (before && same(*before, member.value)) continue;
-        const bool both = before && isObject(*before) && isObject(member.value);
-        changes.push_back({member.key, member.key_place,
-                           both ? patchBetween(*before, member.value) : member.value});
-    }
-    for (const Member& member : base.members)
-        if (!now.find(member.key)) changes.push_back({member.key, member.key_place, {}});
-    return patch;
 }
 
 }  // namespace crevice

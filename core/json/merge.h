@@ -14,8 +14,4 @@ namespace crevice {
 /// to `diagnostics`; the merge goes on so that every error is found.
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics);
 
-/// The smallest patch that `mergePatch` makes `now` of `base` with; it has no member where they are
-/// the same. Requires two objects.
-Node patchBetween(const Node& base, const Node& now);
-
 }  // namespace crevice

@@ -28,10 +28,8 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
             return std::vector<std::string>{section, name, "default"};
         for (const Member& member : entries->members) names.push_back(member.key);
     }
-    Diagnostic unknown{Code::unknown_param, "'" + name + "' is neither a param nor a feature",
-                       place};
-    unknown.help = suggestName(name, std::move(names), "params and features");
-    return unknown;
+    return Diagnostic{Code::unknown_param, "'" + name + "' is neither a param nor a feature", place,
+                      {}, {}, suggestName(name, std::move(names), "params and features")};
 }
 
 // Makes the patch that sets what stands at the keys. A list is patched as a whole, so on the way

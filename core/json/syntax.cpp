@@ -19,15 +19,7 @@ bool isOneOf(char c, const char* set)
     return c != '\0' && std::strchr(set, c) != nullptr;
 }
 
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isWordCharacter(char c)
-{
-    return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
-}
+bool isWordCharacter(char c) { return isWord(c) || c == '$'; }
 
 char charAt(std::string_view text, std::size_t offset)
 {
@@ -317,9 +309,7 @@ Place placeAt(const SourceRef& source, std::size_t offset, std::size_t length)
 
 std::size_t spaceLength(std::string_view text, std::size_t offset)
 {
-    std::size_t end = offset;
-    while (isOneOf(charAt(text, end), " \t\r\n")) ++end;
-    return end - offset;
+    return std::min(text.find_first_not_of(" \t\r\n", offset), text.size()) - offset;
 }
 
 std::size_t stringLength(std::string_view text, std::size_t offset)

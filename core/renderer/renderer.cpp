@@ -43,12 +43,11 @@ bool changesPlan(const Description& description, const ParamDesc& param,
 Diagnostic unknown(Code code, const char* what, std::string_view name,
                    std::vector<std::string> names, const char* heading)
 {
-    Diagnostic error{code, std::string("there is no ") + what + " '" + std::string(name) + "'"};
-    error.help = suggestName(name, std::move(names), heading);
-    return error;
+    return {code, std::string("there is no ") + what + " '" + std::string(name) + "'", {}, {}, {},
+            suggestName(name, std::move(names), heading)};
 }
 
-Diagnostics joined(Diagnostics first, const Diagnostics& second)
+Diagnostics together(Diagnostics first, const Diagnostics& second)
 {
     first.insert(first.end(), second.begin(), second.end());
     return first;
@@ -59,15 +58,13 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
                     const Reference& at)
 {
     if (!status || execution.compiled().empty()) return status;
-    std::string shaders;
-    for (const std::string& label : execution.compiled())
-        shaders += (shaders.empty() ? "'" : ", '") + label + "'";
-    Diagnostic warning{Code::recompiled, cause + ", so setting it compiled " + shaders, at.place,
-                       at.pointer};
-    warning.severity = Severity::warning;
-    warning.help = "set each value once while loading, since what was compiled is kept, or bind a "
-                   "param that changes often as a uniform";
-    return joined(status.diagnostics(), {warning});
+    const std::string shaders = "'" + joined(execution.compiled(), "', '") + "'";
+    return together(status.diagnostics(),
+                  {{Code::recompiled, cause + ", so setting it compiled " + shaders, at.place,
+                    at.pointer, {},
+                    "set each value once while loading, since what was compiled is kept, or bind "
+                    "a param that changes often as a uniform",
+                    Severity::warning}});
 }
 
 }  // namespace
@@ -178,7 +175,7 @@ Status Renderer::render(const Frame& frame)
 {
     const Status prepared = State::prepare(state_, frame);
     if (!prepared) return prepared;
-    return joined(prepared.diagnostics(), state_->execution->run(frame).diagnostics());
+    return together(prepared.diagnostics(), state_->execution->run(frame).diagnostics());
 }
 
 Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
@@ -186,7 +183,7 @@ Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
     const Status prepared = State::prepare(state_, frame);
     if (!prepared) return prepared.diagnostics();
     auto timed = state_->execution->runTimed(frame);
-    Diagnostics all = joined(prepared.diagnostics(), timed.diagnostics());
+    Diagnostics all = together(prepared.diagnostics(), timed.diagnostics());
     if (!timed) return all;
     return {std::move(*timed), std::move(all)};
 }
@@ -250,7 +247,7 @@ Status Renderer::reload(Description description, const CompileOptions& options)
     if (!next) return next.diagnostics();
     state_ = std::move(*next);
     *loaded_ = loaded;
-    return joined(std::move(all), next.diagnostics());
+    return together(std::move(all), next.diagnostics());
 }
 
 Status Renderer::resize(Extent extent)

@@ -38,9 +38,7 @@ constexpr std::uint64_t kNeverChanges = ~std::uint64_t{0};
 
 Diagnostic refused(const ImportDesc& import, Code code, const std::string& what, const char* help)
 {
-    Diagnostic error{code, "the frame" + what, import.place, import.pointer};
-    error.help = help;
-    return error;
+    return {code, "the frame" + what, import.place, import.pointer, {}, help};
 }
 
 Diagnostic missing(const ImportDesc& import)

@@ -131,7 +131,6 @@ private:
     TextureId textureOf(const PlanInput& input, int view, bool swapped) const;
     TextureId targetTexture(int target, int view, bool swapped) const;
     TextureId texture(int index, int view) const;
-    TextureId historyTexture(int target, int view, bool swapped) const;
 
     // execution_timed.cpp
     TimingMethod timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,

@@ -247,17 +247,12 @@ TextureId Execution::texture(int index, int view) const
     return copies[copies.size() > 1 ? view : 0].id();
 }
 
-TextureId Execution::historyTexture(int target, int view, bool swapped) const
-{
-    return targetTexture(target, view, !swapped);
-}
-
 /// The texture behind an input; null for those that a frame brings.
 TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) const
 {
     switch (input.kind) {
     case InputKind::target: return targetTexture(input.index, view, swapped);
-    case InputKind::history: return historyTexture(input.index, view, swapped);
+    case InputKind::history: return targetTexture(input.index, view, !swapped);
     case InputKind::generated: return generated_[input.index].id();
     case InputKind::constant: return constants_[input.index].id();
     case InputKind::imported: case InputKind::material: break;
@@ -296,12 +291,10 @@ Diagnostic Execution::unbound(const PlanPass& pass, const UniformInfo& active,
     const std::string why = uniform ? "of type " + std::string(glslName(active.type)) +
                                           ", and its value is " + glslName(uniform->type)
                                     : "which its text does not declare in a known form";
-    Diagnostic error{uniform ? Code::uniform_type : Code::uniform_unbound,
-                     "shader '" + program.label + "' of pass '" + pass.name + "' has uniform '" +
-                         active.name + "', " + why,
-                     program.place, program.pointer};
-    error.help = "declare it on a line of its own, without macros";
-    return error;
+    return {uniform ? Code::uniform_type : Code::uniform_unbound,
+            "shader '" + program.label + "' of pass '" + pass.name + "' has uniform '" +
+                active.name + "', " + why,
+            program.place, program.pointer, {}, "declare it on a line of its own, without macros"};
 }
 
 void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,

@@ -91,7 +91,6 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ",\n      \"uniforms\": " + list(pass.uniforms, uniformJson, indent) +
            ",\n      \"color\": " + list(pass.color, attachment, indent) +
            ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") +
-           ",\n      \"notes\": " + list(pass.notes, [](const std::string& note) { return json(note); }) +
            "}";
 }
 

@@ -157,7 +157,6 @@ std::string passText(const Plan& plan, const PlanPass& pass)
     if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
     if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
-    for (const std::string& note : pass.notes) text += "    note    " + note + "\n";
     return text;
 }
 

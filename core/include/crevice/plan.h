@@ -105,7 +105,6 @@ struct PlanPass {
     int cull_below_pixel = -1;   ///< ... and of those at which this of Plan::params comes to a pixel; -1: of all.
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> uniforms;
-    std::vector<std::string> notes;  ///< What could have been left out and is not: "runs also where ...".
     double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
     double bytes_written = 0;  ///< An estimate a frame.
 };

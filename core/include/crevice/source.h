@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -70,7 +71,7 @@ public:
     std::vector<std::string> list() const override;
 
 private:
-    std::vector<std::pair<std::string, SourceRef>> texts_;  // sorted by path
+    std::map<std::string, SourceRef, std::less<>> texts_;  // by path
 };
 
 /// Files below a folder, read anew at each `find`: what live editing uses. A link that leads out of the folder
@@ -106,10 +107,12 @@ private:
 /// True for a path that begins with "./" or "../".
 bool isRelative(std::string_view path);
 
+/// True for a path on disk, one that begins with '/', "./" or "../": none in a SourceSet does.
+bool isOnDisk(std::string_view path);
+
 /// `path` seen from the folder of `from`: ("configs/a.json", "./b.frag") gives "configs/b.frag".
 /// A path that is not relative is returned as it is. Empty when it would climb
-/// above the root of a catalog path; a path on disk, which is one that begins with '/', "./" or
-/// "../", may climb as far as it likes.
+/// above the root of a catalog path; a path on disk may climb as far as it likes.
 std::string resolvePath(std::string_view from, std::string_view path);
 
 /// Where a text is, as something to resolve paths against: its path in a SourceSet, or a path on disk that begins
