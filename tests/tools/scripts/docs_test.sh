@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The documentation against the tree: links lead somewhere, every config and module is on some page, and every
-# method's page has a picture, of which none is left over, and names a command.
+# method's page has a picture, of which none is left over, and names a command. Paths exist, and each page says for whom
+# it is.
 #   docs_test.sh SOURCE
 set -euo pipefail
 cd -- "$1"
@@ -21,9 +22,16 @@ for page in "${pages[@]}"; do
     done
 done
 
-# Files and folders that the recipes name in `code`, but for those that a contributor adds.
-for path in $(grep -oE '`(core|backends|effects|configs|tools|tests|docs)/[a-z_/.]+`' CONTRIBUTING.md | tr -d '`'); do
-    [[ -e $path ]] || fail "CONTRIBUTING.md: there is no '$path'"
+# Files and folders that these pages name in `code`.
+for page in CONTRIBUTING.md docs/architecture.md docs/glossary.md docs/host.md; do
+    for path in $(grep -oE '`(core|backends|effects|configs|tools|tests|docs)/[a-z_0-9/.]+`' "$page" | tr -d '`'); do
+        [[ -e $path ]] || fail "$page: there is no '$path'"
+    done
+done
+
+# Each page opens with a sentence that says for whom it is.
+for page in docs/*.md; do
+    sed -n '3p' "$page" | grep -q '^For ' || fail "$page: the third line does not say for whom it is"
 done
 
 for page in "${methods[@]}"; do
