@@ -98,7 +98,8 @@ Result<Effect> Effect::create(Device& device, std::string_view config, Extent si
     CompileOptions options;
     options.extent = size;
     options.outputs = std::move(outputs);
-    auto renderer = Renderer::create(device, std::move(*description), options, traitsOf(state->frame));
+    auto renderer =
+        Renderer::create(device, std::move(*description), options, traitsOf(state->frame));
     if (!renderer) return renderer.diagnostics();
     state->renderer = std::move(*renderer);
     return {Effect(std::move(state)), renderer.diagnostics()};
@@ -114,12 +115,14 @@ void Effect::setView(const double* view_from_world)
     state_->frame.camera.view_from_world = glm::make_mat4(view_from_world);
 }
 
-Status Effect::setTexture(std::string_view name, std::uint32_t native_name, Format format, Extent size)
+Status Effect::setTexture(std::string_view name, std::uint32_t native_name, Format format,
+                          Extent size)
 {
     const Status known = checkImport(state_->renderer->description(), name);
     if (!known) return known;
     HostTexture& texture = state_->texture(name);
-    if (texture.id && texture.native_name == native_name && texture.format == format && texture.size == size)
+    if (texture.id && texture.native_name == native_name && texture.format == format &&
+        texture.size == size)
         return {};
     TextureDesc desc;
     desc.label = name;

@@ -38,11 +38,13 @@ Result<Description> chain()
         shaders.push_back("\"s" + n + R"(": {"vertex": "v", "fragment": "f)" + n + "\"}");
         passes.push_back("\"p" + n + R"(": {"shader": "s)" + n + R"(", "color": ")" + target +
                          "\"}");
-        files.add("f" + n, "#version 300 es\nprecision highp float;\n"
-                           "uniform mat4 clip_from_view, view_from_clip, view_from_world;\n"
-                           "uniform vec3 kernel[64];\nuniform vec2 viewport_size;\n"
-                           "uniform float radius, bias, intensity, power;\n"
-                           "uniform sampler2D " + previous + ";\nout vec4 " + target + ";\n");
+        files.add("f" + n,
+                  "#version 300 es\nprecision highp float;\n"
+                  "uniform mat4 clip_from_view, view_from_clip, view_from_world;\n"
+                  "uniform vec3 kernel[64];\nuniform vec2 viewport_size;\n"
+                  "uniform float radius, bias, intensity, power;\n"
+                  "uniform sampler2D " +
+                      previous + ";\nout vec4 " + target + ";\n");
         previous = target;
     }
     const std::string json = R"({"format": 1, "name": "chain",
@@ -51,9 +53,11 @@ Result<Description> chain()
         "imports": {"camera": {"type": "camera"}},
         "generated": {"kernel": {"generator": "hemisphere_kernel", "count": 64},
                       "noise": {"generator": "rotation_noise", "count": 4}},
-        "outputs": {"ao": ")" + previous + R"("},
-        "targets": )" + join(targets) + R"(, "shaders": )" + join(shaders) +
-        R"(, "passes": )" + join(passes) + "}";
+        "outputs": {"ao": ")" +
+                             previous + R"("},
+        "targets": )" + join(targets) +
+                             R"(, "shaders": )" + join(shaders) + R"(, "passes": )" + join(passes) +
+                             "}";
     Result<Node> document =
         parseDocument(std::make_shared<const SourceText>(SourceText{"chain.json", json}));
     if (!document) return document.diagnostics();
@@ -100,7 +104,8 @@ void printParsing(const char* what, const char* open, Entry&& entry, const char*
 void printParsing()
 {
     const auto member = [](int i) { return '"' + std::to_string(i) + "\":0"; };
-    printParsing("half a million values", "{\"a\": [", [](int) { return "0"; }, "]}");
+    printParsing(
+        "half a million values", "{\"a\": [", [](int) { return "0"; }, "]}");
     printParsing("a hundred thousand members", "{", member, "}");
 }
 

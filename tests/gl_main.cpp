@@ -37,24 +37,15 @@ int runTests(Catch::Session& session)
 
 }  // namespace
 
-std::string testBackend()
-{
-    return environment("CREVICE_BACKEND", "egl");
-}
+std::string testBackend() { return environment("CREVICE_BACKEND", "egl"); }
 
-Context& testContext()
-{
-    return *context;
-}
+Context& testContext() { return *context; }
 
 }  // namespace crevice
 
 // For the leak sanitizer: OSMesa of Mesa 22.3.6 frees no buffer that it makes in OSMesaMakeCurrent.
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions()
-{
-    return "leak:libOSMesa\n";
-}
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
 
 int main(int argc, char** argv)
 {

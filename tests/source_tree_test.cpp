@@ -31,8 +31,8 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
       "renderer"}},
     {"backends", {"gl", "context", "recording"}},
     {"tools",
-     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "measure", "bench", "stress",
-      "report", "commands"}},
+     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "measure",
+      "bench", "stress", "report", "commands"}},
 };
 
 std::string readText(const fs::path& path)
@@ -57,10 +57,7 @@ std::vector<fs::path> projectFiles(const std::set<std::string>& folders)
     return files;
 }
 
-bool isCpp(const fs::path& path)
-{
-    return path.extension() == ".h" || path.extension() == ".cpp";
-}
+bool isCpp(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
 /// The folder of the checkout that a file belongs to.
 std::string topFolder(const fs::path& path) { return path.begin()->string(); }
@@ -89,13 +86,14 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
     return found;
 }
 
-/// The project's files that the text includes, as paths relative to the checkout: of "core/x.h" that, of
-/// <crevice/x.h> the public header in its library.
+/// The project's files that the text includes, as paths relative to the checkout: of "core/x.h"
+/// that, of <crevice/x.h> the public header in its library.
 std::vector<std::string> includesOf(const std::string& text)
 {
     const std::string code = codeOf(text, true);
     std::vector<std::string> paths = matches(code, R"re((?:^|\n)\s*#\s*include "([^"]+)")re", 1);
-    for (const std::string& name : matches(code, R"re((?:^|\n)\s*#\s*include <crevice/([^>]+)>)re", 1))
+    for (const std::string& name :
+         matches(code, R"re((?:^|\n)\s*#\s*include <crevice/([^>]+)>)re", 1))
         for (const char* library : {"core", "backends", "effects"}) {
             const std::string path = std::string(library) + "/include/crevice/" + name;
             if (fs::exists(fs::path(CREVICE_SOURCE_DIR) / path)) paths.push_back(path);
@@ -114,14 +112,16 @@ std::vector<std::string> wrongIncludes(const std::string& folder, const std::str
     return wrong;
 }
 
-/// The place among the library's rooms of the room that a file is in. A public header belongs to the room of
-/// the source that includes it first, as its own header; without one, to the highest that it includes.
+/// The place among the library's rooms of the room that a file is in. A public header belongs to
+/// the room of the source that includes it first, as its own header; without one, to the highest
+/// that it includes.
 std::size_t tierOf(const std::string& library, const std::string& path)
 {
     const std::vector<std::string>& rooms = kRooms.at(library);
     const std::string room = *std::next(fs::path(path).begin());
     if (room != "include")
-        return static_cast<std::size_t>(std::find(rooms.begin(), rooms.end(), room) - rooms.begin());
+        return static_cast<std::size_t>(std::find(rooms.begin(), rooms.end(), room) -
+                                        rooms.begin());
     for (const fs::path& source : projectFiles({library})) {
         if (source.extension() != ".cpp") continue;
         const std::string text = readText(fs::path(CREVICE_SOURCE_DIR) / source);
@@ -140,11 +140,13 @@ std::vector<std::string> climbingIncludes(const std::string& library, std::size_
 {
     std::vector<std::string> wrong;
     for (const std::string& path : includesOf(text))
-        if (path.rfind(library + "/", 0) == 0 && tierOf(library, path) > tier) wrong.push_back(path);
+        if (path.rfind(library + "/", 0) == 0 && tierOf(library, path) > tier)
+            wrong.push_back(path);
     return wrong;
 }
 
-/// Adds the file, as a path relative to the checkout, and all of the project that it includes, through others too.
+/// Adds the file, as a path relative to the checkout, and all of the project that it includes,
+/// through others too.
 void addIncluded(const std::string& path, std::set<std::string>& files)
 {
     if (!files.insert(path).second) return;
@@ -159,7 +161,8 @@ std::vector<std::string> configIncludes(const std::string& path)
     addIncluded(path, files);
     std::vector<std::string> found;
     for (const std::string& file : files)
-        if (tierOf("core", file) == tierOf("core", "core/config/x") || tierOf("core", file) == tierOf("core", "core/json/x"))
+        if (tierOf("core", file) == tierOf("core", "core/config/x") ||
+            tierOf("core", file) == tierOf("core", "core/json/x"))
             found.push_back(file);
     return found;
 }
@@ -175,23 +178,25 @@ std::vector<std::string> graphicsNames(const std::string& text)
     return matches(codeOf(text, false),
                    R"re(\b(gl[A-Z]\w+|egl[A-Z]\w+|OSMesa[A-Z]\w*|E?GL_[A-Z]\w+|)re"
                    R"re(GL(?:u?int|enum|float|sizei|boolean|bitfield)|EGL(?:Display|Context)))re"
-                   R"re((?=\s*\(|\b))re", 0);
+                   R"re((?=\s*\(|\b))re",
+                   0);
 }
 
-/// What formats or parses numbers by the host's locale: floats in printf and scanf, strtod and its kin,
-/// string streams.
+/// What formats or parses numbers by the host's locale: floats in printf and scanf, strtod and its
+/// kin, string streams.
 std::vector<std::string> numbersByLocale(const std::string& text)
 {
     const std::string code = codeOf(text, true);
-    std::vector<std::string> found =
-        matches(code, R"re(\b(?:strto(?:f|d|ld)|atof|sto(?:f|d|ld)|set(?:locale|precision))\s*\()re", 0);
+    std::vector<std::string> found = matches(
+        code, R"re(\b(?:strto(?:f|d|ld)|atof|sto(?:f|d|ld)|set(?:locale|precision))\s*\()re", 0);
     for (const char* pattern : {R"re("[^"\n]*%[-+#0-9.*]*l?[aAeEfFgG][^"\n]*")re",
                                 R"re(\b[io]?stringstream\b|\bstd::c(?:out|err)\b)re"})
         for (std::string& match : matches(code, pattern, 0)) found.push_back(std::move(match));
     return found;
 }
 
-const std::string kPrints = R"re(\b(?:v?f?printf|f?puts|f?putc|putchar|cout|cerr|clog|stdout|stderr)\b)re";
+const std::string kPrints =
+    R"re(\b(?:v?f?printf|f?puts|f?putc|putchar|cout|cerr|clog|stdout|stderr)\b)re";
 const std::string kOpens = R"re(\b(?:[io]?fstream|fopen|freopen|fdopen)\b)re";
 
 std::string firstLines(const std::string& text, int count)
@@ -274,7 +279,8 @@ TEST_CASE("no source folder has more than 25 files")
 {
     std::map<fs::path, int> files;
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools", "tests"}))
-        if (path.string().rfind("tests/data/", 0) != 0 && path.string().rfind("tests/fuzz/seeds", 0) != 0)
+        if (path.string().rfind("tests/data/", 0) != 0 &&
+            path.string().rfind("tests/fuzz/seeds", 0) != 0)
             ++files[path.parent_path()];
     for (const auto& [folder, count] : files) {
         INFO(folder << " has " << count << " files");
@@ -319,8 +325,10 @@ TEST_CASE("numbers are formatted and parsed in core/base/numbers alone")
 {
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
         if (!isCpp(path)) continue;
-        for (const std::string& found : numbersByLocale(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
-            FAIL_CHECK(path.string() << " has " << found << ": use core/base/numbers.h, which knows no locale");
+        for (const std::string& found :
+             numbersByLocale(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+            FAIL_CHECK(path.string()
+                       << " has " << found << ": use core/base/numbers.h, which knows no locale");
     }
 }
 
@@ -347,7 +355,8 @@ TEST_CASE("text is printed in one place, which keeps control characters off the 
 
 TEST_CASE("files are opened where pipes, devices and endless files are refused")
 {
-    static const std::set<fs::path> kOpen = {"core/base/files.cpp", "tools/image/image_file.cpp", "tools/measure/line_file.cpp"};
+    static const std::set<fs::path> kOpen = {"core/base/files.cpp", "tools/image/image_file.cpp",
+                                             "tools/measure/line_file.cpp"};
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
         if (!isCpp(path) || kOpen.count(path) > 0) continue;
         const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), false);
@@ -374,9 +383,8 @@ TEST_CASE("no library source names a config")
 
 TEST_CASE("every source file carries the licence line")
 {
-    static const std::set<std::string> kKinds = {".h",    ".cpp",   ".cmake", ".sh",
-                                                 ".frag", ".vert",  ".glsl",  ".comp",
-                                                 ".in"};
+    static const std::set<std::string> kKinds = {".h",    ".cpp",  ".cmake", ".sh", ".frag",
+                                                 ".vert", ".glsl", ".comp",  ".in"};
     for (const fs::path& path :
          projectFiles({"core", "backends", "effects", "configs", "tools", "tests", ".ci"})) {
         const bool listed = kKinds.count(path.extension().string()) != 0;

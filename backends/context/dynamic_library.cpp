@@ -7,8 +7,7 @@
 
 namespace crevice {
 
-Result<void*> openLibrary(const std::vector<std::string>& names, Code code,
-                          const std::string& help)
+Result<void*> openLibrary(const std::vector<std::string>& names, Code code, const std::string& help)
 {
     assert(!names.empty());
     Diagnostic error = failure(code, "the library " + names.front() + " cannot be opened", help);
@@ -21,9 +20,6 @@ Result<void*> openLibrary(const std::vector<std::string>& names, Code code,
     return error;
 }
 
-void* findSymbol(void* library, const char* name)
-{
-    return dlsym(library, name);
-}
+void* findSymbol(void* library, const char* name) { return dlsym(library, name); }
 
 }  // namespace crevice

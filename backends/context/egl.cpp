@@ -76,8 +76,7 @@ Result<EglApi> loadEgl()
     EglApi api;
 #define CREVICE_EGL_LOAD(name, upper) \
     api.name = reinterpret_cast<PFNEGL##upper##PROC>(findSymbol(*library, "egl" #name)); \
-    if (!api.name) \
-        return failure(Code::no_egl, "the EGL library has no function egl" #name, kHelp);
+    if (!api.name) return failure(Code::no_egl, "the EGL library has no function egl" #name, kHelp);
     CREVICE_EGL_FUNCTIONS(CREVICE_EGL_LOAD)
 #undef CREVICE_EGL_LOAD
     return api;
@@ -88,7 +87,10 @@ Result<EglApi> loadEgl()
 class EglContext final : public Context {
 public:
     EglContext(const EglApi& egl, EGLDisplay display, EGLContext handle, EGLSurface surface)
-        : egl_(egl), display_(display), handle_(handle), surface_(surface)
+        : egl_(egl),
+          display_(display),
+          handle_(handle),
+          surface_(surface)
     {
     }
 
@@ -151,8 +153,8 @@ std::unique_ptr<Context> openDisplay(const EglApi& egl, EGLDisplay display, cons
     if (display == EGL_NO_DISPLAY) return fail("getting the display");
     if (!egl.Initialize(display, nullptr, nullptr)) return fail("eglInitialize");
 
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT,
-                             EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE,
+                             EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!egl.ChooseConfig(display, wanted, &config, 1, &count) || count == 0)

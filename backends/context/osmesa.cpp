@@ -31,8 +31,8 @@ const char* const kHelp =
 
 Result<OsmesaApi> loadOsmesa()
 {
-    Result<void*> library = openLibrary({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"},
-                                        Code::no_osmesa, kHelp);
+    Result<void*> library =
+        openLibrary({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, Code::no_osmesa, kHelp);
     if (!library) return library.diagnostics();
     OsmesaApi api;
 #define CREVICE_OSMESA_LOAD(name) \
@@ -80,10 +80,15 @@ OSMesaContext createCore(const OsmesaApi& api)
 {
     const int versions[][2] = {{4, 5}, {4, 3}, {4, 1}, {3, 3}};
     for (const auto& version : versions) {
-        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA,
-                                  OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                  OSMESA_CONTEXT_MAJOR_VERSION, version[0],
-                                  OSMESA_CONTEXT_MINOR_VERSION, version[1], 0};
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_PROFILE,
+                                  OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  version[0],
+                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  version[1],
+                                  0};
         if (OSMesaContext handle = api.CreateContextAttribs(attributes, nullptr)) return handle;
     }
     return nullptr;

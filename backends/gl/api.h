@@ -7,6 +7,7 @@
 
 #define GL_GLES_PROTOTYPES 0  // types and constants only: nothing here can be linked by accident
 #include <GLES3/gl32.h>
+// Extensions, which need the types above.
 #include <GLES2/gl2ext.h>
 
 #include <string>

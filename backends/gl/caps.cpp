@@ -74,13 +74,12 @@ bool tryRender(GlApi& gl, const FormatInfo& format)
     gl.TexStorage2D(GL_TEXTURE_2D, 1, glFormat(format.format).internal, kSize, kSize);
     auto framebuffer = GlFramebuffer::make(gl);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
-    const GLenum point = format.format_class == FormatClass::depth ? GL_DEPTH_ATTACHMENT
-                                                                   : GL_COLOR_ATTACHMENT0;
+    const GLenum point =
+        format.format_class == FormatClass::depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0;
     gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name(), 0);
     const GLenum buffer = point == GL_DEPTH_ATTACHMENT ? GL_NONE : GL_COLOR_ATTACHMENT0;
     gl.DrawBuffers(1, &buffer);
-    const bool complete =
-        gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    const bool complete = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     const bool quiet = takeErrors(gl, "").ok();
     return complete && quiet;
 }
@@ -171,8 +170,9 @@ Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)
     info.version = info.desktop ? compatibleVersion(info) : info.native_version;
     if (info.version < 300)
         return failure(Code::gl_version,
-                       "the context is '" + version + "'; crevice wants OpenGL ES 3.0 or newer, "
-                       "or desktop OpenGL with GL_ARB_ES3_compatibility",
+                       "the context is '" + version +
+                           "'; crevice wants OpenGL ES 3.0 or newer, "
+                           "or desktop OpenGL with GL_ARB_ES3_compatibility",
                        "ask for a newer context, or update the driver of " + text(gl, GL_RENDERER));
     if (ignore_extensions) {
         info.bare = true;
@@ -242,8 +242,8 @@ DeviceCaps readCaps(GlApi& gl, const GlInfo& info)
 bool canFilter(const GlInfo& info, Format format)
 {
     if (formatInfo(format).format_class == FormatClass::depth) return false;
-    const bool full_float = format == Format::r32f || format == Format::rg32f ||
-                            format == Format::rgba32f;
+    const bool full_float =
+        format == Format::r32f || format == Format::rg32f || format == Format::rgba32f;
     return !full_float || (info.desktop && !info.bare) || info.has("GL_OES_texture_float_linear");
 }
 

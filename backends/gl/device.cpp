@@ -107,7 +107,8 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
     Scope scope(*this);
     auto texture = GlTexture::make(gl_);
     state_.bindTexture(0, texture.name(), 0);
-    // The device samples through sampler objects; this is for hosts. What no filter reads is whole so.
+    // The device samples through sampler objects; this is for hosts. What no filter reads is whole
+    // so.
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -155,8 +156,7 @@ Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const Textur
                            std::to_string(desc.samples) +
                            " samples a pixel, and OpenGL ES 3.0 reads none of them",
                        "resolve it to one sample, with glBlitFramebuffer");
-    return TextureId{
-        textures_.add({{}, {}, native_name, desc.format, desc.extent, desc.samples})};
+    return TextureId{textures_.add({{}, {}, native_name, desc.format, desc.extent, desc.samples})};
 }
 
 void GlDevice::attach(GLenum point, TextureId id)
@@ -275,7 +275,8 @@ ObjectInfo GlDevice::info(ObjectId id) const
     switch (id.kind) {
     case ObjectId::Kind::texture:
         if (const TextureSlot* texture = textures_.find(id.value))
-            return {true, texture->renderbuffer.name() != 0 ? 0 : texture->name, texture->samples, 0};
+            return {true, texture->renderbuffer.name() != 0 ? 0 : texture->name, texture->samples,
+                    0};
         return {};
     case ObjectId::Kind::mesh:
         if (const MeshSlot* mesh = meshes_.find(id.value)) return {true, 0, 1, mesh->index_count};
@@ -340,7 +341,8 @@ Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader, const GlDev
     }
     settleOptional(*gl, *info, loader);
     auto device = std::make_unique<GlDevice>(*gl, *info, options);
-    if (Status status = device->prepare(options.program_cache); !status) return status.diagnostics();
+    if (Status status = device->prepare(options.program_cache); !status)
+        return status.diagnostics();
     return std::unique_ptr<Device>(std::move(device));
 }
 

@@ -101,8 +101,8 @@ private:
     void markContext();
     bool isCurrent() const;
 
-    /// Before all that the host calls. Errors: CV6004 where no context is current, or another than the
-    /// device's; CV6016 where it is lost.
+    /// Before all that the host calls. Errors: CV6004 where no context is current, or another than
+    /// the device's; CV6016 where it is lost.
     Status checkCurrent();
 
     /// Deletes what was destroyed. Requires that the context is current.
@@ -119,7 +119,8 @@ private:
     /// Leaves the running pass's framebuffer with nothing to store.
     void resolve(const FramebufferSlot& framebuffer);
 
-    /// Before the first call of something: what the host left is not its fault. Abandons a lost context.
+    /// Before the first call of something: what the host left is not its fault. Abandons a lost
+    /// context.
     void dropHostErrors();
 
     /// Keeps the errors of a call that returns none, for endFrame.
@@ -130,7 +131,8 @@ private:
     bool check_errors_;
     GlState state_;
     DeviceCaps caps_;
-    GlVertexArray mark_;  // contexts do not share vertex arrays, and no other device's has its divisor
+    GlVertexArray
+        mark_;  // contexts do not share vertex arrays, and no other device's has its divisor
     GLint mark_divisor_ = 0;
     GlProgramCache program_cache_;
     GlCopier copier_;

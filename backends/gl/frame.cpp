@@ -153,10 +153,7 @@ void GlDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
                      reinterpret_cast<const void*>(offset));
 }
 
-void GlDevice::drawFullscreen()
-{
-    copier_.drawTriangle(gl_);
-}
+void GlDevice::drawFullscreen() { copier_.drawTriangle(gl_); }
 
 Status GlDevice::present(TextureId id, const HostFramebuffer& host)
 {

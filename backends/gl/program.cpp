@@ -49,8 +49,8 @@ Diagnostics explain(GlApi& gl, const GlslStage& stage, Code code, const std::str
     if (log.empty() && !errors) return errors.diagnostics();
     Diagnostics diagnostics = explainLog(stage, code, log);
     if (!hasErrors(diagnostics))
-        diagnostics.push_back(
-            {code, "the shader '" + label + "' does not " + what + " and the driver does not say why"});
+        diagnostics.push_back({code, "the shader '" + label + "' does not " + what +
+                                         " and the driver does not say why"});
     return diagnostics;
 }
 
@@ -119,8 +119,7 @@ Result<GlProgram> compile(GlApi& gl, const GlProgramCache& cache, const ProgramD
 
 }  // namespace
 
-Result<GlLinkedProgram> makeProgram(GlApi& gl, const GlProgramCache& cache,
-                                    const ProgramDesc& desc)
+Result<GlLinkedProgram> makeProgram(GlApi& gl, const GlProgramCache& cache, const ProgramDesc& desc)
 {
     const std::string key = cache.key(desc);
     GlProgram program = cache.load(gl, key);

@@ -21,7 +21,8 @@ public:
     /// Keeps nothing.
     GlProgramCache() = default;
 
-    /// Reads who the driver is and which formats its binaries have. Keeps nothing where it has none.
+    /// Reads who the driver is and which formats its binaries have. Keeps nothing where it has
+    /// none.
     GlProgramCache(const GlApi& gl, ProgramCache host);
 
     /// What the host knows a program by: a hash over the driver and both stages' text, which says

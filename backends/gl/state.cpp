@@ -55,16 +55,11 @@ constexpr Switch kSwitches[] = {
 };
 
 constexpr PixelStore kPixelStores[] = {
-    {GL_PACK_ALIGNMENT, 1, Where::everywhere},
-    {GL_PACK_ROW_LENGTH, 0, Where::everywhere},
-    {GL_PACK_SKIP_PIXELS, 0, Where::everywhere},
-    {GL_PACK_SKIP_ROWS, 0, Where::everywhere},
-    {GL_UNPACK_ALIGNMENT, 1, Where::everywhere},
-    {GL_UNPACK_ROW_LENGTH, 0, Where::everywhere},
-    {GL_UNPACK_SKIP_PIXELS, 0, Where::everywhere},
-    {GL_UNPACK_SKIP_ROWS, 0, Where::everywhere},
-    {kPackSwapBytes, 0, Where::desktop},
-    {kUnpackSwapBytes, 0, Where::desktop},
+    {GL_PACK_ALIGNMENT, 1, Where::everywhere},     {GL_PACK_ROW_LENGTH, 0, Where::everywhere},
+    {GL_PACK_SKIP_PIXELS, 0, Where::everywhere},   {GL_PACK_SKIP_ROWS, 0, Where::everywhere},
+    {GL_UNPACK_ALIGNMENT, 1, Where::everywhere},   {GL_UNPACK_ROW_LENGTH, 0, Where::everywhere},
+    {GL_UNPACK_SKIP_PIXELS, 0, Where::everywhere}, {GL_UNPACK_SKIP_ROWS, 0, Where::everywhere},
+    {kPackSwapBytes, 0, Where::desktop},           {kUnpackSwapBytes, 0, Where::desktop},
 };
 
 }  // namespace

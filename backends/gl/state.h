@@ -2,14 +2,16 @@
 // The context's state: the host's is kept and put back, and set to known values in between.
 //
 // Kept, neutralised and put back:
-//   bindings     draw and read framebuffer, renderbuffer, program, vertex array, array buffer, pixel
-//                pack and unpack buffer, active texture unit; for each unit used: its sampler and its
-//                texture, the 2D or the multisampled one
+//   bindings     draw and read framebuffer, renderbuffer, program, vertex array, array buffer,
+//   pixel
+//                pack and unpack buffer, active texture unit; for each unit used: its sampler and
+//                its texture, the 2D or the multisampled one
 //   fragments    for each draw buffer, where the context has them apart: blending on or off, its
 //                functions and equations, colour mask; dither, scissor test, stencil test, sample
 //                alpha to coverage, sample coverage, sample mask, sample shading
 //   depth        test, function, mask, range
-//   geometry     viewport, scissor box, cull face test and mode, front face, polygon offset fill, rasterizer
+//   geometry     viewport, scissor box, cull face test and mode, front face, polygon offset fill,
+//   rasterizer
 //                discard, primitive restart with fixed index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
 //   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes,
@@ -97,7 +99,7 @@ private:
     int depth_ = 0;
     Saved saved_ = {};
     Unit units_[kMaxTextureUnits] = {};
-    std::uint32_t saved_units_ = 0;  // a bit for each
+    std::uint32_t saved_units_ = 0;         // a bit for each
     std::uint32_t saved_multisampled_ = 0;  // likewise
 };
 

@@ -31,8 +31,8 @@ private:
     std::vector<GlQuery> queries_;  // by slot; empty where there are no timers
     bool tells_disjoint_ = false;   // desktop OpenGL does not
     std::bitset<kMaxTimers> measured_;
-    bool read_ = true;              // since the last timer began, or none began yet
-    bool disturbed_ = false;        // while any of the measured ones ran
+    bool read_ = true;        // since the last timer began, or none began yet
+    bool disturbed_ = false;  // while any of the measured ones ran
 };
 
 }  // namespace crevice

@@ -84,7 +84,8 @@ void RecordingDevice::blame(std::string what) { misuse_.push_back(std::move(what
 Status RecordingDevice::checkContext(const std::string& what) const
 {
     if (lost_) return Diagnostic{Code::context_lost, "the context of " + what + " is lost"};
-    if (!current_) return Diagnostic{Code::gl_version, "the context of " + what + " is not current"};
+    if (!current_)
+        return Diagnostic{Code::gl_version, "the context of " + what + " is not current"};
     return {};
 }
 

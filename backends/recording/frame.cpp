@@ -12,9 +12,12 @@ namespace {
 int uniformWords(GlslType type)
 {
     switch (type) {
-    case GlslType::vec2: case GlslType::ivec2: return 2;
-    case GlslType::vec3: case GlslType::ivec3: return 3;
-    case GlslType::vec4: case GlslType::ivec4: return 4;
+    case GlslType::vec2:
+    case GlslType::ivec2: return 2;
+    case GlslType::vec3:
+    case GlslType::ivec3: return 3;
+    case GlslType::vec4:
+    case GlslType::ivec4: return 4;
     case GlslType::mat3: return 9;
     case GlslType::mat4: return 16;
     default: return 1;
@@ -91,7 +94,8 @@ void RecordingDevice::beginPass(const PassInfo& pass)
         pass.has_depth != static_cast<bool>(desc.depth))
         blame("pass '" + std::string(pass.label) + "' has other attachments than its framebuffer");
     const int count = std::min(pass.color_count, static_cast<int>(desc.color.size()));
-    for (int i = 0; i < count; ++i) loadAttachment(desc.color[i], pass.color_load[i], pass.color_store[i]);
+    for (int i = 0; i < count; ++i)
+        loadAttachment(desc.color[i], pass.color_load[i], pass.color_store[i]);
     loadAttachment(desc.depth, pass.depth_load, pass.depth_store);
 }
 
@@ -106,7 +110,8 @@ void RecordingDevice::endPass()
         Object& texture = objects_.at(id.value);
         const bool stored = store == StoreOp::store && (texture.defined || drawn_);
         texture.defined = stored && texture.texture.samples == 1;
-        if (resolved) objects_.at(resolved.value).defined = stored;
+        if (resolved)
+            objects_.at(resolved.value).defined = stored;
         else if (stored && texture.texture.samples > 1)
             blame("the samples of texture '" + texture.label + "' are stored, not resolved");
     };

@@ -12,11 +12,11 @@ namespace crevice {
 namespace {
 
 constexpr const char* kCallNames[] = {
-    "createTexture", "createFramebuffer", "createProgram", "createMesh",     "adoptTexture",
-    "destroy",       "writeTexture",      "readTexture",   "beginFrame",     "endFrame",
-    "beginPass",     "endPass",           "setProgram",    "setTexture",     "setUniform",
-    "draw",          "drawFullscreen",    "present",       "finish",
-    "beginTimer",    "endTimer",          "readTimer",
+    "createTexture", "createFramebuffer", "createProgram", "createMesh", "adoptTexture",
+    "destroy",       "writeTexture",      "readTexture",   "beginFrame", "endFrame",
+    "beginPass",     "endPass",           "setProgram",    "setTexture", "setUniform",
+    "draw",          "drawFullscreen",    "present",       "finish",     "beginTimer",
+    "endTimer",      "readTimer",
 };
 constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer"};
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
@@ -32,8 +32,12 @@ constexpr std::size_t kValuesShown = 16;
 bool isInteger(GlslType type)
 {
     switch (type) {
-    case GlslType::int_: case GlslType::ivec2: case GlslType::ivec3: case GlslType::ivec4:
-    case GlslType::uint_: case GlslType::bool_: return true;
+    case GlslType::int_:
+    case GlslType::ivec2:
+    case GlslType::ivec3:
+    case GlslType::ivec4:
+    case GlslType::uint_:
+    case GlslType::bool_: return true;
     default: return false;
     }
 }
@@ -53,7 +57,10 @@ public:
         return add(std::to_string(extent.width) + "x" + std::to_string(extent.height));
     }
     template <class Integer>
-    Line& addInteger(Integer number) { return add(std::to_string(number)); }
+    Line& addInteger(Integer number)
+    {
+        return add(std::to_string(number));
+    }
 
     std::string text() const { return text_; }
 
@@ -155,7 +162,7 @@ std::string RecordingDevice::uniformText(const Record& call) const
     const UniformInfo* uniform = uniformOf(call);
     Line line;
     line.add((uniform ? uniform->name : "nothing") +
-              (count > 1 ? "[" + std::to_string(count) + "]" : ""));
+             (count > 1 ? "[" + std::to_string(count) + "]" : ""));
     for (std::size_t i = 0; i < std::min(all.size(), kValuesShown); ++i) line.add(all[i]);
     return line.text() + (all.size() > kValuesShown ? " ..." : "");
 }
@@ -190,35 +197,49 @@ std::string RecordingDevice::presentText(const Record& call) const
     return line.add("at").add(corner).text();
 }
 
+std::string RecordingDevice::bindingText(const Record& call) const
+{
+    const std::uint32_t* at = words_.data() + call.words;
+    const UniformInfo* uniform = uniformOf(call);
+    Line line;
+    line.add(uniform ? uniform->name : "nothing").add("unit").addInteger(at[1]).add("<- texture");
+    return line.add(label(call.object)).add(kFilterNames[at[2]]).add(kWrapNames[at[3]]).text();
+}
+
 std::string RecordingDevice::arguments(const Record& call) const
 {
     const std::uint32_t* at = words_.data() + call.words;
     const std::string object = label(call.object);
     Line line;
     switch (call.call) {
-    case Call::create_texture: case Call::create_framebuffer: case Call::create_program:
-    case Call::create_mesh: case Call::adopt_texture:
+    case Call::create_texture:
+    case Call::create_framebuffer:
+    case Call::create_program:
+    case Call::create_mesh:
+    case Call::adopt_texture:
         return line.add(object).text() + createdText(objects_.at(call.object));
     case Call::destroy:
         return line.add(kKindNames[static_cast<int>(objects_.at(call.object).kind)])
             .add(object)
             .text();
-    case Call::write_texture: case Call::read_texture: return line.add(object).text();
+    case Call::write_texture:
+    case Call::read_texture: return line.add(object).text();
     case Call::begin_pass: return passText(passes_[at[0]]);
     case Call::set_program: return line.add(object).text() + stateText(at);
-    case Call::set_texture: {
-        const UniformInfo* uniform = uniformOf(call);
-        line.add(uniform ? uniform->name : "nothing").add("unit").addInteger(at[1]);
-        return line.add("<- texture").add(object).add(kFilterNames[at[2]]).add(kWrapNames[at[3]]).text();
-    }
+    case Call::set_texture: return bindingText(call);
     case Call::set_uniform: return uniformText(call);
     case Call::draw:
         return line.add("mesh").add(object).text() + " " + std::to_string(at[0]) + ".." +
                std::to_string(at[0] + at[1]);
     case Call::present: return presentText(call);
-    case Call::begin_timer: case Call::read_timer: return line.addInteger(at[0]).text();
-    case Call::begin_frame: case Call::end_frame: case Call::end_pass: case Call::draw_fullscreen:
-    case Call::finish: case Call::end_timer: break;
+    case Call::begin_timer:
+    case Call::read_timer: return line.addInteger(at[0]).text();
+    case Call::begin_frame:
+    case Call::end_frame:
+    case Call::end_pass:
+    case Call::draw_fullscreen:
+    case Call::finish:
+    case Call::end_timer: break;
     }
     return {};
 }

@@ -37,8 +37,8 @@ Excerpt cutExcerpt(const Place& place)
         cut.cut_after = cut.line.size() > kMaxExcerpt;
         cut.line = utf8Prefix(cut.line, kMaxExcerpt);
     }
-    cut.end = std::min(cut.begin + static_cast<std::size_t>(std::max(place.length, 1)),
-                       cut.line.size());
+    cut.end =
+        std::min(cut.begin + static_cast<std::size_t>(std::max(place.length, 1)), cut.line.size());
     return cut;
 }
 
@@ -55,8 +55,10 @@ void appendExcerpt(std::string& out, const Place& place)
         const bool tab = cut.line[at] == '\t';
         const bool shows = length > 0 && (tab || !isControl(cut.line, at));
         shown += shows ? cut.line.substr(at, length) : "?";
-        if (at < cut.begin) marks += tab ? '\t' : ' ';
-        else if (at < cut.end) marks += marked ? '~' : '^';
+        if (at < cut.begin)
+            marks += tab ? '\t' : ' ';
+        else if (at < cut.end)
+            marks += marked ? '~' : '^';
         marked = at >= cut.begin;
         at += std::max<std::size_t>(length, 1);
     }
@@ -70,10 +72,7 @@ void appendExcerpt(std::string& out, const Place& place)
 }
 
 // A name between quotes in a help line.
-std::string quoted(std::string_view name)
-{
-    return '\'' + std::string(name) + '\'';
-}
+std::string quoted(std::string_view name) { return '\'' + std::string(name) + '\''; }
 
 // Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b` (the
 // optimal string alignment distance).
@@ -114,9 +113,9 @@ bool beginsAlike(std::string_view a, std::string_view b)
 std::size_t nameDistance(const std::string& written, const std::string& candidate,
                          std::size_t limit)
 {
-    const bool ending = candidate.size() > 1 && written.size() > candidate.size() &&
-                        written.compare(written.size() - candidate.size(), candidate.size(),
-                                        candidate) == 0;
+    const bool ending =
+        candidate.size() > 1 && written.size() > candidate.size() &&
+        written.compare(written.size() - candidate.size(), candidate.size(), candidate) == 0;
     const bool path = candidate.find('/') != std::string::npos;
     const bool same_last = path && lastPart(candidate) == lastPart(written);
     const bool just_near = beginsAlike(written, candidate) || ending || same_last;
@@ -146,8 +145,9 @@ const std::string* nearestName(std::string_view name, const std::vector<std::str
 std::string jsonPlace(const Place& place)
 {
     const std::string file = place.source ? jsonString(place.source->name) : "null";
-    return "\"file\": " + file + ", \"line\": " + std::to_string(place.line) + ", \"column\": " +
-           std::to_string(place.column) + ", \"length\": " + std::to_string(place.length);
+    return "\"file\": " + file + ", \"line\": " + std::to_string(place.line) +
+           ", \"column\": " + std::to_string(place.column) +
+           ", \"length\": " + std::to_string(place.length);
 }
 
 const char* severityName(Severity severity)

@@ -36,10 +36,14 @@ public:
         : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
     {
         struct stat info = {};
-        if (file_ < 0 || fstat(file_, &info) != 0) opened_ = failed(errno);
-        else if (S_ISDIR(info.st_mode)) opened_.failure = "it is a folder";
-        else if (!S_ISREG(info.st_mode)) opened_.failure = kIrregular;
-        else size = static_cast<std::uintmax_t>(info.st_size);
+        if (file_ < 0 || fstat(file_, &info) != 0)
+            opened_ = failed(errno);
+        else if (S_ISDIR(info.st_mode))
+            opened_.failure = "it is a folder";
+        else if (!S_ISREG(info.st_mode))
+            opened_.failure = kIrregular;
+        else
+            size = static_cast<std::uintmax_t>(info.st_size);
     }
     ~OpenFile()
     {
@@ -92,13 +96,16 @@ std::string folderOf(const SourceText& by)
 Diagnostic outside(const std::string& path, const std::vector<std::string>& folders)
 {
     std::vector<std::string> shown;
-    for (const std::string& folder : folders) shown.push_back("'" + resolved(folder).string() + "'");
+    for (const std::string& folder : folders)
+        shown.push_back("'" + resolved(folder).string() + "'");
     std::sort(shown.begin(), shown.end());
     shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
     Diagnostic error{Code::module_escape,
                      "the file '" + path + "' lies outside of " + joined(shown, " and ")};
-    error.help = "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots in a "
-                 "program, allows another folder";
+    error.help =
+        "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots in "
+        "a "
+        "program, allows another folder";
     return error;
 }
 
@@ -120,7 +127,8 @@ FileBytes readStart(const std::string& path, std::size_t count)
 
 bool isBelow(const std::string& path, const std::vector<std::string>& folders)
 {
-    if (path.find('\0') != std::string::npos) return false;  // the system would read less of it than is checked
+    if (path.find('\0') != std::string::npos)
+        return false;  // the system would read less of it than is checked
     const fs::path file = resolved(path);
     return std::any_of(folders.begin(), folders.end(), [&file](const std::string& folder) {
         if (folder.empty()) return false;

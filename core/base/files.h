@@ -20,23 +20,23 @@ struct FileBytes {
     explicit operator bool() const { return failure.empty(); }
 };
 
-/// A whole regular file. Devices, pipes and sockets are not opened, since they may have no end; larger files
-/// than `limit` bytes are not read.
+/// A whole regular file. Devices, pipes and sockets are not opened, since they may have no end;
+/// larger files than `limit` bytes are not read.
 FileBytes readBytes(const std::string& path, std::size_t limit);
 
 /// The first `count` bytes of a regular file of any size.
 FileBytes readStart(const std::string& path, std::size_t count);
 
-/// True when the file at `path` is, or would be, below one of the folders, which are seen from the current
-/// folder. A link counts as where it leads, for both.
+/// True when the file at `path` is, or would be, below one of the folders, which are seen from the
+/// current folder. A link counts as where it leads, for both.
 bool isBelow(const std::string& path, const std::vector<std::string>& folders);
 
-/// Reads the file at `path`, which the text `by` names, for decode and loadConfig: its name is `path`, its roots are
-/// those of `by`. Null where there is none or it cannot be read. One of more than kMaxDocumentBytes is cut one byte
-/// behind that, for whoever parses it to refuse.
+/// Reads the file at `path`, which the text `by` names, for decode and loadConfig: its name is
+/// `path`, its roots are those of `by`. Null where there is none or it cannot be read. One of more
+/// than kMaxDocumentBytes is cut one byte behind that, for whoever parses it to refuse.
 ///
-/// Errors: CV1204, without a place, for a file that lies below none of the roots; whether it exists is not looked
-/// at.
+/// Errors: CV1204, without a place, for a file that lies below none of the roots; whether it exists
+/// is not looked at.
 Result<SourceRef> openNamed(const SourceText& by, const std::string& path);
 
 }  // namespace crevice

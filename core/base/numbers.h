@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers to text and back. The only place that does so: printf, strtod and streams write and read a
-// decimal comma once the host has called setlocale, as every Qt and GTK program does.
+// Numbers to text and back. The only place that does so: printf, strtod and streams write and read
+// a decimal comma once the host has called setlocale, as every Qt and GTK program does.
 //
 // What is not finite becomes "nan", "inf" or "-inf".
 #pragma once
@@ -24,8 +24,9 @@ std::string significant(double value, int digits);
 /// With that many decimals and an exponent, as printf's %.3e: "5.000e-01".
 std::string scientific(double value, int decimals);
 
-/// The number that `text` begins with, which is then cut off it: "90s" gives 90 and leaves "s". Spaces
-/// before it are skipped; one that is too large for a double is infinite. Nothing where there is none.
+/// The number that `text` begins with, which is then cut off it: "90s" gives 90 and leaves "s".
+/// Spaces before it are skipped; one that is too large for a double is infinite. Nothing where
+/// there is none.
 std::optional<double> takeNumber(std::string_view& text);
 
 /// The number that the whole of `text` is: "0.5", "-1e3", "inf".

@@ -120,10 +120,7 @@ Place ownPlace(const Place& place)
     return *at;
 }
 
-bool isRelative(std::string_view path)
-{
-    return startsWith(path, "./") || startsWith(path, "../");
-}
+bool isRelative(std::string_view path) { return startsWith(path, "./") || startsWith(path, "../"); }
 
 bool isOnDisk(std::string_view path) { return startsWith(path, "/") || isRelative(path); }
 
@@ -135,12 +132,16 @@ std::string resolvePath(std::string_view from, std::string_view path)
     for (const std::string_view part : split(path, '/')) {
         if (part == "." || part.empty()) continue;
         const bool climbs = part == "..";
-        const bool at_root = parts.empty() || parts.back().empty() || parts.back() == "." ||
-                             parts.back() == "..";
-        if (!climbs) parts.push_back(part);
-        else if (!at_root) parts.pop_back();
-        else if (!isOnDisk(from)) return {};
-        else parts.push_back(part);
+        const bool at_root =
+            parts.empty() || parts.back().empty() || parts.back() == "." || parts.back() == "..";
+        if (!climbs)
+            parts.push_back(part);
+        else if (!at_root)
+            parts.pop_back();
+        else if (!isOnDisk(from))
+            return {};
+        else
+            parts.push_back(part);
     }
     std::string whole(parts.empty() ? "" : parts.front());
     for (std::size_t i = 1; i < parts.size(); ++i) whole.append("/").append(parts[i]);

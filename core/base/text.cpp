@@ -44,10 +44,10 @@ std::uint32_t codePoint(std::string_view text, std::size_t at)
     return code;
 }
 
-// First and last: C0, DEL and C1, and what turns the direction of writing or ends a line (Unicode 15, "Bidi_Control"
-// and U+2028, U+2029).
-constexpr std::uint32_t kControls[][2] = {{0, 0x1F},          {0x7F, 0x9F},       {0x61C, 0x61C},
-                                          {0x200E, 0x200F},   {0x2028, 0x202E},   {0x2066, 0x2069}};
+// First and last: C0, DEL and C1, and what turns the direction of writing or ends a line (Unicode
+// 15, "Bidi_Control" and U+2028, U+2029).
+constexpr std::uint32_t kControls[][2] = {{0, 0x1F},        {0x7F, 0x9F},     {0x61C, 0x61C},
+                                          {0x200E, 0x200F}, {0x2028, 0x202E}, {0x2066, 0x2069}};
 
 // All of them are within the 16 bits that JSON writes so.
 void appendEscaped(std::string& out, std::uint32_t code)
@@ -62,18 +62,18 @@ void appendPrintable(std::string& out, std::string_view text, bool lines)
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = utf8Length(text, at);
         const bool kept = lines && (text[at] == '\n' || text[at] == '\t');
-        if (length == 0) out += "\xEF\xBF\xBD";
-        else if (isControl(text, at) && !kept) appendEscaped(out, codePoint(text, at));
-        else out += text.substr(at, length);
+        if (length == 0)
+            out += "\xEF\xBF\xBD";
+        else if (isControl(text, at) && !kept)
+            appendEscaped(out, codePoint(text, at));
+        else
+            out += text.substr(at, length);
         at += std::max<std::size_t>(length, 1);
     }
 }
 
 // What follows the backslash.
-char shortEscape(char c)
-{
-    return c == '\n' ? 'n' : c == '\r' ? 'r' : c == '\t' ? 't' : c;
-}
+char shortEscape(char c) { return c == '\n' ? 'n' : c == '\r' ? 'r' : c == '\t' ? 't' : c; }
 
 }  // namespace
 
@@ -203,9 +203,12 @@ std::string memberPointer(std::string_view parent, std::string_view key)
     std::string pointer(parent);
     pointer += '/';
     for (const char c : key) {
-        if (c == '~') pointer += "~0";
-        else if (c == '/') pointer += "~1";
-        else pointer += c;
+        if (c == '~')
+            pointer += "~0";
+        else if (c == '/')
+            pointer += "~1";
+        else
+            pointer += c;
     }
     return pointer;
 }
@@ -215,9 +218,12 @@ std::vector<std::string> pointerKeys(std::string_view pointer)
     std::vector<std::string> keys;
     for (std::size_t at = 0; at < pointer.size(); ++at) {
         const std::string_view escape = pointer.substr(at, 2);
-        if (pointer[at] == '/') keys.emplace_back();
-        else if (escape == "~0" || escape == "~1") keys.back() += pointer[++at] == '0' ? '~' : '/';
-        else keys.back() += pointer[at];
+        if (pointer[at] == '/')
+            keys.emplace_back();
+        else if (escape == "~0" || escape == "~1")
+            keys.back() += pointer[++at] == '0' ? '~' : '/';
+        else
+            keys.back() += pointer[at];
     }
     return keys;
 }

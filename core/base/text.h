@@ -45,12 +45,12 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// The words with `separator` between them.
 std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 
-/// True for the character at `at` when a terminal obeys it instead of showing it: control characters, and
-/// marks that turn the direction of writing. Requires at < text.size().
+/// True for the character at `at` when a terminal obeys it instead of showing it: control
+/// characters, and marks that turn the direction of writing. Requires at < text.size().
 bool isControl(std::string_view text, std::size_t at);
 
-/// `text` for a terminal: what isControl finds, but line feeds and tabs, is written out as "\u001b", and bytes
-/// that are not UTF-8 become U+FFFD. JSON stays the same JSON.
+/// `text` for a terminal: what isControl finds, but line feeds and tabs, is written out as
+/// "\u001b", and bytes that are not UTF-8 become U+FFFD. JSON stays the same JSON.
 std::string printable(std::string_view text);
 
 /// The same with line feeds and tabs written out too: for a name, or a message of one line.
@@ -63,8 +63,8 @@ std::string jsonString(std::string_view text);
 /// "/passes/a~1b".
 std::string memberPointer(std::string_view parent, std::string_view key);
 
-/// The keys of an RFC 6901 pointer: "/passes/a~1b" gives "passes" and "a/b". Requires one that is empty
-/// or begins with '/'.
+/// The keys of an RFC 6901 pointer: "/passes/a~1b" gives "passes" and "a/b". Requires one that is
+/// empty or begins with '/'.
 std::vector<std::string> pointerKeys(std::string_view pointer);
 
 }  // namespace crevice

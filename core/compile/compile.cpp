@@ -37,7 +37,8 @@ void checkExtent(State& state)
     report(state, Code::bad_size,
            "a size of " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
                " was asked for, and both sides must be at least 1",
-           Place{}).help = "ask for a size such as 1920x1080";
+           Place{})
+        .help = "ask for a size such as 1920x1080";
 }
 
 void checkRules(State& state)
@@ -46,7 +47,8 @@ void checkRules(State& state)
     names.push_back("all");
     for (const std::string& optimization : state.options.disable) {
         if (std::find(names.begin(), names.end(), optimization) != names.end()) continue;
-        report(state, Code::bad_enum, "'" + optimization + "' is no optimization that can be switched off", Place{})
+        report(state, Code::bad_enum,
+               "'" + optimization + "' is no optimization that can be switched off", Place{})
             .help = suggestName(optimization, names, "optimizations");
     }
 }
@@ -57,15 +59,18 @@ void chooseOutputs(State& state)
     const auto& wanted = state.options.outputs;
     if (outputs.empty())
         report(state, Code::no_outputs, "the config exports no output, so nothing would run",
-               state.description).help = "add: \"outputs\": {\"ao\": \"name of a target\"}";
+               state.description)
+            .help = "add: \"outputs\": {\"ao\": \"name of a target\"}";
     for (std::size_t i = 0; i < outputs.size(); ++i)
         if (wanted.empty() || std::count(wanted.begin(), wanted.end(), outputs[i].name))
             state.outputs.push_back(static_cast<int>(i));
     for (const std::string& name : wanted) {
         if (outputs.empty() || findNamed(outputs, name)) continue;
-        report(state, Code::output_missing, "output '" + name + "' was asked for, which '" +
-                                                state.description.name + "' does not export",
-               Place{}).help = suggestName(name, namesOf(outputs), "outputs");
+        report(state, Code::output_missing,
+               "output '" + name + "' was asked for, which '" + state.description.name +
+                   "' does not export",
+               Place{})
+            .help = suggestName(name, namesOf(outputs), "outputs");
     }
 }
 
@@ -99,9 +104,9 @@ void dropRepeats(State& state)
 
 bool State::applies(std::string_view optimization) const
 {
-    return std::none_of(options.disable.begin(), options.disable.end(), [&](const std::string& kept) {
-        return kept == optimization || kept == "all";
-    });
+    return std::none_of(
+        options.disable.begin(), options.disable.end(),
+        [&](const std::string& kept) { return kept == optimization || kept == "all"; });
 }
 
 Diagnostic& report(State& state, Code code, std::string message, const Named& at)

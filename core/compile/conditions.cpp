@@ -9,10 +9,7 @@ namespace crevice::compiler {
 
 namespace {
 
-const char* boolText(bool value)
-{
-    return value ? "true" : "false";
-}
+const char* boolText(bool value) { return value ? "true" : "false"; }
 
 // What a subject is now, as a condition would write it.
 std::string valueOf(const State& state, const std::string& subject)

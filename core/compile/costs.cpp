@@ -14,10 +14,7 @@ namespace {
 // Bytes assumed of a texel that the description does not know: noise, materials, imports.
 constexpr double kUnknownTexelBytes = 4;
 
-double pixels(const Extent& extent)
-{
-    return static_cast<double>(extent.width) * extent.height;
-}
+double pixels(const Extent& extent) { return static_cast<double>(extent.width) * extent.height; }
 
 void estimate(const Plan& plan, PlanPass& pass)
 {
@@ -27,8 +24,7 @@ void estimate(const Plan& plan, PlanPass& pass)
     };
     for (const PlanInput& input : pass.inputs) {
         if (input.kind == InputKind::constant) continue;
-        const bool known =
-            input.kind == InputKind::target || input.kind == InputKind::history;
+        const bool known = input.kind == InputKind::target || input.kind == InputKind::history;
         pass.bytes_read += count * (known ? texel(input.index) : kUnknownTexelBytes);
     }
     const auto write = [&](const PlanAttachment& attachment) {
@@ -56,10 +52,10 @@ double bytesOf(const State& state, const Pass& pass)
 {
     double texel = 0;
     for (const Read& read : pass.reads) {
-        const bool target = read.named.kind == InputKind::target ||
-                            read.named.kind == InputKind::history;
-        texel += target ? formatInfo(state.targets[read.named.index].format).bytes
-                        : kUnknownTexelBytes;
+        const bool target =
+            read.named.kind == InputKind::target || read.named.kind == InputKind::history;
+        texel +=
+            target ? formatInfo(state.targets[read.named.index].format).bytes : kUnknownTexelBytes;
     }
     for (const int target : writtenBy(pass))
         texel += formatInfo(state.targets[target].format).bytes;
@@ -93,12 +89,16 @@ void addElided(const State& state, const Pass& pass, std::vector<Elided>& elided
 {
     const auto add = [&](const char* optimization, const std::string& reason) {
         elided.push_back({"pass " + pass.desc->name, optimization, reason, bytesOf(state, pass),
-                            texturesOf(state, pass)});
+                          texturesOf(state, pass)});
     };
-    if (!pass.active) add("condition", pass.off_reason);
-    else if (pass.no_op) add("no_op", substituteReason(pass));
-    else if (pass.preserves_constant) add("no_op", constantReason(state, pass));
-    else if (!pass.live) add("dead_pass", "no output asked for needs it");
+    if (!pass.active)
+        add("condition", pass.off_reason);
+    else if (pass.no_op)
+        add("no_op", substituteReason(pass));
+    else if (pass.preserves_constant)
+        add("no_op", constantReason(state, pass));
+    else if (!pass.live)
+        add("dead_pass", "no output asked for needs it");
     if (!pass.live) return;
     for (const int index : pass.color) {
         const Target& target = state.targets[index];
@@ -136,18 +136,17 @@ void estimateBytes(Plan& plan)
 std::vector<Elided> elidedOfFrames(const Plan& plan)
 {
     std::vector<Elided> elided;
-    const auto add = [&](const std::string& what, const std::string& passes, const char* optimization,
-                         const char* reason) {
+    const auto add = [&](const std::string& what, const std::string& passes,
+                         const char* optimization, const char* reason) {
         if (!passes.empty()) elided.push_back({what + passes, optimization, reason, 0, 0, true});
     };
     add("pixels of ", passesThat(plan, isMasked), "depth_mask",
         "per frame, those that the mask excludes");
-    add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.scissor; }), "scissor",
-        "per frame, those outside the bounds of all draws");
+    add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.scissor; }),
+        "scissor", "per frame, those outside the bounds of all draws");
     add("draws of ", passesThat(plan, [](const PlanPass& pass) { return pass.frustum_scale > 0; }),
         "frustum_culling", "per frame, those whose bounds are outside the view");
-    if (!plan.reruns)
-        add("", "passes", "cached", "per frame, those whose inputs have not changed");
+    if (!plan.reruns) add("", "passes", "cached", "per frame, those whose inputs have not changed");
     return elided;
 }
 
@@ -158,15 +157,16 @@ Elided elidedBySharing(const Plan& plan)
         const auto once = [&](int index) {
             if (index < 0) return 0.0;
             PlanTexture alone = plan.textures[index];
-            alone.extent = plan.passes[target.first_pass].extent;  // it may have a part of a larger one
+            alone.extent =
+                plan.passes[target.first_pass].extent;  // it may have a part of a larger one
             return textureBytes(alone);
         };
         own += once(target.texture) + once(target.history_texture) +
                (target.drawn_texture == target.texture ? 0 : once(target.drawn_texture));
     }
     const std::string count = std::to_string(plan.textures.size());
-    return {"textures", "aliasing", std::to_string(plan.targets.size()) + " targets share " + count, 0,
-            own - plan.texture_bytes};
+    return {"textures", "aliasing", std::to_string(plan.targets.size()) + " targets share " + count,
+            0, own - plan.texture_bytes};
 }
 
 std::vector<Elided> elided(const State& state)
@@ -177,8 +177,8 @@ std::vector<Elided> elided(const State& state)
         const TargetDesc& desc = state.description.targets[i];
         const Target& target = state.targets[i];
         if (desc.history && target.textured && !target.remembered)
-            elided.push_back({"history " + desc.name, "dead_pass", "no pass reads " + historyName(desc),
-                                0});
+            elided.push_back(
+                {"history " + desc.name, "dead_pass", "no pass reads " + historyName(desc), 0});
     }
     return elided;
 }

@@ -48,9 +48,9 @@ Window windowAt(const SceneTraits& traits, double distance)
         window.slope = distance * distance * (nearest - farthest);
     }
     if (traits.reversed_depth)
-        window.depth = traits.orthographic ? 1 - window.depth
-                                           : (1 / distance - farthest) * distance * distance /
-                                                 window.slope;
+        window.depth = traits.orthographic
+                           ? 1 - window.depth
+                           : (1 / distance - farthest) * distance * distance / window.slope;
     window.depth = std::clamp(window.depth, 0.0, 1.0);
     return window;
 }

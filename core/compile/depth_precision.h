@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How finely a format tells surfaces apart through a camera, and how far that serves a radius, which is the
-// length that a config has formats resolve. What a plan
-// chooses formats by and warns of; pure figures, in scene units.
+// How finely a format tells surfaces apart through a camera, and how far that serves a radius,
+// which is the length that a config has formats resolve. What a plan chooses formats by and warns
+// of; pure figures, in scene units.
 //
-// Window depth is straight in 1 / distance: a step s of it is z^2 (1/near - 1/far) s at distance z of a
-// perspective camera, off-centre or not, reversed or not, and (far - near) s of an orthographic one. Floats
-// that are stored as they are have steps of 2^floor(log2 z) times that of 1.
+// Window depth is straight in 1 / distance: a step s of it is z^2 (1/near - 1/far) s at distance z
+// of a perspective camera, off-centre or not, reversed or not, and (far - near) s of an
+// orthographic one. Floats that are stored as they are have steps of 2^floor(log2 z) times that
+// of 1.
 #pragma once
 
 #include <crevice/config.h>
@@ -20,20 +21,23 @@ constexpr double kResolvedShare = 0.1;
 /// Where a radius covers fewer pixels, estimators fade: nothing is asked of a format there.
 constexpr double kLeastRadiusPixels = 2.0;
 
-/// Steps of window depth below this are lost before a texture keeps them: a rasteriser makes window depth
-/// of -1..1 in single float.
+/// Steps of window depth below this are lost before a texture keeps them: a rasteriser makes window
+/// depth of -1..1 in single float.
 constexpr double kDrawnDepthStep = 1.0 / (1 << 24);
 
 /// What a texture that surfaces are read from holds.
 struct StoredSurface {
-    Semantic semantic = Semantic::other;  ///< Of a colour format; a depth format holds window depth.
+    /// Of a colour format; a depth format holds window depth.
+    Semantic semantic = Semantic::other;
     Format format = Format::none;
-    bool drawn = true;  ///< Window depth that a rasteriser made, rather than a shader, or a host that may
-                        ///< clip at depth 0.
+    /// Window depth that a rasteriser made, rather than a shader, or a host that may clip at depth
+    /// 0.
+    bool drawn = true;
 };
 
 /// What `target` holds in `format`.
-StoredSurface storedSurface(const Description& description, const TargetDesc& target, Format format);
+StoredSurface storedSurface(const Description& description, const TargetDesc& target,
+                            Format format);
 
 /// What is asked of a format: steps of at most `step` up to `distance`. All 0 where nothing is.
 struct PrecisionNeed {
@@ -44,8 +48,8 @@ struct PrecisionNeed {
 /// What a radius asks: a tenth of it, up to the far plane or to where it covers two pixels.
 PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height);
 
-/// The param that formats have to resolve: of those that are a length, the one of the least value. Null where
-/// there is none.
+/// The param that formats have to resolve: of those that are a length, the one of the least value.
+/// Null where there is none.
 const ParamDesc* resolvedLength(const Description& description);
 
 /// The need of a config at the present value of that; none where there is none.
@@ -54,17 +58,18 @@ PrecisionNeed precisionNeed(const Description& description, const SceneTraits& t
 /// Distance between neighbours of the format at `value` >= 0; infinite above the largest it holds.
 double formatStep(Format format, double value);
 
-/// How far apart two surfaces about `distance` must lie in view depth to be told apart; 0 where what is
-/// stored is no surface. In an orthographic view the distance counts from the near plane.
+/// How far apart two surfaces about `distance` must lie in view depth to be told apart; 0 where
+/// what is stored is no surface. In an orthographic view the distance counts from the near plane.
 double viewStep(const SceneTraits& traits, const StoredSurface& stored, double distance);
 
-/// The distance up to which the need is met: `need.distance` where it is met in full, 0 where nowhere.
+/// The distance up to which the need is met: `need.distance` where it is met in full, 0 where
+/// nowhere.
 double resolvedDistance(const SceneTraits& traits, const StoredSurface& stored,
                         const PrecisionNeed& need);
 
-/// Of the target's preference list and the device: the first format that meets the need, else the one that
-/// meets it farthest; never one that does not filter for a target that is read so. The list's first where
-/// the device renders to none.
+/// Of the target's preference list and the device: the first format that meets the need, else the
+/// one that meets it farthest; never one that does not filter for a target that is read so. The
+/// list's first where the device renders to none.
 Format chooseFormat(const Description& description, const TargetDesc& target,
                     const SceneTraits& traits, const DeviceCaps& caps, const PrecisionNeed& need);
 

@@ -77,9 +77,8 @@ std::string reachText(const Setup& setup, const StoredSurface& surface)
 
 std::string cameraText(const SceneTraits& traits)
 {
-    return traits.orthographic
-               ? "its planes " + figure(traits.camera.far_distance) + " apart"
-               : "near " + figure(traits.camera.near_distance, nearest, 3);
+    return traits.orthographic ? "its planes " + figure(traits.camera.far_distance) + " apart"
+                               : "near " + figure(traits.camera.near_distance, nearest, 3);
 }
 
 // ---- what would help
@@ -141,7 +140,8 @@ std::string helpFor(const State& state, const Setup& setup, const Stored& stored
 
 // ---- what is stored
 
-// Whether a pass that runs looks about within the radius, and allows for the steps of what `name` stores.
+// Whether a pass that runs looks about within the radius, and allows for the steps of what `name`
+// stores.
 bool allowsFor(const State& state, const std::string& name)
 {
     const std::string define = stepDefine(name);
@@ -169,8 +169,10 @@ std::vector<Stored> storedSurfaces(const State& state)
     }
     for (const ImportDesc& desc : state.description.imports)
         if (desc.type == ImportType::texture)
-            all.push_back({desc.name, {Semantic::other, formatFromName(desc.format), false},
-                           desc.place, desc.pointer});
+            all.push_back({desc.name,
+                           {Semantic::other, formatFromName(desc.format), false},
+                           desc.place,
+                           desc.pointer});
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Stored& each) { return !allowsFor(state, each.name); }),
               all.end());
@@ -202,7 +204,8 @@ std::string formatReason(const State& state, int target)
     const Format chosen = state.targets[target].format;
     if (chosen == preferred) return {};
     return std::string(formatInfo(chosen).name) + " instead of " + formatInfo(preferred).name +
-           ", which " + reachText(setupOf(state), storedSurface(state.description, desc, preferred));
+           ", which " +
+           reachText(setupOf(state), storedSurface(state.description, desc, preferred));
 }
 
 void lintPrecision(State& state)

@@ -123,8 +123,10 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
     }
     if (behind->kind != InputKind::target) return;
     const int writer = state.targets[behind->index].writer;
-    if (writer == index) reportOwnOutput(state, pass, behind->index, at);
-    else waiting.edges[index].push_back({writer, behind->index});
+    if (writer == index)
+        reportOwnOutput(state, pass, behind->index, at);
+    else
+        waiting.edges[index].push_back({writer, behind->index});
 }
 
 // What a no-op gives is waited for as what a sampler reads is, whether the no-op holds or
@@ -163,11 +165,11 @@ void checkBypasses(State& state)
             const int target = indexOf(state.description.targets, bypass.output.name);
             if (target < 0 || state.targets[target].writer < 0) continue;
             const Pass& writer = state.passes[state.targets[target].writer];
-            Diagnostic& error = report(
-                state, Code::two_writers,
-                "pass '" + pass.desc->name + "' passes on '" + bypass.output.name +
-                    "' while it is off, which pass '" + writer.desc->name + "' writes",
-                bypass.output);
+            Diagnostic& error =
+                report(state, Code::two_writers,
+                       "pass '" + pass.desc->name + "' passes on '" + bypass.output.name +
+                           "' while it is off, which pass '" + writer.desc->name + "' writes",
+                       bypass.output);
             error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
             blame(error, ownPlace(error.place), "it is passed on here");
             error.help = "take one of the two out, or let one write a target of its own";
@@ -196,8 +198,9 @@ void findWriters(State& state)
                                        referenceTo(pass, name));
             error.notes.push_back({referenceTo(first, name).place, "the first writer"});
             blame(error, ownPlace(error.place), "the second writer");
-            error.help = "write to a target of its own, or give the passes conditions that exclude "
-                         "each other";
+            error.help =
+                "write to a target of its own, or give the passes conditions that exclude "
+                "each other";
         }
     }
     checkBypasses(state);

@@ -78,13 +78,12 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
     if (mentionedAnywhere(state, shader.vertex.name, name.name, seen)) return;
     if (mentionedAnywhere(state, shader.fragment.name, name.name, seen)) return;
     std::vector<std::string> names;
-    for (const GlslStage* stage : {&state.shaders[pass.shader].vertex,
-                                   &state.shaders[pass.shader].fragment})
+    for (const GlslStage* stage :
+         {&state.shaders[pass.shader].vertex, &state.shaders[pass.shader].fragment})
         for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
     Diagnostic& error = report(state, Code::input_unused,
-                               "pass '" + pass.desc->name + "' " + what + " '" +
-                                   name.name + "', which shader '" + shader.name +
-                                   "' does not have",
+                               "pass '" + pass.desc->name + "' " + what + " '" + name.name +
+                                   "', which shader '" + shader.name + "' does not have",
                                name);
     error.help = suggestName(name.name, names, "the shader declares");
     const bool same = std::count(names.begin(), names.end(), from.name) > 0;
@@ -101,9 +100,11 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
     const bool imported = source.kind == InputKind::imported;
     if (state.caps.version < 310) {
         reportGlsl(state, Code::sampler_version,
-                   who + "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
-                         "3.0",
-                   pass, uniform.place).help =
+                   who +
+                       "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
+                       "3.0",
+                   pass, uniform.place)
+            .help =
             "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and "
             "take a module for one sample a pixel: geometry/host_depth";
     } else if (!imported) {
@@ -111,11 +112,13 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
                    who + "is a sampler2DMS, and what it reads has one sample a pixel", pass,
                    uniform.place)
             .help = "declare it as sampler2D: what has several is resolved before it is read";
-    } else if (const ImportDesc& import = state.description.imports[source.index]; import.optional) {
+    } else if (const ImportDesc& import = state.description.imports[source.index];
+               import.optional) {
         report(state, Code::uniform_type,
                who + "is a sampler2DMS, and nothing can stand in for import '" + import.name +
                    "' when it is absent",
-               import).help = "leave out its 'optional'";
+               import)
+            .help = "leave out its 'optional'";
     }
 }
 
@@ -129,7 +132,8 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
     if (uniform.array) {
         reportGlsl(state, Code::uniform_type,
                    who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
-                   pass, uniform.place).help = "declare one sampler2D for each texture";
+                   pass, uniform.place)
+            .help = "declare one sampler2D for each texture";
         return;
     }
     const InputDesc* input = inputFor(*pass.desc, uniform.name);
@@ -140,11 +144,10 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
         pass.reads.push_back({uniform.name, uniform.place, input, *source});
         return;
     }
-    Diagnostic& error =
-        reportGlsl(state, Code::uniform_unbound,
-                   who + "sampler '" + uniform.name + "' reads '" + name +
-                       "', which is no target, generated texture or import",
-                   pass, uniform.place);
+    Diagnostic& error = reportGlsl(state, Code::uniform_unbound,
+                                   who + "sampler '" + uniform.name + "' reads '" + name +
+                                       "', which is no target, generated texture or import",
+                                   pass, uniform.place);
     for (const Named& each : state.description.deleted)
         if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
     error.help = suggestName(name, texturesOf(state), "textures");
@@ -155,14 +158,16 @@ void checkInputs(State& state, const Pass& pass)
     for (const InputDesc& input : pass.desc->inputs)
         checkMentioned(state, pass, input.sampler, input.from, "renames input");
     for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
-        checkMentioned(state, pass, each.sampler, each.sampler, "preserves the constant of sampler");
+        checkMentioned(state, pass, each.sampler, each.sampler,
+                       "preserves the constant of sampler");
 }
 
 SamplerDesc samplingOf(const Read& read)
 {
     const bool material = read.named.kind == InputKind::material;
     const bool tiled = material || read.named.kind == InputKind::generated;
-    SamplerDesc sampling = {material ? Filter::linear : Filter::nearest, tiled ? Wrap::repeat : Wrap::clamp};
+    SamplerDesc sampling = {material ? Filter::linear : Filter::nearest,
+                            tiled ? Wrap::repeat : Wrap::clamp};
     if (read.input && read.input->has_filter) sampling.filter = read.input->filter;
     if (read.input && read.input->has_wrap) sampling.wrap = read.input->wrap;
     return sampling;

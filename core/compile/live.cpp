@@ -59,7 +59,8 @@ bool storedAlike(const State& state, int replaced, int by)
     const FormatInfo& wanted = formatInfo(state.targets[replaced].format);
     const FormatInfo& given = formatInfo(state.targets[by].format);
     return given.format_class == wanted.format_class && given.channels >= wanted.channels &&
-           given.absolute_step == wanted.absolute_step && given.relative_step == wanted.relative_step;
+           given.absolute_step == wanted.absolute_step &&
+           given.relative_step == wanted.relative_step;
 }
 
 // Whether each target that the no-op gives for another one is stored as that is.
@@ -107,12 +108,14 @@ void chooseConstant(State& state)
 // Takes back what stands in for the pass, and takes what may do instead, if anything.
 void standBack(const State& state, Pass& pass)
 {
-    if (pass.no_op) pass.no_op = nextNoOp(state, pass);
-    else pass.indispensable = true;
+    if (pass.no_op)
+        pass.no_op = nextNoOp(state, pass);
+    else
+        pass.indispensable = true;
 }
 
-// Marks the target behind `source` and its writer. False when that writer has been replaced by what does
-// not give this target; the caller must then take that back.
+// Marks the target behind `source` and its writer. False when that writer has been replaced by what
+// does not give this target; the caller must then take that back.
 bool need(State& state, const Source& source, std::vector<int>& work, int& conflict)
 {
     const std::optional<Source> behind = resolve(state, source);

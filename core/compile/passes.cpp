@@ -56,8 +56,8 @@ private:
     Plan plan_;
 };
 
-// The pass's shader without the outputs that nobody reads. Those that nobody reads by a param's value stay, so
-// that no such value compiles a shader.
+// The pass's shader without the outputs that nobody reads. Those that nobody reads by a param's
+// value stay, so that no such value compiles a shader.
 Shader Builder::shaderOf(const Pass& pass) const
 {
     Shader shader = state_.shaders[pass.shader];
@@ -84,7 +84,8 @@ int Builder::program(const Pass& pass)
 
 void Builder::countVariants(PlanProgram& program) const
 {
-    std::set<std::string> used(program.vertex.defines_used.begin(), program.vertex.defines_used.end());
+    std::set<std::string> used(program.vertex.defines_used.begin(),
+                               program.vertex.defines_used.end());
     used.insert(program.fragment.defines_used.begin(), program.fragment.defines_used.end());
     const auto vary = [&](const std::string& define, const std::string& name, double values) {
         if (used.count(define) == 0 || values < 2) return;
@@ -130,9 +131,8 @@ int Builder::planTarget(int target) const
 void Builder::collectUsed()
 {
     const auto is_used = [this](const auto& desc) {
-        return std::any_of(state_.passes.begin(), state_.passes.end(), [&](const Pass& pass) {
-            return pass.live && uses(state_, pass, desc);
-        });
+        return std::any_of(state_.passes.begin(), state_.passes.end(),
+                           [&](const Pass& pass) { return pass.live && uses(state_, pass, desc); });
     };
     for (const GeneratedDesc& desc : description_.generated) {
         if (!is_used(desc)) continue;
@@ -175,10 +175,10 @@ PlanAttachment Builder::attachment(const Pass& pass, int target, bool depth) con
     const PassDesc& desc = *pass.desc;
     const StateDesc& state = desc.state;
     // A fragment that fails a test or is thrown away leaves what was there.
-    const bool keeps = desc.type == PassType::draw || state.depth_test != Compare::always ||
-                       (depth && !state.depth_write) || readsMask(pass) ||
-                       isScissored(state_, pass) ||
-                       findWord(state_.shaders[pass.shader].fragment.text, "discard") != std::string::npos;
+    const bool keeps =
+        desc.type == PassType::draw || state.depth_test != Compare::always ||
+        (depth && !state.depth_write) || readsMask(pass) || isScissored(state_, pass) ||
+        findWord(state_.shaders[pass.shader].fragment.text, "discard") != std::string::npos;
     if (!keeps) {
         result.reason = "every pixel is overwritten";
         return result;
@@ -271,7 +271,8 @@ void Builder::addPass(int index)
     plan_.passes.push_back(std::move(result));
 }
 
-// The mask is tested against, and stays as it is. Where a constant stands in for it the pass is drawn everywhere.
+// The mask is tested against, and stays as it is. Where a constant stands in for it the pass is
+// drawn everywhere.
 void Builder::addMask(const Pass& pass, PlanPass& into) const
 {
     if (!readsMask(pass)) return;
@@ -283,8 +284,8 @@ void Builder::addMask(const Pass& pass, PlanPass& into) const
     into.depth.reason = "tested: the pass is drawn where it is more than 0";
 }
 
-// Those of which all that they read comes from things of the draw list, as far as a frame's bounds tell. Passes come
-// after what they read.
+// Those of which all that they read comes from things of the draw list, as far as a frame's bounds
+// tell. Passes come after what they read.
 void Builder::boundPasses()
 {
     std::vector<bool> shows_things;
@@ -296,11 +297,13 @@ void Builder::boundPasses()
     for (PlanPass& pass : plan_.passes) {
         const PassDesc& desc = *findNamed(description_.passes, pass.name);
         const bool draws = pass.type == PassType::draw;
-        shows_things.push_back(draws ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
-                                     : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromThings));
+        shows_things.push_back(
+            draws ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
+                  : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromThings));
         pass.scissor = desc.scissor && state_.applies("scissor") && shows_things.back();
         if (pass.scissor && !desc.cull_below_pixel.empty())
-            pass.cull_below_pixel = param(*findNamed(description_.params, desc.cull_below_pixel.name));
+            pass.cull_below_pixel =
+                param(*findNamed(description_.params, desc.cull_below_pixel.name));
     }
 }
 
@@ -382,9 +385,6 @@ Plan Builder::build()
 
 }  // namespace
 
-Plan buildPlan(const State& state)
-{
-    return Builder(state).build();
-}
+Plan buildPlan(const State& state) { return Builder(state).build(); }
 
 }  // namespace crevice::compiler

@@ -60,7 +60,8 @@ void choose(State& state, const Pass& pass, const std::vector<int>& written)
     report(state, Code::no_samples,
            "pass '" + pass.desc->name + "' falls back from " + text(asked) + " a pixel to " +
                std::to_string(count) + ": the device draws no more into " + formats,
-           *pass.desc).severity = Severity::warning;
+           *pass.desc)
+        .severity = Severity::warning;
 }
 
 }  // namespace

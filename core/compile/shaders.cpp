@@ -42,7 +42,8 @@ void addTraits(GlslDefines& defines, const SceneTraits& traits)
 std::string stepsOf(Format format)
 {
     const FormatInfo& info = formatInfo(format);
-    return "vec2(" + scientific(info.absolute_step, 3) + ", " + scientific(info.relative_step, 3) + ")";
+    return "vec2(" + scientific(info.absolute_step, 3) + ", " + scientific(info.relative_step, 3) +
+           ")";
 }
 
 void addSteps(GlslDefines& defines, const State& state)
@@ -137,15 +138,16 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
         const auto writes = [i](const GlslOutput& output) { return output.location == i; };
         if (std::any_of(fragment.outputs.begin(), fragment.outputs.end(), writes)) continue;
         report(state, Code::output_mismatch,
-               who + "its shader has no output at location " + std::to_string(i) +
-                   " for target '" + pass.color[i].name + "'",
-               pass.color[i]).help = "add: layout(location = " + std::to_string(i) + ") out ...";
+               who + "its shader has no output at location " + std::to_string(i) + " for target '" +
+                   pass.color[i].name + "'",
+               pass.color[i])
+            .help = "add: layout(location = " + std::to_string(i) + ") out ...";
     }
     if (shuffled(fragment.outputs, pass.color))
         reportGlsl(state, Code::output_mismatch,
                    who + "the shader's outputs have the targets' names in another order", reader,
-                   fragment.outputs.front().place).help =
-            "give `color` and the output locations one order";
+                   fragment.outputs.front().place)
+            .help = "give `color` and the output locations one order";
 }
 
 void readPass(State& state, Pass& pass)
@@ -154,8 +156,10 @@ void readPass(State& state, Pass& pass)
     if (!shader.ok) return;
     for (const GlslStage* stage : {&shader.vertex, &shader.fragment}) {
         for (const GlslUniform& uniform : stage->uniforms) {
-            if (isSampler(uniform.type)) readSampler(state, pass, uniform);
-            else bindUniform(state, pass, uniform);
+            if (isSampler(uniform.type))
+                readSampler(state, pass, uniform);
+            else
+                bindUniform(state, pass, uniform);
         }
     }
     checkInputs(state, pass);

@@ -25,7 +25,7 @@ struct Source {
 
 /// A sampler of a pass.
 struct Read {
-    std::string sampler;  ///< Empty for what `mask` names.
+    std::string sampler;               ///< Empty for what `mask` names.
     Place declared = {};               ///< In the GLSL.
     const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
     Source named = {};                 ///< What the name stands for before passes are left out.
@@ -41,17 +41,18 @@ struct Shader {
 
 struct Pass {
     const PassDesc* desc = nullptr;
-    int shader = -1;  ///< Into State::shaders.
-    bool active = true;                      ///< Its condition holds.
-    std::string off_reason = {};             ///< Why not.
-    bool live = false;                       ///< Some output needs it.
+    int shader = -1;                  ///< Into State::shaders.
+    bool active = true;               ///< Its condition holds.
+    std::string off_reason = {};      ///< Why not.
+    bool live = false;                ///< Some output needs it.
     const NoOpDesc* no_op = nullptr;  ///< What stands in for it, when something does.
-    bool preserves_constant = false;             ///< What it reads is constant, and so stands in for it.
-    bool indispensable = false;              ///< ... but not for all that is needed of it.
+    /// What it reads is constant, and so stands in for it.
+    bool preserves_constant = false;
+    bool indispensable = false;  ///< ... but not for all that is needed of it.
     std::vector<Read> reads = {};
     std::vector<PlanUniform> uniforms = {};  ///< With indices into the description's lists.
-    std::vector<int> color = {};  ///< Targets.
-    int depth = -1;               ///< A target, or -1 for none.
+    std::vector<int> color = {};             ///< Targets.
+    int depth = -1;                          ///< A target, or -1 for none.
 
     bool replaced() const { return no_op != nullptr || preserves_constant; }
 };
@@ -75,12 +76,13 @@ struct State {
     std::vector<Shader> shaders = {};  ///< The description's.
     std::vector<Pass> passes = {};
     std::vector<Target> targets = {};
-    std::vector<int> order = {};    ///< Active passes by data flow.
-    std::vector<int> outputs = {};  ///< Those asked for.
+    std::vector<int> order = {};          ///< Active passes by data flow.
+    std::vector<int> outputs = {};        ///< Those asked for.
     std::set<std::string> unplaced = {};  ///< Shader outputs that no target of their pass takes.
     Diagnostics diagnostics = {};
 
-    bool applies(std::string_view optimization) const;  ///< False when the options switch the optimization off.
+    /// False when the options switch the optimization off.
+    bool applies(std::string_view optimization) const;
 };
 
 /// Adds an error and returns it, for notes and help. The reference is valid until the next one.

@@ -3,12 +3,10 @@
 //
 //   conditions  which passes run
 //   formats     formats, which shaders take into account; at the end, where those are too coarse
-//   shaders     defines, stages, outputs; with inputs for the samplers and uniforms for the other uniforms
-//   graph       writers and order
-//   live        what is needed, and what stands in for what is not
-//   textures    sizes, formats, shared slots; with samples for multisampling
-//   lint        what would draw nothing good
-//   passes      the plan itself; with costs for the bytes and what is left out
+//   shaders     defines, stages, outputs; with inputs for the samplers and uniforms for the other
+//   uniforms graph       writers and order live        what is needed, and what stands in for what
+//   is not textures    sizes, formats, shared slots; with samples for multisampling lint what would
+//   draw nothing good passes      the plan itself; with costs for the bytes and what is left out
 #pragma once
 
 #include "core/compile/state.h"
@@ -20,8 +18,8 @@ void decideConditions(State& state);
 
 // formats.cpp
 void chooseFormats(State& state);
-/// Why the target has this format rather than one before it in its list; empty where it has the first
-/// that the device renders to.
+/// Why the target has this format rather than one before it in its list; empty where it has the
+/// first that the device renders to.
 std::string formatReason(const State& state, int target);
 /// The warning CV6015.
 void lintPrecision(State& state);
@@ -43,7 +41,8 @@ bool readsMask(const Pass& pass);
 /// Finds what feeds the uniform, and adds that to the pass.
 void bindUniform(State& state, Pass& pass, const GlslUniform& uniform);
 void checkLimits(State& state, const Pass& pass, const Shader& shader);
-/// Uniform vectors that a stage takes: one for each scalar, vector, array element and column of a matrix.
+/// Uniform vectors that a stage takes: one for each scalar, vector, array element and column of a
+/// matrix.
 int vectorsOf(const GlslStage& stage);
 /// Offsets or pixels, from the param where one is named.
 int generatedCount(const Description& description, const GeneratedDesc& generated);

@@ -45,8 +45,7 @@ float scaleOf(const Description& description, const SizeDesc& size)
 Extent followedExtent(const State& state, const SizeDesc& size)
 {
     const TargetDesc* followed = findNamed(state.description.targets, size.of.name);
-    const Extent extent =
-        followed ? followedExtent(state, followed->size) : state.options.extent;
+    const Extent extent = followed ? followedExtent(state, followed->size) : state.options.extent;
     const float scale = scaleOf(state.description, size);
     return {scaled(extent.width, scale), scaled(extent.height, scale)};
 }
@@ -66,9 +65,9 @@ void checkAttachmentSizes(State& state, const Pass& pass)
                        targets[index].name + "' is " + text(other),
                    referenceTo(pass, targets[index].name));
         for (const int each : {written.front(), index})
-            error.notes.push_back({targets[each].size.place.source ? targets[each].size.place
-                                                                   : targets[each].place,
-                                   "'" + targets[each].name + "' has its size here"});
+            error.notes.push_back(
+                {targets[each].size.place.source ? targets[each].size.place : targets[each].place,
+                 "'" + targets[each].name + "' has its size here"});
         error.help = "give them the same `size`";
         return;
     }
@@ -86,7 +85,8 @@ void checkKind(State& state, const Reference& at, bool depth)
         report(state, Code::attachment_kind,
                "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
                    (depth ? "depth" : "colour") + " attachment",
-               at).help = depth ? "use depth16, depth24 or depth32f" : "use a colour format";
+               at)
+            .help = depth ? "use depth16, depth24 or depth32f" : "use a colour format";
         return;
     }
 }
@@ -102,7 +102,8 @@ void checkAttachments(State& state, const Pass& pass)
     report(state, Code::too_many,
            "pass '" + pass.desc->name + "' writes " + std::to_string(count) +
                " colour targets, and the device takes " + std::to_string(limit),
-           *pass.desc).help = "pack them into fewer targets, or split the pass";
+           *pass.desc)
+        .help = "pack them into fewer targets, or split the pass";
 }
 
 void checkSubstitute(State& state, const Reference& output, const Reference& input)
@@ -115,7 +116,8 @@ void checkSubstitute(State& state, const Reference& output, const Reference& inp
                ") cannot stand in for '" + output.name + "' (" +
                formatInfo(replaced->formats.front()).name +
                "): one holds depth and the other colour",
-           input).help = "give both targets formats of one kind";
+           input)
+        .help = "give both targets formats of one kind";
 }
 
 std::string listed(const std::vector<Format>& formats)
@@ -130,18 +132,18 @@ void checkFormat(State& state, const TargetDesc& desc, Format chosen)
 {
     if (!state.caps.canRender(chosen)) {
         report(state, Code::no_format,
-               "the device can render to no format of target '" + desc.name + "': " +
-                   listed(desc.formats),
-               desc).help = "add a format that every device has, such as rgba8 or depth16";
+               "the device can render to no format of target '" + desc.name +
+                   "': " + listed(desc.formats),
+               desc)
+            .help = "add a format that every device has, such as rgba8 or depth16";
         return;
     }
     if (state.caps.canRender(desc.formats.front())) return;
-    Diagnostic& warning = report(state, Code::no_format,
-                                 "target '" + desc.name + "' falls back from " +
-                                     formatInfo(desc.formats.front()).name + " to " +
-                                     formatInfo(chosen).name +
-                                     ": the device does not render to the first choice",
-                                 desc);
+    Diagnostic& warning = report(
+        state, Code::no_format,
+        "target '" + desc.name + "' falls back from " + formatInfo(desc.formats.front()).name +
+            " to " + formatInfo(chosen).name + ": the device does not render to the first choice",
+        desc);
     warning.severity = Severity::warning;
 }
 
@@ -165,7 +167,8 @@ public:
     // One that is free by `first_pass`, or a new one.
     int take(const PlanTexture& wanted, int first_pass, int last_pass)
     {
-        const int slot = find(wanted, first_pass, [&](const Extent& each) { return each == wanted.extent; });
+        const int slot =
+            find(wanted, first_pass, [&](const Extent& each) { return each == wanted.extent; });
         return slot < 0 ? add(wanted, last_pass) : use(slot, wanted, last_pass);
     }
 
@@ -219,7 +222,8 @@ void chooseExtents(State& state)
                "a picture of " + text(state.options.extent) +
                    " is wanted, and the device's textures end at " + std::to_string(limit) + "x" +
                    std::to_string(limit),
-               Place{}).help = "ask for a smaller size";
+               Place{})
+            .help = "ask for a smaller size";
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         Target& target = state.targets[i];
         const TargetDesc& desc = state.description.targets[i];
@@ -233,7 +237,8 @@ void chooseExtents(State& state)
                "target '" + desc.name + "' would be " + text(target.extent) +
                    ", and the device's textures end at " + std::to_string(limit) + "x" +
                    std::to_string(limit),
-               desc).help = "use a smaller `scale`, or ask for a smaller size";
+               desc)
+            .help = "use a smaller `scale`, or ask for a smaller size";
     }
     for (const Pass& pass : state.passes)
         if (pass.active) checkAttachmentSizes(state, pass);
@@ -281,8 +286,7 @@ void shareTextures(const State& state, Plan& plan)
     for (const PlanTarget& target : plan.targets) {
         if (target.last_pass < static_cast<int>(plan.passes.size())) continue;
         plan.textures[target.texture].copies = plan.views;
-        if (target.history_texture >= 0)
-            plan.textures[target.history_texture].copies = plan.views;
+        if (target.history_texture >= 0) plan.textures[target.history_texture].copies = plan.views;
     }
 }
 

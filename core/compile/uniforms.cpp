@@ -25,14 +25,22 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
                                std::string_view name)
 {
     if (const int i = indexOf(description.params, name); i >= 0)
-        return Supply{glslTypeOf(description.params[i].type), 0, "param", description.params[i].place,
-                      UniformSource::param, i};
+        return Supply{glslTypeOf(description.params[i].type),
+                      0,
+                      "param",
+                      description.params[i].place,
+                      UniformSource::param,
+                      i};
     if (const int i = indexOf(description.generated, name); i >= 0) {
         const GeneratedDesc& generated = description.generated[i];
         if (generatesTexture(generated.generator))
             return Supply{GlslType::sampler2d, 0, "generated texture", generated.place};
-        return Supply{GlslType::vec3, generatedCount(description, generated), "kernel",
-                      generated.place, UniformSource::kernel, i};
+        return Supply{GlslType::vec3,
+                      generatedCount(description, generated),
+                      "kernel",
+                      generated.place,
+                      UniformSource::kernel,
+                      i};
     }
     if (const TargetDesc* target = findNamed(description.targets, name))
         return Supply{GlslType::sampler2d, 0, "target", target->place};
@@ -42,7 +50,10 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
     const FrameValueInfo* value = findFrameValue(name);
     const bool of_draw = value && value->import == ImportType::draw_list;
     if (!value || (of_draw && pass.type != PassType::draw)) return std::nullopt;
-    return Supply{value->type, value->count > 1 ? value->count : 0, "value of the frame", {},
+    return Supply{value->type,
+                  value->count > 1 ? value->count : 0,
+                  "value of the frame",
+                  {},
                   of_draw ? UniformSource::draw : UniformSource::frame,
                   static_cast<int>(value - kFrameValues)};
 }
@@ -59,7 +70,8 @@ std::vector<std::string> valueNames(const Description& description, const PassDe
     for (const GeneratedDesc& each : description.generated)
         if (!generatesTexture(each.generator)) names.push_back(each.name);
     for (const FrameValueInfo& value : kFrameValues)
-        if (value.import != ImportType::draw_list || pass.type == PassType::draw) names.push_back(value.name);
+        if (value.import != ImportType::draw_list || pass.type == PassType::draw)
+            names.push_back(value.name);
     return names;
 }
 
@@ -71,7 +83,8 @@ void checkVectors(State& state, const PassDesc& pass, const GlslStage& stage, co
     report(state, Code::too_many,
            "pass '" + pass.name + "': the " + name + " shader has " + std::to_string(vectors) +
                " uniform vectors, and the device holds " + std::to_string(limit),
-           pass).help = "ask for fewer samples or lights, or fewer uniforms";
+           pass)
+        .help = "ask for fewer samples or lights, or fewer uniforms";
 }
 
 template <class Test>
@@ -83,27 +96,27 @@ bool anyUniform(const Pass& pass, Test&& test)
 void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform)
 {
     const bool draws_only = findFrameValue(uniform.name) != nullptr;
-    Diagnostic& error = reportGlsl(
-        state, Code::uniform_unbound,
-        "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' " +
-            (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
-        pass, uniform.place);
+    Diagnostic& error =
+        reportGlsl(state, Code::uniform_unbound,
+                   "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' " +
+                       (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
+                   pass, uniform.place);
     for (const Named& each : state.description.deleted)
         if (each.name == uniform.name) error.notes.push_back({each.place, "it was deleted here"});
-    error.help = draws_only ? "make the pass a draw, or drop the uniform"
-                            : suggestName(uniform.name, valueNames(state.description, *pass.desc),
-                                          "values");
+    error.help =
+        draws_only ? "make the pass a draw, or drop the uniform"
+                   : suggestName(uniform.name, valueNames(state.description, *pass.desc), "values");
 }
 
 void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, const Supply& supply)
 {
     const std::string wanted = spell(supply.type, uniform.name, supply.count);
-    Diagnostic& error =
-        reportGlsl(state, Code::uniform_type,
-                   "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' is declared as " +
-                       spell(uniform.type, uniform.name, uniform.array ? uniform.count : 0) +
-                       ", and the " + supply.what + " is " + wanted,
-                   pass, uniform.place);
+    Diagnostic& error = reportGlsl(
+        state, Code::uniform_type,
+        "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' is declared as " +
+            spell(uniform.type, uniform.name, uniform.array ? uniform.count : 0) + ", and the " +
+            supply.what + " is " + wanted,
+        pass, uniform.place);
     if (supply.place.source) error.notes.push_back({supply.place, "the config declares it here"});
     error.help = "declare: uniform " + wanted + ";";
 }
@@ -178,7 +191,8 @@ void checkLimits(State& state, const Pass& pass, const Shader& shader)
     report(state, Code::too_many,
            "pass '" + pass.desc->name + "' samples " + std::to_string(pass.reads.size()) +
                " textures, and the device takes " + std::to_string(caps.max_texture_units),
-           *pass.desc).help = "pack targets into fewer textures, or split the pass";
+           *pass.desc)
+        .help = "pack targets into fewer textures, or split the pass";
 }
 
 }  // namespace crevice::compiler

@@ -28,8 +28,14 @@ Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const
     const Result<SourceRef> found = disk ? openNamed(writer, key) : sources.find(key);
     if (!found) return found.diagnostics();
     if (*found && (*found)->text.size() > kMaxDocumentBytes)
-        return Diagnostic{Code::too_large, "the file '" + key + "' has more than the 1048576 bytes (1 MiB) "
-                          "that are read", {}, {}, {}, "is this GLSL?"};
+        return Diagnostic{Code::too_large,
+                          "the file '" + key +
+                              "' has more than the 1048576 bytes (1 MiB) "
+                              "that are read",
+                          {},
+                          {},
+                          {},
+                          "is this GLSL?"};
     return Found{key, *found};
 }
 
@@ -53,15 +59,20 @@ std::string suggestFile(const SourceSet& sources, const std::string& name,
                         const std::string& ending)
 {
     const std::string help = suggestName(name, filesEndingIn(sources, ending), "files");
-    return isRelative(name) ? "the path is seen from the folder of the file that has it; " + help : help;
+    return isRelative(name) ? "the path is seen from the folder of the file that has it; " + help
+                            : help;
 }
 
 class FileReader {
 public:
     FileReader(const Node& document, const SourceSet& sources, Description& description,
                Report& report)
-        : sources_(sources), description_(description), report_(report),
-          stray_(strayNames(document, report)) {}
+        : sources_(sources),
+          description_(description),
+          report_(report),
+          stray_(strayNames(document, report))
+    {
+    }
 
     // Reads the file behind `reference` and all that it includes.
     void readFrom(Reference& reference, const std::string& who, const std::string& ending)
@@ -73,8 +84,9 @@ public:
         if (!found) return refuse(found.diagnostics().front(), reference);
         const Found& file = *found;
         if (!file.source) {
-            report_.at(reference, Code::file_missing,
-                       who + " names file '" + reference.name + "', which " + absenceOf(file))
+            report_
+                .at(reference, Code::file_missing,
+                    who + " names file '" + reference.name + "', which " + absenceOf(file))
                 .help = suggestFile(sources_, reference.name, ending);
             report_.sameMistake("file " + file.key);
             return;
@@ -99,8 +111,10 @@ private:
                 continue;
             }
             const Result<Found> found = findFile(sources_, *file.source, file.key, include.name);
-            if (!found) refuse(found.diagnostics().front(), {"", include.place, pointer});
-            else if (found->source) waiting.push_back(*found);
+            if (!found)
+                refuse(found.diagnostics().front(), {"", include.place, pointer});
+            else if (found->source)
+                waiting.push_back(*found);
             else
                 missing(include, pointer, "file '" + include.name + "'", absenceOf(*found)).help =
                     suggestFile(sources_, include.name, ".glsl");
@@ -120,9 +134,9 @@ private:
         if (contains(names, include.name) || contains(stray_, include.name)) return;
         if (report_.errorAt("/interfaces")) return;
         const std::string modules = modulesThatDeclare(sources_, "interfaces", include.name);
-        missing(include, pointer, "interface <" + include.name + ">")
-            .help = "add a module that provides it to extends" + (modules.empty() ? "" : ": " + modules) +
-                    "; " + suggestName(include.name, names, "interfaces");
+        missing(include, pointer, "interface <" + include.name + ">").help =
+            "add a module that provides it to extends" + (modules.empty() ? "" : ": " + modules) +
+            "; " + suggestName(include.name, names, "interfaces");
     }
 
     Diagnostic& missing(const GlslInclude& include, const std::string& pointer,

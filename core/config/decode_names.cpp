@@ -24,10 +24,7 @@ void declare(std::vector<Declared>& declared, const std::vector<T>& list, const 
     for (const T& each : list) declared.push_back({&each, what});
 }
 
-Reference keyOf(const Named& named)
-{
-    return {named.name, named.place, named.pointer};
-}
+Reference keyOf(const Named& named) { return {named.name, named.place, named.pointer}; }
 
 void reportCollisions(const std::vector<Declared>& declared, const char* who, Report& report)
 {
@@ -63,15 +60,16 @@ void checkCollisions(const Description& description, Report& report)
 
     for (const ParamDesc& each : description.params)
         if (findFrameValue(each.name))
-            report.at(keyOf(each), Code::name_collision,
-                      "param '" + each.name + "' has the name of a uniform that each frame feeds")
+            report
+                .at(keyOf(each), Code::name_collision,
+                    "param '" + each.name + "' has the name of a uniform that each frame feeds")
                 .help = "rename the param";
 }
 
 // What takes a number from a param: "generated 'kernel' takes its count", say.
 struct Taker {
-    std::string what;     // "generated 'kernel'"
-    std::string number;   // "count"
+    std::string what;    // "generated 'kernel'"
+    std::string number;  // "count"
     const Reference& name;
     bool whole;
     double min;
@@ -94,7 +92,8 @@ void checkTaken(const Node& document, const Description& description, const Take
             number ? "write it without quotes: " + name.name
                    : suggestName(name.name, namesOf(description.params), "params");
         report.sameMistake("param " + name.name);
-    } else if (param->type != ParamType::int_ && (taker.whole || param->type != ParamType::float_)) {
+    } else if (param->type != ParamType::int_ &&
+               (taker.whole || param->type != ParamType::float_)) {
         const std::string type = taker.whole ? "int" : "float";
         const std::string wanted = std::string(taker.whole ? "an " : "a ") + type;
         report.at(name, Code::reference_missing, takes + "is not " + wanted).help =
@@ -104,9 +103,9 @@ void checkTaken(const Node& document, const Description& description, const Take
         const Node& value = *locate(document, pointer).node;
         Diagnostic& error =
             report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
-                      name.name + " default " + value.text + " is outside [" + numberText(taker.min) +
-                          ", " + numberText(taker.max) + "], the " + taker.number + "s that " +
-                          taker.what + " may have");
+                      name.name + " default " + value.text + " is outside [" +
+                          numberText(taker.min) + ", " + numberText(taker.max) + "], the " +
+                          taker.number + "s that " + taker.what + " may have");
         error.notes.push_back({name.place, "the " + taker.number + " is taken from it here"});
         error.help = "stay inside the range, and let '" + name.name + "' have it as min and max";
     }
@@ -125,9 +124,10 @@ void checkCount(const Node& document, const Description& description,
     if (generated.count <= limit) return;
     const std::string pointer = generated.pointer + "/count";
     const Node& value = *locate(document, pointer).node;
-    report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
-              generated.name + " count " + value.text + " is outside [1, " +
-                  std::to_string(limit) + "], the sides that a noise may have")
+    report
+        .at({"", value.place, pointer, value.origins}, Code::out_of_range,
+            generated.name + " count " + value.text + " is outside [1, " + std::to_string(limit) +
+                "], the sides that a noise may have")
         .help = "4 suits a 4x4 filter; larger noises need larger filters";
 }
 

@@ -19,28 +19,27 @@ constexpr struct {
     const char* written;
     const char* meant;
 } kOtherWords[] = {
-    {"value", "default"},    {"val", "default"},         {"description", "tooltip"},
-    {"name", "label"},       {"options", "values"},      {"fmt", "format"},
-    {"width", "size"},       {"height", "size"},         {"resolution", "size"},
-    {"factor", "scale"},     {"relative", "of"},         {"msaa", "samples"},
-    {"vs", "vertex"},        {"fs", "fragment"},         {"pixel", "fragment"},
-    {"macros", "defines"},
-    {"program", "shader"},   {"enabled", "when"},        {"enable", "when"},
-    {"disabled", "when"},    {"condition", "when"},      {"if", "when"},
-    {"targets", "color"},    {"render_targets", "color"}, {"textures", "inputs"},
-    {"samplers", "inputs"},  {"reads", "inputs"},        {"source", "from"},
-    {"src", "from"},         {"texture", "from"},        {"sampling", "filter"},
-    {"address", "wrap"},     {"culling", "cull"},
-    {"import", "imports"},   {"parameters", "params"},   {"uniforms", "params"},
-    {"textures", "targets"}, {"presets", "variants"},    {"profiles", "variants"},
-    {"scale", "size"},       {"of", "size"},             {"sampler2D", "texture"},
-    {"image", "texture"},    {"quad", "fullscreen"},     {"screen", "fullscreen"},
-    {"mesh", "draw"},        {"scene", "draw"},          {"geometry", "draw"},
-    {"double", "float"},     {"color", "vec3"},          {"rgb", "vec3"},
-    {"rgba", "vec4"},        {"string", "enum"},         {"point", "nearest"},
-    {"off", "none"},         {"lequal", "less_equal"},
-    {"gequal", "greater_equal"}, {"d16", "depth16"},     {"d24", "depth24"},
-    {"d32", "depth32f"},     {"d32f", "depth32f"},
+    {"value", "default"},    {"val", "default"},       {"description", "tooltip"},
+    {"name", "label"},       {"options", "values"},    {"fmt", "format"},
+    {"width", "size"},       {"height", "size"},       {"resolution", "size"},
+    {"factor", "scale"},     {"relative", "of"},       {"msaa", "samples"},
+    {"vs", "vertex"},        {"fs", "fragment"},       {"pixel", "fragment"},
+    {"macros", "defines"},   {"program", "shader"},    {"enabled", "when"},
+    {"enable", "when"},      {"disabled", "when"},     {"condition", "when"},
+    {"if", "when"},          {"targets", "color"},     {"render_targets", "color"},
+    {"textures", "inputs"},  {"samplers", "inputs"},   {"reads", "inputs"},
+    {"source", "from"},      {"src", "from"},          {"texture", "from"},
+    {"sampling", "filter"},  {"address", "wrap"},      {"culling", "cull"},
+    {"import", "imports"},   {"parameters", "params"}, {"uniforms", "params"},
+    {"textures", "targets"}, {"presets", "variants"},  {"profiles", "variants"},
+    {"scale", "size"},       {"of", "size"},           {"sampler2D", "texture"},
+    {"image", "texture"},    {"quad", "fullscreen"},   {"screen", "fullscreen"},
+    {"mesh", "draw"},        {"scene", "draw"},        {"geometry", "draw"},
+    {"double", "float"},     {"color", "vec3"},        {"rgb", "vec3"},
+    {"rgba", "vec4"},        {"string", "enum"},       {"point", "nearest"},
+    {"off", "none"},         {"lequal", "less_equal"}, {"gequal", "greater_equal"},
+    {"d16", "depth16"},      {"d24", "depth24"},       {"d32", "depth32f"},
+    {"d32f", "depth32f"},
 };
 
 // "_comment", "x_note", "Note": no key of a format.
@@ -118,9 +117,10 @@ Place placeOf(const Cursor& object, std::string_view member)
 void checkName(Report& report, const Cursor& cursor)
 {
     if (isName(cursor.key)) return;
-    report.atKey(cursor, Code::bad_name,
-                 "found the name '" + cursor.key + "', wanted snake_case of at most " +
-                     std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'")
+    report
+        .atKey(cursor, Code::bad_name,
+               "found the name '" + cursor.key + "', wanted snake_case of at most " +
+                   std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'")
         .help = "write '" + spellName(cursor.key) + "'";
 }
 
@@ -128,8 +128,9 @@ void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry
 {
     const bool plural = section.key.back() == 's';
     const std::string what = plural ? section.key.substr(0, section.key.size() - 1) : section.key;
-    Diagnostic& error = report.atKey(entry, Code::unknown_param,
-                                     what + " '" + entry.key + "' is set here, and no file declares it");
+    Diagnostic& error =
+        report.atKey(entry, Code::unknown_param,
+                     what + " '" + entry.key + "' is set here, and no file declares it");
     if (report.leavesOut(entry)) {
         error.severity = Severity::warning;
         error.help = "it is left out: what declares it is not part of this config";
@@ -155,8 +156,9 @@ void Reader::ordered(const char* min_key, double& min, const char* max_key, doub
 {
     if (min <= max) return;
     const Member* at = find(min_key) ? find(min_key) : find(max_key);
-    report_.atValue(cursor_.child(*at), Code::bad_range,
-                    cursor_.key + ": '" + min_key + "' is above '" + max_key + "'")
+    report_
+        .atValue(cursor_.child(*at), Code::bad_range,
+                 cursor_.key + ": '" + min_key + "' is above '" + max_key + "'")
         .help = "swap them, or leave out one";
     min = -kMaxParam;
     max = kMaxParam;
@@ -185,8 +187,9 @@ void Reader::reportUnknown()
             return startsWith(help, "did you mean '" + std::string(each.key) + "'");
         };
         missing_.erase(std::remove_if(missing_.begin(), missing_.end(), meant), missing_.end());
-        report_.atKey(cursor_.child(member), Code::unknown_key,
-                      "found the key '" + member.key + "', which the format does not have here")
+        report_
+            .atKey(cursor_.child(member), Code::unknown_key,
+                   "found the key '" + member.key + "', which the format does not have here")
             .help = std::move(help);
     }
 }
@@ -195,8 +198,7 @@ void Reader::reportUnknown()
 void Reader::reportMissing(const Missing& missing)
 {
     const std::string where = cursor_.key.empty() ? "the config" : "'" + cursor_.key + "'";
-    const std::string message =
-        where + " has no '" + missing.key + "', which must be there";
+    const std::string message = where + " has no '" + missing.key + "', which must be there";
     const std::string help = std::string("add \"") + missing.key + "\": " + missing.doc;
     for (const Member& deleted : cursor_.node.deleted) {
         if (deleted.key != missing.key) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The visitor of core/config/fields.h that decodes. Each `read` turns a JSON value into a member and says
-// whether it could; where not, it has reported why and the member keeps its default.
+// The visitor of core/config/fields.h that decodes. Each `read` turns a JSON value into a member
+// and says whether it could; where not, it has reported why and the member keeps its default.
 #pragma once
 
 #include "core/config/decode_report.h"
@@ -160,8 +160,10 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
         const bool elided = !declared && report.leavesOut(child);
         const bool bare = member.value.kind != Node::Kind::object;
         if (!elided) setKey(report, child, out.emplace_back());
-        if (elided || (!declared && bare)) reportUndeclared(report, cursor, child);
-        else read(report, child, out.back(), {});
+        if (elided || (!declared && bare))
+            reportUndeclared(report, cursor, child);
+        else
+            read(report, child, out.back(), {});
     }
     return true;
 }

@@ -51,8 +51,8 @@ private:
     Report& report_;
     std::vector<std::string> stray_;
     Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
-    Names inputs_ = {"target", "targets", Code::target_missing,
-                     {"targets", "generated", "imports"}};
+    Names inputs_ = {
+        "target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
     Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
     Names params_ = {"param", "params", Code::reference_missing, {"params"}};
     Names subjects_ = {"feature or trait", "names", Code::feature_missing, {"features"}};
@@ -60,7 +60,10 @@ private:
 
 Checker::Checker(const Node& document, const SourceSet& sources, const Description& description,
                  Report& report)
-    : document_(document), sources_(sources), description_(description), report_(report),
+    : document_(document),
+      sources_(sources),
+      description_(description),
+      report_(report),
       stray_(strayNames(document, report))
 {
     targets_.all = inputs_.all = namesOf(description.targets);
@@ -106,7 +109,8 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
                    who + " " + names.what + " '" + reference.name + "', which does not exist");
     error.help = suggestName(reference.name, names.all, names.listed);
     const bool target = names.code == Code::target_missing;
-    if (const std::string makers = target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
+    if (const std::string makers =
+            target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
         !makers.empty())
         error.help = "add a module that makes it to 'extends': " + makers;
     Place cause = ownPlace(reference.place);
@@ -164,8 +168,9 @@ void Checker::checkWrites(const PassDesc& pass)
         const auto same = [&](const Reference& each) { return each.name == target.name; };
         if (!target.pointer.empty() &&
             std::any_of(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(i), same))
-            report_.at(target, Code::two_writers,
-                       "pass '" + pass.name + "' writes target '" + target.name + "' twice")
+            report_
+                .at(target, Code::two_writers,
+                    "pass '" + pass.name + "' writes target '" + target.name + "' twice")
                 .help = "give each output of the shader a target of its own";
     }
 }
@@ -181,8 +186,9 @@ void Checker::checkAttached(const PassDesc& pass, const Reference& target, const
     const bool told = report_.errorWithin(pass.pointer + "/color") ||
                       report_.errorWithin(pass.pointer + "/depth");
     if (told || contains(written, target.name)) return;
-    report_.at(target, Code::reference_missing,
-               who + " target '" + target.name + "', which it does not write")
+    report_
+        .at(target, Code::reference_missing,
+            who + " target '" + target.name + "', which it does not write")
         .help = suggestName(target.name, written, "its targets");
 }
 
@@ -195,8 +201,8 @@ void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
         atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth")
             .help = "write 1, which is far away";
     else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
-        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]")
-            .help = "write 1, which is far away";
+        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]").help =
+            "write 1, which is far away";
 }
 
 // What a pass is not drawn everywhere for, and that it says what is elsewhere.
@@ -207,8 +213,9 @@ void Checker::checkUndrawn(const PassDesc& pass)
     expect(pass.cull_below_pixel, who + "culls by", params_);
     const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
     if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
-        report_.at(pass.cull_below_pixel, Code::reference_missing,
-                   who + "culls by '" + length->name + "', which is not a float")
+        report_
+            .at(pass.cull_below_pixel, Code::reference_missing,
+                who + "culls by '" + length->name + "', which is not a float")
             .help = "name a param of type float, in scene units";
     if ((pass.mask.empty() && !pass.scissor) || report_.errorWithin(pass.pointer)) return;
     std::vector<Reference> written = pass.color;
@@ -216,9 +223,10 @@ void Checker::checkUndrawn(const PassDesc& pass)
     for (const Reference& target : written) {
         const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
         if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
-        report_.at(target, Code::missing_key,
-                   who + "is not drawn everywhere, and its `clear` does not say what '" + target.name +
-                       "' is elsewhere")
+        report_
+            .at(target, Code::missing_key,
+                who + "is not drawn everywhere, and its `clear` does not say what '" + target.name +
+                    "' is elsewhere")
             .help = "add to the pass: \"clear\": {\"" + target.name +
                     "\": 1}, or what its shader writes where nothing is seen";
         if (isModule(target.place)) report_.causedBy(ownPlace(target.place));
@@ -236,8 +244,7 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
     if (feature && report_.errorWithin(feature->pointer)) return;
     const std::vector<std::string> allowed =
         feature ? feature->values : std::vector<std::string>{"false", "true"};
-    const bool list =
-        locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
+    const bool list = locate(document_, term.subject.pointer).node->kind == Node::Kind::array;
     for (std::size_t i = 0; i < term.values.size(); ++i) {
         const std::string& value = term.values[i];
         if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
@@ -245,8 +252,8 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
         atPointer(term.subject.pointer + item, Code::feature_value,
                   "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
                       "', which it never is")
-            .help = suggestName(value, allowed, "values") +
-                    (trait && trait->count ? ", or a number" : "");
+            .help =
+            suggestName(value, allowed, "values") + (trait && trait->count ? ", or a number" : "");
     }
 }
 
@@ -254,14 +261,15 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
 {
     const bool renamed = !input.from.pointer.empty();
     const Reference& source = renamed ? input.from : input.sampler;
-    const bool broken = report_.errorAt(input.sampler.pointer) ||
-                        report_.errorAt(input.sampler.pointer + "/from");
+    const bool broken =
+        report_.errorAt(input.sampler.pointer) || report_.errorAt(input.sampler.pointer + "/from");
     if (broken) return;
     if (findMaterialMap(source.name) >= 0 && !contains(inputs_.all, source.name)) {
         if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
-        report_.at(source, Code::target_missing,
-                   "pass '" + pass.name + "' reads the material's '" + source.name +
-                       "', which a draw pass alone has")
+        report_
+            .at(source, Code::target_missing,
+                "pass '" + pass.name + "' reads the material's '" + source.name +
+                    "', which a draw pass alone has")
             .help = "let the pass be of type \"draw\", or take this input away";
         return report_.sameMistake("material maps of " + pass.pointer);
     }
@@ -270,7 +278,8 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
 
 }  // namespace
 
-std::string modulesThatDeclare(const SourceSet& sources, std::string_view section, const std::string& name)
+std::string modulesThatDeclare(const SourceSet& sources, std::string_view section,
+                               const std::string& name)
 {
     constexpr std::string_view kSuffix = ".json";
     std::string modules;
@@ -287,8 +296,8 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
     return modules;
 }
 
-void checkReferences(const Node& document, const SourceSet& sources,
-                     const Description& description, Report& report)
+void checkReferences(const Node& document, const SourceSet& sources, const Description& description,
+                     Report& report)
 {
     Checker(document, sources, description, report).run();
 }

@@ -57,10 +57,7 @@ Reference Cursor::reference(std::string name) const
     return {std::move(name), node.place, pointer, node.origins};
 }
 
-Reference Cursor::keyReference() const
-{
-    return {key, key_place, pointer, {}};
-}
+Reference Cursor::keyReference() const { return {key, key_place, pointer, {}}; }
 
 bool Report::leavesOut(const Cursor& entry) const
 {
@@ -81,8 +78,8 @@ Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message)
 
 Diagnostic& Report::at(const Reference& reference, Code code, std::string message)
 {
-    return add({code, std::move(message), reference.place, reference.pointer,
-                notesOf(reference.origins)});
+    return add(
+        {code, std::move(message), reference.place, reference.pointer, notesOf(reference.origins)});
 }
 
 Diagnostic& Report::add(Diagnostic diagnostic)
@@ -96,15 +93,9 @@ Diagnostic& Report::add(Diagnostic diagnostic)
     return last().diagnostic;
 }
 
-void Report::sameMistake(std::string mistake)
-{
-    last().mistake = std::move(mistake);
-}
+void Report::sameMistake(std::string mistake) { last().mistake = std::move(mistake); }
 
-void Report::causedBy(const Place& place)
-{
-    last().cause = place;
-}
+void Report::causedBy(const Place& place) { last().cause = place; }
 
 bool Report::errorAt(std::string_view pointer) const
 {
@@ -161,14 +152,8 @@ Located locate(const Node& document, std::string_view pointer)
     return located;
 }
 
-bool isExtension(std::string_view key)
-{
-    return key.substr(0, 2) == "x-";
-}
+bool isExtension(std::string_view key) { return key.substr(0, 2) == "x-"; }
 
-std::string numberText(double number)
-{
-    return significant(number, 10);
-}
+std::string numberText(double number) { return significant(number, 10); }
 
 }  // namespace crevice::table

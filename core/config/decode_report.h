@@ -27,11 +27,12 @@ constexpr std::size_t kMaxErrors = 1000;
 /// Errors in any order, to be put into that of the document. Those past kMaxErrors are counted.
 class Report {
 public:
-    /// A variant, a swapped module or a pointer's override was laid over the config where `patched`.
+    /// A variant, a swapped module or a pointer's override was laid over the config where
+    /// `patched`.
     explicit Report(bool patched) : patched_(patched) {}
 
-    /// Whether an entry that nothing declares is left out with a warning: what the config gives a value
-    /// may have gone with a module that was swapped.
+    /// Whether an entry that nothing declares is left out with a warning: what the config gives a
+    /// value may have gone with a module that was swapped.
     bool leavesOut(const Cursor& entry) const;
 
     /// An error about a value, or about its key. The help is the table's sentence; change it in the

@@ -14,8 +14,8 @@ void checkNames(const Node& document, const Description& description, Report& re
 
 /// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV3006 and
 /// CV4001. `sources` are looked through for modules that would make what is missing.
-void checkReferences(const Node& document, const SourceSet& sources,
-                     const Description& description, Report& report);
+void checkReferences(const Node& document, const SourceSet& sources, const Description& description,
+                     Report& report);
 
 /// Reads each GLSL file that a shader or interface names, and what it includes, into
 /// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
@@ -23,7 +23,8 @@ void readShaderFiles(const Node& document, const SourceSet& sources, Description
                      Report& report);
 
 /// Errors CV2108 about params, targets and the like that the config's own file declares and nothing
-/// uses; warnings where a variant or a pointer's override was laid over the file. Requires the GLSL files.
+/// uses; warnings where a variant or a pointer's override was laid over the file. Requires the GLSL
+/// files.
 Diagnostics unusedNames(const Node& document, const Description& description);
 
 /// What patches deleted: whole sections, and the entries of those that are there.

@@ -16,13 +16,16 @@ namespace crevice::table {
 
 namespace {
 
-// Only what the config's own file and overrides declare is looked at: a module may well declare more than
-// one config uses, and deleting a pass leaves what fed it behind.
+// Only what the config's own file and overrides declare is looked at: a module may well declare
+// more than one config uses, and deleting a pass leaves what fed it behind.
 class UseChecker {
 public:
     UseChecker(const Node& document, const Description& description)
-        : root_(document.place.source), patched_(!document.origins.empty()),
-          description_(description) {}
+        : root_(document.place.source),
+          patched_(!document.origins.empty()),
+          description_(description)
+    {
+    }
 
     Diagnostics run()
     {
@@ -138,12 +141,13 @@ void UseChecker::check(const std::vector<T>& list, const char* what, const char*
         if (others.empty())
             for (const T& other : list)
                 if (!isOwn(other) || used(other)) others.push_back(other.name);
-        found_.push_back({Code::unused_name, std::string(what) + " '" + each.name +
-                                                 "' is used by nothing: " + readers + " names it",
+        found_.push_back({Code::unused_name,
+                          std::string(what) + " '" + each.name +
+                              "' is used by nothing: " + readers + " names it",
                           each.place, each.pointer});
         Diagnostic& error = found_.back();
-        error.help = others.empty() ? "use it or leave it out"
-                                    : suggestName(each.name, others, heading);
+        error.help =
+            others.empty() ? "use it or leave it out" : suggestName(each.name, others, heading);
         // What a variant takes away may leave something unused that is well used without it.
         if (patched_ && each.place.source == root_) error.severity = Severity::warning;
     }

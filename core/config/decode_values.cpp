@@ -99,8 +99,8 @@ std::string asObject(const Node& node, const std::vector<std::string>& keys)
         return node.kind == Node::Kind::array ? "entries have names here: {\"name\": ..., ...}"
                                               : "write {\"name\": ..., ...}";
     const bool string = node.kind == Node::Kind::string;
-    static const std::vector<std::string> kOfStrings = {"target", "shader", "generator", "format",
-                                                        "type", "fragment"};
+    static const std::vector<std::string> kOfStrings = {"target", "shader", "generator",
+                                                        "format", "type",   "fragment"};
     static const std::vector<std::string> kOfNumbers = {"default", "scale", "at", "count"};
     for (const std::string& key : string ? kOfStrings : kOfNumbers)
         if (isScalar(node) && std::find(keys.begin(), keys.end(), key) != keys.end())
@@ -111,8 +111,8 @@ std::string asObject(const Node& node, const std::vector<std::string>& keys)
 bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted)
 {
     report.atValue(cursor, Code::bad_length,
-                   cursor.label + ": found a list of " +
-                       std::to_string(cursor.node.items.size()) + ", wanted " + wanted);
+                   cursor.label + ": found a list of " + std::to_string(cursor.node.items.size()) +
+                       ", wanted " + wanted);
     return false;
 }
 
@@ -120,10 +120,11 @@ bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
 {
     if (cursor.node.number >= rule.min && cursor.node.number <= rule.max) return true;
     const bool plain = rule.unit.empty() || rule.unit == "1";
-    report.atValue(cursor, Code::out_of_range,
-                   cursor.label + " " + cursor.node.text + " is outside [" +
-                       numberText(rule.min) + ", " + numberText(rule.max) + "]" +
-                       (plain ? "" : " " + std::string(rule.unit)))
+    report
+        .atValue(cursor, Code::out_of_range,
+                 cursor.label + " " + cursor.node.text + " is outside [" + numberText(rule.min) +
+                     ", " + numberText(rule.max) + "]" +
+                     (plain ? "" : " " + std::string(rule.unit)))
         .help = "the nearest that is allowed is " +
                 numberText(std::min(std::max(cursor.node.number, rule.min), rule.max));
     return false;
@@ -187,9 +188,10 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
     const auto word = std::find(words.begin(), words.end(), cursor.node.text);
     index = static_cast<std::size_t>(word - words.begin());
     if (word != words.end()) return true;
-    report.atValue(cursor, Code::bad_enum,
-                   cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
-                       std::to_string(words.size()) + " allowed words")
+    report
+        .atValue(cursor, Code::bad_enum,
+                 cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
+                     std::to_string(words.size()) + " allowed words")
         .help = suggestWord(cursor.node.text, words, "allowed");
     return false;
 }
@@ -271,8 +273,9 @@ bool read(Report& report, const Cursor& cursor, std::map<std::string, std::strin
         const Cursor child = cursor.child(member);
         if (isExtension(member.key)) continue;
         if (!isMacroName(member.key))
-            report.atKey(child, Code::bad_name,
-                         "found the macro '" + member.key + "', which GLSL does not allow")
+            report
+                .atKey(child, Code::bad_name,
+                       "found the macro '" + member.key + "', which GLSL does not allow")
                 .help = "write letters, digits and '_', no '__' and no 'GL_' in front";
         if (!isScalar(member.value)) wrongType(report, child, "a number, boolean or string");
         const bool boolean = member.value.kind == Node::Kind::boolean;
@@ -293,8 +296,7 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
     if (out.count == 1) return one(cursor, out.values[0]);
     const std::string wanted = std::to_string(out.count) + " numbers";
     if (cursor.node.kind != Node::Kind::array)
-        return wrongType(report, cursor, "a list of " + wanted,
-                         asNumbers(cursor.node, out.count));
+        return wrongType(report, cursor, "a list of " + wanted, asNumbers(cursor.node, out.count));
     if (cursor.node.items.size() != static_cast<std::size_t>(out.count))
         return wrongLength(report, cursor, wanted);
     bool good = true;
@@ -325,8 +327,9 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
         const std::string& word = out.words.emplace_back(item.node.text);
         if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
         if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
-            report.atValue(item, Code::bad_name,
-                           item.label + ": found '" + word + "', wanted snake_case")
+            report
+                .atValue(item, Code::bad_name,
+                         item.label + ": found '" + word + "', wanted snake_case")
                 .help = "write '" + spellName(word) + "'";
             return false;
         }

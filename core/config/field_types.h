@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words of the table in core/config/fields.h: rules, enum spellings, and JSON forms that no C++ type
-// says by itself.
+// The words of the table in core/config/fields.h: rules, enum spellings, and JSON forms that no C++
+// type says by itself.
 #pragma once
 
 #include <crevice/config.h>

@@ -3,8 +3,8 @@
 //
 // `fields(visitor, target)` tells a visitor of each key in turn: its JSON spelling, the member that
 // it fills (whose type is the JSON type and whose initial value is the default), one sentence for
-// people, and what the value must satisfy. Decoding is one visitor (core/config/decode_reader.h); whatever
-// lists or documents the format is another. A visitor has
+// people, and what the value must satisfy. Decoding is one visitor (core/config/decode_reader.h);
+// whatever lists or documents the format is another. A visitor has
 //
 //   bool field(key, member, doc, rule)      a key; false when it is there but unusable
 //   bool shorthand(key, member, doc, rule)  as field, and its value may stand for the whole object
@@ -42,7 +42,8 @@ void fields(V& v, ParamDesc& p)
     v.field("group", p.group, "The heading in a panel.");
     v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
     v.field("semantic", p.semantic,
-            "A length, in scene units, is how far an estimator looks about: formats of depth and positions "
+            "A length, in scene units, is how far an estimator looks about: formats of depth and "
+            "positions "
             "are chosen to resolve a tenth of it.");
     if (componentCount(p.type) > 1) v.refuse("semantic", Code::bad_enum, "a vector is no length");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
@@ -184,9 +185,49 @@ void fields(V& v, InputDesc& i)
 template <class V>
 void fields(V& v, StateDesc& s)
 {
-    v.field("depth_test", s.depth_test, "Less for a draw pass with depth, when absent. Less is nearer, also where a camera reverses depth.");
+    v.field("depth_test", s.depth_test,
+            "Less for a draw pass with depth, when absent. Less is nearer, also where a camera "
+            "reverses depth.");
     v.field("depth_write", s.depth_write, "True for a draw pass with depth, when absent.");
     v.field("cull", s.cull, "Which side of a triangle is left out.");
+}
+
+/// The keys by which a pass says what need not be drawn.
+template <class V>
+void workSaving(V& v, PassDesc& p)
+{
+    v.field("no_op", p.no_op, "Values of params at which the outputs are known without the pass.");
+    v.field("preserves_constant", p.preserves_constant,
+            "Outputs that are constant, except in the background, where all that the sampler reads "
+            "is.");
+    v.field("frustum_scale", NumberOrName<float>{p.frustum_scale, p.frustum_scale_param},
+            "The part of the view that a draw pass shows, in sizes of the view about its middle, "
+            "or the "
+            "param that holds it: draws whose bounds are outside are culled. 0 where the shader "
+            "moves vertices.",
+            range(0, kLargestScale));
+    if (p.type != PassType::draw && v.has("frustum_scale"))
+        v.refuse("frustum_scale", Code::bad_enum, "a fullscreen pass has no geometry");
+    v.field("mask", p.mask,
+            "A target in a depth format: where it is 0 the pass does not draw, and outputs keep "
+            "the value of "
+            "`clear`, which must be what the shader would write. It must have the size of the "
+            "outputs.");
+    if (p.type == PassType::draw)
+        v.refuse("mask", Code::bad_enum, "a draw pass has a depth test of its own");
+    else if (!p.depth.empty())
+        v.refuse("mask", Code::bad_enum, "the pass writes depth");
+    v.field("scissor", p.scissor,
+            "Draws only within the bounds of the draw list on the screen; elsewhere outputs keep "
+            "the value of "
+            "`clear`. The pass must cover the view, without a guard band.");
+    v.field("cull_below_pixel", p.cull_below_pixel,
+            "A param in scene units: the scissor leaves out draws so far away that it is less than "
+            "a pixel.");
+    if (p.type == PassType::draw)
+        v.refuse("scissor", Code::bad_enum, "a draw pass draws geometry alone");
+    if (!p.scissor && !v.has("scissor"))
+        v.refuse("cull_below_pixel", Code::bad_enum, "the pass has no 'scissor'");
 }
 
 template <class V>
@@ -199,27 +240,7 @@ void fields(V& v, PassDesc& p)
     v.field("clear", p.clear, "What to clear an attachment to first.");
     v.field("when", p.when.terms, "Features and traits that must hold for the pass to run.");
     v.field("bypass", p.bypass, "Which input stands in for an output when the pass is off.");
-    v.field("no_op", p.no_op, "Values of params at which the outputs are known unrun.");
-    v.field("preserves_constant", p.preserves_constant, "Outputs that are one constant, the background aside, where all that the sampler reads is.");
-    v.field("frustum_scale", NumberOrName<float>{p.frustum_scale, p.frustum_scale_param},
-            "How much a draw pass shows, in sizes of the view about its middle, or the param that says: things whose bounds lie outside are then not drawn. 0 where the shader moves vertices about.",
-            range(0, kLargestScale));
-    if (p.type != PassType::draw && v.has("frustum_scale"))
-        v.refuse("frustum_scale", Code::bad_enum, "a fullscreen pass has no geometry");
-    v.field("mask", p.mask,
-            "A mask, in a depth format: where it is 0, outputs are what `clear` says, undrawn. They must be what the shader would write. A mask of another size than theirs is not used.");
-    if (p.type == PassType::draw)
-        v.refuse("mask", Code::bad_enum, "a draw pass has a depth test of its own");
-    else if (!p.depth.empty())
-        v.refuse("mask", Code::bad_enum, "the pass writes depth");
-    v.field("scissor", p.scissor,
-            "Where nothing of the draw list is seen, outputs are what `clear` says, so that the pass is drawn within the bounds of things alone. It must cover the view, without a guard band.");
-    v.field("cull_below_pixel", p.cull_below_pixel,
-            "A param in scene units: a bounded pass leaves out things so far away that this is less than a pixel there.");
-    if (p.type == PassType::draw)
-        v.refuse("scissor", Code::bad_enum, "a draw pass draws things alone");
-    if (!p.scissor && !v.has("scissor"))
-        v.refuse("cull_below_pixel", Code::bad_enum, "the pass has no 'scissor'");
+    workSaving(v, p);
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
     v.field("state", p.state, "Fixed-function state.");
@@ -245,8 +266,12 @@ void fields(V& v, Description& d)
     v.field("format", d.format, "Version of the format.", required(range(1, 1)));
     v.field("name", d.name, "The config's name.");
     v.field("description", d.text, "What it is for, in a sentence or two.");
-    v.field("params", d.params, "Continuous tunables. A bare number or list is the `default` of one that a module declares.");
-    v.field("features", d.features, "Finite switches; conditions see them, GLSL as #defines. A bare value is a `default` here too.");
+    v.field("params", d.params,
+            "Continuous tunables. A bare number or list is the `default` of one that a module "
+            "declares.");
+    v.field("features", d.features,
+            "Finite switches; conditions see them, GLSL as #defines. A bare value is a `default` "
+            "here too.");
     v.field("imports", d.imports, "What the host supplies.");
     v.field("generated", d.generated, "Arrays and small textures computed on load.");
     v.field("targets", d.targets, "Textures that passes write.");

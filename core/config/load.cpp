@@ -103,8 +103,12 @@ std::optional<Node> takeMember(Node& object, std::string_view key)
 
 Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
 {
-    return {Code::wrong_type, "found " + brief(found) + " where " + wanted + " was wanted",
-            found.place, std::move(pointer), {}, std::move(help)};
+    return {Code::wrong_type,
+            "found " + brief(found) + " where " + wanted + " was wanted",
+            found.place,
+            std::move(pointer),
+            {},
+            std::move(help)};
 }
 
 // True for an override of the top key, or of something below it.
@@ -128,8 +132,10 @@ void checkVariantsGone(const Node& document, Diagnostics& errors)
     for (const Member& member : document.members)
         if (member.key == "variants")
             errors.push_back({Code::unknown_key,
-                              "found 'variants' in a variant or an override", member.key_place,
-                              "/variants", {},
+                              "found 'variants' in a variant or an override",
+                              member.key_place,
+                              "/variants",
+                              {},
                               "write them into a file, and choose one by its name"});
 }
 
@@ -139,8 +145,9 @@ void checkNamed(const Node& document, Diagnostics& errors)
     if (document.find("name")) return;
     for (const Member& deleted : document.deleted)
         if (deleted.key == "name")
-            errors.push_back(wrongType(deleted.value, "a name", "/name",
-                                       "write a name, or leave the key out to keep that of 'extends'"));
+            errors.push_back(
+                wrongType(deleted.value, "a name", "/name",
+                          "write a name, or leave the key out to keep that of 'extends'"));
 }
 
 // Where a file was asked for: nowhere for the config itself.
@@ -153,7 +160,8 @@ struct Asked {
 class FileLoader {
 public:
     FileLoader(const SourceSet& sources, const LoadRequest& request)
-        : sources_(sources), request_(request)
+        : sources_(sources),
+          request_(request)
     {
         readSwaps();
     }
@@ -199,7 +207,7 @@ private:
     std::set<std::string> done_;
     std::vector<File> read_;  // in the order of `bodies`
     std::vector<Swap> swaps_;
-    std::vector<std::string> extends_;  // all that configs name
+    std::vector<std::string> extends_;                       // all that configs name
     std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
 };
 
@@ -247,8 +255,10 @@ void FileLoader::readSwaps()
     for (const std::string& text : request_.overrides) {
         if (!swaps(text)) continue;
         Result<Override> read = readOverride(text, rootsOf(request_));
-        if (read) swaps_.push_back({std::move(*read)});
-        else append(errors, read.diagnostics());
+        if (read)
+            swaps_.push_back({std::move(*read)});
+        else
+            append(errors, read.diagnostics());
     }
 }
 
@@ -270,8 +280,11 @@ void FileLoader::checkSwaps()
 {
     for (const Swap& swap : swaps_) {
         if (swap.used) continue;
-        errors.push_back({Code::module_missing, "no config extends '" + swap.read.name + "'",
-                          swap.read.place, {}, {},
+        errors.push_back({Code::module_missing,
+                          "no config extends '" + swap.read.name + "'",
+                          swap.read.place,
+                          {},
+                          {},
                           suggestName(swap.read.name, extends_, "modules to swap")});
     }
 }
@@ -311,9 +324,10 @@ void FileLoader::checkClashes()
             if (extended_[read_[later].identity].count(read_[first].identity) > 0) continue;
             const auto made = madeByBoth(bodies[first], bodies[later]);
             if (!made) continue;
-            errors.push_back({Code::module_clash, "'" + read_[later].name + "' and '" +
-                              read_[first].name + "' both make " + *made +
-                              ", and neither extends the other", read_[later].asked.place,
+            errors.push_back({Code::module_clash,
+                              "'" + read_[later].name + "' and '" + read_[first].name +
+                                  "' both make " + *made + ", and neither extends the other",
+                              read_[later].asked.place,
                               read_[later].asked.pointer,
                               {{read_[first].asked.place, "the other one was asked for here"}},
                               "keep one of the two in 'extends'"});
@@ -329,12 +343,18 @@ bool FileLoader::mayOpen(const File& file)
         if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
     if (!chain.empty())
         errors.push_back({Code::module_cycle,
-                          "'extends' leads back to itself: " + chain + file.name, asked.place,
-                          asked.pointer, {}, "take this entry out of 'extends'"});
+                          "'extends' leads back to itself: " + chain + file.name,
+                          asked.place,
+                          asked.pointer,
+                          {},
+                          "take this entry out of 'extends'"});
     else if (open_.size() > kMaxExtendsDepth)
-        errors.push_back({Code::module_depth, "found 'extends' more than " +
-                          std::to_string(kMaxExtendsDepth) + " deep", asked.place,
-                          asked.pointer, {}, "let the config name what it needs in one list"});
+        errors.push_back({Code::module_depth,
+                          "found 'extends' more than " + std::to_string(kMaxExtendsDepth) + " deep",
+                          asked.place,
+                          asked.pointer,
+                          {},
+                          "let the config name what it needs in one list"});
     else
         return true;
     return false;
@@ -357,9 +377,14 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
     const bool shipped = !from.path.empty() && !isRelative(from.path);
     const std::string path = resolvePath(locationOf(from), name);
     if (path.empty())
-        return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
-                          entry.place, pointer, {}, "name a module, such as 'ssao/hemisphere'"};
-    Result<SourceRef> found = shipped ? Result<SourceRef>(sources_.find(path)) : openNamed(from, path);
+        return Diagnostic{Code::module_escape,
+                          "the path '" + name + "' leads out of the modules",
+                          entry.place,
+                          pointer,
+                          {},
+                          "name a module, such as 'ssao/hemisphere'"};
+    Result<SourceRef> found =
+        shipped ? Result<SourceRef>(sources_.find(path)) : openNamed(from, path);
     if (!found) {
         Diagnostic refused = found.diagnostics().front();
         refused.place = entry.place;
@@ -369,8 +394,8 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
     if (*found) return found;
     missing.message = shipped ? "there is no module '" + path + "'" : absenceOf(path);
     missing.help = "the path is seen from the folder of '" + from.name + "'";
-    if (!endsWith(name, kSuffix)) missing.help = "did you mean '" + name + std::string(kSuffix) +
-                                                 "'? " + missing.help;
+    if (!endsWith(name, kSuffix))
+        missing.help = "did you mean '" + name + std::string(kSuffix) + "'? " + missing.help;
     return missing;
 }
 
@@ -433,8 +458,12 @@ void FileLoader::checkFormat(const Node& document)
 {
     const Node* format = document.find("format");
     if (format && format->integer() && format->number == 1) return;
-    Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted", document.place,
-                     "/format", {}, "begin the file with \"format\": 1"};
+    Diagnostic error{Code::format_version,
+                     "found no 'format', where 1 was wanted",
+                     document.place,
+                     "/format",
+                     {},
+                     "begin the file with \"format\": 1"};
     if (format) {
         error.message = "found format " + brief(*format) + " where 1 was wanted";
         error.place = format->place;
@@ -462,9 +491,12 @@ void FileLoader::checkKeys(const Node& document)
         const bool near = startsWith(help, "did you mean") && member.key != "extends";
         if (!near && kMeant.count(member.key) == 0) continue;
         if (!near) help = "did you mean 'extends'?";
-        errors.push_back({Code::unknown_key, "found the key '" + member.key +
-                          "', which the format does not have here", member.key_place,
-                          memberPointer("", member.key), {}, std::move(help)});
+        errors.push_back({Code::unknown_key,
+                          "found the key '" + member.key + "', which the format does not have here",
+                          member.key_place,
+                          memberPointer("", member.key),
+                          {},
+                          std::move(help)});
     }
 }
 
@@ -501,8 +533,11 @@ void applyVariant(Node& document, const FileLoader& files, const LoadRequest& re
     for (const Member& variant : files.variants)
         if (variant.key == request.variant) mergePatch(document, variant.value, errors);
     if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
-    errors.push_back({Code::variant_missing, "there is no variant '" + request.variant + "' of '" +
-                      request.config + "'", document.place, "/variants", {},
+    errors.push_back({Code::variant_missing,
+                      "there is no variant '" + request.variant + "' of '" + request.config + "'",
+                      document.place,
+                      "/variants",
+                      {},
                       suggestName(request.variant, std::move(names), "variants")});
 }
 
@@ -553,8 +588,8 @@ std::vector<std::string> configNames(const SourceSet& sources)
     std::vector<std::string> names;
     for (const std::string& path : sources.list())
         if (startsWith(path, kConfigs) && endsWith(path, kSuffix))
-            names.push_back(path.substr(kConfigs.size(),
-                                        path.size() - kConfigs.size() - kSuffix.size()));
+            names.push_back(
+                path.substr(kConfigs.size(), path.size() - kConfigs.size() - kSuffix.size()));
     return names;
 }
 

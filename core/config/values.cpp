@@ -17,8 +17,7 @@ std::string valueJson(const ParamDesc& param)
     if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
     const int count = componentCount(param.type);
     std::string text;
-    for (int i = 0; i < count; ++i)
-        text += (i > 0 ? ", " : "") + shortest(param.value[i]);
+    for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + shortest(param.value[i]);
     return count > 1 ? "[" + text + "]" : text;
 }
 
@@ -56,8 +55,12 @@ bool wholeInt(float value)
 Diagnostic dropped(const std::string& what, const Named& old, const std::string& why)
 {
     return {Code::value_dropped,
-            what + " '" + old.name + "' is no longer what was set at run time: " + why, {}, {}, {},
-            "set it again, to a value that the config has now", Severity::warning};
+            what + " '" + old.name + "' is no longer what was set at run time: " + why,
+            {},
+            {},
+            {},
+            "set it again, to a value that the config has now",
+            Severity::warning};
 }
 
 }  // namespace
@@ -122,20 +125,27 @@ Diagnostics carryOver(const Values& loaded, const Description& now, Description&
         const int at = indexOf(next.params, old.name);
         const bool there = at >= 0 && next.params[at].type == old.type;
         const Status fits =
-            there ? checkValue(next.params[at], old.value.data(), componentCount(old.type)) : Status{};
-        if (there && fits) next.params[at].value = old.value;
-        else warnings.push_back(dropped("param", old, there ? fits.diagnostics()[0].message
-                                                            : "the config has none like it"));
+            there ? checkValue(next.params[at], old.value.data(), componentCount(old.type))
+                  : Status{};
+        if (there && fits)
+            next.params[at].value = old.value;
+        else
+            warnings.push_back(
+                dropped("param", old,
+                        there ? fits.diagnostics()[0].message : "the config has none like it"));
     }
     for (std::size_t i = 0; i < now.features.size(); ++i) {
         const FeatureDesc& old = now.features[i];
         if (old.value == loaded.features[i]) continue;
         const std::string& word = old.values[old.value];
         const int at = indexOf(next.features, old.name);
-        const std::vector<std::string> words = at < 0 ? std::vector<std::string>() : next.features[at].values;
+        const std::vector<std::string> words =
+            at < 0 ? std::vector<std::string>() : next.features[at].values;
         const auto found = std::find(words.begin(), words.end(), word);
-        if (found != words.end()) next.features[at].value = static_cast<int>(found - words.begin());
-        else warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
+        if (found != words.end())
+            next.features[at].value = static_cast<int>(found - words.begin());
+        else
+            warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
     }
     return warnings;
 }

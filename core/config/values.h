@@ -21,8 +21,8 @@ Values valuesOf(const Description& description);
 /// Whether the param may have that value. Errors: CV4001, CV4003, CV3006.
 Status checkValue(const ParamDesc& param, const float* values, int count);
 
-/// Sets in `next`, which may be of another config, what `now` has and `loaded` has not. The warnings CV4006
-/// name what cannot be set there.
+/// Sets in `next`, which may be of another config, what `now` has and `loaded` has not. The
+/// warnings CV4006 name what cannot be set there.
 Diagnostics carryOver(const Values& loaded, const Description& now, Description& next);
 
 /// The smallest merge patch, as JSON on one line, that gives a config whose values are `loaded`

@@ -17,7 +17,8 @@ constexpr double kFarthestPlane = 1 << 20;
 
 bool withinTwice(double a, double b) { return a <= 2 * b && b <= 2 * a; }
 
-// The distance of the plane at which clip z is w times `side`; infinite where there is none in front.
+// The distance of the plane at which clip z is w times `side`; infinite where there is none in
+// front.
 double planeDistance(const glm::dmat4& clip_from_view, double side)
 {
     const glm::dvec4 of_z = clip_from_view[2], of_1 = clip_from_view[3];
@@ -67,10 +68,9 @@ bool SceneTraits::operator==(const SceneTraits& other) const
 {
     return lights == other.lights && alpha_tested == other.alpha_tested &&
            specular == other.specular && textured == other.textured &&
-           orthographic == other.orthographic &&
-           reversed_depth == other.reversed_depth && normal_mapped == other.normal_mapped &&
-           baked_occlusion == other.baked_occlusion && views == other.views &&
-           camera == other.camera;
+           orthographic == other.orthographic && reversed_depth == other.reversed_depth &&
+           normal_mapped == other.normal_mapped && baked_occlusion == other.baked_occlusion &&
+           views == other.views && camera == other.camera;
 }
 
 bool CameraRange::operator==(const CameraRange& other) const
@@ -101,7 +101,8 @@ SceneTraits traitsOf(const Frame& frame)
     traits.camera = rangeOf(frame.camera);
     traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {
-        if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size())) continue;
+        if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size()))
+            continue;
         const Material& material = frame.materials[draw.material];
         traits.alpha_tested = traits.alpha_tested || material.alpha_cutoff > 0.0f;
         traits.specular =

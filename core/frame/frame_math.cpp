@@ -35,10 +35,16 @@ bool finite(const T* values, int count)
 }
 
 template <typename T>
-bool finite(const glm::mat<4, 4, T>& matrix) { return finite(&matrix[0][0], 16); }
+bool finite(const glm::mat<4, 4, T>& matrix)
+{
+    return finite(&matrix[0][0], 16);
+}
 
 template <typename T>
-bool finite(const glm::vec<3, T>& vector) { return finite(&vector[0], 3); }
+bool finite(const glm::vec<3, T>& vector)
+{
+    return finite(&vector[0], 3);
+}
 
 glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
 {
@@ -71,13 +77,14 @@ Status checkCamera(const Camera& camera, std::size_t view)
         if (!finite(matrix))
             return bad(ownedBy(view, name) + " is not finite",
                        "look for a zero aspect ratio, near plane or up vector");
-        if (!invertible(matrix))
-            return bad(ownedBy(view, name) + " has no inverse", way_out);
+        if (!invertible(matrix)) return bad(ownedBy(view, name) + " has no inverse", way_out);
         return {};
     };
     const char* const lens = "near and far plane must differ, and neither width nor height be 0";
-    if (Status status = check(camera.clip_from_view, "clip_from_view", lens); !status) return status;
-    return check(camera.view_from_world, "view_from_world", "its three axes must be independent and not 0");
+    if (Status status = check(camera.clip_from_view, "clip_from_view", lens); !status)
+        return status;
+    return check(camera.view_from_world, "view_from_world",
+                 "its three axes must be independent and not 0");
 }
 
 Diagnostic elided(std::string what, std::string help)
@@ -90,7 +97,8 @@ constexpr const char* kUnknownIdHelp =
 constexpr const char* kNotFiniteHelp = "look for a division by zero where it is made";
 
 // Why an item cannot be drawn for its material; nothing where it can.
-std::optional<Diagnostic> materialFault(const Frame& frame, const DrawItem& item, const Device& device)
+std::optional<Diagnostic> materialFault(const Frame& frame, const DrawItem& item,
+                                        const Device& device)
 {
     const auto named = [&item] { return "material " + std::to_string(item.material); };
     if (item.material < 0 || static_cast<std::size_t>(item.material) >= frame.materials.size())
@@ -105,15 +113,15 @@ std::optional<Diagnostic> materialFault(const Frame& frame, const DrawItem& item
         if (!id || (texture.exists && texture.samples == 1)) continue;
         const std::string has =
             named() + " has texture " + std::to_string(id.value) + " as " + map.name;
-        if (!texture.exists)
-            return elided(has + ", which is none of this device", kUnknownIdHelp);
+        if (!texture.exists) return elided(has + ", which is none of this device", kUnknownIdHelp);
         return elided(has + ", which has several samples a pixel",
                       "resolve it to a texture of one sample");
     }
     return std::nullopt;
 }
 
-// Why an item cannot be drawn; nothing where it can. Allocates only where there is something to say.
+// Why an item cannot be drawn; nothing where it can. Allocates only where there is something to
+// say.
 std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, const Device& device)
 {
     if (!item.mesh) return elided("it has no mesh", kUnknownIdHelp);
@@ -142,9 +150,10 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix)
 {
     const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
     glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-    const double size = std::sqrt((glm::dot(cofactors[0], cofactors[0]) +
-                                   glm::dot(cofactors[1], cofactors[1]) +
-                                   glm::dot(cofactors[2], cofactors[2])) / 3.0);
+    const double size =
+        std::sqrt((glm::dot(cofactors[0], cofactors[0]) + glm::dot(cofactors[1], cofactors[1]) +
+                   glm::dot(cofactors[2], cofactors[2])) /
+                  3.0);
     if (!(size > 0.0)) return glm::mat3(1.0f);
     const double sign = glm::dot(x, cofactors[0]) < 0.0 ? -1.0 : 1.0;  // of the determinant
     return glm::mat3(cofactors * (sign / size));
@@ -174,8 +183,8 @@ Sphere boundsInView(const DrawItem& item, const CameraMatrices& camera)
     const glm::dmat3 squares = glm::transpose(axes) * axes;
     double stretch = 0;  // of lengths, squared: at most the largest row sum (Gershgorin)
     for (int i = 0; i < 3; ++i)
-        stretch = std::max(stretch, std::abs(squares[i][0]) + std::abs(squares[i][1]) +
-                                        std::abs(squares[i][2]));
+        stretch = std::max(
+            stretch, std::abs(squares[i][0]) + std::abs(squares[i][1]) + std::abs(squares[i][2]));
     const glm::dvec3 center(view_from_model * glm::dvec4(item.bounds_center, 1.0));
     // Shaders place vertices in floats.
     return {center, item.bounds_radius * std::sqrt(stretch) * (1 + kFloatMargin) +
@@ -194,7 +203,8 @@ bool isOutside(const Sphere& sphere, const CameraMatrices& camera, double wider)
     return false;
 }
 
-// Whether at no point of the sphere a length comes to a pixel, as shaders count (effects/ssao/shaders/reach.glsl).
+// Whether at no point of the sphere a length comes to a pixel, as shaders count
+// (effects/ssao/shaders/reach.glsl).
 bool isBelowPixel(const Sphere& sphere, const glm::dmat4& clip_from_view, const Extent& extent,
                   double length)
 {
@@ -211,7 +221,8 @@ ViewArea areaOf(const Sphere& sphere, const glm::dmat4& clip_from_view)
     ViewArea area = {1, 1, 0, 0};
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        const glm::dvec4 clip = clip_from_view * glm::dvec4(sphere.center + sphere.radius * sides, 1.0);
+        const glm::dvec4 clip =
+            clip_from_view * glm::dvec4(sphere.center + sphere.radius * sides, 1.0);
         if (!(clip.w > 0.0)) return {};
         const glm::dvec2 at = glm::dvec2(clip) / clip.w * 0.5 + 0.5;
         if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
@@ -237,7 +248,8 @@ ViewArea areaOfThings(const std::vector<DrawItem>& draws, const CameraMatrices& 
         if (item.bounds_radius < 0.0f) return {};
         const Sphere sphere = boundsInView(item, camera);
         if (isOutside(sphere, camera, 1.0) ||
-            isBelowPixel(sphere, camera.clip_from_view, extent, length)) continue;
+            isBelowPixel(sphere, camera.clip_from_view, extent, length))
+            continue;
         const ViewArea own = areaOf(sphere, camera.clip_from_view);
         area = {std::min(area.left, own.left), std::min(area.bottom, own.bottom),
                 std::max(area.right, own.right), std::max(area.top, own.top)};
@@ -264,8 +276,7 @@ PixelArea pixelsOf(const ViewArea& area, const Extent& extent)
 
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)
 {
-    if (!light.directional)
-        return glm::vec4(view_from_world * glm::dvec4(light.position, 1.0));
+    if (!light.directional) return glm::vec4(view_from_world * glm::dvec4(light.position, 1.0));
     return glm::vec4(towardsLight(light, view_from_world), 0.0);
 }
 
@@ -341,8 +352,8 @@ Diagnostics warnElided(const Frame& frame, const Device& device)
         warnings.back().notes.push_back({{}, std::to_string(more) + " more draws are left out"});
     for (std::size_t i = 0; i < frame.lights.size() && i < kMaxLights; ++i)
         if (!isFinite(frame.lights[i]))
-            warnings.push_back(elided("light " + std::to_string(i) + " is left out: it is not finite",
-                                       kNotFiniteHelp));
+            warnings.push_back(elided(
+                "light " + std::to_string(i) + " is left out: it is not finite", kNotFiniteHelp));
     if (!isFinite(frame.ambient_light))
         warnings.push_back(elided("ambient_light is left out: it is not finite", "0 is no light"));
     return warnings;

@@ -37,17 +37,19 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix);
 /// Whether front faces of an item come out as back faces: it, the view or the projection mirrors.
 bool isMirrored(const DrawItem& item, const CameraMatrices& camera);
 
-/// Whether nothing of the item shows in a view `wider` times as wide and high as the camera's. Never true of
-/// one without bounds.
+/// Whether nothing of the item shows in a view `wider` times as wide and high as the camera's.
+/// Never true of one without bounds.
 bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider);
 
-/// A part of a view in shares of its width and height, from the lower left; empty where right < left.
+/// A part of a view in shares of its width and height, from the lower left; empty where right <
+/// left.
 struct ViewArea {
     double left = 0, bottom = 0, right = 1, top = 1;
 };
 
-/// The part in which things can show: those at which a `length` in scene units comes to a pixel of a view of
-/// `extent`, or all where it is infinite. All of the view where that is not known, without bounds say.
+/// The part in which things can show: those at which a `length` in scene units comes to a pixel of
+/// a view of `extent`, or all where it is infinite. All of the view where that is not known,
+/// without bounds say.
 ViewArea areaOfThings(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
                       const Extent& extent, double length);
 
@@ -60,20 +62,20 @@ glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 /// How a light's cone dims it, as (x, y, z, w) of <crevice/frame.h>; (0, 0, 0, 1) of all but spots.
 glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world);
 
-/// What nothing of a frame can be drawn with: a camera that is not finite or has no inverse, views of
-/// which not all are orthographic or reversed. Errors: CV6011.
+/// What nothing of a frame can be drawn with: a camera that is not finite or has no inverse, views
+/// of which not all are orthographic or reversed. Errors: CV6011.
 Status checkFrame(const Frame& frame);
 
 bool isFinite(const glm::vec3& vector);
 bool isFinite(const Material& material);
 bool isFinite(const Light& light);
 
-/// Whether an item can be drawn: it has indices of a mesh of the device, a finite matrix and bounds, and
-/// a finite material whose maps are the device's.
+/// Whether an item can be drawn: it has indices of a mesh of the device, a finite matrix and
+/// bounds, and a finite material whose maps are the device's.
 bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device);
 
-/// A warning CV6011 for each of the draws and lights that a frame does without, and why; draws past the
-/// eighth are only counted. Items of no indices are no draws.
+/// A warning CV6011 for each of the draws and lights that a frame does without, and why; draws past
+/// the eighth are only counted. Items of no indices are no draws.
 Diagnostics warnElided(const Frame& frame, const Device& device);
 
 }  // namespace crevice

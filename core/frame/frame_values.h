@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The names that a frame gives to GLSL and to conditions: the values of <crevice/frame.h> and the traits.
+// The names that a frame gives to GLSL and to conditions: the values of <crevice/frame.h> and the
+// traits.
 //
 // Private to core, and the one list of each: decode knows the names by it, compile the types and
 // defines, the value table the layout.
@@ -15,11 +16,32 @@ namespace crevice {
 
 /// The frame's values, in the order of `kFrameValues`.
 enum FrameValue : std::size_t {
-    clip_from_view, view_from_clip, view_from_window, view_from_world, world_from_view, light_count, light_position,
-    light_color, light_attenuation, light_cone, ambient_light, viewport_size, history_valid,
-    frame_index, previous_view_from_view, previous_clip_from_view, clip_from_model, view_from_model,
-    view_normal_from_model, base_color, alpha_cutoff, specular, shininess, normal_scale,
-    occlusion_strength, frame_value_count,
+    clip_from_view,
+    view_from_clip,
+    view_from_window,
+    view_from_world,
+    world_from_view,
+    light_count,
+    light_position,
+    light_color,
+    light_attenuation,
+    light_cone,
+    ambient_light,
+    viewport_size,
+    history_valid,
+    frame_index,
+    previous_view_from_view,
+    previous_clip_from_view,
+    clip_from_model,
+    view_from_model,
+    view_normal_from_model,
+    base_color,
+    alpha_cutoff,
+    specular,
+    shininess,
+    normal_scale,
+    occlusion_strength,
+    frame_value_count,
 };
 
 struct FrameValueInfo {
@@ -34,8 +56,8 @@ extern const FrameValueInfo kFrameValues[frame_value_count];
 /// The value of that name, or null.
 const FrameValueInfo* findFrameValue(std::string_view name);
 
-/// A fact about the scene that conditions and shaders may depend on: a flag, or a count of at most `most`,
-/// of which true means at least one.
+/// A fact about the scene that conditions and shaders may depend on: a flag, or a count of at most
+/// `most`, of which true means at least one.
 struct TraitInfo {
     const char* name;    ///< In conditions.
     const char* define;  ///< In GLSL, where it is `value`.
@@ -43,11 +65,16 @@ struct TraitInfo {
     int SceneTraits::*count = nullptr;
     int most = 1;
 
-    int value(const SceneTraits& traits) const { return flag ? traits.*flag : std::min(traits.*count, most); }
+    int value(const SceneTraits& traits) const
+    {
+        return flag ? traits.*flag : std::min(traits.*count, most);
+    }
     void set(SceneTraits& traits, int value) const
     {
-        if (flag) traits.*flag = value != 0;
-        else traits.*count = value;
+        if (flag)
+            traits.*flag = value != 0;
+        else
+            traits.*count = value;
     }
 };
 

@@ -203,7 +203,8 @@ void join(std::string& message, std::string_view more)
 std::string helpFor(const GlslStage& stage, std::string_view message)
 {
     if (message.find("undeclared") == std::string_view::npos &&
-        message.find("undefined") == std::string_view::npos) return {};
+        message.find("undefined") == std::string_view::npos)
+        return {};
     std::vector<std::string> names;
     for (const GlslUniform& uniform : stage.uniforms) names.push_back(uniform.name);
     return suggestName(quotedName(message), std::move(names), "uniforms of this stage");

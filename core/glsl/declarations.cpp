@@ -13,9 +13,9 @@ namespace {
 constexpr std::int64_t kMaxArray = 65536;
 
 constexpr std::string_view kQualifiers[] = {
-    "uniform", "in",     "out",    "const",     "flat",     "smooth",   "centroid", "invariant",
-    "precise", "sample", "patch",  "highp",     "mediump",  "lowp",     "readonly", "writeonly",
-    "shared",  "buffer", "coherent", "volatile", "restrict"};
+    "uniform",   "in",        "out",    "const",  "flat",     "smooth",   "centroid",
+    "invariant", "precise",   "sample", "patch",  "highp",    "mediump",  "lowp",
+    "readonly",  "writeonly", "shared", "buffer", "coherent", "volatile", "restrict"};
 
 struct Qualifiers {
     bool uniform = false;
@@ -26,7 +26,12 @@ struct Qualifiers {
 class Scanner {
 public:
     Scanner(GlslUnit& unit, GlslStage& stage)
-        : unit_(unit), stage_(stage), at_(unit.tokens.data()), end_(at_ + unit.tokens.size()) {}
+        : unit_(unit),
+          stage_(stage),
+          at_(unit.tokens.data()),
+          end_(at_ + unit.tokens.size())
+    {
+    }
 
     void run()
     {
@@ -50,8 +55,12 @@ private:
 
     void fail(std::string message, const GlslToken& token, std::string help)
     {
-        unit_.errors.push_back({Code::preprocessor, std::move(message),
-                                placeOf(token, unit_.files), {}, {}, std::move(help)});
+        unit_.errors.push_back({Code::preprocessor,
+                                std::move(message),
+                                placeOf(token, unit_.files),
+                                {},
+                                {},
+                                std::move(help)});
     }
 
     GlslUnit& unit_;
@@ -64,10 +73,14 @@ Qualifiers Scanner::readQualifiers()
 {
     Qualifiers qualifiers;
     for (; at_ != end_; ++at_) {
-        if (at_->is("layout")) readLayout(qualifiers);
-        else if (!isQualifier(at_->text)) break;
-        else if (at_->is("uniform")) qualifiers.uniform = true;
-        else if (at_->is("out")) qualifiers.output = true;
+        if (at_->is("layout"))
+            readLayout(qualifiers);
+        else if (!isQualifier(at_->text))
+            break;
+        else if (at_->is("uniform"))
+            qualifiers.uniform = true;
+        else if (at_->is("out"))
+            qualifiers.output = true;
         if (at_ == end_) break;
     }
     return qualifiers;
@@ -85,8 +98,10 @@ void Scanner::readLayout(Qualifiers& qualifiers)
         while (last != close && !last->is(",")) ++last;
         const auto location = evaluate(value, last, false);
         const bool known = location && *location >= 0 && *location < kMaxArray;
-        if (known) qualifiers.location = int(*location);
-        else fail("this location cannot be read, wanted a whole number", *value, "write 0, 1, ...");
+        if (known)
+            qualifiers.location = int(*location);
+        else
+            fail("this location cannot be read, wanted a whole number", *value, "write 0, 1, ...");
     }
 }
 
@@ -132,11 +147,14 @@ void Scanner::readArray(GlslUniform& variable)
     const GlslToken* close = closing("[", "]");
     const auto count = evaluate(at_ + 1, close, false);
     variable.array = true;
-    if (count && *count > 0 && *count <= kMaxArray) variable.count = int(*count);
-    else fail("the array size of '" + variable.name + "'" +
-                  (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
-                  " cannot be read, wanted a whole number of at least 1", open,
-              "an array size has numbers and #defines only: a param with bind 'define' is one");
+    if (count && *count > 0 && *count <= kMaxArray)
+        variable.count = int(*count);
+    else
+        fail("the array size of '" + variable.name + "'" +
+                 (close == at_ + 2 ? ", '" + std::string(at_[1].text) + "'," : "") +
+                 " cannot be read, wanted a whole number of at least 1",
+             open,
+             "an array size has numbers and #defines only: a param with bind 'define' is one");
     at_ = close == end_ ? end_ : close + 1;
 }
 
@@ -159,8 +177,8 @@ void Scanner::skipStatement()
     if (at_ != end_) ++at_;
 }
 
-// A line of GLSL that is `layout(...) out type name;` and no more: where its qualifiers begin and the type
-// does, and the precision among them.
+// A line of GLSL that is `layout(...) out type name;` and no more: where its qualifiers begin and
+// the type does, and the precision among them.
 struct OutputLine {
     std::size_t begin = 0;
     std::size_t type = 0;
@@ -179,7 +197,8 @@ std::optional<OutputLine> outputLine(std::string_view line, std::string_view nam
     bool output = false;
     std::size_t i = 0;
     if (tokens[0].is("layout"))
-        while (i + 3 < count && !tokens[i++].is(")")) {}
+        while (i + 3 < count && !tokens[i++].is(")")) {
+        }
     for (; i + 3 < count; ++i) {
         if (!isQualifier(tokens[i].text)) return std::nullopt;
         const bool precision = tokens[i].text.back() == 'p';  // highp, mediump, lowp
@@ -204,7 +223,8 @@ void dropOutput(GlslStage& stage, const std::string& name)
         const std::string_view line = std::string_view(text).substr(begin, end - begin);
         const std::optional<OutputLine> found = outputLine(line, name);
         if (!found) continue;
-        const std::string precision = found->precision.empty() ? "" : std::string(found->precision) + " ";
+        const std::string precision =
+            found->precision.empty() ? "" : std::string(found->precision) + " ";
         text.replace(begin + found->begin, found->type - found->begin, precision);
         const auto same = [&](const GlslOutput& output) { return output.name == name; };
         stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
@@ -213,9 +233,6 @@ void dropOutput(GlslStage& stage, const std::string& name)
     }
 }
 
-void scanDeclarations(GlslUnit& unit, GlslStage& stage)
-{
-    Scanner(unit, stage).run();
-}
+void scanDeclarations(GlslUnit& unit, GlslStage& stage) { Scanner(unit, stage).run(); }
 
 }  // namespace crevice

@@ -10,10 +10,7 @@ namespace crevice {
 
 namespace {
 
-bool isSpace(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
 /// The offset of the newline that ends the line, or the end of the text. With `continued`, a
 /// backslash before a newline does not end it.

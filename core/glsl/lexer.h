@@ -37,8 +37,8 @@ BlankedText blankComments(std::string_view text);
 struct GlslLine {
     std::string text;  ///< As it is to be written, ending in a newline.
     GlslTokens tokens;
-    int line = 0;      ///< Of the first.
-    int count = 0;     ///< Lines of the file.
+    int line = 0;   ///< Of the first.
+    int count = 0;  ///< Lines of the file.
 
     bool isDirective() const { return !tokens.empty() && tokens[0].is("#"); }
 

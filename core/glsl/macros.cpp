@@ -79,10 +79,7 @@ constexpr int kMaxNesting = 64;
 /// Empty is a value that is not known; it does no harm where && or || need not look at it.
 using Value = std::optional<std::int64_t>;
 
-Value wrapped(std::uint64_t bits)
-{
-    return static_cast<std::int64_t>(bits);
-}
+Value wrapped(std::uint64_t bits) { return static_cast<std::int64_t>(bits); }
 
 Value divided(std::int64_t left, std::int64_t right, bool remainder)
 {
@@ -142,7 +139,11 @@ int precedence(std::string_view sign)
 class Evaluator {
 public:
     Evaluator(const GlslToken* begin, const GlslToken* end, bool unknown_is_zero)
-        : at_(begin), end_(end), unknown_is_zero_(unknown_is_zero) {}
+        : at_(begin),
+          end_(end),
+          unknown_is_zero_(unknown_is_zero)
+    {
+    }
 
     Value run()
     {

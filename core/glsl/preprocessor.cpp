@@ -34,7 +34,11 @@ class Preprocessor {
 public:
     Preprocessor(const std::map<std::string, SourceRef>& files,
                  const std::map<std::string, std::string>& interfaces, GlslUnit& unit)
-        : files_(files), interfaces_(interfaces), unit_(unit) {}
+        : files_(files),
+          interfaces_(interfaces),
+          unit_(unit)
+    {
+    }
 
     void readFile(const std::string& path);
 
@@ -152,8 +156,7 @@ void Preprocessor::readDirective(const GlslLine& line)
 {
     if (line.directive() == "include") return readIncludeLine(line);
     unit_.text += line.text;
-    for (const GlslToken& token : line.tokens)
-        mention(token);
+    for (const GlslToken& token : line.tokens) mention(token);
     if (!readBranch(line) && active()) readActiveDirective(line);
 }
 
@@ -173,8 +176,9 @@ void Preprocessor::readActiveDirective(const GlslLine& line)
                     "only the file that a shader names begins with #version");
     if (!name.empty() && name != "extension" && name != "pragma" && name != "line")
         fail("there is no directive '#" + std::string(name) + "'", line.tokens[1],
-             suggestName(name, {"define", "elif", "else", "endif", "error", "extension", "if",
-                                "ifdef", "ifndef", "include", "pragma", "undef", "version"},
+             suggestName(name,
+                         {"define", "elif", "else", "endif", "error", "extension", "if", "ifdef",
+                          "ifndef", "include", "pragma", "undef", "version"},
                          "directives"));
 }
 
@@ -361,8 +365,12 @@ void preprocess(const std::map<std::string, SourceRef>& files,
     }
     Preprocessor(files, interfaces, unit).readFile(path);
     if (unit.version.empty() && unit.errors.empty())
-        unit.errors.push_back({Code::preprocessor, "the text is empty, wanted a shader",
-                               {unit.files[0], 1, 1, 1}, {}, {}, kVersionHelp});
+        unit.errors.push_back({Code::preprocessor,
+                               "the text is empty, wanted a shader",
+                               {unit.files[0], 1, 1, 1},
+                               {},
+                               {},
+                               kVersionHelp});
 }
 
 Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files)

@@ -13,11 +13,20 @@ constexpr struct {
     GlslType type;
     const char* name;
 } kTypes[] = {
-    {GlslType::float_, "float"}, {GlslType::vec2, "vec2"},   {GlslType::vec3, "vec3"},
-    {GlslType::vec4, "vec4"},    {GlslType::int_, "int"},    {GlslType::ivec2, "ivec2"},
-    {GlslType::ivec3, "ivec3"},  {GlslType::ivec4, "ivec4"}, {GlslType::uint_, "uint"},
-    {GlslType::bool_, "bool"},   {GlslType::mat3, "mat3"},   {GlslType::mat4, "mat4"},
-    {GlslType::sampler2d, "sampler2D"}, {GlslType::sampler2d_ms, "sampler2DMS"},
+    {GlslType::float_, "float"},
+    {GlslType::vec2, "vec2"},
+    {GlslType::vec3, "vec3"},
+    {GlslType::vec4, "vec4"},
+    {GlslType::int_, "int"},
+    {GlslType::ivec2, "ivec2"},
+    {GlslType::ivec3, "ivec3"},
+    {GlslType::ivec4, "ivec4"},
+    {GlslType::uint_, "uint"},
+    {GlslType::bool_, "bool"},
+    {GlslType::mat3, "mat3"},
+    {GlslType::mat4, "mat4"},
+    {GlslType::sampler2d, "sampler2D"},
+    {GlslType::sampler2d_ms, "sampler2DMS"},
 };
 
 /// Values on one line and without comments, so that a #define holds all of each.

@@ -6,7 +6,7 @@ namespace crevice {
 
 const std::vector<FormatInfo>& allFormats()
 {
-    constexpr double kHalf = 1.0 / (1 << 10);   // steps of numbers with 11 and 24 binary digits
+    constexpr double kHalf = 1.0 / (1 << 10);  // steps of numbers with 11 and 24 binary digits
     constexpr double kFloat = 1.0 / (1 << 23);
     constexpr double kHalfLeast = kHalf / (1 << 14);
     // What needs an extension: OpenGL ES 3.0 lists no floating-point format as colour-renderable.
@@ -41,7 +41,8 @@ const std::vector<std::string>& formatNames()
 
 const FormatInfo& formatInfo(Format format)
 {
-    static const FormatInfo none = {Format::none, "none", FormatClass::none, 0, 0, false, false, 0, 0};
+    static const FormatInfo none = {
+        Format::none, "none", FormatClass::none, 0, 0, false, false, 0, 0};
     for (const FormatInfo& info : allFormats())
         if (info.format == format) return info;
     return none;

@@ -14,15 +14,17 @@ class Owned {
 public:
     Owned() = default;
     Owned(Device& device, Id id) : device_(&device), id_(id) {}
-    Owned(Owned&& other) noexcept
-        : device_(other.device_), id_(std::exchange(other.id_, Id{})) {}
+    Owned(Owned&& other) noexcept : device_(other.device_), id_(std::exchange(other.id_, Id{})) {}
     Owned& operator=(Owned&& other) noexcept
     {
         std::swap(device_, other.device_);
         std::swap(id_, other.id_);
         return *this;
     }
-    ~Owned() { if (id_) device_->destroy(id_); }
+    ~Owned()
+    {
+        if (id_) device_->destroy(id_);
+    }
 
     Id id() const { return id_; }
 

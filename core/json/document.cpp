@@ -10,8 +10,12 @@
 // Both would emit inline functions of the same names but other content, of which the linker keeps
 // one at random. A namespace of our own keeps them apart.
 #define NLOHMANN_JSON_NAMESPACE nlohmann::crevice_core
-#define NLOHMANN_JSON_NAMESPACE_BEGIN namespace nlohmann { inline namespace crevice_core {
-#define NLOHMANN_JSON_NAMESPACE_END } }
+#define NLOHMANN_JSON_NAMESPACE_BEGIN \
+    namespace nlohmann { \
+    inline namespace crevice_core {
+#define NLOHMANN_JSON_NAMESPACE_END \
+    } \
+    }
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -134,8 +138,12 @@ bool TreeBuilder::key(std::string& name)
 bool TreeBuilder::open(Node::Kind kind)
 {
     if (open_.size() == kMaxDocumentDepth) {
-        errors_.push_back({Code::too_deep, "found more than " + std::to_string(kMaxDocumentDepth) +
-                           " levels of objects and arrays", take(1), {}, {},
+        errors_.push_back({Code::too_deep,
+                           "found more than " + std::to_string(kMaxDocumentDepth) +
+                               " levels of objects and arrays",
+                           take(1),
+                           {},
+                           {},
                            "is a closing bracket missing? no config is that deep"});
         return false;
     }
@@ -164,9 +172,8 @@ std::string TreeBuilder::pointer() const
     std::string path;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
         const Node& node = *open_[i];
-        path = node.kind == Node::Kind::object
-                   ? memberPointer(path, node.members.back().key)
-                   : path + '/' + std::to_string(node.items.size() - 1);
+        path = node.kind == Node::Kind::object ? memberPointer(path, node.members.back().key)
+                                               : path + '/' + std::to_string(node.items.size() - 1);
     }
     return path;
 }
@@ -178,9 +185,12 @@ void TreeBuilder::checkKeys()
     for (const Member& member : open_.back()->members) {
         const auto [known, fresh] = first.emplace(member.key, member.key_place);
         if (fresh) continue;
-        errors_.push_back({Code::duplicate_key, "found the key '" + member.key + "' a second time",
-                           member.key_place, memberPointer(pointer(), member.key),
-                           {{known->second, "the first one is here"}}, "keep one of them"});
+        errors_.push_back({Code::duplicate_key,
+                           "found the key '" + member.key + "' a second time",
+                           member.key_place,
+                           memberPointer(pointer(), member.key),
+                           {{known->second, "the first one is here"}},
+                           "keep one of them"});
     }
 }
 
@@ -221,17 +231,28 @@ Status checkText(const SourceRef& source)
 {
     const std::string_view text = source->text;
     if (text.size() > kMaxDocumentBytes)
-        return Diagnostic{Code::too_large, "found more than the 1048576 bytes (1 MiB) that are read",
-                          {source, 1, 1}, {}, {},
+        return Diagnostic{Code::too_large,
+                          "found more than the 1048576 bytes (1 MiB) that are read",
+                          {source, 1, 1},
+                          {},
+                          {},
                           "is this a config? the largest of them has a few thousand bytes"};
     if (startsWith(text, "\xEF\xBB\xBF"))
-        return Diagnostic{Code::bad_utf8, "found a byte order mark", placeAt(source, 0, 3), {}, {},
+        return Diagnostic{Code::bad_utf8,
+                          "found a byte order mark",
+                          placeAt(source, 0, 3),
+                          {},
+                          {},
                           "save the file as UTF-8 without a byte order mark"};
     for (std::size_t at = 0, length; at < text.size(); at += length) {
         length = utf8Length(text, at);
         if (length == 0)
-            return Diagnostic{Code::bad_utf8, "found a byte that is not UTF-8", placeAt(source, at),
-                              {}, {}, "save the file as UTF-8"};
+            return Diagnostic{Code::bad_utf8,
+                              "found a byte that is not UTF-8",
+                              placeAt(source, at),
+                              {},
+                              {},
+                              "save the file as UTF-8"};
     }
     return {};
 }
@@ -256,8 +277,12 @@ Status blankOut(const SourceRef& source, std::string& text)
         const char c = text[at];
         const std::size_t comment = commentLength(text, at);
         if (comment == text.npos)
-            return Diagnostic{Code::syntax, "found a comment that does not end",
-                              placeAt(source, at, 2), {}, {}, "close it with '*/'"};
+            return Diagnostic{Code::syntax,
+                              "found a comment that does not end",
+                              placeAt(source, at, 2),
+                              {},
+                              {},
+                              "close it with '*/'"};
         for (std::size_t i = at; i < at + comment; ++i)
             if (text[i] != '\n') text[i] = ' ';
         length = comment > 0 ? comment : spaceLength(text, at);
@@ -277,8 +302,12 @@ Result<Node> parseText(const SourceRef& source)
     if (status) status = blankOut(source, text);
     if (!status) return status.diagnostics();
     if (spaceLength(text, 0) == text.size())
-        return Diagnostic{Code::empty_text, "found nothing but white space and comments",
-                          {source, 1, 1}, {}, {}, "begin with { \"format\": 1 }"};
+        return Diagnostic{Code::empty_text,
+                          "found nothing but white space and comments",
+                          {source, 1, 1},
+                          {},
+                          {},
+                          "begin with { \"format\": 1 }"};
     TreeBuilder builder(source, text);
     return builder.finish(Json::sax_parse(text, &builder));
 }
@@ -288,8 +317,8 @@ bool looksLikeJson(std::string_view text)
 {
     const std::size_t sign = text[0] == '+' || text[0] == '-' || text[0] == '.' ? 1 : 0;
     const char first = sign < text.size() ? text[sign] : '\0';
-    return text[0] == '-' || isDigit(first) || text[0] == '"' || text[0] == '{' ||
-           text[0] == '[' || text == "true" || text == "false" || text == "null";
+    return text[0] == '-' || isDigit(first) || text[0] == '"' || text[0] == '{' || text[0] == '[' ||
+           text == "true" || text == "false" || text == "null";
 }
 
 }  // namespace
@@ -298,8 +327,11 @@ Result<Node> parseDocument(const SourceRef& source)
 {
     Result<Node> document = parseText(source);
     if (!document || document->kind == Node::Kind::object) return document;
-    return Diagnostic{Code::not_an_object, "found " + brief(*document) +
-                      " where an object was wanted", document->place, {}, {},
+    return Diagnostic{Code::not_an_object,
+                      "found " + brief(*document) + " where an object was wanted",
+                      document->place,
+                      {},
+                      {},
                       "a document begins with '{'"};
 }
 

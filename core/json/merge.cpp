@@ -10,10 +10,7 @@ namespace crevice {
 
 namespace {
 
-bool isObject(const Node& node)
-{
-    return node.kind == Node::Kind::object;
-}
+bool isObject(const Node& node) { return node.kind == Node::Kind::object; }
 
 // "an object", for a sentence.
 std::string oneOf(const Node& node)
@@ -25,8 +22,10 @@ std::string oneOf(const Node& node)
 
 Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer)
 {
-    Diagnostic diagnostic{Code::merge_missing, "found null for key '" + patch.key +
-                          "', which is not there to be deleted", patch.key_place};
+    Diagnostic diagnostic{
+        Code::merge_missing,
+        "found null for key '" + patch.key + "', which is not there to be deleted",
+        patch.key_place};
     diagnostic.pointer = std::move(pointer);
     diagnostic.help = "leave the key out";
     if (base.members.empty()) return diagnostic;
@@ -60,8 +59,9 @@ Node under(std::string_view key, const Node& value)
 
 Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& pointer)
 {
-    Diagnostic diagnostic{Code::merge_kind, "found " + oneOf(patch) + " where " + oneOf(base) +
-                          " is to be changed", patch.place, pointer};
+    Diagnostic diagnostic{Code::merge_kind,
+                          "found " + oneOf(patch) + " where " + oneOf(base) + " is to be changed",
+                          patch.place, pointer};
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
     if (isObject(base))
         diagnostic.help = "write an object with the keys to change, or null to delete";
@@ -103,12 +103,14 @@ private:
     {
         std::vector<Member>& members = base.members;
         const auto end = members.begin() + static_cast<std::ptrdiff_t>(searched);
-        const auto found = std::find_if(members.begin(), end,
-                                        [&](const Member& m) { return m.key == patch.key; });
+        const auto found =
+            std::find_if(members.begin(), end, [&](const Member& m) { return m.key == patch.key; });
         const bool there = found != end;
         if (patch.value.kind != Node::Kind::null) {
-            if (there) merge(found->value, patch.value, pointer);
-            else addMember(base, patch, pointer);
+            if (there)
+                merge(found->value, patch.value, pointer);
+            else
+                addMember(base, patch, pointer);
         } else if (there) {
             members.erase(found);
             --searched;
@@ -126,7 +128,8 @@ private:
         if (diagnostics_.size() > before) {
             Diagnostic missing = missingKey(base, patch, pointer);
             if (startsWith(missing.help, "did you mean")) {
-                missing.message = "found the key '" + patch.key + "' with a null in it, and there "
+                missing.message = "found the key '" + patch.key +
+                                  "' with a null in it, and there "
                                   "is nothing to be deleted";
                 diagnostics_.resize(before);
                 diagnostics_.push_back(std::move(missing));
@@ -148,8 +151,7 @@ private:
             if (member.value.kind == Node::Kind::null)
                 diagnostics_.push_back(missingKey({}, member, below));
             else
-                copy.members.push_back(
-                    {member.key, member.key_place, fresh(member.value, below)});
+                copy.members.push_back({member.key, member.key_place, fresh(member.value, below)});
         }
         return copy;
     }

@@ -28,8 +28,12 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
             return std::vector<std::string>{section, name, "default"};
         for (const Member& member : entries->members) names.push_back(member.key);
     }
-    return Diagnostic{Code::unknown_param, "'" + name + "' is neither a param nor a feature", place,
-                      {}, {}, suggestName(name, std::move(names), "params and features")};
+    return Diagnostic{Code::unknown_param,
+                      "'" + name + "' is neither a param nor a feature",
+                      place,
+                      {},
+                      {},
+                      suggestName(name, std::move(names), "params and features")};
 }
 
 // Makes the patch that sets what stands at the keys. A list is patched as a whole, so on the way
@@ -66,10 +70,14 @@ struct PatchMaker {
         const auto item = items.begin() + static_cast<std::ptrdiff_t>(index);
         const bool there = index < items.size();
         Node changed = patch(there ? &*item : nullptr, at + 1, std::move(value));
-        if (!there) items.push_back(std::move(changed));
-        else if (changed.kind == Node::Kind::null) items.erase(item);
-        else if (at + 1 == keys.size()) *item = std::move(changed);
-        else mergePatch(*item, changed, errors);
+        if (!there)
+            items.push_back(std::move(changed));
+        else if (changed.kind == Node::Kind::null)
+            items.erase(item);
+        else if (at + 1 == keys.size())
+            *item = std::move(changed);
+        else
+            mergePatch(*item, changed, errors);
         return list;
     }
 
@@ -77,11 +85,12 @@ struct PatchMaker {
     {
         std::string pointer;
         for (std::size_t i = 0; i <= at; ++i) pointer = memberPointer(pointer, keys[i]);
-        Diagnostic error{Code::merge_missing, "found no item '" + keys[at] + "' in a list of " +
-                         std::to_string(count), place, std::move(pointer)};
+        Diagnostic error{Code::merge_missing,
+                         "found no item '" + keys[at] + "' in a list of " + std::to_string(count),
+                         place, std::move(pointer)};
         error.help = count == 0 ? "write 0 to add an item"
-                                : "items are counted from 0 to " + std::to_string(count - 1) + "; write " +
-                                      std::to_string(count) + " to add one";
+                                : "items are counted from 0 to " + std::to_string(count - 1) +
+                                      "; write " + std::to_string(count) + " to add one";
         errors.push_back(std::move(error));
     }
 };
@@ -94,12 +103,18 @@ Result<Override> readOverride(const std::string& text, const std::vector<std::st
     std::vector<std::string> folders = roots;
     folders.push_back(".");  // where its files stand
     const auto source = std::make_shared<SourceText>(
-        SourceText{"--set " + text, text, kOverridePath, {},
+        SourceText{"--set " + text,
+                   text,
+                   kOverridePath,
+                   {},
                    std::make_shared<const std::vector<std::string>>(std::move(folders))});
     const Place place{source, 1, 1, static_cast<int>(std::min(equals, text.size()))};
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         return Diagnostic{Code::override_syntax,
-                          "found '" + text + "' where name=value was wanted", place, {}, {},
+                          "found '" + text + "' where name=value was wanted",
+                          place,
+                          {},
+                          {},
                           "write radius=0.8, or /passes/blur/when=null for any place"};
 
     // The name is blank while the value is read, so that columns count from the override's start.
@@ -117,7 +132,8 @@ Status applyOverride(Node& document, const std::string& text, const std::vector<
     const Result<std::vector<std::string>> keys = overrideKeys(document, read->name, read->place);
     if (!keys) return keys.diagnostics();
     Diagnostics errors;
-    const Node patch = PatchMaker{*keys, read->place, errors}.patch(&document, 0, std::move(read->value));
+    const Node patch =
+        PatchMaker{*keys, read->place, errors}.patch(&document, 0, std::move(read->value));
     if (errors.empty()) mergePatch(document, patch, errors);
     return errors;
 }

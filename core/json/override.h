@@ -8,7 +8,8 @@
 
 namespace crevice {
 
-/// The path of an override's text in a SourceText: the files that it names stand in the current folder.
+/// The path of an override's text in a SourceText: the files that it names stand in the current
+/// folder.
 constexpr const char* kOverridePath = "./--set";
 
 /// "name=value", read.
@@ -18,8 +19,8 @@ struct Override {
     Node value;
 };
 
-/// Reads the value by parseValue. A file that it names is seen from the current folder and lies below that
-/// or below `roots`.
+/// Reads the value by parseValue. A file that it names is seen from the current folder and lies
+/// below that or below `roots`.
 ///
 /// Errors: CV1206 when there is no name or no value, CV1001 to CV1006 for the value.
 Result<Override> readOverride(const std::string& text, const std::vector<std::string>& roots = {});
@@ -28,7 +29,9 @@ Result<Override> readOverride(const std::string& text, const std::vector<std::st
 /// "/passes/blur/when=null", which sets or deletes what an RFC 6901 pointer names and makes the
 /// objects on the way.
 ///
-/// Errors: those of readOverride, CV4004 when nothing has the name, CV1101 and CV1102 as for any patch.
-Status applyOverride(Node& document, const std::string& text, const std::vector<std::string>& roots = {});
+/// Errors: those of readOverride, CV4004 when nothing has the name, CV1101 and CV1102 as for any
+/// patch.
+Status applyOverride(Node& document, const std::string& text,
+                     const std::vector<std::string>& roots = {});
 
 }  // namespace crevice

@@ -14,10 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxShown = 40;  // bytes of an offending token in a message
 
-bool isOneOf(char c, const char* set)
-{
-    return c != '\0' && std::strchr(set, c) != nullptr;
-}
+bool isOneOf(char c, const char* set) { return c != '\0' && std::strchr(set, c) != nullptr; }
 
 bool isWordCharacter(char c) { return isWord(c) || c == '$'; }
 
@@ -133,7 +130,8 @@ std::string bareNumber(std::string_view token)
     const std::size_t length = numberLength(digits, 0);
     const auto letter = [](char c) { return isWordCharacter(c) && !isDigit(c); };
     return std::all_of(digits.begin() + static_cast<std::ptrdiff_t>(length), digits.end(), letter)
-               ? digits.substr(0, length) : "";
+               ? digits.substr(0, length)
+               : "";
 }
 
 std::string numberHelp(std::string_view token)
@@ -238,8 +236,9 @@ Fault symbolFault(std::string_view text, const SyntaxStop& stop, const Wanted& w
     return unexpected(wanted.offset, length, found, wanted, help);
 }
 
-// A string that lacks its closing quote ends at the next one's opening quote, and what follows makes
-// no sense: "radius: { "default". True when the last string ends in what stands between entries.
+// A string that lacks its closing quote ends at the next one's opening quote, and what follows
+// makes no sense: "radius: { "default". True when the last string ends in what stands between
+// entries.
 bool lacksQuote(std::string_view text, const SyntaxStop& stop, std::size_t offset)
 {
     if (stop.offset == 0 || text[stop.offset - 1] != '"' || !isWordCharacter(charAt(text, offset)))
@@ -285,12 +284,12 @@ Diagnostic explainSyntax(const SourceRef& source, const SyntaxStop& stop)
     const Wanted wanted = wantedAfter(text, stop);
     const bool at_end = wanted.offset >= text.size();
     const Fault fault = at_end ? endFault(text, stop, wanted) : faultAt(text, stop, wanted);
-    Diagnostic diagnostic{fault.code, fault.message,
-                          placeAt(source, fault.offset, fault.length)};
+    Diagnostic diagnostic{fault.code, fault.message, placeAt(source, fault.offset, fault.length)};
     diagnostic.help = fault.help;
     if (stop.container && (at_end || isOneOf(text[wanted.offset], "]}")))
-        diagnostic.notes.push_back({stop.container->place, std::string("the ") +
-                                    kindName(stop.container->kind) + " begins here"});
+        diagnostic.notes.push_back(
+            {stop.container->place,
+             std::string("the ") + kindName(stop.container->kind) + " begins here"});
     return diagnostic;
 }
 

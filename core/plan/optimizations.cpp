@@ -5,7 +5,9 @@ namespace crevice {
 
 const Optimization kOptimizations[7] = {
     {"dead_pass", "passes, attachments and shader outputs that no requested output needs"},
-    {"no_op", "passes whose outputs are known without running them: by the value of a param, or a constant input"},
+    {"no_op",
+     "passes whose outputs are known without running them: by the value of a param, or a constant "
+     "input"},
     {"aliasing", "separate textures for targets that are not alive at the same time"},
     {"depth_mask", "pixels of a pass that its mask excludes, by a depth test"},
     {"frustum_culling", "per frame, draws whose bounds are outside the view"},

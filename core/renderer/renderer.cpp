@@ -28,8 +28,8 @@ bool changesPlan(const Description& description, const ParamDesc& param,
     for (const GeneratedDesc& generated : description.generated)
         if (generated.count_param.name == param.name) return true;
     for (const TargetDesc& target : description.targets)
-        if (target.size.scale_param.name == param.name ||
-            target.samples_param.name == param.name) return true;
+        if (target.size.scale_param.name == param.name || target.samples_param.name == param.name)
+            return true;
     for (const PassDesc& pass : description.passes) {
         if (pass.frustum_scale_param.name == param.name) return true;
         for (const NoOpDesc& no_op : pass.no_op)
@@ -43,8 +43,9 @@ bool changesPlan(const Description& description, const ParamDesc& param,
 Diagnostic unknown(Code code, const char* what, std::string_view name,
                    std::vector<std::string> names, const char* heading)
 {
-    return {code, std::string("there is no ") + what + " '" + std::string(name) + "'", {}, {}, {},
-            suggestName(name, std::move(names), heading)};
+    return {code, std::string("there is no ") + what + " '" + std::string(name) + "'",
+            {},   {},
+            {},   suggestName(name, std::move(names), heading)};
 }
 
 Diagnostics together(Diagnostics first, const Diagnostics& second)
@@ -60,11 +61,14 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
     if (!status || execution.compiled().empty()) return status;
     const std::string shaders = "'" + joined(execution.compiled(), "', '") + "'";
     return together(status.diagnostics(),
-                  {{Code::recompiled, cause + ", so setting it compiled " + shaders, at.place,
-                    at.pointer, {},
-                    "set each value once while loading, since what was compiled is kept, or bind "
-                    "a param that changes often as a uniform",
-                    Severity::warning}});
+                    {{Code::recompiled,
+                      cause + ", so setting it compiled " + shaders,
+                      at.place,
+                      at.pointer,
+                      {},
+                      "set each value once while loading, since what was compiled is kept, or bind "
+                      "a param that changes often as a uniform",
+                      Severity::warning}});
 }
 
 }  // namespace
@@ -81,7 +85,8 @@ struct Renderer::State {
                                                const CompileOptions& options,
                                                const SceneTraits& traits, const State* previous);
 
-    /// Whether the plan's formats are those that would be chosen for such a scene. Allocates nothing.
+    /// Whether the plan's formats are those that would be chosen for such a scene. Allocates
+    /// nothing.
     bool formatsHold(const SceneTraits& scene) const;
 
     /// Whether its plan holds for a camera of another range, whose histories then go on.
@@ -102,8 +107,8 @@ auto Renderer::State::make(Device& device, Description description, const Compil
 {
     Result<Plan> plan = compile(description, traits, device.caps(), options);
     if (!plan) return plan.diagnostics();
-    auto execution = Execution::create(device, std::move(*plan),
-                                       previous ? previous->execution.get() : nullptr);
+    auto execution =
+        Execution::create(device, std::move(*plan), previous ? previous->execution.get() : nullptr);
     if (!execution) return execution.diagnostics();
     std::unique_ptr<State> state(
         new State{device, std::move(description), options, traits, std::move(*execution)});
@@ -155,7 +160,8 @@ Status Renderer::State::replan(std::unique_ptr<State>& state, Description descri
 }
 
 Renderer::Renderer(std::unique_ptr<State> state)
-    : state_(std::move(state)), loaded_(std::make_unique<Values>(valuesOf(state_->description)))
+    : state_(std::move(state)),
+      loaded_(std::make_unique<Values>(valuesOf(state_->description)))
 {
 }
 
@@ -202,8 +208,8 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     if (next == old) return {};
     const bool replans = changesPlan(state_->description, *param, next);
     param->value = next;
-    const bool reformats = param->semantic == ParamSemantic::length &&
-                           !state_->formatsHold(state_->traits);
+    const bool reformats =
+        param->semantic == ParamSemantic::length && !state_->formatsHold(state_->traits);
     if (!reformats && !replans) {
         state_->execution->setParam(name, next.data());
         return {};
@@ -242,8 +248,8 @@ Status Renderer::reload(Description description, const CompileOptions& options)
 {
     const Values loaded = valuesOf(description);
     Diagnostics all = carryOver(*loaded_, state_->description, description);
-    auto next = State::make(state_->device, std::move(description), options, state_->traits,
-                            state_.get());
+    auto next =
+        State::make(state_->device, std::move(description), options, state_->traits, state_.get());
     if (!next) return next.diagnostics();
     state_ = std::move(*next);
     *loaded_ = loaded;

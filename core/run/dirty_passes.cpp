@@ -16,7 +16,9 @@ PassCache::PassCache(const Plan& plan)
       next_slots_(slots_),
       runs_(plan.passes.size() * plan.views)
 {
-    const auto remembered = [&plan](int target) { return plan.targets[target].history_texture >= 0; };
+    const auto remembered = [&plan](int target) {
+        return plan.targets[target].history_texture >= 0;
+    };
     for (const PlanPass& pass : plan.passes) {
         PassNode& node = passes_.emplace_back();
         for (const PlanInput& input : pass.inputs) {
@@ -27,17 +29,14 @@ PassCache::PassCache(const Plan& plan)
             if (color.target >= 0) node.writes.push_back(color.target);
         if (pass.has_depth && pass.depth.target >= 0 && !isMasked(pass))
             node.writes.push_back(pass.depth.target);
-        node.remembers = node.remembers ||
-                         std::any_of(node.writes.begin(), node.writes.end(), remembered);
+        node.remembers =
+            node.remembers || std::any_of(node.writes.begin(), node.writes.end(), remembered);
     }
     for (const PlanOutput& output : plan.outputs)
         if (output.target >= 0) outputs_.push_back(output.target);
 }
 
-void PassCache::clear()
-{
-    std::fill(slots_.begin(), slots_.end(), kNothing);
-}
+void PassCache::clear() { std::fill(slots_.begin(), slots_.end(), kNothing); }
 
 int PassCache::slotOf(int view, int target) const
 {
@@ -62,23 +61,21 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
             runs_[run] = changed[run] || pass.remembers ||
                          std::any_of(pass.reads.begin(), pass.reads.end(), drawn_anew);
         }
-    do
-        next_slots_ = slots_;
+    do next_slots_ = slots_;
     while (findOverwritten());
     slots_.swap(next_slots_);
     return runs_;
 }
 
-/// Goes through the frame with what is chosen so far, and chooses whoever wrote what is read, or asked for at
-/// the end, and is no longer there. True when there was one.
+/// Goes through the frame with what is chosen so far, and chooses whoever wrote what is read, or
+/// asked for at the end, and is no longer there. True when there was one.
 bool PassCache::findOverwritten()
 {
     bool found = false;
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             if (!runs_[runOf(view, static_cast<int>(i))]) continue;
-            for (const int target : passes_[i].reads)
-                found = requireTarget(view, target) || found;
+            for (const int target : passes_[i].reads) found = requireTarget(view, target) || found;
             for (const int target : passes_[i].writes)
                 next_slots_[slotOf(view, target)] = contentOf(view, target);
         }
@@ -91,7 +88,8 @@ bool PassCache::requireTarget(int view, int target)
 {
     if (next_slots_[slotOf(view, target)] == contentOf(view, target)) return false;
     char& writer = runs_[runOf(view, plan_.targets[target].first_pass)];
-    if (writer) return false;  // it runs, and what it wrote was overwritten before: the plan's business
+    if (writer)
+        return false;  // it runs, and what it wrote was overwritten before: the plan's business
     writer = 1;
     return true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which passes of a plan a frame must run: those whose input has changed since they ran last, all that read
-// what those write, and those whose picture another one has overwritten meanwhile.
+// Which passes of a plan a frame must run: those whose input has changed since they ran last, all
+// that read what those write, and those whose picture another one has overwritten meanwhile.
 //
 // Private to the renderer, and pure: it knows textures by their numbers in the plan.
 #pragma once
@@ -19,8 +19,8 @@ public:
     void clear();
 
     /// Chooses for a frame. `changed`: by run (view * passes + pass), whether uniforms, draws or
-    /// imported textures of it are others than when it ran last. The passes chosen count as run from
-    /// then on. The answer is by run as well, and stays until the next call.
+    /// imported textures of it are others than when it ran last. The passes chosen count as run
+    /// from then on. The answer is by run as well, and stays until the next call.
     const std::vector<char>& choose(const std::vector<char>& changed);
 
 private:
@@ -38,8 +38,8 @@ private:
 
     const Plan& plan_;
     std::vector<PassNode> passes_;
-    std::vector<int> outputs_;    // targets
-    std::vector<int> slots_;      // what each texture holds: a content, or kNothing
+    std::vector<int> outputs_;     // targets
+    std::vector<int> slots_;       // what each texture holds: a content, or kNothing
     std::vector<int> next_slots_;  // ... while a frame is gone through
     std::vector<char> runs_;
 };

@@ -49,10 +49,11 @@ Diagnostic missing(const ImportDesc& import)
 
 Diagnostic unknownTexture(const ImportDesc& import, TextureId id)
 {
-    return refused(import, Code::bad_input,
-                   "'s texture '" + import.name + "' is texture " + std::to_string(id.value) +
-                       ", which is none of this device",
-                   "take an id that adoptTexture or createTexture gave and that is not destroyed yet");
+    return refused(
+        import, Code::bad_input,
+        "'s texture '" + import.name + "' is texture " + std::to_string(id.value) +
+            ", which is none of this device",
+        "take an id that adoptTexture or createTexture gave and that is not destroyed yet");
 }
 
 Diagnostic otherSamples(const ImportDesc& import, const std::string& pass, int samples)
@@ -73,7 +74,8 @@ Status Execution::checkImports(const Frame& frame) const
 {
     for (const ImportDesc& import : plan_.imports)
         if (import.type == ImportType::texture && !import.optional &&
-            !findTexture(frame.textures, import.name)) return missing(import);
+            !findTexture(frame.textures, import.name))
+            return missing(import);
     for (std::size_t view = 0; view < views_.size(); ++view) {
         for (const PreparedPass& pass : views_[view].passes) {
             for (const TextureBinding& binding : pass.textures) {
@@ -208,8 +210,8 @@ bool Execution::updateDraws(const Frame& frame)
     for (std::size_t i = 0; i < frame.materials.size(); ++i)
         take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
     drawn_.elided = drawn_.elided || !isFinite(frame.ambient_light) ||
-                      !std::all_of(frame.lights.begin(), frame.lights.end(),
-                                   [](const Light& light) { return isFinite(light); });
+                    !std::all_of(frame.lights.begin(), frame.lights.end(),
+                                 [](const Light& light) { return isFinite(light); });
     return changed;
 }
 
@@ -311,7 +313,8 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
     bool mirrored = false;
     for (const DrawItem& item : drawn_.draws) {
         if (item.count == 0) continue;
-        if (pass.plan->frustum_scale > 0.0f && isOutside(item, camera, pass.plan->frustum_scale)) continue;
+        if (pass.plan->frustum_scale > 0.0f && isOutside(item, camera, pass.plan->frustum_scale))
+            continue;
         if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
             mirrored = !mirrored;
             device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);

@@ -38,15 +38,15 @@ public:
     Status setImports(const Frame& frame);
 
     /// Draws what has changed of the plan since the last frame. Requires that `checkFrame` had
-    /// nothing against the frame and that its imports were set. What cannot be drawn of it is left out
-    /// with a warning CV6011. Errors: CV6004 and then nothing changed, CV6005, CV6009, CV6016.
+    /// nothing against the frame and that its imports were set. What cannot be drawn of it is left
+    /// out with a warning CV6011. Errors: CV6004 and then nothing changed, CV6005, CV6009, CV6016.
     Status run(const Frame& frame);
 
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
 
-    /// Sets a param of the plan, to as many floats as its type has. Nothing happens where the plan has none
-    /// of that name: then no pass uses it.
+    /// Sets a param of the plan, to as many floats as its type has. Nothing happens where the plan
+    /// has none of that name: then no pass uses it.
     void setParam(std::string_view name, const float* values);
 
     TextureId output(std::string_view name, int view) const;
@@ -71,10 +71,10 @@ private:
         TextureId texture;
         TextureId odd_frame;  // that takes its place in every second frame; null when none does
         SamplerDesc sampling;
-        bool multisampled = false;  // what the shader's sampler reads
-        int import = -1;  // into the plan's imports; the texture is then set a frame
+        bool multisampled = false;   // what the shader's sampler reads
+        int import = -1;             // into the plan's imports; the texture is then set a frame
         std::uint64_t revision = 0;  // of what it holds; only an import's changes
-        int map = -1;     // of the material; set for each draw
+        int map = -1;                // of the material; set for each draw
     };
 
     struct PreparedPass {
@@ -85,11 +85,12 @@ private:
         std::vector<TextureBinding> textures;
         std::vector<TextureBinding> material_textures;  // set for each draw
         std::vector<UniformBinding> uniforms;
-        std::vector<UniformBinding> draw_uniforms;      // sent for each draw
-        std::vector<std::uint32_t> sent;  // what `uniforms` were when it ran last
-        bool imports_changed = true;      // since then
+        std::vector<UniformBinding> draw_uniforms;  // sent for each draw
+        std::vector<std::uint32_t> sent;            // what `uniforms` were when it ran last
+        bool imports_changed = true;                // since then
         Owned<FramebufferId> framebuffer;
-        Owned<FramebufferId> odd_frame;  // that takes its place in every second frame; null likewise
+        Owned<FramebufferId>
+            odd_frame;  // that takes its place in every second frame; null likewise
     };
 
     struct PreparedView {
@@ -163,16 +164,16 @@ private:
     std::vector<char> changed_;  // by run, for cache_
     DrawnList drawn_;
     std::optional<ViewArea> things_;  // of the present view, once a pass has asked
-    bool swapped_ = false;    // whether histories and their targets have changed places
-    bool remembers_ = false;  // whether histories hold anything
+    bool swapped_ = false;            // whether histories and their targets have changed places
+    bool remembers_ = false;          // whether histories hold anything
     std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.
     std::vector<std::vector<Owned<TextureId>>> textures_;  // the plan's, with their copies
     std::vector<Owned<TextureId>> constants_;
     std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
-    Owned<TextureId> white_;  // for materials without a map
-    Owned<TextureId> black_;  // for optional imports that are absent
+    Owned<TextureId> white_;                   // for materials without a map
+    Owned<TextureId> black_;                   // for optional imports that are absent
     std::vector<SharedProgram> programs_;
     std::vector<std::pair<std::string, SharedProgram>> idle_programs_;  // by key, the latest first
     std::vector<PreparedView> views_;

@@ -81,16 +81,18 @@ Status Execution::createTextures()
         textures_.emplace_back();
         for (int view = 0; view < texture.copies; ++view) {
             const std::string of_view = view > 0 ? " of view " + std::to_string(view) : "";
-            Result<TextureId> id =
-                device_.createTexture({label + of_view, texture.format, texture.extent, texture.samples});
+            Result<TextureId> id = device_.createTexture(
+                {label + of_view, texture.format, texture.extent, texture.samples});
             if (!id) return id.diagnostics();
             textures_.back().emplace_back(device_, *id);
         }
     }
     for (const PlanConstant& constant : plan_.constants) {
         constants_.emplace_back();
-        if (Status status = createFilled("constant", Format::rgba8, pixel(constant.value),
-                                         constants_.back()); !status) return status;
+        if (Status status =
+                createFilled("constant", Format::rgba8, pixel(constant.value), constants_.back());
+            !status)
+            return status;
     }
     Status status;
     if (uses(plan_, InputKind::material))
@@ -116,8 +118,7 @@ Status Execution::createGenerated()
         generated_.emplace_back();
         if (!generatesTexture(each.generator)) {
             const bool hemisphere = each.generator == "hemisphere_kernel";
-            const auto kernel =
-                makeKernel({hemisphere, each.count, each.distribution, each.seed});
+            const auto kernel = makeKernel({hemisphere, each.count, each.distribution, each.seed});
             if (!kernel) return kernel.diagnostics();
             values_.setKernel(generated_.size() - 1, *kernel);
             continue;
@@ -126,7 +127,8 @@ Status Execution::createGenerated()
         if (!noise) return noise.diagnostics();
         // Half floats: every OpenGL ES 3.0 device samples and filters them, and -1 to 1 fits.
         if (Status status = createFilled(each.name, Format::rgba16f, *noise, generated_.back());
-            !status) return status;
+            !status)
+            return status;
     }
     return {};
 }
@@ -208,7 +210,8 @@ Status Execution::createFramebuffers(const PlanPass& pass, int view, PreparedPas
         return attachment.target >= 0 && plan_.targets[attachment.target].history_texture >= 0;
     };
     if (std::none_of(pass.color.begin(), pass.color.end(), remembered) &&
-        !(pass.has_depth && remembered(pass.depth))) return {};
+        !(pass.has_depth && remembered(pass.depth)))
+        return {};
     return createFramebuffer(pass, view, true, prepared.odd_frame);
 }
 
@@ -255,13 +258,14 @@ TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) c
     case InputKind::history: return targetTexture(input.index, view, !swapped);
     case InputKind::generated: return generated_[input.index].id();
     case InputKind::constant: return constants_[input.index].id();
-    case InputKind::imported: case InputKind::material: break;
+    case InputKind::imported:
+    case InputKind::material: break;
     }
     return {};
 }
 
-/// Gives an active uniform what the plan has bound to it. The plan was made from a scan of the text; where
-/// the driver sees more than the scan did, the uniform would silently stay 0.
+/// Gives an active uniform what the plan has bound to it. The plan was made from a scan of the
+/// text; where the driver sees more than the scan did, the uniform would silently stay 0.
 void Execution::bindUniform(const PlanPass& pass, const UniformInfo& active, int view,
                             PreparedPass& prepared, Diagnostics& errors)
 {
@@ -294,7 +298,10 @@ Diagnostic Execution::unbound(const PlanPass& pass, const UniformInfo& active,
     return {uniform ? Code::uniform_type : Code::uniform_unbound,
             "shader '" + program.label + "' of pass '" + pass.name + "' has uniform '" +
                 active.name + "', " + why,
-            program.place, program.pointer, {}, "declare it on a line of its own, without macros"};
+            program.place,
+            program.pointer,
+            {},
+            "declare it on a line of its own, without macros"};
 }
 
 void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,

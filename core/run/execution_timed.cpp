@@ -30,8 +30,7 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
     for (const PreparedView& view : views_) {
         setView(frame, view);
         for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
-            times.method =
-                timePass(view.passes[i], slot++, view.camera, times.pass_ms[i]);
+            times.method = timePass(view.passes[i], slot++, view.camera, times.pass_ms[i]);
     }
     const Status status = end(frame);
     if (!status) return status.diagnostics();

@@ -19,8 +19,8 @@ std::size_t wordsOf(GlslType type, int count);
 
 class ValueTable {
 public:
-    /// Has room for the frame's values, the plan's params, at their initial values, and its kernels. The plan must
-    /// outlive it.
+    /// Has room for the frame's values, the plan's params, at their initial values, and its
+    /// kernels. The plan must outlive it.
     explicit ValueTable(const Plan& plan);
 
     /// Where the value of a uniform begins, in words.
@@ -48,7 +48,8 @@ private:
     }
 
     const Plan& plan_;
-    std::vector<std::size_t> offsets_;  // of the frame's values as in FrameValue, of params, of generated
+    std::vector<std::size_t>
+        offsets_;  // of the frame's values as in FrameValue, of params, of generated
     std::vector<std::uint32_t> words_;
 };
 

@@ -2,9 +2,9 @@
 // Sample kernels and rotation noise.
 //
 // The same numbers on every platform: integers are hashed, everything after that is + - * / and
-// sqrt in double, which IEEE 754 fixes to the last bit, rounded to float once at the end. A compiler
-// that fuses a multiply and an add moves the last bit of a double; the float is still the same.
-// The C library's sin, cos and <random> differ between platforms and are not used.
+// sqrt in double, which IEEE 754 fixes to the last bit, rounded to float once at the end. A
+// compiler that fuses a multiply and an add moves the last bit of a double; the float is still the
+// same. The C library's sin, cos and <random> differ between platforms and are not used.
 #include "core/sampling/generators.h"
 
 #include "core/sampling/random.h"
@@ -23,10 +23,7 @@ struct Vector {
 };
 
 /// In (-1, 1): odd multiples of 2^-24, so that a float holds it exactly and none is 0.
-double signedNumber(Stream& stream)
-{
-    return 2.0 * stream.number() - 1.0 + 0x1p-24;
-}
+double signedNumber(Stream& stream) { return 2.0 * stream.number() - 1.0 + 0x1p-24; }
 
 Vector inCube(Stream& stream)
 {
@@ -103,8 +100,12 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
     const std::vector<std::string>& names = distributionNames();
     const auto found = std::find(names.begin(), names.end(), desc.distribution);
     if (found == names.end())
-        return Diagnostic{Code::bad_enum, "there is no distribution '" + desc.distribution + "'",
-                          {}, {}, {}, suggestName(desc.distribution, names, "distributions")};
+        return Diagnostic{Code::bad_enum,
+                          "there is no distribution '" + desc.distribution + "'",
+                          {},
+                          {},
+                          {},
+                          suggestName(desc.distribution, names, "distributions")};
     if (desc.count < 1 || desc.count > kMaxKernelSize)
         return rangeError("count", desc.count, kMaxKernelSize);
 
@@ -142,9 +143,6 @@ const std::vector<std::string>& generatorNames()
     return names;
 }
 
-bool generatesTexture(std::string_view generator)
-{
-    return generator == "rotation_noise";
-}
+bool generatesTexture(std::string_view generator) { return generator == "rotation_noise"; }
 
 }  // namespace crevice

@@ -44,9 +44,9 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
 ///   "accelerated"       random direction, random length, times lerp(0.1, 1, (i / n)^2) (Chapman)
 const std::vector<std::string>& distributionNames();
 
-/// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of its
-/// own stratum, so that a size x size box filter sees all directions evenly.
-/// Errors: CV4001 for a size outside [1, kMaxNoiseSize].
+/// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of
+/// its own stratum, so that a size x size box filter sees all directions evenly. Errors: CV4001 for
+/// a size outside [1, kMaxNoiseSize].
 Result<Image> makeRotationNoise(int size, unsigned seed);
 
 /// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise".

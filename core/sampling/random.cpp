@@ -16,10 +16,7 @@ std::uint32_t pcg(std::uint32_t value)
 
 }  // namespace
 
-std::uint32_t randomBits(unsigned seed, unsigned index)
-{
-    return pcg(index + pcg(seed));
-}
+std::uint32_t randomBits(unsigned seed, unsigned index) { return pcg(index + pcg(seed)); }
 
 float randomFloat(unsigned seed, unsigned index)
 {

@@ -9,7 +9,8 @@ namespace {
 /// A context with a device and one pixel to clear.
 struct Room {
     explicit Room(std::unique_ptr<Context> made)
-        : context(std::move(made)), device(need(makeGlDevice(context->loader())))
+        : context(std::move(made)),
+          device(need(makeGlDevice(context->loader())))
     {
         pixel = need(device->createTexture({"pixel", Format::rgba8, {1, 1}}));
         framebuffer = need(device->createFramebuffer({"pixel", {pixel}, {}}));
@@ -82,7 +83,9 @@ TEST_CASE("EGL and OSMesa live in one process")
 TEST_CASE("a context that is destroyed leaves the others usable")
 {
     GlFixture fixture;
-    { Room gone(need(makeContext(testBackend()))); }
+    {
+        Room gone(need(makeContext(testBackend())));
+    }
     need(testContext().makeCurrent());
     CHECK(fixture.texture(Format::r8));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Real GL that runs out of memory or loses its context: nothing stays behind, and what is drawn after
-// is bit for bit what it would have been.
+// Real GL that runs out of memory or loses its context: nothing stays behind, and what is drawn
+// after is bit for bit what it would have been.
 #include "tests/support/failing_changes.h"
 #include "tests/support/failing_device.h"
 #include "tests/support/gl_fixture.h"
@@ -22,8 +22,8 @@ struct Stage {
     explicit Stage(Device& on) : device(on), uploaded(need(UploadedScene::upload(on, scene)))
     {
         const double aspect = double(kExtent.width) / kExtent.height;
-        frame = makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)),
-                          kExtent);
+        frame =
+            makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
     }
 
     std::unique_ptr<Renderer> make(const Description& description)
@@ -54,7 +54,8 @@ struct Stage {
 
 }  // namespace
 
-TEST_CASE("Shipped configs on GL that fails any object keep their pictures, and draw the same bits after")
+TEST_CASE(
+    "Shipped configs on GL that fails any object keep their pictures, and draw the same bits after")
 {
     GlFixture gl;
     FailingDevice device(*gl.device);
@@ -81,7 +82,8 @@ TEST_CASE("Shipped configs on GL that fails any object keep their pictures, and 
     }
 }
 
-TEST_CASE("A driver without memory for one call leaves no name, and then the picture that is wanted")
+TEST_CASE(
+    "A driver without memory for one call leaves no name, and then the picture that is wanted")
 {
     GlFixture fixture;
     WatchedGl gl(testContext().loader());
@@ -148,7 +150,8 @@ TEST_CASE("Hundreds of resizes, reloads and settings leave no GL name and no id 
     {
         auto device = need(makeGlDevice(gl.loader()));
         Stage stage(*device);
-        const Description plain = descriptionOf({"learnopengl", ""}), other = descriptionOf({"mobile", ""});
+        const Description plain = descriptionOf({"learnopengl", ""}),
+                          other = descriptionOf({"mobile", ""});
         auto renderer = stage.make(plain);
         int names = 0;
         for (int n = 0; n <= kChanges; ++n) {

@@ -18,20 +18,14 @@ namespace {
 const char* version = nullptr;
 std::vector<GLuint> deleted;
 
-const GLubyte* GL_APIENTRY getString(GLenum)
-{
-    return reinterpret_cast<const GLubyte*>(version);
-}
+const GLubyte* GL_APIENTRY getString(GLenum) { return reinterpret_cast<const GLubyte*>(version); }
 
 void GL_APIENTRY deleteTextures(GLsizei count, const GLuint* names)
 {
     deleted.insert(deleted.end(), names, names + count);
 }
 
-void GL_APIENTRY deleteShader(GLuint name)
-{
-    deleted.push_back(name);
-}
+void GL_APIENTRY deleteShader(GLuint name) { deleted.push_back(name); }
 
 GLenum GL_APIENTRY getError() { return GL_NO_ERROR; }
 

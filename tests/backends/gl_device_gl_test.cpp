@@ -29,10 +29,7 @@ float stepOf(Format format)
     }
 }
 
-bool isDepth(const FormatInfo& info)
-{
-    return info.format_class == FormatClass::depth;
-}
+bool isDepth(const FormatInfo& info) { return info.format_class == FormatClass::depth; }
 
 Code onlyCode(const Diagnostics& diagnostics)
 {
@@ -103,8 +100,9 @@ TEST_CASE_METHOD(GlFixture, "a clear lands in every format that can be rendered 
 
 TEST_CASE_METHOD(GlFixture, "a shader's values land in every colour format that can be rendered to")
 {
-    const ProgramId written = program("out vec4 color; void main() { color = vec4(gl_FragCoord.xy"
-                                      " / 8.0, 0.75, 1.0); }");
+    const ProgramId written = program(
+        "out vec4 color; void main() { color = vec4(gl_FragCoord.xy"
+        " / 8.0, 0.75, 1.0); }");
     for (const FormatInfo& info : allFormats()) {
         if (!device->caps().canRender(info.format) || isDepth(info)) continue;
         INFO(info.name);
@@ -229,8 +227,9 @@ TEST_CASE_METHOD(GlFixture, "more colour attachments than the device has are ref
 
 TEST_CASE_METHOD(GlFixture, "a shader that does not compile points at the author's line")
 {
-    const std::string text = "#version 300 es\nprecision highp float;\nout vec4 color;\n"
-                             "void main()\n{\n    color = vec4(no_such_name);\n}\n";
+    const std::string text =
+        "#version 300 es\nprecision highp float;\nout vec4 color;\n"
+        "void main()\n{\n    color = vec4(no_such_name);\n}\n";
     const auto result = device->createProgram({"broken", stage(kFullscreenVertex), stage(text)});
     REQUIRE_FALSE(result.ok());
     const Diagnostic& first = result.diagnostics()[0];
@@ -280,7 +279,8 @@ TEST_CASE_METHOD(GlFixture, "a destroyed device leaves no texture behind")
     need(device->createMesh(square(0)));
     program("out vec4 color; void main() { color = vec4(1); }");
     device.reset();
-    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate) CHECK_FALSE(gl.IsTexture(candidate));
+    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate)
+        CHECK_FALSE(gl.IsTexture(candidate));
 }
 
 TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the device")
@@ -311,8 +311,8 @@ TEST_CASE_METHOD(GlFixture, "a name that is no texture cannot be adopted")
 
 TEST_CASE_METHOD(GlFixture, "objects carry their labels where the context has labels")
 {
-    auto get_label = reinterpret_cast<PFNGLGETOBJECTLABELPROC>(
-        testContext().loader()("glGetObjectLabel"));
+    auto get_label =
+        reinterpret_cast<PFNGLGETOBJECTLABELPROC>(testContext().loader()("glGetObjectLabel"));
     if (device->caps().version < 320 || !get_label) return;
     texture(Format::r8, {4, 4}, "a label to find");
     std::string found;

@@ -90,8 +90,10 @@ void main()
         {"d", GlslType::vec4},   {"i", GlslType::mat3}, {"j", GlslType::mat4}};
     for (const auto& [name, type] : of_floats)
         device->setUniform(location(sum, name), type, name[0] == 'c' ? 3 : 1, floats);
-    const std::pair<const char*, GlslType> of_ints[] = {
-        {"e", GlslType::int_}, {"f", GlslType::ivec2}, {"g", GlslType::uint_}, {"h", GlslType::bool_}};
+    const std::pair<const char*, GlslType> of_ints[] = {{"e", GlslType::int_},
+                                                        {"f", GlslType::ivec2},
+                                                        {"g", GlslType::uint_},
+                                                        {"h", GlslType::bool_}};
     for (const auto& [name, type] : of_ints) device->setUniform(location(sum, name), type, 1, ints);
     device->drawFullscreen();
     device->endPass();
@@ -219,8 +221,10 @@ TEST_CASE_METHOD(SquareFixture, "culling drops triangles by their side")
 
 TEST_CASE_METHOD(GlFixture, "a mesh feeds positions, normals and uvs, from any first index")
 {
-    const ProgramId show = program("in vec3 normal; in vec2 uv; out vec4 color;"
-                                   " void main() { color = vec4(normal.xy, uv); }", kMeshVertex);
+    const ProgramId show = program(
+        "in vec3 normal; in vec2 uv; out vec4 color;"
+        " void main() { color = vec4(normal.xy, uv); }",
+        kMeshVertex);
     const MeshId mesh = need(device->createMesh(square(0)));
     const TextureId target = texture(Format::rgba32f);
     const FramebufferId into = framebuffer({target});

@@ -16,7 +16,8 @@ namespace {
 
 constexpr Extent kSize = {64, 32};
 
-/// What a host does from its first call on, a step at a time; a step that failed may be tried again.
+/// What a host does from its first call on, a step at a time; a step that failed may be tried
+/// again.
 struct Host {
     explicit Host(WatchedGl& on, GlDeviceOptions with = {}) : gl(on), options(std::move(with)) {}
 
@@ -47,10 +48,7 @@ struct Host {
 
     Status draw() { return renderer->render(frame); }
 
-    Status present()
-    {
-        return device->present(renderer->output("color"), {0, 0, 0, kSize});
-    }
+    Status present() { return device->present(renderer->output("color"), {0, 0, 0, kSize}); }
 
     Status read() { return device->readTexture(renderer->output("ao")).diagnostics(); }
     Status resize() { return renderer->resize({30, 20}); }
@@ -153,7 +151,8 @@ TEST_CASE("A context that is lost at any call ends in one CV6016, and no call of
     CHECK(failed.size() == std::size(kSteps));
 }
 
-TEST_CASE("A context whose loss only glGetGraphicsResetStatus tells ends in CV6016 with the next step")
+TEST_CASE(
+    "A context whose loss only glGetGraphicsResetStatus tells ends in CV6016 with the next step")
 {
     for (std::size_t next = kMakesRenderer; next < std::size(kSteps); ++next) {
         INFO("step " << next);
@@ -192,7 +191,8 @@ TEST_CASE("No GL context on the thread is told from one that is lost")
     CHECK(onlyCode(makeGlDevice(gl.loader()).diagnostics()) == Code::gl_version);
 }
 
-TEST_CASE("A host without a current context gets CV6004 for each step, and after it goes on as before")
+TEST_CASE(
+    "A host without a current context gets CV6004 for each step, and after it goes on as before")
 {
     WatchedGl gl;
     {
@@ -209,8 +209,9 @@ TEST_CASE("A host without a current context gets CV6004 for each step, and after
             need(doStep(host, next));
         }
         gl.loseAt(1, Loss::by_nothing);
-        CHECK(onlyCode(Renderer::create(*host.device, rigDescription(), {kSize}, {}).diagnostics()) ==
-              Code::gl_version);
+        CHECK(
+            onlyCode(Renderer::create(*host.device, rigDescription(), {kSize}, {}).diagnostics()) ==
+            Code::gl_version);
         gl.regain();
     }
     CHECK(gl.names() == 0);

@@ -22,7 +22,8 @@ struct OwnContext {
 class HostileHost : private OwnContext, public GlFixture {
 public:
     explicit HostileHost(const GlDeviceOptions& options = {})
-        : GlFixture(options, *own), desktop_(testBackend() == "osmesa")
+        : GlFixture(options, *own),
+          desktop_(testBackend() == "osmesa")
     {
         auto load = own->loader();
         auto find = [&](auto& function, const char* name) {
@@ -97,13 +98,21 @@ void HostileHost::makeObjects()
 
 std::vector<GLenum> HostileHost::switches() const
 {
-    std::vector<GLenum> all = {
-        GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
-        GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
-        GL_SAMPLE_COVERAGE, GL_SCISSOR_TEST, GL_STENCIL_TEST};
+    std::vector<GLenum> all = {GL_BLEND,
+                               GL_CULL_FACE,
+                               GL_DEPTH_TEST,
+                               GL_DITHER,
+                               GL_POLYGON_OFFSET_FILL,
+                               GL_PRIMITIVE_RESTART_FIXED_INDEX,
+                               GL_RASTERIZER_DISCARD,
+                               GL_SAMPLE_ALPHA_TO_COVERAGE,
+                               GL_SAMPLE_COVERAGE,
+                               GL_SCISSOR_TEST,
+                               GL_STENCIL_TEST};
     if (device->caps().version >= 310) all.push_back(GL_SAMPLE_MASK);
     if (perDrawBuffer()) all.push_back(GL_SAMPLE_SHADING);
-    if (desktop_) all.insert(all.end(), {kFramebufferSrgb, kColorLogicOp, kMultisample, kSampleAlphaToOne});
+    if (desktop_)
+        all.insert(all.end(), {kFramebufferSrgb, kColorLogicOp, kMultisample, kSampleAlphaToOne});
     return all;
 }
 
@@ -149,20 +158,44 @@ void HostileHost::setStrangeState()
 }
 
 /// What a host may have set, and how many numbers each is.
-const std::pair<GLenum, int> kParameters[] = {
-    {GL_VIEWPORT, 4}, {GL_SCISSOR_BOX, 4}, {GL_COLOR_CLEAR_VALUE, 4}, {GL_COLOR_WRITEMASK, 4},
-    {GL_DEPTH_RANGE, 2}, {GL_BLEND_COLOR, 4}, {GL_DRAW_FRAMEBUFFER_BINDING, 1},
-    {GL_READ_FRAMEBUFFER_BINDING, 1}, {GL_CURRENT_PROGRAM, 1}, {GL_VERTEX_ARRAY_BINDING, 1},
-    {GL_ACTIVE_TEXTURE, 1}, {GL_ARRAY_BUFFER_BINDING, 1}, {GL_ELEMENT_ARRAY_BUFFER_BINDING, 1},
-    {GL_PIXEL_PACK_BUFFER_BINDING, 1}, {GL_PIXEL_UNPACK_BUFFER_BINDING, 1},
-    {GL_RENDERBUFFER_BINDING, 1}, {GL_DEPTH_CLEAR_VALUE, 1}, {GL_POLYGON_OFFSET_FACTOR, 1},
-    {GL_POLYGON_OFFSET_UNITS, 1}, {GL_SAMPLE_COVERAGE_VALUE, 1}, {GL_DEPTH_WRITEMASK, 1},
-    {GL_DEPTH_FUNC, 1}, {GL_CULL_FACE_MODE, 1}, {GL_FRONT_FACE, 1}, {GL_BLEND_SRC_RGB, 1},
-    {GL_BLEND_SRC_ALPHA, 1}, {GL_BLEND_DST_RGB, 1}, {GL_BLEND_DST_ALPHA, 1},
-    {GL_BLEND_EQUATION_RGB, 1}, {GL_BLEND_EQUATION_ALPHA, 1}, {GL_PACK_ALIGNMENT, 1},
-    {GL_PACK_ROW_LENGTH, 1}, {GL_PACK_SKIP_PIXELS, 1}, {GL_PACK_SKIP_ROWS, 1},
-    {GL_UNPACK_ALIGNMENT, 1}, {GL_UNPACK_ROW_LENGTH, 1}, {GL_UNPACK_SKIP_PIXELS, 1},
-    {GL_UNPACK_SKIP_ROWS, 1}};
+const std::pair<GLenum, int> kParameters[] = {{GL_VIEWPORT, 4},
+                                              {GL_SCISSOR_BOX, 4},
+                                              {GL_COLOR_CLEAR_VALUE, 4},
+                                              {GL_COLOR_WRITEMASK, 4},
+                                              {GL_DEPTH_RANGE, 2},
+                                              {GL_BLEND_COLOR, 4},
+                                              {GL_DRAW_FRAMEBUFFER_BINDING, 1},
+                                              {GL_READ_FRAMEBUFFER_BINDING, 1},
+                                              {GL_CURRENT_PROGRAM, 1},
+                                              {GL_VERTEX_ARRAY_BINDING, 1},
+                                              {GL_ACTIVE_TEXTURE, 1},
+                                              {GL_ARRAY_BUFFER_BINDING, 1},
+                                              {GL_ELEMENT_ARRAY_BUFFER_BINDING, 1},
+                                              {GL_PIXEL_PACK_BUFFER_BINDING, 1},
+                                              {GL_PIXEL_UNPACK_BUFFER_BINDING, 1},
+                                              {GL_RENDERBUFFER_BINDING, 1},
+                                              {GL_DEPTH_CLEAR_VALUE, 1},
+                                              {GL_POLYGON_OFFSET_FACTOR, 1},
+                                              {GL_POLYGON_OFFSET_UNITS, 1},
+                                              {GL_SAMPLE_COVERAGE_VALUE, 1},
+                                              {GL_DEPTH_WRITEMASK, 1},
+                                              {GL_DEPTH_FUNC, 1},
+                                              {GL_CULL_FACE_MODE, 1},
+                                              {GL_FRONT_FACE, 1},
+                                              {GL_BLEND_SRC_RGB, 1},
+                                              {GL_BLEND_SRC_ALPHA, 1},
+                                              {GL_BLEND_DST_RGB, 1},
+                                              {GL_BLEND_DST_ALPHA, 1},
+                                              {GL_BLEND_EQUATION_RGB, 1},
+                                              {GL_BLEND_EQUATION_ALPHA, 1},
+                                              {GL_PACK_ALIGNMENT, 1},
+                                              {GL_PACK_ROW_LENGTH, 1},
+                                              {GL_PACK_SKIP_PIXELS, 1},
+                                              {GL_PACK_SKIP_ROWS, 1},
+                                              {GL_UNPACK_ALIGNMENT, 1},
+                                              {GL_UNPACK_ROW_LENGTH, 1},
+                                              {GL_UNPACK_SKIP_PIXELS, 1},
+                                              {GL_UNPACK_SKIP_ROWS, 1}};
 
 std::map<std::string, std::vector<float>> HostileHost::snapshot() const
 {

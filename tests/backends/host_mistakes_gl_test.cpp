@@ -21,7 +21,8 @@ struct Stage {
     Stage()
     {
         const double aspect = double(kExtent.width) / kExtent.height;
-        frame = makeFrame(*uploaded, need(chooseCamera(scene, uploaded->bounds(), "", aspect)), kExtent);
+        frame = makeFrame(*uploaded, need(chooseCamera(scene, uploaded->bounds(), "", aspect)),
+                          kExtent);
         renderer = need(Renderer::create(*gl.device, descriptionOf({"balanced", ""}), {kExtent},
                                          traitsOf(frame)));
     }
@@ -52,28 +53,37 @@ void checkRefused(Stage& host)
     CHECK(onlyCode(renderer.render(host.frame)) == Code::gl_version);
     CHECK(onlyCode(renderer.renderTimed(host.frame).diagnostics()) == Code::gl_version);
     CHECK(onlyCode(renderer.resize({16, 9})) == Code::gl_version);
-    CHECK(onlyCode(renderer.reload(descriptionOf({"learnopengl", ""}), {kExtent})) == Code::gl_version);
+    CHECK(onlyCode(renderer.reload(descriptionOf({"learnopengl", ""}), {kExtent})) ==
+          Code::gl_version);
     CHECK(onlyCode(Renderer::create(device, descriptionOf({"mobile", ""}), {kExtent}, {})
                        .diagnostics()) == Code::gl_version);
     CHECK(onlyCode(device.readTexture(renderer.output("ao")).diagnostics()) == Code::gl_version);
-    CHECK(onlyCode(device.writeTexture(renderer.output("ao"), Image(kExtent, 1))) == Code::gl_version);
+    CHECK(onlyCode(device.writeTexture(renderer.output("ao"), Image(kExtent, 1))) ==
+          Code::gl_version);
     CHECK(onlyCode(device.present(renderer.output("ao"), {0, 0, 0, kExtent})) == Code::gl_version);
-    CHECK(onlyCode(device.createTexture({"t", Format::r8, {4, 4}}).diagnostics()) == Code::gl_version);
+    CHECK(onlyCode(device.createTexture({"t", Format::r8, {4, 4}}).diagnostics()) ==
+          Code::gl_version);
     CHECK(onlyCode(device.createFramebuffer({}).diagnostics()) == Code::gl_version);
     CHECK(onlyCode(device.createMesh(square(0)).diagnostics()) == Code::gl_version);
-    CHECK(onlyCode(device.adoptTexture(1, {"t", Format::r8, {4, 4}}).diagnostics()) == Code::gl_version);
-    CHECK(onlyCode(device.createProgram({"p", stage(kFullscreenVertex), stage(fragment("void main() {}"))})
-                       .diagnostics()) == Code::gl_version);
+    CHECK(onlyCode(device.adoptTexture(1, {"t", Format::r8, {4, 4}}).diagnostics()) ==
+          Code::gl_version);
+    CHECK(
+        onlyCode(
+            device.createProgram({"p", stage(kFullscreenVertex), stage(fragment("void main() {}"))})
+                .diagnostics()) == Code::gl_version);
 }
 
 }  // namespace
 
-TEST_CASE("Without a current context every call is CV6004, and with it the picture is the one asked for")
+TEST_CASE(
+    "Without a current context every call is CV6004, and with it the picture is the one asked for")
 {
     Stage stage;
     const std::vector<float> before = stage.draw();
     stage.frame.camera.view_from_world[3][0] += 0.25;
-    { auto other = need(makeContext(testBackend())); }  // leaves none current
+    {
+        auto other = need(makeContext(testBackend()));
+    }  // leaves none current
     checkRefused(stage);
     need(testContext().makeCurrent());
     const std::vector<float> after = stage.draw();
@@ -92,7 +102,8 @@ TEST_CASE("In another context every call is CV6004, and what is there stays as i
         const GlApi gl = need(loadGlApi(context->loader()));
         std::unique_ptr<Device> device;  // whose objects have the same names
         GLuint own = 0;
-        if (GENERATE(false, true)) device = need(makeGlDevice(context->loader()));
+        if (GENERATE(false, true))
+            device = need(makeGlDevice(context->loader()));
         else {
             gl.GenVertexArrays(1, &own);
             gl.BindVertexArray(own);
@@ -130,7 +141,8 @@ TEST_CASE("Of two devices whose contexts give out the same names each knows its 
     auto second_context = need(makeContext(testBackend()));
     auto second = need(makeGlDevice(second_context->loader()));
     need(second->createTexture({"t", Format::r8, {4, 4}}));
-    CHECK(onlyCode(first->createTexture({"t", Format::r8, {4, 4}}).diagnostics()) == Code::gl_version);
+    CHECK(onlyCode(first->createTexture({"t", Format::r8, {4, 4}}).diagnostics()) ==
+          Code::gl_version);
     CHECK(onlyCode(first->beginFrame()) == Code::gl_version);
     second.reset();
     need(first_context->makeCurrent());
@@ -159,7 +171,9 @@ TEST_CASE("A device that is destroyed in another context deletes nothing there")
     CHECK(takeErrors(fixture.gl, "the test").ok());
 }
 
-TEST_CASE("Draws of meshes and maps that are not there, or not finite, are left out, and the rest is drawn")
+TEST_CASE(
+    "Draws of meshes and maps that are not there, or not finite, are left out, and the rest is "
+    "drawn")
 {
     Stage stage;
     const std::vector<float> whole = stage.draw();
@@ -174,7 +188,10 @@ TEST_CASE("Draws of meshes and maps that are not there, or not finite, are left 
     SECTION("mesh") { bad.draws[0].mesh = {kPoison}; }
     SECTION("null mesh") { bad.draws[0].mesh = {}; }
     SECTION("indices") { bad.draws[0].count = 0xfffffff0; }
-    SECTION("matrix") { bad.draws[0].world_from_model[0][0] = std::numeric_limits<double>::quiet_NaN(); }
+    SECTION("matrix")
+    {
+        bad.draws[0].world_from_model[0][0] = std::numeric_limits<double>::quiet_NaN();
+    }
     SECTION("map")
     {
         bad.draws[0].material = static_cast<int>(bad.materials.size()) - 1;
@@ -189,7 +206,8 @@ TEST_CASE("Draws of meshes and maps that are not there, or not finite, are left 
     CHECK(stage.draw() == whole);
 }
 
-TEST_CASE_METHOD(GlFixture, "ids that are none are errors of reading, writing and presenting, and no crash")
+TEST_CASE_METHOD(GlFixture,
+                 "ids that are none are errors of reading, writing and presenting, and no crash")
 {
     const TextureId gone = texture(Format::r8);
     device->destroy(gone);
@@ -204,7 +222,9 @@ TEST_CASE_METHOD(GlFixture, "ids that are none are errors of reading, writing an
         device->destroy(MeshId{id.value});
         device->destroy(ProgramId{id.value});
         device->destroy(FramebufferId{id.value});
-        if (id) CHECK(onlyCode(device->createFramebuffer({"f", {id}, {}}).diagnostics()) == Code::bad_input);
+        if (id)
+            CHECK(onlyCode(device->createFramebuffer({"f", {id}, {}}).diagnostics()) ==
+                  Code::bad_input);
     }
     TextureDesc samples{"samples", Format::rgba8, {4, 4}};
     samples.samples = 4;

@@ -95,7 +95,8 @@ public:
           uploaded(need(UploadedScene::upload(*device, scene)))
     {
         const double aspect = double(extent.width) / extent.height;
-        frame = makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), extent);
+        frame =
+            makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), extent);
         one = draw(texture(Format::depth24, extent), texture(Format::rgb10_a2, extent));
         several = draw(multisampled(Format::depth24, GL_DEPTH_COMPONENT24),
                        multisampled(Format::rgb10_a2, GL_RGB10_A2));
@@ -208,7 +209,8 @@ TEST_CASE("Of a multisampled pixel the middle sample by depth is taken, and the 
     CHECK(mixed > 50);
 }
 
-TEST_CASE("Multisampled depth gives the occlusion of depth with one sample, outlines and faces alike")
+TEST_CASE(
+    "Multisampled depth gives the occlusion of depth with one sample, outlines and faces alike")
 {
     if (!readsSamples()) return;
     const char* const scene = GENERATE("spheres", "corner");
@@ -217,7 +219,8 @@ TEST_CASE("Multisampled depth gives the occlusion of depth with one sample, outl
                                const std::vector<ImportedTexture>& textures) {
         return host.run(describeText(R"({"format": 1, "extends": ["geometry/)" + geometry +
                                      R"(", "ssao/gtao", "filter/bilateral_normal"],
-            "params": {"radius": {"default": 1}}})"), textures, "ao");
+            "params": {"radius": {"default": 1}}})"),
+                        textures, "ao");
     };
     for (const std::string geometry : {"host_depth", "host_depth_normal"}) {
         INFO(scene << ' ' << geometry);

@@ -19,10 +19,11 @@ struct Host : GlFixture {
     {
         program = gl.CreateProgram();
         attach(GL_VERTEX_SHADER, kFullscreenVertex);
-        attach(GL_FRAGMENT_SHADER, fragment("uniform highp sampler2D seen;\n"
-                                            "in vec2 uv;\n"
-                                            "out highp uvec4 bits;\n"
-                                            "void main() { bits = floatBitsToUint(texture(seen, uv)); }"));
+        attach(GL_FRAGMENT_SHADER,
+               fragment("uniform highp sampler2D seen;\n"
+                        "in vec2 uv;\n"
+                        "out highp uvec4 bits;\n"
+                        "void main() { bits = floatBitsToUint(texture(seen, uv)); }"));
         gl.LinkProgram(program);
         GLint linked = 0;
         gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
@@ -39,7 +40,8 @@ struct Host : GlFixture {
 
     ~Host()
     {
-        gl.UseProgram(0);  // else it lives until another takes its place, and cannot be put back then
+        gl.UseProgram(
+            0);  // else it lives until another takes its place, and cannot be put back then
         gl.DeleteFramebuffers(1, &framebuffer_name);
         gl.DeleteTextures(1, &target);
         gl.DeleteVertexArrays(1, &vertex_array);
@@ -67,7 +69,8 @@ struct Host : GlFixture {
         gl.BindTexture(GL_TEXTURE_2D, name);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
         std::vector<float> all(std::size_t{4} * extent.width * extent.height), wanted;
-        gl.ReadPixels(0, 0, extent.width, extent.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, all.data());
+        gl.ReadPixels(0, 0, extent.width, extent.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                      all.data());
         for (std::size_t i = 0; i < all.size(); ++i)
             if (static_cast<int>(i % 4) < channels) wanted.push_back(all[i]);
         return wanted;
@@ -90,10 +93,12 @@ TEST_CASE_METHOD(Host, "A host's own shader sees of an output what is read back,
     const Scene scene = need(loadScene("spheres"));
     const UploadedScene uploaded = need(UploadedScene::upload(*device, scene));
     const double aspect = double(kExtent.width) / kExtent.height;
-    Frame frame = makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
+    Frame frame =
+        makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
     const std::string config = GENERATE("balanced", "mobile", "gtao_temporal");
     INFO(config);
-    auto renderer = need(Renderer::create(*device, descriptionOf({config, ""}), {kExtent}, traitsOf(frame)));
+    auto renderer =
+        need(Renderer::create(*device, descriptionOf({config, ""}), {kExtent}, traitsOf(frame)));
     // The host's bindings stay as they are between frames, its texture included.
     for (int i = 0; i < 4; ++i) {
         frame.camera.view_from_world[3][0] += 0.05;
@@ -111,7 +116,8 @@ TEST_CASE_METHOD(Host, "A host's own shader sees of an output what is read back,
     checkSame(renderer->output("ao"));
 }
 
-TEST_CASE_METHOD(Host, "A texture of any format is whole for a host's sampler without a sampler object")
+TEST_CASE_METHOD(Host,
+                 "A texture of any format is whole for a host's sampler without a sampler object")
 {
     for (const FormatInfo& format : allFormats()) {
         INFO(format.name);
@@ -142,6 +148,7 @@ TEST_CASE_METHOD(Host, "An adopted texture's native name is the host's own")
     gl.GenTextures(1, &name);
     gl.BindTexture(GL_TEXTURE_2D, name);
     gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
-    CHECK(device->nativeName(need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}))) == name);
+    CHECK(device->nativeName(need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}))) ==
+          name);
     gl.DeleteTextures(1, &name);
 }

@@ -21,7 +21,8 @@ constexpr Extent kExtent = {16, 9};
 class SmallerDevice : public ForwardingDevice {
 public:
     SmallerDevice(Device& device, int fragment_uniform_vectors)
-        : ForwardingDevice(device), caps_(device.caps())
+        : ForwardingDevice(device),
+          caps_(device.caps())
     {
         caps_.max_fragment_uniform_vectors = fragment_uniform_vectors;
     }
@@ -34,8 +35,10 @@ private:
 std::string arrayOf(int count)
 {
     const std::string length = std::to_string(count);
-    return "uniform vec4 many[" + length + "]; uniform int at; out vec4 color;\n"
-           "void main() { color = many[at % " + length + "]; }";
+    return "uniform vec4 many[" + length +
+           "]; uniform int at; out vec4 color;\n"
+           "void main() { color = many[at % " +
+           length + "]; }";
 }
 
 }  // namespace
@@ -71,7 +74,8 @@ TEST_CASE("A uniform array as long as the device's limit links, and what is long
     }
 }
 
-TEST_CASE("A config at the device's limit of uniforms draws, and past it is refused before GL sees it")
+TEST_CASE(
+    "A config at the device's limit of uniforms draws, and past it is refused before GL sees it")
 {
     GlFixture gl;
     const Description description = descriptionOf({"learnopengl", ""});

@@ -31,7 +31,8 @@ public:
         FramebufferDesc desc{"triangle", {red, {}, sum}, depth};
         if (samples > 1) {
             desc.resolve_color = std::exchange(
-                desc.color, {target(Format::rgba8, samples), {}, target(Format::rgb10_a2, samples)});
+                desc.color,
+                {target(Format::rgba8, samples), {}, target(Format::rgb10_a2, samples)});
             desc.resolve_depth = std::exchange(desc.depth, target(Format::depth24, samples));
         }
         PassInfo pass = wholePass(need(device->createFramebuffer(desc)), kSize, 3);
@@ -52,11 +53,12 @@ public:
         return {read(red), read(sum), read(depth)};
     }
 
-    ProgramId painted = program("layout(location = 0) out vec4 red;\n"
-                                "layout(location = 1) out vec4 unread;\n"
-                                "layout(location = 2) out vec4 sum;\n"
-                                "void main() { red = vec4(1, 0, 0, 1); unread = red; sum = vec4(1); }",
-                                kMeshVertex);
+    ProgramId painted = program(
+        "layout(location = 0) out vec4 red;\n"
+        "layout(location = 1) out vec4 unread;\n"
+        "layout(location = 2) out vec4 sum;\n"
+        "void main() { red = vec4(1, 0, 0, 1); unread = red; sum = vec4(1); }",
+        kMeshVertex);
     MeshId triangle = need(device->createMesh(slanted()));
 
 private:
@@ -64,7 +66,8 @@ private:
     {
         MeshDesc mesh = square(0.0f);
         mesh.vertices.resize(3);
-        const float corners[3][3] = {{-0.9f, -0.8f, -0.72f}, {0.9f, -0.5f, 0.72f}, {0.1f, 0.9f, 0.08f}};
+        const float corners[3][3] = {
+            {-0.9f, -0.8f, -0.72f}, {0.9f, -0.5f, 0.72f}, {0.1f, 0.9f, 0.08f}};
         for (int i = 0; i < 3; ++i) std::copy_n(corners[i], 3, mesh.vertices[i].position);
         mesh.indices = {0, 1, 2};
         return mesh;
@@ -110,7 +113,8 @@ Image forward(const std::string& msaa)
 
 }  // namespace
 
-TEST_CASE_METHOD(TriangleFixture, "Colour resolves to the mean of samples, in each attachment apart")
+TEST_CASE_METHOD(TriangleFixture,
+                 "Colour resolves to the mean of samples, in each attachment apart")
 {
     REQUIRE(device->caps().sample_counts[static_cast<int>(Format::rgba8)] & 1u << 3);
     const Pictures one = draw(1);
@@ -126,7 +130,8 @@ TEST_CASE_METHOD(TriangleFixture, "Colour resolves to the mean of samples, in ea
         }
 }
 
-TEST_CASE_METHOD(TriangleFixture, "Depth resolves to one sample, never to a mean with the background")
+TEST_CASE_METHOD(TriangleFixture,
+                 "Depth resolves to one sample, never to a mean with the background")
 {
     const Image one = draw(1).depth;
     const Image four = draw(4).depth;

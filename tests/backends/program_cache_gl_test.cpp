@@ -71,8 +71,7 @@ Run draw(const Description& description, const GlDeviceOptions& options,
     const double aspect = double(kExtent.width) / kExtent.height;
     const Frame frame =
         makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
-    const auto renderer =
-        need(Renderer::create(*device, description, {kExtent}, traitsOf(frame)));
+    const auto renderer = need(Renderer::create(*device, description, {kExtent}, traitsOf(frame)));
     need(renderer->render(frame));
     Run run;
     for (const PlanOutput& output : renderer->plan().outputs)
@@ -125,14 +124,15 @@ TEST_CASE("What the driver refuses is compiled, draws the same bits, and is stor
 TEST_CASE("A kept program has the uniforms that it had")
 {
     KeptPrograms kept;
-    const char* const body = "uniform mat4 matrices[2];\n"
-                             "uniform vec3 kernel[5];\n"
-                             "uniform int count;\n"
-                             "uniform highp sampler2D depth;\n"
-                             "uniform float unused;\n"
-                             "in vec2 uv;\nout vec4 color;\n"
-                             "void main() { color = matrices[1] * matrices[0] * texture(depth, uv);\n"
-                             "    for (int i = 0; i < count; ++i) color.xyz += kernel[i]; }\n";
+    const char* const body =
+        "uniform mat4 matrices[2];\n"
+        "uniform vec3 kernel[5];\n"
+        "uniform int count;\n"
+        "uniform highp sampler2D depth;\n"
+        "uniform float unused;\n"
+        "in vec2 uv;\nout vec4 color;\n"
+        "void main() { color = matrices[1] * matrices[0] * texture(depth, uv);\n"
+        "    for (int i = 0; i < count; ++i) color.xyz += kernel[i]; }\n";
     using Uniform = std::tuple<std::string, GlslType, int>;
     std::vector<Uniform> uniforms[2];
     for (std::vector<Uniform>& list : uniforms) {
@@ -154,8 +154,8 @@ TEST_CASE("A shader that is wrong is told as without kept programs, and never ke
             gl.device->createProgram({"bad", stage(kFullscreenVertex), stage(fragment(body))});
         return toText(made.diagnostics());
     };
-    for (const char* body : {"void main() { nonsense; }\n",
-                             "in vec3 uv;\nout vec3 c;\nvoid main() { c = uv; }\n"}) {
+    for (const char* body :
+         {"void main() { nonsense; }\n", "in vec3 uv;\nout vec3 c;\nvoid main() { c = uv; }\n"}) {
         const std::string plain = errors({}, body);
         CHECK(plain.find("error CV500") != std::string::npos);
         KeptPrograms kept;

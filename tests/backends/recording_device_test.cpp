@@ -91,16 +91,17 @@ TEST_CASE("A frame in order is logged call by call, and nothing is blamed")
     rig.end();
     need(rig.device.present(rig.target, {0, 3, 4, {16, 8}}));
 
-    CHECK(rig.device.log() == "beginFrame\n"
-                              "beginPass draw 8x4 color0 discard store\n"
-                              "setProgram 'shade' depth_test always cull none\n"
-                              "setUniform offsets[3] 1 2 3 4 5 6\n"
-                              "setUniform light_count -7\n"
-                              "setTexture image unit 2 <- texture 'input' linear repeat\n"
-                              "draw mesh 'cube' 0..3\n"
-                              "endPass\n"
-                              "endFrame\n"
-                              "present 'target' -> framebuffer 0 16x8 at 3,4\n");
+    CHECK(rig.device.log() ==
+          "beginFrame\n"
+          "beginPass draw 8x4 color0 discard store\n"
+          "setProgram 'shade' depth_test always cull none\n"
+          "setUniform offsets[3] 1 2 3 4 5 6\n"
+          "setUniform light_count -7\n"
+          "setTexture image unit 2 <- texture 'input' linear repeat\n"
+          "draw mesh 'cube' 0..3\n"
+          "endPass\n"
+          "endFrame\n"
+          "present 'target' -> framebuffer 0 16x8 at 3,4\n");
     CHECK(rig.device.misuse().empty());
     CHECK(rig.device.lastUniform("offsets") == std::vector<float>{1, 2, 3, 4, 5, 6});
     CHECK(rig.device.lastUniform("nobody").empty());
@@ -110,16 +111,17 @@ TEST_CASE("Creation and destruction are logged with formats, sizes and attachmen
 {
     Rig rig;
     rig.destroyAll();
-    CHECK(rig.device.log() == "createTexture 'input' r8 8x4\n"
-                              "createTexture 'target' rgba8 8x4\n"
-                              "createFramebuffer 'draw' color 'target'\n"
-                              "createProgram 'shade'\n"
-                              "createMesh 'cube' 3 indices\n"
-                              "destroy mesh 'cube'\n"
-                              "destroy program 'shade'\n"
-                              "destroy framebuffer 'draw'\n"
-                              "destroy texture 'target'\n"
-                              "destroy texture 'input'\n");
+    CHECK(rig.device.log() ==
+          "createTexture 'input' r8 8x4\n"
+          "createTexture 'target' rgba8 8x4\n"
+          "createFramebuffer 'draw' color 'target'\n"
+          "createProgram 'shade'\n"
+          "createMesh 'cube' 3 indices\n"
+          "destroy mesh 'cube'\n"
+          "destroy program 'shade'\n"
+          "destroy framebuffer 'draw'\n"
+          "destroy texture 'target'\n"
+          "destroy texture 'input'\n");
     CHECK(rig.device.live() == 0);
     CHECK(rig.device.misuse().empty());
 }
@@ -216,7 +218,11 @@ TEST_CASE("Calls out of order are blamed")
         rig.device.drawFullscreen();
         CHECK(rig.blamed("outside a pass"));
     }
-    SECTION("a pass outside a frame") { rig.device.beginPass(rig.pass()); CHECK(rig.blamed("outside a frame")); }
+    SECTION("a pass outside a frame")
+    {
+        rig.device.beginPass(rig.pass());
+        CHECK(rig.blamed("outside a frame"));
+    }
     SECTION("a frame that ends inside a pass")
     {
         rig.begin();
@@ -248,7 +254,12 @@ TEST_CASE("Calls out of order are blamed")
 TEST_CASE("Draws whose inputs make no sense are blamed")
 {
     Rig rig;
-    SECTION("a texture that nothing was written to") { rig.begin(); rig.bindAll(); CHECK(rig.blamed("undefined content")); }
+    SECTION("a texture that nothing was written to")
+    {
+        rig.begin();
+        rig.bindAll();
+        CHECK(rig.blamed("undefined content"));
+    }
     SECTION("a texture that the pass draws into")
     {
         rig.begin();

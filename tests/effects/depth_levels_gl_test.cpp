@@ -14,8 +14,8 @@ namespace {
 Image drawn(const std::string& config, PictureRequest request)
 {
     MemorySources mine;
-    mine.add("configs/levels.json", R"({"format": 1, "extends": [")" + config +
-                                        R"(", "geometry/depth_levels"]})");
+    mine.add("configs/levels.json",
+             R"({"format": 1, "extends": [")" + config + R"(", "geometry/depth_levels"]})");
     const LayeredSources sources({&mine, &shippedSources()});
     request.config = "levels";
     request.sources = &sources;

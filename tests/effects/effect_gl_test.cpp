@@ -58,7 +58,8 @@ TEST_CASE("A host's depth gives an AO texture that is darker in the corner than 
     need(effect.render());
     const Image ao = host.read(effect.output("ao"));
     CHECK(ao.extent == kExtent);
-    const int corner = static_cast<int>((1 - 0.25f / std::tan(glm::radians(30.0f))) / 2 * kExtent.height);
+    const int corner =
+        static_cast<int>((1 - 0.25f / std::tan(glm::radians(30.0f))) / 2 * kExtent.height);
     CHECK(ao.at(32, corner) < 0.85f);
     CHECK(ao.at(32, kExtent.height - 2) > 0.95f);
     CHECK(host.gl.IsTexture(effect.nativeName("ao")));
@@ -75,8 +76,8 @@ TEST_CASE("An effect follows what the host draws into its depth")
     const Image before = host.read(effect.output("ao"));
     const std::vector<float> background(kExtent.width * kExtent.height, 1.0f);
     host.gl.BindTexture(GL_TEXTURE_2D, host.name);
-    host.gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT, GL_FLOAT,
-                          background.data());
+    host.gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT,
+                          GL_FLOAT, background.data());
     need(effect.render());
     const Image after = host.read(effect.output("ao"));
     CHECK(after.pixels != before.pixels);

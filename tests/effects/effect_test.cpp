@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The facade, on a device that draws nothing: what it makes of names, texts and textures.
-#include <crevice/renderer.h>
 #include <crevice/effect.h>
+#include <crevice/renderer.h>
 
 #include <crevice/recording_device.h>
 
@@ -79,7 +79,8 @@ TEST_CASE("An effect refuses what its config does not know, with a way out")
     const auto unknown = Effect::create(device, "balancd", kExtent);
     REQUIRE(!unknown);
     CHECK(messagesOf(unknown.diagnostics()).find("did you mean 'balanced'") != std::string::npos);
-    const auto text = Effect::create(device, "{ \"format\": 1,\n  \"extends\": [\"geometry/host_dept\"] }", kExtent);
+    const auto text = Effect::create(
+        device, "{ \"format\": 1,\n  \"extends\": [\"geometry/host_dept\"] }", kExtent);
     REQUIRE(!text);
     CHECK(text.diagnostics()[0].place.line == 2);
     CHECK(messagesOf(text.diagnostics()).find("(JSON text)") != std::string::npos);

@@ -36,7 +36,8 @@ precision highp float;
 uniform float radius;
 in vec2 uv;
 layout(location = 0) out float ao;
-void main() { vec3 point; ao = viewPosition(uv, point) && radius > 0.0 ? )" + ao + " : 1.0; }\n";
+void main() { vec3 point; ao = viewPosition(uv, point) && radius > 0.0 ? )" +
+           ao + " : 1.0; }\n";
 }
 
 struct Given {
@@ -217,9 +218,12 @@ TEST_CASE("Filters that know depth do not leak across silhouettes and others do"
     }
 }
 
-TEST_CASE("Filters that know the tangent plane do not leak across a hollow edge, and less over a sharp one by its slope")
+TEST_CASE(
+    "Filters that know the tangent plane do not leak across a hollow edge, and less over a sharp "
+    "one by its slope")
 {
-    const auto leaked = [](const char* filter, const char* scene, const char* camera, const char* slope_cut) {
+    const auto leaked = [](const char* filter, const char* scene, const char* camera,
+                           const char* slope_cut) {
         Given given = {"normalAt(uv).y > 0.5 ? 0.2 : 0.8", "none", scene, camera};
         const Image raw = filtered(given);
         given.filter = filter;
@@ -239,10 +243,10 @@ TEST_CASE("Filters that know the tangent plane do not leak across a hollow edge,
 TEST_CASE("A filter that a param switches off is left out")
 {
     const std::vector<std::pair<const char*, const char*>> offs = {
-        {"box", "blur_size=1"},       {"bilateral", "blur_radius=0"},
-        {"gaussian", "sigma=0"},      {"gaussian", "blur_radius=0"},
-        {"atrous", "depth_cut=0"},    {"bilateral_normal", "depth_cut=0"},
-        {"edges3x3", "depth_cut=0"},  {"edges3x3", "blur_passes=none"},
+        {"box", "blur_size=1"},        {"bilateral", "blur_radius=0"},
+        {"gaussian", "sigma=0"},       {"gaussian", "blur_radius=0"},
+        {"atrous", "depth_cut=0"},     {"bilateral_normal", "depth_cut=0"},
+        {"edges3x3", "depth_cut=0"},   {"edges3x3", "blur_passes=none"},
         {"kuwahara", "blur_radius=0"}, {"median", "median_strength=0"}};
     const Image raw = filtered({kTile, "none"});
     for (const auto& [filter, off] : offs) {

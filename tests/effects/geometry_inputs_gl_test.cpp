@@ -261,7 +261,9 @@ TEST_CASE("A wall is seen and lit from either side")
         CHECK(glm::distance(normalOf(target("normal", scene, camera), 64, 36), {0, 0, 1}) < 0.02f);
 }
 
-TEST_CASE("A floor is seen from above up to its horizon, where the next pixel's place is behind the camera")
+TEST_CASE(
+    "A floor is seen from above up to its horizon, where the next pixel's place is behind the "
+    "camera")
 {
     Scene floor = wall();
     for (Vertex& vertex : floor.meshes[0].vertices)
@@ -269,8 +271,8 @@ TEST_CASE("A floor is seen from above up to its horizon, where the next pixel's 
     for (const char* eye : {"0,1,0", "0,0.5,0", "0,0.1,0"})
         for (const char* at : {"0,0.1,-100", "30,0.1,-100"}) {
             INFO(eye << ' ' << at);
-            const Image normals = target("normal", floor,
-                                         "eye=" + std::string(eye) + ";at=" + at + ";fov=45");
+            const Image normals =
+                target("normal", floor, "eye=" + std::string(eye) + ";at=" + at + ";fov=45");
             for (int y = 0; y < normals.extent.height; ++y)
                 for (int x = 0; x < normals.extent.width; ++x)
                     if (normals.at(x, y, 3) > 0.5f) CHECK(normals.at(x, y, 1) > 0.9f);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A few small pictures, held against the approved ones in tests/data/golden.
 //
-// A failure writes what was drawn and the difference to the folder golden_failures below the current
-// one. tools/scripts/approve.sh takes the new pictures as the approved ones.
+// A failure writes what was drawn and the difference to the folder golden_failures below the
+// current one. tools/scripts/approve.sh takes the new pictures as the approved ones.
 #include "tests/support/picture.h"
 #include "tools/image/image_file.h"
 #include "tools/image/image_metrics.h"
@@ -15,10 +15,10 @@ using namespace crevice;
 namespace {
 
 // Drivers round differently in the last bit; a wrong shader moves far more than this.
-constexpr double kMaxStep = 3.0 / 255;          // Largest error of any pixel that is not an edge.
-constexpr double kBadStep = 1.5 / 255;          // What counts as a bad pixel ...
-constexpr double kMaxBadFraction = 0.001;       // ... and how many may be.
-constexpr double kLargestEdgeStep = 64.0 / 255; // A silhouette may move by a rounding.
+constexpr double kMaxStep = 3.0 / 255;           // Largest error of any pixel that is not an edge.
+constexpr double kBadStep = 1.5 / 255;           // What counts as a bad pixel ...
+constexpr double kMaxBadFraction = 0.001;        // ... and how many may be.
+constexpr double kLargestEdgeStep = 64.0 / 255;  // A silhouette may move by a rounding.
 
 std::string goldenPath(const std::string& name)
 {

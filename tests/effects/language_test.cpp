@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The config language and the optimizations stay small: what nothing that ships uses is to be deleted.
+// The config language and the optimizations stay small: what nothing that ships uses is to be
+// deleted.
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 
@@ -86,7 +87,8 @@ Frame frameOn(RecordingDevice& device)
     return frame;
 }
 
-/// What a device is told by a config in two frames that are alike, and what its plan says is left out.
+/// What a device is told by a config in two frames that are alike, and what its plan says is left
+/// out.
 struct Run {
     std::string log;
     std::vector<Elided> elided;
@@ -106,8 +108,8 @@ Run runOf(const Description& description, std::vector<std::string> outputs, cons
     return {device.log(), renderer->plan().elided};
 }
 
-/// Whether the optimization changes what a device is told, and the plan says so: of the config as it is, without
-/// occlusion, or asked for the occlusion alone.
+/// Whether the optimization changes what a device is told, and the plan says so: of the config as
+/// it is, without occlusion, or asked for the occlusion alone.
 bool fires(const std::string& optimization, const std::string& config)
 {
     const Description whole = descriptionOf({config, ""});
@@ -130,7 +132,8 @@ bool fires(const std::string& optimization, const std::string& config)
 TEST_CASE("Every key of the format is used by a shipped module or config")
 {
     Keys unused = unusedKeys();
-    for (const std::string& key : unused) FAIL_CHECK(key << " is used by nothing that ships: delete it");
+    for (const std::string& key : unused)
+        FAIL_CHECK(key << " is used by nothing that ships: delete it");
 }
 
 TEST_CASE("Every optimization fires in at least three shipped configs")

@@ -29,7 +29,8 @@ void main()
     vec3 point;
     bool seen = viewPosition(uv, point);
     bent_normal = vec4(seen ? normalAt(uv) * 0.5 + 0.5 : vec3(0.5, 0.5, 1.0), 1.0);
-    ao_filtered = seen ? )" + ao + " : 1.0; }\n";
+    ao_filtered = seen ? )" +
+           ao + " : 1.0; }\n";
 }
 
 Scene glossySpheres()

@@ -52,12 +52,13 @@ void addOptions(Cell& cell, std::size_t index)
         cell.add_ons.push_back(drawn ? "geometry/depth_levels" : "geometry/host_depth_levels");
     const char* const rotations[] = {"rotation=tile", "rotation=gradient", "rotation=none"};
     if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
-    if (has(*cell.input, "guard_band") && index % 4 == 0) cell.overrides.push_back("guard_band=1.2");
+    if (has(*cell.input, "guard_band") && index % 4 == 0)
+        cell.overrides.push_back("guard_band=1.2");
     if (has(*cell.filter, "ao_scale") && index % 2) cell.overrides.push_back("ao_scale=0.25");
 }
 
-/// All pairs of estimator and filter, each on two inputs three apart, so that every estimator and every
-/// filter meets every input.
+/// All pairs of estimator and filter, each on two inputs three apart, so that every estimator and
+/// every filter meets every input.
 std::vector<Cell> cells()
 {
     std::vector<Cell> all;
@@ -81,7 +82,8 @@ bool makesSense(const Cell& cell)
 {
     const auto missing = [&cell](const std::string& target) {
         return cell.input->targets.count(target) + cell.estimator->targets.count(target) +
-                   cell.filter->targets.count(target) == 0;
+                   cell.filter->targets.count(target) ==
+               0;
     };
     const std::set<std::string>& needs = cell.filter->needs;
     return std::none_of(needs.begin(), needs.end(), missing) &&
@@ -104,13 +106,15 @@ Scene edgeScene()
     return scene;
 }
 
-/// How a host may store the distance of window depth through `clip_from_view`: linear depth, logarithmic
-/// depth with the default `log_far`, and positions.
+/// How a host may store the distance of window depth through `clip_from_view`: linear depth,
+/// logarithmic depth with the default `log_far`, and positions.
 struct Encodings {
     Image linear, logarithmic, positions;
 
     Encodings(const Image& depth, const glm::mat4& clip_from_view)
-        : linear(depth.extent, 1, 0), logarithmic(depth.extent, 1, 1), positions(depth.extent, 4, 0)
+        : linear(depth.extent, 1, 0),
+          logarithmic(depth.extent, 1, 1),
+          positions(depth.extent, 4, 0)
     {
         const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(clip_from_view));
         for (int y = 0; y < depth.extent.height; ++y)
@@ -118,7 +122,8 @@ struct Encodings {
                 if (depth.at(x, y) >= 1) continue;
                 const glm::dvec3 ndc = glm::dvec3((x + 0.5) / depth.extent.width,
                                                   (y + 0.5) / depth.extent.height, depth.at(x, y)) *
-                                           2.0 - 1.0;
+                                           2.0 -
+                                       1.0;
                 glm::dvec4 view = view_from_clip * glm::dvec4(ndc, 1);
                 view /= view.w;
                 linear.at(x, y) = float(-view.z);
@@ -139,8 +144,8 @@ struct Stage {
     Stage()
     {
         const double aspect = double(kExtent.width) / kExtent.height;
-        const SceneCamera camera = need(chooseCamera(
-            scene, uploaded.bounds(), "eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45", aspect));
+        const SceneCamera camera = need(
+            chooseCamera(scene, uploaded.bounds(), "eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45", aspect));
         frame = makeFrame(uploaded, camera, kExtent);
         const GivenConfig config({"geometry/depth_normal"},
                                  R"(, "outputs": {"depth": "depth", "normal": "normal"})");

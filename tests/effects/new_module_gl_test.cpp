@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A user's own filter, parameter and estimator, written as files in a folder of theirs: no C++ is needed.
+// A user's own filter, parameter and estimator, written as files in a folder of theirs: no C++ is
+// needed.
 #include "tests/support/picture.h"
 #include "tests/support/temporary_folder.h"
 

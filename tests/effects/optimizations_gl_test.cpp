@@ -27,8 +27,12 @@ const std::function<void(Frame&, Renderer&)> kChanges[] = {
     [](Frame&, Renderer& renderer) { need(renderer.setParam("radius", 0.4f)); },
     [](Frame& frame, Renderer&) { frame.draws[0].world_from_model[3][1] += 0.1; },
     [](Frame& frame, Renderer&) { frame.materials[0].base_color.x = 0.25f; },
-    [](Frame& frame, Renderer&) { frame.ambient_light = {0.5f, 1, 1}; },
-    [](Frame& frame, Renderer&) { frame.camera.view_from_world[3][0] -= 2; },  // things leave the view
+    [](Frame& frame, Renderer&) {
+        frame.ambient_light = {0.5f, 1, 1};
+    },
+    [](Frame& frame, Renderer&) {
+        frame.camera.view_from_world[3][0] -= 2;
+    },  // things leave the view
 };
 
 /// A scene with its camera.
@@ -73,7 +77,8 @@ std::map<std::string, float> noOpsOf(const Description& description)
     return found;
 }
 
-/// Without alpha, which says nothing in a picture of colours: a no-op gives one number for all channels.
+/// Without alpha, which says nothing in a picture of colours: a no-op gives one number for all
+/// channels.
 Image opaque(Image image)
 {
     if (image.channels < 4) return image;
@@ -88,15 +93,16 @@ void checkSame(GlFixture& gl, const Renderer& lean, const Renderer& full,
         INFO(output);
         Image picture = gl.read(lean.output(output));
         const Image whole = gl.read(full.output(output));
-        if (isConstant(lean, output))
-            picture.pixels.assign(whole.pixels.size(), picture.pixels[0]);
+        if (isConstant(lean, output)) picture.pixels.assign(whole.pixels.size(), picture.pixels[0]);
         CHECK(opaque(std::move(picture)).pixels == opaque(whole).pixels);
     }
 }
 
 }  // namespace
 
-TEST_CASE("With all optimizations and with none the pictures of shipped configs are the same, whatever changes")
+TEST_CASE(
+    "With all optimizations and with none the pictures of shipped configs are the same, whatever "
+    "changes")
 {
     GlFixture gl;
     const Stage stage(*gl.device, "spheres");
@@ -120,7 +126,9 @@ TEST_CASE("With all optimizations and with none the pictures of shipped configs 
     }
 }
 
-TEST_CASE("With all optimizations and with none the pictures are the same in every built-in scene, ao alone too")
+TEST_CASE(
+    "With all optimizations and with none the pictures are the same in every built-in scene, ao "
+    "alone too")
 {
     GlFixture gl;
     for (const char* name : {"corner", "plane", "room", "spheres"}) {
@@ -169,11 +177,14 @@ TEST_CASE("What a no-op gives is what its pass would have drawn, and so on down 
     }
 }
 
-TEST_CASE("Masks and bounds change no pixel: half a background, things off the middle, far away, none at all")
+TEST_CASE(
+    "Masks and bounds change no pixel: half a background, things off the middle, far away, none at "
+    "all")
 {
     GlFixture gl;
-    for (const char* camera : {"eye=0,1.5,4;at=0,2.3,0", "eye=0,40,90;at=20,0,0", "eye=0,400,900;at=0,0,0",
-                               "eye=4,3,4;at=0,1,0;ortho=7;shift=0.2,0.1", "eye=0,2,9;at=0,4,20"}) {
+    for (const char* camera :
+         {"eye=0,1.5,4;at=0,2.3,0", "eye=0,40,90;at=20,0,0", "eye=0,400,900;at=0,0,0",
+          "eye=4,3,4;at=0,1,0;ortho=7;shift=0.2,0.1", "eye=0,2,9;at=0,4,20"}) {
         const Stage stage(*gl.device, "spheres", camera);
         const Frame frame = stage.frame();
         for (const std::string& config : configNames(shippedSources())) {
@@ -183,8 +194,8 @@ TEST_CASE("Masks and bounds change no pixel: half a background, things off the m
                 need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
             need(full->render(frame));
             for (const char* kept : {"depth_mask", "scissor"}) {
-                const auto lean =
-                    need(Renderer::create(*gl.device, description, keeping({kept}), traitsOf(frame)));
+                const auto lean = need(
+                    Renderer::create(*gl.device, description, keeping({kept}), traitsOf(frame)));
                 need(lean->render(frame));
                 checkSame(gl, *lean, *full, namesOf(description.outputs));
             }

@@ -50,12 +50,14 @@ Drawn draw(GlFixture& gl, const Stored& stored, const Scene& scene, const Camera
     Description description = stored.description();
     OutputDesc output;
     output.name = "shown";
-    output.target.name = target.empty() ? findNamed(description.outputs, "ao")->target.name : target;
+    output.target.name =
+        target.empty() ? findNamed(description.outputs, "ao")->target.name : target;
     description.outputs = {output};
     const UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
     Frame frame = makeFrame(uploaded, SceneCamera(), extent);
     frame.camera = camera;
-    auto made = Renderer::create(*gl.device, std::move(description), {extent, {}, {}}, traitsOf(frame));
+    auto made =
+        Renderer::create(*gl.device, std::move(description), {extent, {}, {}}, traitsOf(frame));
     bool warned = false;
     for (const Diagnostic& each : made.diagnostics()) warned |= each.code == Code::too_coarse;
     const auto renderer = need(std::move(made));
@@ -111,11 +113,11 @@ TEST_CASE("A flat plane is open as far as foretold, and where it is not a plan w
     const Extent extent = {96, 54};
     for (const StressCase& stress : stressCases()) {
         if (stress.name != "plane_distance" && stress.name != "plane_near_far") continue;
-        for (const Stored& stored : {Stored{"hemisphere_box", "depth", Format::depth16},
-                                     Stored{"hemisphere_box", "depth", Format::depth24},
-                                     Stored{"sao", "depth", Format::depth16},
-                                     Stored{"sao", "depth", Format::depth24},
-                                     Stored{"learnopengl", "position", Format::rgba16f}}) {
+        for (const Stored& stored :
+             {Stored{"hemisphere_box", "depth", Format::depth16},
+              Stored{"hemisphere_box", "depth", Format::depth24},
+              Stored{"sao", "depth", Format::depth16}, Stored{"sao", "depth", Format::depth24},
+              Stored{"learnopengl", "position", Format::rgba16f}}) {
             GlFixture gl;
             for (const StressStep& step : stress.steps) {
                 CAPTURE(stress.name, step.label, stored.config, formatInfo(stored.format).name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8 bits.
+// What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8
+// bits.
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
@@ -15,8 +16,8 @@ namespace {
 /// The precision of a sampler that the text declares, empty where the declaration has none.
 std::string precisionOf(const std::string& text, const std::string& sampler)
 {
-    const std::regex declaration("uniform\\s+(?:(highp|mediump|lowp)\\s+)?sampler2D(?:MS)?\\s+" + sampler +
-                                 "\\s*;");
+    const std::regex declaration("uniform\\s+(?:(highp|mediump|lowp)\\s+)?sampler2D(?:MS)?\\s+" +
+                                 sampler + "\\s*;");
     std::smatch found;
     return std::regex_search(text, found, declaration) ? found[1].str() : "";
 }
@@ -43,7 +44,8 @@ std::vector<ConfigOptions> subjects()
         ConfigOptions options;
         options.config = name;
         all.push_back(options);
-        const Result<Node> document = parseDocument(shippedSources().find("configs/" + name + ".json"));
+        const Result<Node> document =
+            parseDocument(shippedSources().find("configs/" + name + ".json"));
         REQUIRE(document.ok());
         const Node* variants = document->find("variants");
         if (!variants) continue;
@@ -76,7 +78,8 @@ TEST_CASE("What reads depth or 32-bit floats in a shipped config has a highp sam
                 if (input.sampler.empty() || !isWide(*plan, input)) continue;
                 INFO(options.config << " " << options.variant << ", pass " << pass.name << ", "
                                     << input.sampler);
-                CHECK(precisionOf(plan->programs[pass.program].fragment.text, input.sampler) == "highp");
+                CHECK(precisionOf(plan->programs[pass.program].fragment.text, input.sampler) ==
+                      "highp");
             }
     }
 }

@@ -31,7 +31,8 @@ TEST_CASE("Every switch that a shipped config offers can be turned to all its va
                 Description changed = description;
                 changed.features[i].value = static_cast<int>(value);
                 checkPlans(changed, subject.config + " " + subject.variant + ": " +
-                                        changed.features[i].name + " " + changed.features[i].values[value]);
+                                        changed.features[i].name + " " +
+                                        changed.features[i].values[value]);
             }
     }
 }

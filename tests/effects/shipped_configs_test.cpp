@@ -92,9 +92,11 @@ TEST_CASE("Every config and variant says what it is and every param what it does
     }
 }
 
-TEST_CASE("learnopengl runs geometry, the mask of its pixels, ssao, filter and lighting in this order")
+TEST_CASE(
+    "learnopengl runs geometry, the mask of its pixels, ssao, filter and lighting in this order")
 {
-    CHECK(passNames(plan({"learnopengl"})) == Names{"geometry", "foreground", "ssao", "filter", "lighting"});
+    CHECK(passNames(plan({"learnopengl"})) ==
+          Names{"geometry", "foreground", "ssao", "filter", "lighting"});
 }
 
 TEST_CASE("Asking for the occlusion alone leaves lighting and albedo out")
@@ -132,7 +134,8 @@ TEST_CASE("The four combinations of kernel and filter differ in one line of exte
 {
     CHECK(passNames(plan({"hemisphere_bilateral"})) ==
           Names{"geometry", "foreground", "ssao", "filter_x", "filter_y", "lighting"});
-    CHECK(passNames(plan({"sphere_box"})) == Names{"geometry", "foreground", "ssao", "filter", "lighting"});
+    CHECK(passNames(plan({"sphere_box"})) ==
+          Names{"geometry", "foreground", "ssao", "filter", "lighting"});
 }
 
 TEST_CASE("A device's own variant of a config takes a few lines")

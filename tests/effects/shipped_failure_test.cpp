@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every shipped config on a device without memory: nothing is left behind, what worked works on, and
-// the next try is as good as if nothing had failed.
+// Every shipped config on a device without memory: nothing is left behind, what worked works on,
+// and the next try is as good as if nothing had failed.
 #include <crevice/recording_device.h>
 
 #include "tests/support/failing_changes.h"
@@ -39,7 +39,9 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("Shipped configs and variants that lack any object leave none behind, and draw with the next try")
+TEST_CASE(
+    "Shipped configs and variants that lack any object leave none behind, and draw with the next "
+    "try")
 {
     for (const Subject& subject : subjects()) {
         INFO(subject.config << " " << subject.variant);
@@ -58,7 +60,8 @@ TEST_CASE("Shipped configs and variants that lack any object leave none behind, 
     }
 }
 
-TEST_CASE("Shipped configs keep what they had when a change fails, and draw as ever when it does not")
+TEST_CASE(
+    "Shipped configs keep what they had when a change fails, and draw as ever when it does not")
 {
     const std::vector<Subject> all = subjects();
     for (std::size_t i = 0; i < all.size(); ++i) {

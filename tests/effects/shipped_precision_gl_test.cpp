@@ -22,12 +22,12 @@ using namespace crevice;
 
 namespace {
 
-// Most that the mean occlusion may change: a quarter of a step of the 8 bits it is stored in. Measured
-// figures are in docs/precision.md.
+// Most that the mean occlusion may change: a quarter of a step of the 8 bits it is stored in.
+// Measured figures are in docs/precision.md.
 constexpr double kMostChange = 0.001;
 
-/// The radius is 0.8 in units of one, with fewer taps for what software GL takes seconds for. What the
-/// config gives in scene units is in that unit too.
+/// The radius is 0.8 in units of one, with fewer taps for what software GL takes seconds for. What
+/// the config gives in scene units is in that unit too.
 Description describe(const Subject& subject, const SourceSet& sources, float unit)
 {
     LoadRequest request = {subject.config, subject.variant, {"radius=0.8"}};
@@ -72,7 +72,8 @@ public:
         for (const Setting& setting : settings) {
             UploadedScene scene = need(UploadedScene::upload(*gl_.device, setting.scene));
             const double aspect = double(setting.extent.width) / setting.extent.height;
-            const SceneCamera camera = need(chooseCamera(setting.scene, scene.bounds(), "", aspect));
+            const SceneCamera camera =
+                need(chooseCamera(setting.scene, scene.bounds(), "", aspect));
             const Frame frame = makeFrame(scene, camera, setting.extent);
             sets_.push_back({std::move(scene), frame, setting.extent});
         }
@@ -107,7 +108,8 @@ private:
     void draw(const Set& set, const Description& description, std::vector<std::string> outputs)
     {
         const CompileOptions options = {set.extent, std::move(outputs), {}};
-        if (renderer_) need(renderer_->reload(description, options));
+        if (renderer_)
+            need(renderer_->reload(description, options));
         else
             renderer_ =
                 need(Renderer::create(*gl_.device, description, options, traitsOf(set.frame)));
@@ -139,10 +141,7 @@ private:
 };
 
 /// Software GL is one and the same behind both contexts.
-bool applies()
-{
-    return canRewriteMediump() && testBackend() == "egl";
-}
+bool applies() { return canRewriteMediump() && testBackend() == "egl"; }
 
 /// Shipped sources that say mediump wherever they said highp.
 class CarelessSources : public SourceSet {
@@ -165,9 +164,9 @@ TEST_CASE("In half floats all that shipped configs draw is finite, and occlusion
     if (!applies()) return;
     const Scene room = need(loadScene("room"));
     const std::vector<Setting> settings = {{room, {256, 144}},
-                                       {need(loadScene("plane")), {64, 36}},
-                                       {inUnits(room, 1e-3f), {4096, 1}, 1e-3f},
-                                       {inUnits(room, 1e3f), {2600, 2}, 1e3f}};
+                                           {need(loadScene("plane")), {64, 36}},
+                                           {inUnits(room, 1e-3f), {4096, 1}, 1e-3f},
+                                           {inUnits(room, 1e3f), {2600, 2}, 1e3f}};
     Stage full(Mediump::full, settings), half(Mediump::half, settings);
     for (const Subject& subject : subjects())
         for (std::size_t i = 0; i < (subject.variant.empty() ? settings.size() : 1); ++i) {
@@ -187,7 +186,8 @@ TEST_CASE("Shaders that say mediump everywhere fail in half floats and draw as e
 {
     if (!applies()) return;
     const CarelessSources careless;
-    const std::vector<Setting> settings = {{inUnits(need(loadScene("room")), 1e3f), {64, 36}, 1e3f}};
+    const std::vector<Setting> settings = {
+        {inUnits(need(loadScene("room")), 1e3f), {64, 36}, 1e3f}};
     Stage full(Mediump::full, settings), half(Mediump::half, settings);
     const Subject subject = {"gtao", ""};
     const Image exact = full.drawAo(0, describe(subject, shippedSources(), 1e3f));

@@ -54,8 +54,7 @@ Scene randomScene(unsigned seed)
         const glm::vec3 place = {between(-2, 2), 0, between(-2, 2)};
         const glm::mat4 moved = glm::translate(glm::mat4(1.0f), place);
         scene.instances[i].mesh = int(i);
-        scene.instances[i].world_from_model =
-            glm::rotate(moved, between(0, 3), glm::vec3(0, 1, 0));
+        scene.instances[i].world_from_model = glm::rotate(moved, between(0, 3), glm::vec3(0, 1, 0));
     }
     return scene;
 }
@@ -98,7 +97,8 @@ struct Set {
     UploadedScene uploaded;
 
     Set(Device& device, Scene shown)
-        : scene(std::move(shown)), uploaded(need(UploadedScene::upload(device, scene)))
+        : scene(std::move(shown)),
+          uploaded(need(UploadedScene::upload(device, scene)))
     {
     }
 

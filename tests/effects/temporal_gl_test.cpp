@@ -33,7 +33,8 @@ const char* const kRaw = "/outputs/ao=ao";
 // Stripes that stand still in the world.
 const char* const kStripes = "(fract(world.x * 2.0) < 0.5 ? 0.2 : 0.8)";
 
-/// A filter over an occlusion that a line of GLSL gives: of uv, the point in the world and the frame.
+/// A filter over an occlusion that a line of GLSL gives: of uv, the point in the world and the
+/// frame.
 struct Film {
     explicit Film(const std::string& ao, const std::string& scene = "plane",
                   const std::vector<std::string>& overrides = {})
@@ -59,8 +60,7 @@ void main() {
         const LayeredSources sources({&mine, &shippedSources()});
         const Node document = need(loadConfig(sources, {"film", {}, overrides}));
         set = need(loadScene(scene));
-        uploaded = std::make_unique<UploadedScene>(
-            need(UploadedScene::upload(*gl.device, set)));
+        uploaded = std::make_unique<UploadedScene>(need(UploadedScene::upload(*gl.device, set)));
         look("eye=0,2,1;at=0,0,0;fov=30");
         renderer = need(Renderer::create(*gl.device, need(decode(document, sources)),
                                          {kExtent, {"ao"}, {}}, traitsOf(frame)));
@@ -200,8 +200,8 @@ TEST_CASE("The noise of an estimator moves from frame to frame under the mean ov
     UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
     const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", 16.0 / 9.0));
     const Frame frame = makeFrame(uploaded, camera, kExtent);
-    auto renderer = need(Renderer::create(*gl.device, description, {kExtent, {"ao"}, {}},
-                                          traitsOf(frame)));
+    auto renderer =
+        need(Renderer::create(*gl.device, description, {kExtent, {"ao"}, {}}, traitsOf(frame)));
     need(renderer->setParam("history_weight", 0.0f));
     need(renderer->render(frame));
     const Image first = gl.read(renderer->output("ao"));

@@ -20,8 +20,8 @@ constexpr Extent kExtent = {96, 54};
 /// A config over a scene in a GL context, with a renderer for each of several frames side by side.
 struct Stage {
     explicit Stage(const std::string& config_name)
-        : description(need(decode(need(loadConfig(shippedSources(), {config_name, {}, {}})),
-                                  shippedSources()))),
+        : description(need(
+              decode(need(loadConfig(shippedSources(), {config_name, {}, {}})), shippedSources()))),
           set(need(loadScene("spheres"))),
           uploaded(need(UploadedScene::upload(*gl.device, set)))
     {

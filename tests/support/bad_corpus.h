@@ -68,7 +68,8 @@ inline Diagnostics runTimeErrors(const CorpusCase& config, Renderer& renderer)
         const float value = static_cast<float>(member.value.number);
         const bool word = member.value.kind == Node::Kind::string;
         return (word ? renderer.setFeature(member.key, member.value.text)
-                     : renderer.setParam(member.key, &value, 1)).diagnostics();
+                     : renderer.setParam(member.key, &value, 1))
+            .diagnostics();
     }
     return renderer.render({}).diagnostics();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The locale that Qt and GTK programs run in on a German desktop, for C and C++: 1.234,5 is a number.
+// The locale that Qt and GTK programs run in on a German desktop, for C and C++: 1.234,5 is a
+// number.
 #pragma once
 
 #include "tests/support/temporary_folder.h"
@@ -11,8 +12,8 @@
 
 namespace crevice {
 
-/// The global locale of C and C++ while this lives. Debian's package `locales` makes it; `made()` is
-/// false where that is missing.
+/// The global locale of C and C++ while this lives. Debian's package `locales` makes it; `made()`
+/// is false where that is missing.
 class CommaLocale {
 public:
     CommaLocale()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Changes of a running renderer, on a device that fails each object of theirs in turn.
 //
-// A device has failAt(n), which makes the n-th coming call that creates or fills an object fail, and
-// live(), which counts the objects: RecordingDevice or FailingDevice.
+// A device has failAt(n), which makes the n-th coming call that creates or fills an object fail,
+// and live(), which counts the objects: RecordingDevice or FailingDevice.
 #pragma once
 
 #include <crevice/renderer.h>
@@ -56,13 +56,15 @@ inline Change reloading(const Description& other)
 
 inline Change moreLights()
 {
-    return {"lights", [](Renderer& renderer, Frame& frame) {
+    return {"lights",
+            [](Renderer& renderer, Frame& frame) {
                 Frame other = frame;
                 other.lights.resize(other.lights.size() + 2);
                 Status status = renderer.render(other);
                 if (status.ok()) frame = other;
                 return status;
-            }, true};
+            },
+            true};
 }
 
 /// The first param that is bound as a define, set to its least value.
@@ -90,8 +92,8 @@ void checkFailingChanges(FailingDevice& device, Renderer& renderer, Frame frame,
             device, [&] { return change.make(renderer, frame); },
             [&] { CHECK((shown(renderer) == before)); });
         if (failures == 0) continue;  // nothing to change
-        auto fresh = need(Renderer::create(device, renderer.description(),
-                                           {renderer.plan().extent}, traitsOf(frame)));
+        auto fresh = need(Renderer::create(device, renderer.description(), {renderer.plan().extent},
+                                           traitsOf(frame)));
         if (change.draws) draw(*fresh, frame);
         CHECK((draw(renderer, frame) == draw(*fresh, frame)));
     }

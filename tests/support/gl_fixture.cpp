@@ -69,10 +69,7 @@ GlFixture::GlFixture(const GlDeviceOptions& options, Context& context)
     device = need(makeGlDevice(context.loader(), options));
 }
 
-GlFixture::~GlFixture()
-{
-    CHECK(takeErrors(gl, "the test").ok());
-}
+GlFixture::~GlFixture() { CHECK(takeErrors(gl, "the test").ok()); }
 
 TextureId GlFixture::texture(Format format, Extent extent, const char* label)
 {

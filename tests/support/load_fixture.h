@@ -20,8 +20,7 @@ inline MemorySources smallCatalog()
 {
     MemorySources sources;
     sources.add("geometry/plain.json", file(R"("targets": {"depth": {}})"));
-    sources.add("ssao/hemisphere.json",
-                file(R"("params": {"radius": {"default": 0.5, "min": 0},
+    sources.add("ssao/hemisphere.json", file(R"("params": {"radius": {"default": 0.5, "min": 0},
                                    "samples": {"default": 16}},
                         "features": {"half": {"type": "bool", "default": false}},
                         "passes": {"ssao": {"when": {"half": true}}})"));
@@ -30,8 +29,7 @@ inline MemorySources smallCatalog()
                 file(R"("extends": ["geometry/plain", "ssao/hemisphere", "filter/box"],
                         "name": "base",
                         "variants": {"fast": {"params": {"samples": {"default": 8}}}})"));
-    sources.add("configs/fine.json",
-                file(R"("extends": ["base"], "name": "fine",
+    sources.add("configs/fine.json", file(R"("extends": ["base"], "name": "fine",
                         "params": {"samples": {"default": 64}},
                         "variants": {"bare": {"passes": {"box": null}},
                                      "fast": {"params": {"radius": {"default": 0.1}}}})"));

@@ -39,15 +39,14 @@ Image picture(const PictureRequest& request, const Scene& scene)
     GlFixture gl(options);
     UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
     const double aspect = double(request.extent.width) / request.extent.height;
-    const SceneCamera camera =
-        need(chooseCamera(scene, uploaded.bounds(), request.camera, aspect));
+    const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), request.camera, aspect));
     const Frame frame = makeFrame(uploaded, camera, request.extent);
 
     CompileOptions compile_options;
     compile_options.extent = request.extent;
     compile_options.outputs = {request.output};
-    auto renderer = need(Renderer::create(*gl.device, describePicture(request), compile_options,
-                                          traitsOf(frame)));
+    auto renderer = need(
+        Renderer::create(*gl.device, describePicture(request), compile_options, traitsOf(frame)));
     need(renderer->render(frame));
     return gl.read(renderer->output(request.output));
 }

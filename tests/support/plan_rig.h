@@ -100,10 +100,7 @@ inline Plan planOf(const Description& description, const SceneTraits& traits = {
     return std::move(*plan);
 }
 
-inline std::string passNames(const Plan& plan)
-{
-    return joined(namesOf(plan.passes));
-}
+inline std::string passNames(const Plan& plan) { return joined(namesOf(plan.passes)); }
 
 inline const PlanAttachment* attachmentOf(const Plan& plan, const std::string& target)
 {

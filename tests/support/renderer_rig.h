@@ -50,45 +50,52 @@ inline const char* const kRigConfig = R"({
   "outputs": {"ao": "smooth_ao", "color": "color"}
 })";
 
+inline const char* const kRigLighting =
+    "#version 300 es\n"
+    "precision highp float;\n"
+    "#define LOOK_NOW LOOK\n"
+    "uniform vec4 light_position[MAX_LIGHTS];\n"
+    "uniform vec3 light_color[MAX_LIGHTS], light_attenuation[MAX_LIGHTS];\n"
+    "uniform vec3 ambient_light, tint;\n"
+    "uniform int light_count;\n"
+    "uniform sampler2D albedo, smooth_ao, decal;\n"
+    "layout(location = 0) out vec4 color;\n";
+
 /// Its shaders; the filter also declares what is given.
 inline std::vector<TestFile> rigSources(const std::string& remembering)
 {
     return {
-        {"mesh.vert", "#version 300 es\nuniform mat4 clip_from_model, view_from_model;\n"
-                      "uniform mat3 view_normal_from_model;\n"},
-        {"geometry.frag", "#version 300 es\n"
-                          "precision highp float;\n"
-                          "uniform vec4 base_color;\n"
-                          "uniform vec3 specular;\n"
-                          "uniform float alpha_cutoff, shininess;\n"
-                          "uniform sampler2D base_color_map;\n"
-                          "layout(location = 0) out vec4 normal;\n"
-                          "layout(location = 1) out vec4 albedo;\n"},
+        {"mesh.vert",
+         "#version 300 es\nuniform mat4 clip_from_model, view_from_model;\n"
+         "uniform mat3 view_normal_from_model;\n"},
+        {"geometry.frag",
+         "#version 300 es\n"
+         "precision highp float;\n"
+         "uniform vec4 base_color;\n"
+         "uniform vec3 specular;\n"
+         "uniform float alpha_cutoff, shininess;\n"
+         "uniform sampler2D base_color_map;\n"
+         "layout(location = 0) out vec4 normal;\n"
+         "layout(location = 1) out vec4 albedo;\n"},
         {"full.vert", "#version 300 es\nvoid main() {}\n"},
-        {"occlusion.frag", "#version 300 es\n"
-                           "precision highp float;\n"
-                           "uniform mat4 clip_from_view, view_from_clip, view_from_window;\n"
-                           "uniform mat4 view_from_world, world_from_view;\n"
-                           "uniform vec3 kernel[SAMPLES];\n"
-                           "uniform vec2 viewport_size;\n"
-                           "uniform float radius, intensity;\n"
-                           "uniform sampler2D depth, normal, noise;\n"
-                           "layout(location = 0) out float ao;\n"},
-        {"filter.frag", "#version 300 es\nprecision highp float;\n"
-                        "uniform vec2 viewport_size;\n"
-                        "uniform int taps;\n"
-                        "const float edge = EDGE;\n"
-                        "uniform sampler2D source;\n" + remembering +
-                        "layout(location = 0) out float smooth_ao;\n"},
-        {"lighting.frag", "#version 300 es\n"
-                          "precision highp float;\n"
-                          "#define LOOK_NOW LOOK\n"
-                          "uniform vec4 light_position[MAX_LIGHTS];\n"
-                          "uniform vec3 light_color[MAX_LIGHTS], light_attenuation[MAX_LIGHTS];\n"
-                          "uniform vec3 ambient_light, tint;\n"
-                          "uniform int light_count;\n"
-                          "uniform sampler2D albedo, smooth_ao, decal;\n"
-                          "layout(location = 0) out vec4 color;\n"},
+        {"occlusion.frag",
+         "#version 300 es\n"
+         "precision highp float;\n"
+         "uniform mat4 clip_from_view, view_from_clip, view_from_window;\n"
+         "uniform mat4 view_from_world, world_from_view;\n"
+         "uniform vec3 kernel[SAMPLES];\n"
+         "uniform vec2 viewport_size;\n"
+         "uniform float radius, intensity;\n"
+         "uniform sampler2D depth, normal, noise;\n"
+         "layout(location = 0) out float ao;\n"},
+        {"filter.frag",
+         "#version 300 es\nprecision highp float;\n"
+         "uniform vec2 viewport_size;\n"
+         "uniform int taps;\n"
+         "const float edge = EDGE;\n"
+         "uniform sampler2D source;\n" +
+             remembering + "layout(location = 0) out float smooth_ao;\n"},
+        {"lighting.frag", kRigLighting},
     };
 }
 
@@ -99,10 +106,11 @@ inline Description rigDescription(bool remembers = false)
     std::string remembering;
     if (remembers) {
         config.replace(config.find("\"history\": false"), 16, "\"history\": true");
-        remembering = "uniform sampler2D smooth_ao_history;\n"
-                      "uniform mat4 previous_view_from_view, previous_clip_from_view;\n"
-                      "uniform float history_valid;\n"
-                      "uniform int frame_index;\n";
+        remembering =
+            "uniform sampler2D smooth_ao_history;\n"
+            "uniform mat4 previous_view_from_view, previous_clip_from_view;\n"
+            "uniform float history_valid;\n"
+            "uniform int frame_index;\n";
     }
     return describe(config, rigSources(remembering));
 }

@@ -20,7 +20,8 @@ inline std::vector<Subject> subjects()
     std::vector<Subject> all;
     for (const std::string& name : configNames(shippedSources())) {
         all.push_back({name, ""});
-        const Node document = need(parseDocument(shippedSources().find("configs/" + name + ".json")));
+        const Node document =
+            need(parseDocument(shippedSources().find("configs/" + name + ".json")));
         if (const Node* variants = document.find("variants"))
             for (const Member& variant : variants->members) all.push_back({name, variant.key});
     }

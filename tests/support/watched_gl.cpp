@@ -11,7 +11,9 @@ namespace {
 
 WatchedGl* watched = nullptr;
 
-template <auto> struct Constant {};
+template <auto>
+struct Constant {
+};
 
 /// Whether a member of the table is one of those; they may differ in type.
 template <auto Member, auto... Others>
@@ -31,10 +33,9 @@ template <auto M>
 constexpr bool kDeletes = isAny<M, &GlApi::DeleteProgram, &GlApi::DeleteShader>;
 
 template <auto M>
-constexpr bool kGenerates =
-    isAny<M, &GlApi::GenBuffers, &GlApi::GenFramebuffers, &GlApi::GenQueries,
-          &GlApi::GenRenderbuffers, &GlApi::GenSamplers, &GlApi::GenTextures,
-          &GlApi::GenVertexArrays>;
+constexpr bool kGenerates = isAny<M, &GlApi::GenBuffers, &GlApi::GenFramebuffers,
+                                  &GlApi::GenQueries, &GlApi::GenRenderbuffers, &GlApi::GenSamplers,
+                                  &GlApi::GenTextures, &GlApi::GenVertexArrays>;
 
 template <auto M>
 constexpr bool kDegenerates =
@@ -59,9 +60,10 @@ int namesOf()
 
 }  // namespace
 
-template <auto Member> struct Hook;
+template <auto Member>
+struct Hook;
 
-template <class Value, class... Arguments, Value(GL_APIENTRY* GlApi::*Member)(Arguments...)>
+template <class Value, class... Arguments, Value (GL_APIENTRY* GlApi::*Member)(Arguments...)>
 struct Hook<Member> {
     static Value GL_APIENTRY call(Arguments... arguments)
     {
@@ -94,7 +96,7 @@ namespace {
 // No GL at all. Names of all kinds are told apart.
 GLuint last_name = 0;
 GLuint last_divisor = 0;  // of one vertex array, that of the last device
-std::set<GLuint> made;  // shaders that were compiled, programs that were linked
+std::set<GLuint> made;    // shaders that were compiled, programs that were linked
 FakeDriver driver;
 GLenum fake_error = GL_NO_ERROR;
 
@@ -128,8 +130,10 @@ void GL_APIENTRY takeBinary(GLuint program, GLenum format, const void* binary, G
 {
     const bool own = length == sizeof(driver.build) && format == kBinaryFormat &&
                      *static_cast<const unsigned char*>(binary) == driver.build;
-    if (own) make(program);
-    else if (!driver.silent) fake_error = GL_INVALID_VALUE;
+    if (own)
+        make(program);
+    else if (!driver.silent)
+        fake_error = GL_INVALID_VALUE;
 }
 
 const GLubyte* GL_APIENTRY tellName(GLenum what)
@@ -178,7 +182,9 @@ GlApi noGl()
     gl.CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_COMPLETE; };
     gl.IsTexture = gl.IsVertexArray = [](GLuint name) -> GLboolean { return name != 0; };
     gl.VertexAttribDivisor = [](GLuint, GLuint divisor) { last_divisor = divisor; };
-    gl.GetVertexAttribiv = [](GLuint, GLenum, GLint* value) { *value = static_cast<GLint>(last_divisor); };
+    gl.GetVertexAttribiv = [](GLuint, GLenum, GLint* value) {
+        *value = static_cast<GLint>(last_divisor);
+    };
     return gl;
 }
 
@@ -203,8 +209,8 @@ GlLoader WatchedGl::loader() const
     return [this](const char* wanted) -> void* {
         const std::string name = wanted;
 #define CREVICE_GL_HOOK(function, upper, required) \
-        if (name == "gl" #function && below_.function) \
-            return reinterpret_cast<void*>(&Hook<&GlApi::function>::call);
+    if (name == "gl" #function && below_.function) \
+        return reinterpret_cast<void*>(&Hook<&GlApi::function>::call);
         CREVICE_GL_FUNCTIONS(CREVICE_GL_HOOK)
 #undef CREVICE_GL_HOOK
         return real_ ? real_(wanted) : nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GL functions under a test's control, over a real context or over no GL at all: they count the names
-// that live, run out of memory on demand, and lose their context.
+// GL functions under a test's control, over a real context or over no GL at all: they count the
+// names that live, run out of memory on demand, and lose their context.
 #pragma once
 
 #include "backends/gl/api.h"
@@ -54,7 +54,8 @@ public:
     bool errorPends() const { return pending_ != GL_NO_ERROR; }
 
 private:
-    template <auto Member> friend struct Hook;
+    template <auto Member>
+    friend struct Hook;
 
     bool arrives();
     bool failsNow();

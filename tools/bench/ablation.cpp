@@ -16,8 +16,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <iterator>
+#include <map>
 #include <set>
 
 namespace crevice {
@@ -28,19 +28,40 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 
 static void to_json(json& line, const AblationRow& row)
 {
-    line = {{"key", row.key}, {"config", row.config}, {"scene", row.scene}, {"camera", row.camera},
-            {"width", row.extent.width}, {"height", row.extent.height}, {"situation", row.situation},
-            {"optimization", row.optimization}, {"ms", row.ms}, {"factor", row.factor}, {"texture_bytes", row.texture_bytes},
-            {"elided", row.elided}, {"repeats", row.repeats}, {"device", row.device}, {"version", row.version}};
+    line = {{"key", row.key},
+            {"config", row.config},
+            {"scene", row.scene},
+            {"camera", row.camera},
+            {"width", row.extent.width},
+            {"height", row.extent.height},
+            {"situation", row.situation},
+            {"optimization", row.optimization},
+            {"ms", row.ms},
+            {"factor", row.factor},
+            {"texture_bytes", row.texture_bytes},
+            {"elided", row.elided},
+            {"repeats", row.repeats},
+            {"device", row.device},
+            {"version", row.version}};
 }
 
 /// Rows of earlier versions have no key; they are measured again.
 static void from_json(const json& line, AblationRow& row)
 {
-    row = {line.value("key", ""), line.at("config"), line.at("scene"), line.at("camera"),
-           {line.at("width"), line.at("height")}, line.at("situation"), line.at("optimization"), line.at("ms"),
-           line.at("factor"), line.at("texture_bytes"), line.at("elided"), line.at("repeats"),
-           line.at("device"), line.at("version")};
+    row = {line.value("key", ""),
+           line.at("config"),
+           line.at("scene"),
+           line.at("camera"),
+           {line.at("width"), line.at("height")},
+           line.at("situation"),
+           line.at("optimization"),
+           line.at("ms"),
+           line.at("factor"),
+           line.at("texture_bytes"),
+           line.at("elided"),
+           line.at("repeats"),
+           line.at("device"),
+           line.at("version")};
 }
 
 namespace {
@@ -138,8 +159,8 @@ Status takeTurns(Device& device, const Situation& situation, Frame& frame, int r
 /// What says the same of the same thing on the same device.
 std::string noOpOf(const AblationRow& row)
 {
-    return row.config + '\n' + row.scene + '\n' + row.camera + '\n' + extentName(row.extent) + '\n' +
-           row.situation + '\n' + row.optimization + '\n' + row.device;
+    return row.config + '\n' + row.scene + '\n' + row.camera + '\n' + extentName(row.extent) +
+           '\n' + row.situation + '\n' + row.optimization + '\n' + row.device;
 }
 
 AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation& situation,
@@ -192,18 +213,22 @@ Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& pa
     std::map<std::string, std::size_t> known;
     Diagnostics diagnostics;
     for (const std::string& file : ablationFiles(paths))
-        append(diagnostics, readLines(file, {"row of an ablation", "crevice bench --ablate"}, [&](json&& line) {
+        append(diagnostics,
+               readLines(file, {"row of an ablation", "crevice bench --ablate"}, [&](json&& line) {
                    AblationRow row = line.get<AblationRow>();
                    const auto [at, fresh] = known.insert({noOpOf(row), rows.size()});
-                   if (fresh) rows.push_back(std::move(row));
-                   else rows[at->second] = std::move(row);
+                   if (fresh)
+                       rows.push_back(std::move(row));
+                   else
+                       rows[at->second] = std::move(row);
                }));
     if (hasErrors(diagnostics)) return diagnostics;
     return {std::move(rows), std::move(diagnostics)};
 }
 
-Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, const BenchView& view,
-                                        int repeats, const std::function<bool()>& interrupted)
+Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task,
+                                        const BenchView& view, int repeats,
+                                        const std::function<bool()>& interrupted)
 {
     const Result<UploadedScene> scene = UploadedScene::upload(device, *view.scene);
     if (!scene) return scene.diagnostics();
@@ -227,14 +252,15 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task, c
     return rows;
 }
 
-MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<AblationRow>& known, int repeats,
-                       std::function<bool()> interrupted)
+MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<AblationRow>& known,
+                       int repeats, std::function<bool()> interrupted)
 {
     MeasureJob job;
     for (const AblationRow& row : known)
         if (isLast(row)) job.done.insert(row.key);
     for (const BenchTask& task : plan.tasks)
-        job.tasks.push_back({keyOnDevice(task.point.key, device.caps().name), pointTitle(task.point), task.point.failure});
+        job.tasks.push_back({keyOnDevice(task.point.key, device.caps().name),
+                             pointTitle(task.point), task.point.failure});
     job.measure = [&device, &plan, repeats, interrupted](std::size_t index) -> Result<Measured> {
         const BenchTask& task = plan.tasks[index];
         const auto rows = ablate(device, task, plan.views[task.view], repeats, interrupted);
@@ -265,7 +291,8 @@ std::string toText(const std::vector<AblationRow>& rows)
             text += cell;
             continue;
         }
-        const std::string without = row.optimization == kAllOptimizations ? "none of them" : "not " + row.optimization;
+        const std::string without =
+            row.optimization == kAllOptimizations ? "none of them" : "not " + row.optimization;
         text += "  " + without + " x" + significant(row.factor.median, 3);
     }
     return text + "\n";

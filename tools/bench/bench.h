@@ -23,8 +23,8 @@ struct BenchOptions {
     std::vector<std::string> scenes = {};
     ImportOptions import = {};  ///< Of those that are files.
     std::vector<std::string> sizes = {"960x540"};
-    std::vector<double> radii = {};  ///< Scene units; empty: each config's own.
-    std::vector<int> samples = {};   ///< Empty: each config's own.
+    std::vector<double> radii = {};           ///< Scene units; empty: each config's own.
+    std::vector<int> samples = {};            ///< Empty: each config's own.
     std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
     std::vector<std::string> roots = {};      ///< As LoadRequest has them.
     std::string camera = {};
@@ -45,23 +45,24 @@ struct BenchView {
 
 /// One point that is to be measured.
 struct BenchTask {
-    BenchPoint point;         ///< What is known beforehand, or why it cannot be measured.
-    std::size_t view = 0;     ///< Into BenchPlan::views; means nothing where there is a failure.
-    std::string reference;    ///< Key of the truth, see tools/reference/reference_cache.h.
+    BenchPoint point;       ///< What is known beforehand, or why it cannot be measured.
+    std::size_t view = 0;   ///< Into BenchPlan::views; means nothing where there is a failure.
+    std::string reference;  ///< Key of the truth, see tools/reference/reference_cache.h.
     Description description = {};
 };
 
 struct BenchPlan {
     std::vector<BenchView> views;
-    std::vector<BenchTask> tasks;  ///< In an order in which neighbours share scene, size and truth; where
-                                   ///< no configs were named, the presets of all scenes come first.
-    PlannedBench planned;          ///< All shards' points; the device is the runner's to fill in.
-    Diagnostics diagnostics;       ///< Unusable scenes (errors), values that do not fit (warnings).
+    /// In an order in which neighbours share scene, size and truth; where no configs were named,
+    /// the presets of all scenes come first.
+    std::vector<BenchTask> tasks;
+    PlannedBench planned;     ///< All shards' points; the device is the runner's to fill in.
+    Diagnostics diagnostics;  ///< Unusable scenes (errors), values that do not fit (warnings).
 };
 
-/// Crosses scenes, sizes, radii, configs and sample counts, and takes the shard's share: a task's key,
-/// which names no device, decides whose it is. What is asked for twice is one task. The tasks of a
-/// scene that cannot be loaded have its error as their failure, so that reports know of them.
+/// Crosses scenes, sizes, radii, configs and sample counts, and takes the shard's share: a task's
+/// key, which names no device, decides whose it is. What is asked for twice is one task. The tasks
+/// of a scene that cannot be loaded have its error as their failure, so that reports know of them.
 ///
 /// Errors: CV4005 for a size.
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);

@@ -130,7 +130,8 @@ void addOtherwiseMeasured(const std::vector<BenchPoint>& points,
             const std::string label = pointLabel(points[i]);
             if (known.insert(label).second)
                 candidates.elided.push_back(label + ": measured at " + extentName(view.extent) +
-                                              " and radius " + significant(view.radius, 6) + " alone");
+                                            " and radius " + significant(view.radius, 6) +
+                                            " alone");
         }
 }
 
@@ -157,8 +158,7 @@ Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const C
     candidates.views = mainViews(in_scope, *device, scope.extent);
     if (candidates.views.empty()) {
         const std::string scene = scope.scene.empty() ? "" : " of '" + scope.scene + "'";
-        const std::string size =
-            scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
+        const std::string size = scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
         return scopeError("there are no results" + scene + size, missingScope(all));
     }
     Gatherer gatherer(points);
@@ -224,8 +224,8 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
         if (!beyond.empty())
             error.help = "the nearest is " + list[beyond[0]].label + ": " +
                          significant(list[beyond[0]].ms, 3) + " ms, " +
-                         significant(list[beyond[0]].ratio, 3) + " times the floor, " +
-                         "error " + fixed(list[beyond[0]].error, 4);
+                         significant(list[beyond[0]].ratio, 3) + " times the floor, " + "error " +
+                         fixed(list[beyond[0]].error, 4);
         return error;
     }
     return Choice{within.front(), {within.begin() + 1, within.end()}, std::move(beyond)};

@@ -22,11 +22,11 @@ struct ChoiceScope {
 /// A config with its sample count and overrides, over all scenes of a scope. In each of them it is
 /// less wrong than no ambient occlusion at all.
 struct Candidate {
-    std::string label;     ///< As pointLabel has it.
-    std::size_t point = 0; ///< One of its points, for what is the same in all scenes.
-    double ms = 0;         ///< BenchPoint::cost: what it adds to a host that has a G-buffer.
-    double ratio = 0;      ///< Of that over the floor.
-    double error = 0;      ///< rmse.
+    std::string label;      ///< As pointLabel has it.
+    std::size_t point = 0;  ///< One of its points, for what is the same in all scenes.
+    double ms = 0;          ///< BenchPoint::cost: what it adds to a host that has a G-buffer.
+    double ratio = 0;       ///< Of that over the floor.
+    double error = 0;       ///< rmse.
     std::string slowest_view;
     std::string worst_view;
 };
@@ -34,10 +34,10 @@ struct Candidate {
 struct Candidates {
     std::string device;
     std::vector<ResultView> views;
-    std::vector<Candidate> list;        ///< In the order of the results.
-    std::vector<std::string> elided;  ///< What lacks figures in a view, and where.
-    std::vector<std::string> harmful;   ///< Labels of what is no better than no ambient occlusion.
-    double error_without_ao = 0;        ///< In the scene where it is largest.
+    std::vector<Candidate> list;       ///< In the order of the results.
+    std::vector<std::string> elided;   ///< What lacks figures in a view, and where.
+    std::vector<std::string> harmful;  ///< Labels of what is no better than no ambient occlusion.
+    double error_without_ao = 0;       ///< In the scene where it is largest.
 };
 
 /// Everything that can be chosen.
@@ -59,9 +59,9 @@ Result<ChoiceLimit> parseBudget(const std::string& text);
 double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind);
 
 struct Choice {
-    std::size_t best = 0;                ///< Into Candidates::list.
-    std::vector<std::size_t> also;       ///< Within the limit as well, the next best first.
-    std::vector<std::size_t> beyond;     ///< Over the limit, the nearest first.
+    std::size_t best = 0;             ///< Into Candidates::list.
+    std::vector<std::size_t> also;    ///< Within the limit as well, the next best first.
+    std::vector<std::size_t> beyond;  ///< Over the limit, the nearest first.
 };
 
 /// Errors: CV4001 when nothing is within the limit; the help names what comes nearest, if anything.

@@ -41,8 +41,8 @@ public:
         }
         ++result.compared;
         const bool same_device = before.device == now.device;
-        most_error_ = same_device && before.version == now.version ? limits_.error
-                                                                   : limits_.other_error;
+        most_error_ =
+            same_device && before.version == now.version ? limits_.error : limits_.other_error;
         compareError("rmse", before.error.rmse, now.error.rmse);
         compareError("rmse_fit", before.error.rmse_fit, now.error.rmse_fit);
         compareError("bias without its sign", std::abs(before.error.bias),

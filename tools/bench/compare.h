@@ -26,22 +26,23 @@ struct BenchChange {
     std::string figure;  ///< "rmse"
     double before = 0;
     double now = 0;
-    double limit = 0;    ///< What `now` may be at most to count as the same.
+    double limit = 0;  ///< What `now` may be at most to count as the same.
 };
 
 struct BenchComparison {
     std::vector<BenchChange> worse;
     std::vector<BenchChange> better;
-    std::vector<std::string> failed;        ///< Had figures, and now fail: point and reason.
-    std::vector<std::string> missing;       ///< Had figures, and are not measured now.
-    int compared = 0;                       ///< Points in both.
-    int without_ratios = 0;                 ///< Of those, measured on another device.
+    std::vector<std::string> failed;   ///< Had figures, and now fail: point and reason.
+    std::vector<std::string> missing;  ///< Had figures, and are not measured now.
+    int compared = 0;                  ///< Points in both.
+    int without_ratios = 0;            ///< Of those, measured on another device.
 
     bool isWorse() const { return !worse.empty() || !failed.empty() || !missing.empty(); }
 };
 
 /// Points are the same where noOpOf() is, whatever became of their shaders; one from the same
-/// device goes before one from another. Errors are compared always, cost ratios on one device alone.
+/// device goes before one from another. Errors are compared always, cost ratios on one device
+/// alone.
 BenchComparison compareBenches(const std::vector<BenchPoint>& before,
                                const std::vector<BenchPoint>& now, const BenchLimits& limits = {});
 

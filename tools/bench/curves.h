@@ -19,9 +19,9 @@ namespace crevice {
 ///                                                 cost_triangles  ms of a frame over triangles
 struct Curve {
     std::string kind;
-    std::string label;   ///< The family for curves over samples, else the point's label.
+    std::string label;  ///< The family for curves over samples, else the point's label.
     std::string family;
-    std::vector<XY> points;            ///< By rising x, at least two different.
+    std::vector<XY> points;  ///< By rising x, at least two different.
     std::optional<PowerLaw> law;
 };
 

@@ -58,8 +58,9 @@ void widen(const Description& description, TargetDesc& target, const DeviceCaps&
     if (caps.canRender(wide)) target.formats.insert(target.formats.begin(), wide);
 }
 
-/// Widens the targets that hold occlusion, before, within and after the filter: `ao`, what the output
-/// comes from, and what has their formats, since a no-op passes a filter's input on as its output.
+/// Widens the targets that hold occlusion, before, within and after the filter: `ao`, what the
+/// output comes from, and what has their formats, since a no-op passes a filter's input on as its
+/// output.
 void widenOcclusion(Description& description, const DeviceCaps& caps)
 {
     const OutputDesc* output = findNamed(description.outputs, kOutput);
@@ -72,8 +73,8 @@ void widenOcclusion(Description& description, const DeviceCaps& caps)
             widen(description, target, caps);
 }
 
-/// Seeds by counting down from the largest, since people count up from 1: noise that the mean shared
-/// with the config would look like no noise.
+/// Seeds by counting down from the largest, since people count up from 1: noise that the mean
+/// shared with the config would look like no noise.
 void reseed(Description& description, unsigned frame)
 {
     unsigned seed = ~(frame * static_cast<unsigned>(description.generated.size()));
@@ -143,9 +144,8 @@ Result<Image> beforeFilter(const Stage& stage, Description description, Draw dra
 
 Result<Image> drawOutput(const Stage& stage, Description description, const std::string& output)
 {
-    const Result<std::unique_ptr<Renderer>> renderer =
-        Renderer::create(stage.device, std::move(description), {stage.extent, {output}, {}},
-                         traitsOf(stage.frame));
+    const Result<std::unique_ptr<Renderer>> renderer = Renderer::create(
+        stage.device, std::move(description), {stage.extent, {output}, {}}, traitsOf(stage.frame));
     if (!renderer) return renderer.diagnostics();
     return drawSettled(stage.device, **renderer, stage.frame, output);
 }

@@ -28,10 +28,10 @@ struct Stage {
 /// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
 Result<Image> drawOutput(const Stage& stage, Description description, const std::string& output);
 
-/// The config with all the depth taps that its ranges allow and 32-bit float for its occlusion, averaged
-/// over frames with other seeds in every generated kernel and noise than the config's own. What is
-/// averaged is the target `ao`, before any filter; the output `ao` where there is no such target or it
-/// is not of full size.
+/// The config with all the depth taps that its ranges allow and 32-bit float for its occlusion,
+/// averaged over frames with other seeds in every generated kernel and noise than the config's own.
+/// What is averaged is the target `ao`, before any filter; the output `ao` where there is no such
+/// target or it is not of full size.
 ///
 /// Stops early, with what it has, when `interrupted`. Errors: as drawOutput.
 Result<Image> convergedOcclusion(const Stage& stage, const Description& description,

@@ -62,7 +62,8 @@ struct BenchMeter::Setting {
     {
     }
 
-    /// Draws the depth and takes from it what every point needs: the floor and the radius on screen.
+    /// Draws the depth and takes from it what every point needs: the floor and the radius on
+    /// screen.
     Status makeFloor(Device& device, const SourceSet& sources, double radius);
 
     void makeYardstick(Device& device, const SourceSet& sources, double radius);
@@ -85,10 +86,7 @@ struct BenchMeter::Setting {
     {
         return (yardstick_turns ? yardstick_turns : copy_turns)->costs();
     }
-    double unitOverCopy() const
-    {
-        return quickest(unitCosts()) / quickest(copy_turns->costs());
-    }
+    double unitOverCopy() const { return quickest(unitCosts()) / quickest(copy_turns->costs()); }
 
     const BenchView& view;
     std::string reference;
@@ -101,7 +99,7 @@ struct BenchMeter::Setting {
     Frame copy_frame;
     std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
     std::optional<TurnTaker> copy_turns;
-    std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
+    std::optional<TurnTaker> yardstick_turns;        ///< None without a yardstick.
     std::map<std::string, Result<Image>> converged;  ///< By family.
 };
 
@@ -157,7 +155,10 @@ Status BenchMeter::Setting::takeTurns()
 
 BenchMeter::BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
                        MeasureOptions options)
-    : device_(device), plan_(plan), sources_(sources), options_(std::move(options))
+    : device_(device),
+      plan_(plan),
+      sources_(sources),
+      options_(std::move(options))
 {
 }
 
@@ -248,8 +249,7 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchPo
     const Image open(ao.extent, 1, 1.0f);
     if (const auto without = compareImages(open, *setting_->truth))
         point.error_without_ao = without->rmse;
-    if (options_.budget)
-        measureBudget(task, ao, point);
+    if (options_.budget) measureBudget(task, ao, point);
     return {};
 }
 
@@ -264,8 +264,8 @@ void BenchMeter::measureBudget(const BenchTask& task, const Image& ao, BenchPoin
     const Stage stage = {device_, setting_->frame, setting_->view.extent};
     const Result<Image> unfiltered = unfilteredOcclusion(stage, task.description);
     const Result<Image> precise = preciseOcclusion(stage, task.description);
-    point.budget = budgetOf({ao, *setting_->truth, taken(converged(task)), taken(unfiltered),
-                             taken(precise)});
+    point.budget =
+        budgetOf({ao, *setting_->truth, taken(converged(task)), taken(unfiltered), taken(precise)});
 }
 
 /// Kept, since all sample counts of a config converge to it.

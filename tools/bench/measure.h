@@ -3,8 +3,8 @@
 //
 // What is timed are the passes that the output `ao` needs. The config, a plain copy of the depth
 // texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius take turns (see
-// tools/bench/times.h) until both ratios are known to a few per cent. The cost of a config is the sum
-// over its passes other than draw passes: what it adds to a host that has a G-buffer already.
+// tools/bench/times.h) until both ratios are known to a few per cent. The cost of a config is the
+// sum over its passes other than draw passes: what it adds to a host that has a G-buffer already.
 #pragma once
 
 #include "tools/bench/bench.h"
@@ -15,11 +15,12 @@
 namespace crevice {
 
 struct MeasureOptions {
-    int rays = 256;    ///< A pixel of the truth.
-    int repeats = 7;   ///< Timed turns, at least; up to four times as many where ratios do not settle.
-    bool budget = true;         ///< Measure the error budget.
-    std::string cache_folder;   ///< For truths; empty for none.
-    std::string out_folder;     ///< Pictures go to its pictures/; empty for none.
+    int rays = 256;  ///< A pixel of the truth.
+    /// Timed turns, at least; up to four times as many where ratios do not settle.
+    int repeats = 7;
+    bool budget = true;        ///< Measure the error budget.
+    std::string cache_folder;  ///< For truths; empty for none.
+    std::string out_folder;    ///< Pictures go to its pictures/; empty for none.
     std::function<bool()> interrupted = [] { return false; };
     std::function<void(double done)> tracing = {};  ///< How far a truth is.
 };

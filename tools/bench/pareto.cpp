@@ -64,8 +64,7 @@ std::optional<PowerLaw> fitPowerLaw(const std::vector<XY>& points)
         high = std::max(high, x);
     }
     if (count < 2.0 || low == high) return std::nullopt;
-    const double slope =
-        (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
+    const double slope = (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
     return PowerLaw{slope, std::exp((sum_y - slope * sum_x) / count)};
 }
 

@@ -20,9 +20,9 @@ struct CostError {
 std::vector<std::size_t> paretoFront(const std::vector<CostError>& points);
 
 /// The point of a front where more cost begins to buy little: furthest below the straight line
-/// between the ends, with cost on a log scale; where none is below, the end with the smaller product
-/// of cost and error. `front` as paretoFront gives it, costs above 0.
-/// Requires a front that is not empty.
+/// between the ends, with cost on a log scale; where none is below, the end with the smaller
+/// product of cost and error. `front` as paretoFront gives it, costs above 0. Requires a front that
+/// is not empty.
 std::size_t balancedPoint(const std::vector<CostError>& points,
                           const std::vector<std::size_t>& front);
 

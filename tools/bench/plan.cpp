@@ -18,12 +18,14 @@
 namespace crevice {
 namespace {
 
-/// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long to be first.
+/// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long
+/// to be first.
 constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
 
 bool isPreset(const BenchTask& task)
 {
-    return std::find(std::begin(kPresets), std::end(kPresets), task.point.config) != std::end(kPresets);
+    return std::find(std::begin(kPresets), std::end(kPresets), task.point.config) !=
+           std::end(kPresets);
 }
 
 /// What was asked for, whichever share of it is this machine's.
@@ -34,7 +36,8 @@ std::string commandHash(const BenchOptions& options)
         hash.add(list.size());
         for (const auto& item : list) addOne(item);
     };
-    for (const auto* texts : {&options.configs, &options.scenes, &options.sizes, &options.overrides})
+    for (const auto* texts :
+         {&options.configs, &options.scenes, &options.sizes, &options.overrides})
         add(*texts, [&hash](const std::string& text) { hash.addText(text); });
     add(options.radii, [&hash](double radius) { hash.add(radius); });
     add(options.samples, [&hash](int count) { hash.add(count); });
@@ -65,7 +68,8 @@ ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::s
 class Planner {
 public:
     Planner(const BenchOptions& options, const SourceSet& sources)
-        : options_(options), sources_(sources)
+        : options_(options),
+          sources_(sources)
     {
     }
 
@@ -86,8 +90,7 @@ private:
     void addConfig(const Place& place, const std::string& config);
     std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
                                                           const Description& description);
-    void addTask(const Place& place, const std::string& config,
-                 std::vector<std::string> overrides);
+    void addTask(const Place& place, const std::string& config, std::vector<std::string> overrides);
     Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task);
     const std::string& referenceOf(double radius);
     void note(const std::string& message);
@@ -122,8 +125,10 @@ void Planner::addScene(const std::string& name, const std::vector<Extent>& exten
     if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
     for (const Extent extent : extents) {
         Place place = {name, extent, {}};
-        if (scene) addView(scene, place);
-        else place.failure = failureText(loaded.diagnostics());
+        if (scene)
+            addView(scene, place);
+        else
+            place.failure = failureText(loaded.diagnostics());
         addConfigs(std::move(place));
     }
 }
@@ -134,8 +139,10 @@ void Planner::addView(const std::shared_ptr<const Scene>& scene, Place& place)
     const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
     const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
     tell(camera.diagnostics());
-    if (camera) plan.views.push_back({scene, bounds, *camera, place.extent});
-    else place.failure = failureText(camera.diagnostics());
+    if (camera)
+        plan.views.push_back({scene, bounds, *camera, place.extent});
+    else
+        place.failure = failureText(camera.diagnostics());
 }
 
 void Planner::addConfigs(Place place)
@@ -176,7 +183,8 @@ std::vector<std::vector<std::string>> Planner::sampleOverrides(const std::string
 {
     if (options_.samples.empty()) return {{}};
     if (samplesOf(description) == 0) {
-        note("'" + config + "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
+        note("'" + config +
+             "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
         return {{}};
     }
     std::vector<std::vector<std::string>> all;
@@ -243,7 +251,8 @@ void Planner::addTask(const Place& place, const std::string& config,
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
     if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
 
-    const ContentHash hash = keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string());
+    const ContentHash hash =
+        keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string());
     point.key = hash.hex();
     point.overrides = std::move(overrides);
     if (!keys_.insert(point.key).second) return;

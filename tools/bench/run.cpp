@@ -40,19 +40,22 @@ MeasureJob benchJob(const BenchPlan& plan, const std::string& device, std::set<s
     MeasureJob job;
     job.done = std::move(done);
     for (const BenchTask& task : plan.tasks)
-        job.tasks.push_back({keyOnDevice(task.point.key, device), pointTitle(task.point), task.point.failure});
+        job.tasks.push_back(
+            {keyOnDevice(task.point.key, device), pointTitle(task.point), task.point.failure});
     const auto lineOf = [&plan, device](BenchPoint point, std::size_t task) {
         point.key = keyOnDevice(plan.tasks[task].point.key, device);
         point.device = device;
         return toJsonLine(point);
     };
-    job.measure = [&plan, lineOf, measure = std::move(measure)](std::size_t task) -> Result<Measured> {
+    job.measure = [&plan, lineOf,
+                   measure = std::move(measure)](std::size_t task) -> Result<Measured> {
         const Result<BenchPoint> point = measure(plan.tasks[task]);
         if (!point) return point.diagnostics();
         return {Measured{lineOf(*point, task), figuresText(*point)}, point.diagnostics()};
     };
     job.failure_line = [&plan, lineOf](std::size_t task, const std::string& failure) {
-        BenchPoint point = plan.tasks[task].point;  // with its device, so that figures can take its place
+        BenchPoint point =
+            plan.tasks[task].point;  // with its device, so that figures can take its place
         point.failure = failure;
         return lineOf(std::move(point), task);
     };

@@ -24,9 +24,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precisio
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
                                    camera, extent, radius, rays, radius_px, samples, triangles,
                                    device, software, version, error, error_without_ao, budget,
-                                   budget_failure, clock, repeats, total, cost, passes,
-                                   ratio_copy, ratio_learnopengl, texture_bytes, bytes_read,
-                                   bytes_written, ao_picture, truth_picture, difference_picture)
+                                   budget_failure, clock, repeats, total, cost, passes, ratio_copy,
+                                   ratio_learnopengl, texture_bytes, bytes_read, bytes_written,
+                                   ao_picture, truth_picture, difference_picture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, points)
 
 namespace {
@@ -75,7 +75,8 @@ public:
     void readFile(const std::string& path)
     {
         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-        append(diagnostics_, readLines(path, {"bench point", "crevice bench"}, [&](nlohmann::json&& json) {
+        append(diagnostics_,
+               readLines(path, {"bench point", "crevice bench"}, [&](nlohmann::json&& json) {
                    if (json.is_object() && json.contains(kPlanned))
                        return add(json[kPlanned].get<PlannedBench>());
                    BenchPoint point = parsePoint(std::move(json));
@@ -98,14 +99,15 @@ private:
             return known.device == planned.device && known.command == planned.command;
         };
         const auto known = std::find_if(planned_.begin(), planned_.end(), same);
-        if (known == planned_.end()) planned_.push_back(std::move(planned));
-        else *known = std::move(planned);
+        if (known == planned_.end())
+            planned_.push_back(std::move(planned));
+        else
+            *known = std::move(planned);
     }
 
     void add(BenchPoint point)
     {
-        const auto [place, is_new] =
-            places_.emplace(point.device + noOpOf(point), points_.size());
+        const auto [place, is_new] = places_.emplace(point.device + noOpOf(point), points_.size());
         if (is_new) {
             points_.push_back(std::move(point));
             return;
@@ -126,7 +128,7 @@ private:
 std::string noOpOf(const BenchPoint& point)
 {
     return jsonLine({point.config, point.overrides, point.scene, point.camera, point.extent,
-                 point.radius, point.rays});
+                     point.radius, point.rays});
 }
 
 std::string plannedId(const BenchPoint& point)
@@ -136,10 +138,7 @@ std::string plannedId(const BenchPoint& point)
     return hash.hex();
 }
 
-std::string toJsonLine(const BenchPoint& point)
-{
-    return jsonLine(point);
-}
+std::string toJsonLine(const BenchPoint& point) { return jsonLine(point); }
 
 std::string toJsonLine(const PlannedBench& planned)
 {
@@ -172,8 +171,8 @@ std::string coverageText(const BenchCoverage& coverage)
     if (coverage.whole()) return "";
     const std::vector<std::string>& all = coverage.configs;
     const std::size_t named = std::min(all.size(), kMostNamed);
-    std::string text = std::to_string(coverage.measured) + " of " + std::to_string(coverage.planned) +
-                       " points measured";
+    std::string text = std::to_string(coverage.measured) + " of " +
+                       std::to_string(coverage.planned) + " points measured";
     if (coverage.failed > 0) text += ", " + std::to_string(coverage.failed) + " failed";
     if (named > 0) text += ": " + joined({all.begin(), all.begin() + static_cast<long>(named)});
     if (named < all.size()) text += " and " + std::to_string(all.size() - named) + " more configs";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One measured point of a bench: what was drawn, how wrong it was and what it cost.
 //
-// Results are JSON Lines, one point a line, appended as they are measured. A line's key is a hash over
-// everything that decides its figures, so a run that was interrupted goes on where it stopped, and
-// shards from several machines merge by putting their files one after the other. A line before them has
-// what the run is to measure, so that a part of a bench is not taken for the whole.
+// Results are JSON Lines, one point a line, appended as they are measured. A line's key is a hash
+// over everything that decides its figures, so a run that was interrupted goes on where it stopped,
+// and shards from several machines merge by putting their files one after the other. A line before
+// them has what the run is to measure, so that a part of a bench is not taken for the whole.
 #pragma once
 
 #include <crevice/image.h>
@@ -55,31 +55,31 @@ struct BenchPoint {
     std::string scene;
     std::string camera;
     Extent extent;
-    double radius = 0;      ///< Scene units.
-    int rays = 0;           ///< A pixel of the truth.
-    double radius_px = 0;   ///< On screen, at the median depth of what is seen.
-    int samples = 0;        ///< Depth taps a pixel; 0 for a config without such a param.
+    double radius = 0;     ///< Scene units.
+    int rays = 0;          ///< A pixel of the truth.
+    double radius_px = 0;  ///< On screen, at the median depth of what is seen.
+    int samples = 0;       ///< Depth taps a pixel; 0 for a config without such a param.
     long long triangles = 0;
 
-    std::string device;     ///< Renderer and driver.
+    std::string device;  ///< Renderer and driver.
     bool software = false;
-    std::string version;    ///< Of crevice.
+    std::string version;  ///< Of crevice.
 
     ErrorFigures error;
     double error_without_ao = 0;  ///< The rmse that no ambient occlusion at all has here.
     ErrorBudget budget;
     std::string budget_failure;  ///< Why a part of it could not be measured; else empty.
 
-    std::string clock;      ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
+    std::string clock;  ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
     int repeats = 0;
     TimeFigures total;  ///< All passes, those that draw the scene's geometry too.
     TimeFigures cost;   ///< The other passes: what it adds to a host that has a G-buffer.
     std::vector<PassTime> passes;
-    double ratio_copy = 0;        ///< Cost over that of a copy of the depth texture, same run.
+    double ratio_copy = 0;         ///< Cost over that of a copy of the depth texture, same run.
     double ratio_learnopengl = 0;  ///< Cost over that of learnopengl, same run.
 
     double texture_bytes = 0;
-    double bytes_read = 0;     ///< Estimated, a frame.
+    double bytes_read = 0;  ///< Estimated, a frame.
     double bytes_written = 0;
 
     /// Pictures beside the results file, relative to it; empty when none were kept.
@@ -116,7 +116,7 @@ struct BenchResults {
 struct BenchCoverage {
     std::size_t measured = 0;  ///< Points with figures.
     std::size_t failed = 0;
-    std::size_t planned = 0;   ///< These two, and points that nobody began.
+    std::size_t planned = 0;                ///< These two, and points that nobody began.
     std::vector<std::string> configs = {};  ///< That have figures, each once.
 
     bool whole() const { return measured + failed == planned; }
@@ -124,13 +124,13 @@ struct BenchCoverage {
 
 BenchCoverage coverageOf(const BenchResults& results);
 
-/// "3 of 78 points measured: mobile, balanced, high; what to take may change with the rest". Empty of a
-/// whole bench.
+/// "3 of 78 points measured: mobile, balanced, high; what to take may change with the rest". Empty
+/// of a whole bench.
 std::string coverageText(const BenchCoverage& coverage);
 
-/// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point on
-/// one device the later one holds, but a failure never hides figures of its own key. A line that an
-/// interrupt cut short is left out with a warning. Pictures come back relative to the working
+/// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point
+/// on one device the later one holds, but a failure never hides figures of its own key. A line that
+/// an interrupt cut short is left out with a warning. Pictures come back relative to the working
 /// folder. A figure that was not finite makes its point a failure.
 ///
 /// Errors: CV7009 for a file that cannot be read or a line that is no point.

@@ -79,7 +79,8 @@ bool isSettled(const TimeFigures& figures, std::size_t count)
 Status drawTurn(const std::function<Result<double>()>& draw)
 {
     double elapsed_ms = 0;
-    for (std::size_t frames = 0; frames == 0 || (elapsed_ms < kTurnMs && frames < kTurnFrames); ++frames) {
+    for (std::size_t frames = 0; frames == 0 || (elapsed_ms < kTurnMs && frames < kTurnFrames);
+         ++frames) {
         const Result<double> ms = draw();
         if (!ms) return ms.diagnostics();
         elapsed_ms += *ms;

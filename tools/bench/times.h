@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Times of frames, and what a bench makes of them.
 //
-// What is compared takes turns, so that a slow moment of the machine falls on all of it. A turn lasts
-// for a while and counts with the median of its frames, since a single frame of a cheap pass tells
-// little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
+// What is compared takes turns, so that a slow moment of the machine falls on all of it. A turn
+// lasts for a while and counts with the median of its frames, since a single frame of a cheap pass
+// tells little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
 //
-// They do not cancel against a copy of a texture: that waits for memory where the effect computes, and
-// a neighbour on the machine was seen to slow one by 60 % and the other by 3 %, for many seconds. So
-// the cost of the copy is compared with that of `learnopengl` at their quickest, over all turns of a view.
+// They do not cancel against a copy of a texture: that waits for memory where the effect computes,
+// and a neighbour on the machine was seen to slow one by 60 % and the other by 3 %, for many
+// seconds. So the cost of the copy is compared with that of `learnopengl` at their quickest, over
+// all turns of a view.
 //
 // Source: McGill, Tukey, Larsen 1978, "Variations of Box Plots" - how well a median is known.
 #pragma once
@@ -25,14 +26,15 @@ namespace crevice {
 /// Errors: those of Renderer::renderTimed; CV6005 when the timer is disturbed time after time.
 Result<FrameTimes> timeFrame(Renderer& renderer, const Frame& frame);
 
-/// The sum over the passes that are no draw passes: what a host with a G-buffer pays for the occlusion.
+/// The sum over the passes that are no draw passes: what a host with a G-buffer pays for the
+/// occlusion.
 double occlusionCost(const Plan& plan, const FrameTimes& times);
 
 /// Median and quartiles, interpolated between neighbours. Requires at least one value.
 TimeFigures timeFigures(std::vector<double> values);
 
-/// Figures of costs / units turn by turn, over the last turns of the longer; turns where a unit is not
-/// above 0 are left out. Zeros when none is left.
+/// Figures of costs / units turn by turn, over the last turns of the longer; turns where a unit is
+/// not above 0 are left out. Zeros when none is left.
 TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units);
 
 /// The first decile, which no slow moment reaches. Requires at least one value.
@@ -41,8 +43,8 @@ double quickest(std::vector<double> costs);
 /// True when the median of `count` values is known to within 3 %, at 95 % confidence.
 bool isSettled(const TimeFigures& figures, std::size_t count);
 
-/// Has frames drawn until the turn is long enough to tell something; `draw` gives the milliseconds of one.
-/// Errors: those of `draw`.
+/// Has frames drawn until the turn is long enough to tell something; `draw` gives the milliseconds
+/// of one. Errors: those of `draw`.
 Status drawTurn(const std::function<Result<double>()>& draw);
 
 /// A renderer that takes turns with others, and what its frames took. Renderer and frame must

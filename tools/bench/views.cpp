@@ -59,8 +59,9 @@ std::vector<ResultView> benchViews(const std::vector<BenchPoint>& points)
         auto view = std::find_if(views.begin(), views.end(),
                                  [&point](const ResultView& v) { return shows(v, point); });
         if (view == views.end())
-            view = views.insert(views.end(), {point.device, point.scene, point.camera, point.extent,
-                                              point.radius, {}, {}});
+            view = views.insert(
+                views.end(),
+                {point.device, point.scene, point.camera, point.extent, point.radius, {}, {}});
         view->points.push_back(i);
     }
     std::stable_sort(views.begin(), views.end(), [](const ResultView& a, const ResultView& b) {
@@ -72,7 +73,7 @@ std::vector<ResultView> benchViews(const std::vector<BenchPoint>& points)
 }
 
 std::vector<ResultView> mainViews(const std::vector<ResultView>& views, const std::string& device,
-                                 Extent extent)
+                                  Extent extent)
 {
     if (extent == Extent{}) extent = commonExtent(views, device);
     std::vector<ResultView> chosen;

@@ -18,7 +18,8 @@ struct ResultView {
     Extent extent;
     double radius = 0;
     std::vector<std::size_t> points;  ///< Indexes, in the order of the results.
-    std::string name;                 ///< The scene; with its camera where it was seen from several.
+    /// The scene; with its camera where it was seen from several.
+    std::string name;
 };
 
 /// Sorted by device, scene and camera; of one scene and camera the view with the most points first.
@@ -28,7 +29,7 @@ std::vector<ResultView> benchViews(const std::vector<BenchPoint>& points);
 /// radius that most points share. Sweeps of size and radius are thus kept out of a choice
 /// between configs. An extent that is not 0x0 is the one to take.
 std::vector<ResultView> mainViews(const std::vector<ResultView>& views, const std::string& device,
-                                 Extent extent = {});
+                                  Extent extent = {});
 
 /// The devices in the order of their first points.
 std::vector<std::string> benchDevices(const std::vector<BenchPoint>& points);

@@ -64,7 +64,8 @@ void limitSelf(const ChildLimits& limits)
     if (!kSanitized) limitTo(RLIMIT_AS, addressSpace() + limits.memory);
 }
 
-// What a library says of its own end is not for the user, and no business of this process's signal handlers.
+// What a library says of its own end is not for the user, and no business of this process's signal
+// handlers.
 void silence()
 {
     const int nowhere = open("/dev/null", O_WRONLY);
@@ -99,8 +100,10 @@ void Sender::bytes(void* data, std::size_t size)
 {
     const char* const begin = static_cast<const char*>(data);
     if (waiting_.size() + size > kPipeBuffer) flush();
-    if (size > kPipeBuffer) write(begin, size);
-    else waiting_.insert(waiting_.end(), begin, begin + size);
+    if (size > kPipeBuffer)
+        write(begin, size);
+    else
+        waiting_.insert(waiting_.end(), begin, begin + size);
 }
 
 void Sender::flush()
@@ -120,8 +123,7 @@ void Sender::write(const char* data, std::size_t size)
     }
 }
 
-Receiver::Receiver(int file, double time_s)
-    : file_(file), deadline_s_(now() + time_s) {}
+Receiver::Receiver(int file, double time_s) : file_(file), deadline_s_(now() + time_s) {}
 
 bool Receiver::fill()
 {
@@ -175,7 +177,8 @@ ChildEnd runInChild(const ChildLimits& limits, const std::function<void(Sender&)
         receive(receiver);
         end = endOf(receiver);
         kill(child, SIGKILL);  // it has nothing left to do, or is to do no more
-        while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {}
+        while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
     close(ends[0]);
     return end;

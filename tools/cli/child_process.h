@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work in a process of its own, which may crash, hang or ask for any amount of memory, and what it sends back.
+// Work in a process of its own, which may crash, hang or ask for any amount of memory, and what it
+// sends back.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 namespace crevice {
 
 struct ChildLimits {
-    double time_s = 10;           ///< Wall clock, until everything was received; > 0.
+    double time_s = 10;                 ///< Wall clock, until everything was received; > 0.
     std::uint64_t memory = 4ull << 30;  ///< Bytes of address space beyond what this process has.
 };
 
@@ -60,10 +61,10 @@ private:
     bool late_ = false;
 };
 
-/// Runs `send` in a copy of this process and `receive` in this one, and waits for both. The child never
-/// returns from here, runs no destructor of its caller's, prints nothing and leaves no core file.
-/// Past the memory limit its allocations fail; built for a sanitizer, which needs all of the address space,
-/// it has no such limit.
+/// Runs `send` in a copy of this process and `receive` in this one, and waits for both. The child
+/// never returns from here, runs no destructor of its caller's, prints nothing and leaves no core
+/// file. Past the memory limit its allocations fail; built for a sanitizer, which needs all of the
+/// address space, it has no such limit.
 ChildEnd runInChild(const ChildLimits& limits, const std::function<void(Sender&)>& send,
                     const std::function<void(Receiver&)>& receive);
 

@@ -82,7 +82,8 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots)
         return;
     }
     app.add_option("--root", roots,
-                   "Let configs and scenes read files below this folder too, beside those below their own; may be "
+                   "Let configs and scenes read files below this folder too, beside those below "
+                   "their own; may be "
                    "repeated")
         ->type_name("FOLDER")
         ->allow_extra_args(false)
@@ -106,7 +107,8 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
 }
 
 CheckoutSources::CheckoutSources(std::string folder, std::vector<std::string> roots)
-    : used_(!folder.empty()), effects_(folder + "/effects", withFolder(roots, folder)),
+    : used_(!folder.empty()),
+      effects_(folder + "/effects", withFolder(roots, folder)),
       configs_(folder + "/configs", withFolder(roots, folder))
 {
 }

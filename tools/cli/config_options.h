@@ -14,17 +14,18 @@ class App;
 namespace crevice {
 
 struct ConfigOptions {
-    std::string config;                  ///< A shipped config's name or a file.
-    std::string variant;                 ///< --variant
-    std::vector<std::string> overrides;  ///< --set, each "name=value"
-    std::string checkout;                ///< --effects; empty for the embedded modules alone
+    std::string config;                   ///< A shipped config's name or a file.
+    std::string variant;                  ///< --variant
+    std::vector<std::string> overrides;   ///< --set, each "name=value"
+    std::string checkout;                 ///< --effects; empty for the embedded modules alone
     std::vector<std::string> roots = {};  ///< --root
 };
 
 /// What to load, as core has it.
 LoadRequest requestOf(const ConfigOptions& options);
 
-/// Adds --variant, --set, --effects and --root; CONFIG is left to the command, since validate takes several.
+/// Adds --variant, --set, --effects and --root; CONFIG is left to the command, since validate takes
+/// several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
 
 /// Adds --effects alone.
@@ -39,7 +40,8 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
 /// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
 class CheckoutSources : public SourceSet {
 public:
-    /// `folder` empty: only what is embedded. Links in it lead to what is below it or below `roots`.
+    /// `folder` empty: only what is embedded. Links in it lead to what is below it or below
+    /// `roots`.
     explicit CheckoutSources(std::string folder, std::vector<std::string> roots = {});
 
     SourceRef find(std::string_view path) const override;

@@ -4,9 +4,9 @@
 
 namespace crevice {
 
-/// From here on the first interrupt (SIGINT, SIGTERM) only sets `interrupted`, a second one ends the
-/// program at once. A file over the limit that the shell sets (ulimit -f) is an error like a full
-/// disk's and does not kill the program.
+/// From here on the first interrupt (SIGINT, SIGTERM) only sets `interrupted`, a second one ends
+/// the program at once. A file over the limit that the shell sets (ulimit -f) is an error like a
+/// full disk's and does not kill the program.
 void catchInterrupts();
 
 bool interrupted();

@@ -25,7 +25,8 @@ std::string formatted(const char* format, std::va_list values)
 {
     std::va_list again;
     va_copy(again, values);
-    std::string text(static_cast<std::size_t>(std::max(std::vsnprintf(nullptr, 0, format, again), 0)), '\0');
+    std::string text(
+        static_cast<std::size_t>(std::max(std::vsnprintf(nullptr, 0, format, again), 0)), '\0');
     va_end(again);
     std::vsnprintf(text.data(), text.size() + 1, format, values);
     return text;
@@ -48,9 +49,9 @@ void put(std::FILE* stream, const std::string& text)
 
 int exitCodeOf(const Diagnostics& diagnostics)
 {
-    const auto error = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) {
-        return d.severity == Severity::error;
-    });
+    const auto error =
+        std::find_if(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::error; });
     if (error == diagnostics.end()) return kExitOk;
     switch (error->code) {
     case Code::usage: return kExitUsage;
@@ -77,10 +78,7 @@ void print(const char* format, ...)
     va_end(values);
 }
 
-void printLines(const std::string& text)
-{
-    put(stdout, text);
-}
+void printLines(const std::string& text) { put(stdout, text); }
 
 void printAsJson(const nlohmann::json& json)
 {
@@ -98,7 +96,8 @@ void printMessage(const char* format, ...)
 void reserveStreams()
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file)
-        if (fcntl(file, F_GETFD) < 0) open("/dev/null", O_RDONLY);  // the lowest free number: this one
+        if (fcntl(file, F_GETFD) < 0)
+            open("/dev/null", O_RDONLY);  // the lowest free number: this one
 }
 
 int finishOutput(int exit_code)
@@ -106,9 +105,11 @@ int finishOutput(int exit_code)
     note(std::fflush(stdout) == 0);
     if (output_failure == 0 && std::ferror(stdout) == 0) return exit_code;
     if (output_failure == EPIPE) return kExitOutput;
-    std::string message = "the output cannot be written";  // CLI11 prints help by itself and keeps no reason
+    std::string message =
+        "the output cannot be written";  // CLI11 prints help by itself and keeps no reason
     if (output_failure != 0) message += std::string(": ") + std::strerror(output_failure);
-    report({{Code::cannot_write, message, {}, {}, {}, "make room, or write to another place"}}, false);
+    report({{Code::cannot_write, message, {}, {}, {}, "make room, or write to another place"}},
+           false);
     return kExitOutput;
 }
 

@@ -17,16 +17,16 @@ enum ExitCode {
     kExitUsage = 2,     ///< The arguments cannot be understood.
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
-    kExitDiffers = 5,   ///< `compare`, `compare-bench`: over a limit; `doctor`: a pass is wrong;
-                             ///< `stress`: a case fails.
+    /// `compare`, `compare-bench`: over a limit; `doctor`: a pass is wrong; `stress`: a case fails.
+    kExitDiffers = 5,
     kExitInterrupted = 130,  ///< `bench`, `stress`: stopped by SIGINT or SIGTERM; can go on.
 };
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.
 int exitCodeOf(const Diagnostics& diagnostics);
 
-/// Prints to stdout, as printf does, but printable: no text of a file controls the terminal. All output of the
-/// command goes through this and the three below.
+/// Prints to stdout, as printf does, but printable: no text of a file controls the terminal. All
+/// output of the command goes through this and the three below.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
 
 /// Prints lines as they are, but printable.
@@ -38,16 +38,16 @@ void printAsJson(const nlohmann::json& json);
 /// As print, to stderr.
 [[gnu::format(printf, 1, 2)]] void printMessage(const char* format, ...);
 
-/// Opens what is closed of standard input, output and error, so that no file of ours gets its number and
-/// with it what is printed. Writing to it still fails. Before anything else is opened.
+/// Opens what is closed of standard input, output and error, so that no file of ours gets its
+/// number and with it what is printed. Writing to it still fails. Before anything else is opened.
 void reserveStreams();
 
-/// Ends what was printed to stdout. Returns `exit_code`, or kExitOutput, after one message, where some of it could not
-/// be written; a reader that went away is told nothing.
+/// Ends what was printed to stdout. Returns `exit_code`, or kExitOutput, after one message, where
+/// some of it could not be written; a reader that went away is told nothing.
 int finishOutput(int exit_code);
 
-/// Prints to stderr as text or, for programs, to stdout as {"diagnostics": [...]}. Prints nothing for
-/// an empty list. Returns `exitCodeOf`.
+/// Prints to stderr as text or, for programs, to stdout as {"diagnostics": [...]}. Prints nothing
+/// for an empty list. Returns `exitCodeOf`.
 int report(const Diagnostics& diagnostics, bool json);
 
 /// Appends one list to another.

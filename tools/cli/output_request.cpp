@@ -76,7 +76,8 @@ Result<OutputSource> exposeOutput(Description& description, const std::string& n
 {
     if (findNamed(description.outputs, name)) return OutputSource{name};
     if (const ViewDesc* view = findNamed(description.views, name))
-        return OutputSource{exportTarget(description, view->target.name), view->scale, view->offset};
+        return OutputSource{exportTarget(description, view->target.name), view->scale,
+                            view->offset};
     const bool prefixed = name.rfind(kTargetPrefix, 0) == 0;
     const std::string target = prefixed ? name.substr(kTargetPrefix.size()) : name;
     if (findNamed(description.targets, target))

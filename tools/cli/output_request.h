@@ -26,16 +26,17 @@ struct OutputSource {
     float offset = 0.0f;
 };
 
-/// Finds the name among outputs, then views, then targets ("target.ao" where an output hides it), and
-/// has the description export the target behind it.
-/// Errors: CV2209 with the names that would do.
+/// Finds the name among outputs, then views, then targets ("target.ao" where an output hides it),
+/// and has the description export the target behind it. Errors: CV2209 with the names that would
+/// do.
 Result<OutputSource> exposeOutput(Description& description, const std::string& name);
 
 /// value * scale + offset in every channel.
 void applyView(Image& image, const OutputSource& source);
 
 /// Tells before any work is done that a file could not be written.
-/// Errors: CV7007 for a folder that does not exist or is not writable, and for a file that is a folder.
+/// Errors: CV7007 for a folder that does not exist or is not writable, and for a file that is a
+/// folder.
 Status checkWritable(const std::string& file);
 
 }  // namespace crevice

@@ -27,8 +27,10 @@ std::string uriOf(const std::string& path)
     std::string uri = startsWith(path, "/") ? "file://" : "";
     for (const char c : path) {
         const auto byte = static_cast<unsigned char>(c);
-        if (kept.find(c) != std::string::npos) uri += c;
-        else uri += {'%', digits[byte >> 4], digits[byte & 15]};
+        if (kept.find(c) != std::string::npos)
+            uri += c;
+        else
+            uri += {'%', digits[byte >> 4], digits[byte & 15]};
     }
     return uri;
 }
@@ -95,9 +97,8 @@ std::string toSarif(const Diagnostics& diagnostics, const std::string& version)
             if (rule.code == each.code) rules.push_back(ruleOf(rule));
     }
     const Json driver = {{"name", "crevice"}, {"version", version}, {"rules", rules}};
-    const Json run = {{"tool", {{"driver", driver}}},
-                      {"columnKind", "unicodeCodePoints"},
-                      {"results", results}};
+    const Json run = {
+        {"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
     const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                       {"version", "2.1.0"},
                       {"runs", Json::array({run})}};

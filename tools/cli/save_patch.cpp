@@ -41,8 +41,8 @@ void shorten(nlohmann::ordered_json& patch, const Node& base)
         const Node* declared = base.find(section);
         if (!declared || !patch.contains(section) || !patch[section].is_object()) continue;
         for (auto& [name, entry] : patch[section].items())
-            if (declared->find(name) && entry.size() == 1 && entry.is_object() && entry.contains("default") &&
-                !entry["default"].is_null())
+            if (declared->find(name) && entry.size() == 1 && entry.is_object() &&
+                entry.contains("default") && !entry["default"].is_null())
                 entry = nlohmann::ordered_json(entry["default"]);
     }
 }

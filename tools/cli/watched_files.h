@@ -10,9 +10,9 @@
 
 namespace crevice {
 
-/// Finds edits by reading the files again: small ones, a few times a second. That needs no service of
-/// the system's, works on every file system, and is not deceived by editors that write a new file
-/// and rename it, or that save what was there before.
+/// Finds edits by reading the files again: small ones, a few times a second. That needs no service
+/// of the system's, works on every file system, and is not deceived by editors that write a new
+/// file and rename it, or that save what was there before.
 class WatchedFiles {
 public:
     /// Adds a file by its path.
@@ -23,8 +23,8 @@ public:
     void add(const Description& description);
     void add(const Diagnostics& diagnostics);
 
-    /// Whether any of them differs from when this was last asked, or from when it was added. A file that
-    /// cannot be read just now has not changed.
+    /// Whether any of them differs from when this was last asked, or from when it was added. A file
+    /// that cannot be read just now has not changed.
     bool changed();
 
     std::size_t size() const { return texts_.size(); }

@@ -56,8 +56,9 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     measure.interrupted = interrupted;
     measure.tracing = [&progress](double done) { progress.update(done); };
     BenchMeter meter(device, plan, sources, measure);
-    const MeasureJob job = benchJob(plan, planned.device, std::move(file->done),
-                                    [&meter](const BenchTask& task) { return meter.measure(task); });
+    const MeasureJob job =
+        benchJob(plan, planned.device, std::move(file->done),
+                 [&meter](const BenchTask& task) { return meter.measure(task); });
     const MeasureSummary summary = measureOnConsole(job, file->lines, time_budget, progress);
     if (const Result<BenchResults> results = readBenchResults({file->lines.path()}); results)
         if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
@@ -66,7 +67,8 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
 }
 
 /// Times the optimizations of every task, and prints a table of each.
-int timeRules(const BenchCommand& command, const BenchPlan& plan, Device& device, double time_budget)
+int timeRules(const BenchCommand& command, const BenchPlan& plan, Device& device,
+              double time_budget)
 {
     Result<LineFile> file = LineFile::open(command.run.out + "/ablation.jsonl");
     if (!file) return report(file.diagnostics(), false);
@@ -79,17 +81,20 @@ int timeRules(const BenchCommand& command, const BenchPlan& plan, Device& device
     if (!all) return report(all.diagnostics(), false);
     for (const MeasureTask& task : job.tasks)
         if (const std::vector<AblationRow> rows = rowsOf(*all, task.key); !rows.empty())
-            print("%s, %s%s\n", task.title.c_str(), device.caps().name.c_str(), toText(rows).c_str());
+            print("%s, %s%s\n", task.title.c_str(), device.caps().name.c_str(),
+                  toText(rows).c_str());
     return exitCodeOf(summary);
 }
 
-int measurePlan(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources, double time_budget)
+int measurePlan(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
+                double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend);
     report(open.diagnostics(), false);
     if (!open) return exitCodeOf(open.diagnostics());
-    const int code = command.ablate ? timeRules(command, plan, *open->device, time_budget)
-                                    : measureErrors(command, plan, sources, *open->device, time_budget);
+    const int code = command.ablate
+                         ? timeRules(command, plan, *open->device, time_budget)
+                         : measureErrors(command, plan, sources, *open->device, time_budget);
     return code == kExitOk ? exitCodeOf(plan.diagnostics) : code;
 }
 
@@ -99,7 +104,8 @@ int bench(BenchCommand command)
     if (!limits) return report(limits.diagnostics(), false);
     command.bench.shard = limits->shard;
     if (command.bench.scenes.empty())
-        command.bench.scenes = command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
+        command.bench.scenes =
+            command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
     const CheckoutSources sources(command.checkout, command.bench.roots);
     const Result<BenchPlan> plan = planBench(command.bench, sources);
     if (!plan) return report(plan.diagnostics(), false);
@@ -118,18 +124,20 @@ void addPointOptions(CLI::App& app, BenchCommand& command)
     app.add_option("--config", bench.configs,
                    "A shipped config's name or a file; may be repeated. Default: all shipped ones")
         ->allow_extra_args(false);
-    app.add_option("--scene", bench.scenes,
-                   "A file or a built-in scene; may be repeated. Default: room, and all built-in ones "
-                   "for --ablate")
+    app.add_option(
+           "--scene", bench.scenes,
+           "A file or a built-in scene; may be repeated. Default: room, and all built-in ones "
+           "for --ablate")
         ->allow_extra_args(false);
     addImportOptions(app, bench.import);
     app.add_option("--size", bench.sizes, "Pixels; several as 480x270,960x540")
         ->type_name("WxH,...")
         ->delimiter(',')
         ->capture_default_str();
-    app.add_option("--radius", bench.radii,
-                   "Radius of the configs and of the truth, scene units; several as 0.5,1. Default: "
-                   "each config's own")
+    app.add_option(
+           "--radius", bench.radii,
+           "Radius of the configs and of the truth, scene units; several as 0.5,1. Default: "
+           "each config's own")
         ->type_name("R,...")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
@@ -154,8 +162,9 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<BenchCommand>();
     options->bench.version = CREVICE_VERSION;
     addPointOptions(*command, *options);
-    command->add_option("--repeats", options->measure.repeats,
-                        "Timed turns a point, at least; more while ratios are restless")
+    command
+        ->add_option("--repeats", options->measure.repeats,
+                     "Timed turns a point, at least; more while ratios are restless")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
@@ -165,14 +174,16 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addCheckoutOption(*command, options->checkout);
     addRootOption(*command, options->bench.roots);
-    command->add_flag("--ablate", options->ablate,
-                      "Time frames with all optimizations that leave things out, without each and without "
-                      "any, into ablation.jsonl");
+    command->add_flag(
+        "--ablate", options->ablate,
+        "Time frames with all optimizations that leave things out, without each and without "
+        "any, into ablation.jsonl");
     command->add_flag("--list", options->list, "Print the points and stop");
-    command->footer("Examples:\n"
-                    "  crevice bench --config learnopengl --config thesis --samples 4,16,64\n"
-                    "  crevice bench --scene model.glb --radius 0.5 --time-budget 10m --out mine\n"
-                    "  crevice bench --samples 4,8,16,32,64 --shard 3/8 --out shard3");
+    command->footer(
+        "Examples:\n"
+        "  crevice bench --config learnopengl --config thesis --samples 4,16,64\n"
+        "  crevice bench --scene model.glb --radius 0.5 --time-budget 10m --out mine\n"
+        "  crevice bench --samples 4,8,16,32,64 --shard 3/8 --out shard3");
     command->callback([options, &exit_code] { exit_code = bench(*options); });
 }
 

@@ -86,8 +86,7 @@ void printOthers(const Answer& answer, const char* title, const std::vector<std:
               fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
               fixed(other.ratio, 1).c_str());
     }
-    if (others.size() > kOthersShown)
-        print("  and %zu more\n", others.size() - kOthersShown);
+    if (others.size() > kOthersShown) print("  and %zu more\n", others.size() - kOthersShown);
 }
 
 void printAnswer(const Answer& answer)
@@ -100,16 +99,17 @@ void printAnswer(const Answer& answer)
     print("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
           fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
           best.slowest_view.c_str(), fixed(best.ratio, 1).c_str());
-    print("  without ambient occlusion the error is %s\n",
-          fixed(all.error_without_ao, 4).c_str());
-    print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "",
-          all.views.size(), all.views.size() > 1 ? "scenes" : "scene",
-          extentName(all.views[0].extent).c_str(), all.device.c_str());
+    print("  without ambient occlusion the error is %s\n", fixed(all.error_without_ao, 4).c_str());
+    print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "", all.views.size(),
+          all.views.size() > 1 ? "scenes" : "scene", extentName(all.views[0].extent).c_str(),
+          all.device.c_str());
     print("why: of %zu configs, %zu have %s; this one is the %s of those\n", all.list.size(),
           answer.choice.also.size() + 1, limitText(answer.limit).c_str(),
           by_error ? "fastest" : "least wrong");
-    printOthers(answer, by_error ? "within the error too, but slower:"
-                                 : "within the time too, but more wrong:", answer.choice.also);
+    printOthers(
+        answer,
+        by_error ? "within the error too, but slower:" : "within the time too, but more wrong:",
+        answer.choice.also);
     printOthers(answer, by_error ? "too wrong:" : "too slow:", answer.choice.beyond);
     for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
     for (const std::string& label : all.harmful)
@@ -120,9 +120,8 @@ void printAnswer(const Answer& answer)
 nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchPoint>& points)
 {
     const BenchPoint& point = points[candidate.point];
-    return {{"config", point.config}, {"overrides", point.overrides}, {"samples", point.samples},
-            {"cost_ms", candidate.ms}, {"ratio_copy", candidate.ratio},
-            {"rmse", candidate.error}};
+    return {{"config", point.config},  {"overrides", point.overrides},  {"samples", point.samples},
+            {"cost_ms", candidate.ms}, {"ratio_copy", candidate.ratio}, {"rmse", candidate.error}};
 }
 
 void printJson(const Answer& answer)
@@ -135,9 +134,10 @@ void printJson(const Answer& answer)
     };
     const nlohmann::json json = {{"limit", limitText(answer.limit)},
                                  {"device", answer.candidates.device},
-                                 {"points", {{"measured", answer.coverage.measured},
-                                             {"failed", answer.coverage.failed},
-                                             {"planned", answer.coverage.planned}}},
+                                 {"points",
+                                  {{"measured", answer.coverage.measured},
+                                   {"failed", answer.coverage.failed},
+                                   {"planned", answer.coverage.planned}}},
                                  {"best", toJson(answer.best(), answer.points)},
                                  {"also_within", list(answer.choice.also)},
                                  {"beyond", list(answer.choice.beyond)},
@@ -162,8 +162,9 @@ void addChooseCommand(CLI::App& app, int& exit_code)
     CLI::App* command =
         app.add_subcommand("choose", "Name the best measured config for a time or an error");
     auto options = std::make_shared<ChooseOptions>();
-    command->add_option("RESULTS", options->results,
-                        "Folders of 'crevice bench', or the results files in them")
+    command
+        ->add_option("RESULTS", options->results,
+                     "Folders of 'crevice bench', or the results files in them")
         ->required();
     CLI::Option_group* limit = command->add_option_group("Limit");
     limit->add_option("--budget", options->budget,
@@ -177,9 +178,10 @@ void addChooseCommand(CLI::App& app, int& exit_code)
     command->add_option("--size", options->size, "Only points of this size, such as 1920x1080");
     command->add_option("--device", options->scope.device, "Part of the name of the device");
     command->add_flag("--json", options->json, "Print the answer as JSON");
-    command->footer("Examples:\n"
-                    "  crevice choose bench --budget 2ms\n"
-                    "  crevice choose bench --error 0.06 --scene room");
+    command->footer(
+        "Examples:\n"
+        "  crevice choose bench --budget 2ms\n"
+        "  crevice choose bench --error 0.06 --scene room");
     command->callback([options, &exit_code] { exit_code = chooseConfig(*options); });
 }
 

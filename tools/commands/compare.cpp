@@ -58,9 +58,9 @@ Result<double> parseThreshold(const std::string& text)
     if (text.empty()) return 0.05;
     const std::size_t slash = text.find('/');
     double value = 0.0, divisor = 1.0;
-    const bool ok = CLI::detail::lexical_cast(text.substr(0, slash), value) &&
-                    (slash == std::string::npos ||
-                     CLI::detail::lexical_cast(text.substr(slash + 1), divisor));
+    const bool ok =
+        CLI::detail::lexical_cast(text.substr(0, slash), value) &&
+        (slash == std::string::npos || CLI::detail::lexical_cast(text.substr(slash + 1), divisor));
     if (ok && value >= 0.0 && divisor > 0.0) return value / divisor;
     Diagnostic error{Code::usage, "--max-abs '" + text + "' is not a number of at least 0"};
     error.help = "write --max-abs 0.05 or --max-abs 2/255";
@@ -76,7 +76,8 @@ std::string checkLimit(const std::string& text)
 }
 
 /// The limits that are broken, a sentence each.
-std::vector<std::string> brokenLimits(const CompareOptions& options, const ImageDifference& difference)
+std::vector<std::string> brokenLimits(const CompareOptions& options,
+                                      const ImageDifference& difference)
 {
     std::vector<std::string> broken;
     const auto check = [&broken](const char* what, double value, double limit) {
@@ -189,17 +190,20 @@ void addCompareCommand(CLI::App& app, int& exit_code)
     command->add_option("--max-abs", options->max_abs,
                         "A pixel that is off by more is bad: 0.05 (the default) or 2/255. Given "
                         "alone: fail (5) where any pixel is bad");
-    command->add_option("--max-bad-fraction", options->max_bad_fraction,
-                        "Fail (5) where more pixels are bad, [0, 1]")
+    command
+        ->add_option("--max-bad-fraction", options->max_bad_fraction,
+                     "Fail (5) where more pixels are bad, [0, 1]")
         ->check(checkLimit)
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--diff", options->difference,
-                        "Write the signed difference: red is too bright, blue too dark")
+    command
+        ->add_option("--diff", options->difference,
+                     "Write the signed difference: red is too bright, blue too dark")
         ->type_name("FILE.png");
     command->add_flag("--json", options->json, "Print the figures as JSON");
-    command->footer("Examples:\n"
-                    "  crevice compare ao.pfm truth.pfm --max-rmse 0.13 --diff diff.png\n"
-                    "  crevice compare egl.png osmesa.png --max-abs 2/255 --max-bad-fraction 0.001");
+    command->footer(
+        "Examples:\n"
+        "  crevice compare ao.pfm truth.pfm --max-rmse 0.13 --diff diff.png\n"
+        "  crevice compare egl.png osmesa.png --max-abs 2/255 --max-bad-fraction 0.001");
     command->callback([options, &exit_code] { exit_code = compareFiles(*options); });
 }
 

@@ -24,20 +24,17 @@ struct CompareBenchOptions {
 void printChanges(const char* title, const std::vector<BenchChange>& changes)
 {
     for (const BenchChange& change : changes)
-        print("%s: %s: %s was %s and is %s (at most %s is the same)\n", title,
-              change.point.c_str(), change.figure.c_str(),
-              significant(change.before, 7).c_str(), significant(change.now, 7).c_str(),
-              significant(change.limit, 7).c_str());
+        print("%s: %s: %s was %s and is %s (at most %s is the same)\n", title, change.point.c_str(),
+              change.figure.c_str(), significant(change.before, 7).c_str(),
+              significant(change.now, 7).c_str(), significant(change.limit, 7).c_str());
 }
 
 int printComparison(const BenchComparison& comparison)
 {
     printChanges("better", comparison.better);
     printChanges("worse", comparison.worse);
-    for (const std::string& point : comparison.missing)
-        print("missing now: %s\n", point.c_str());
-    for (const std::string& failure : comparison.failed)
-        print("fails now: %s\n", failure.c_str());
+    for (const std::string& point : comparison.missing) print("missing now: %s\n", point.c_str());
+    for (const std::string& failure : comparison.failed) print("fails now: %s\n", failure.c_str());
     if (comparison.without_ratios > 0)
         print("%d of %d points were measured on another device: cost ratios not compared\n",
               comparison.without_ratios, comparison.compared);
@@ -76,18 +73,21 @@ void addCompareBenchCommand(CLI::App& app, int& exit_code)
     command->add_option("OLD", options->before, "Folder or results file of the older bench")
         ->required();
     command->add_option("NEW", options->now, "That of the fresh one")->required();
-    command->add_option("--max-error", options->max_error,
-                        "How much more error counts as the same; default: 1e-6, and 1e-4 where the "
-                        "device, its driver or crevice's version is another")
+    command
+        ->add_option("--max-error", options->max_error,
+                     "How much more error counts as the same; default: 1e-6, and 1e-4 where the "
+                     "device, its driver or crevice's version is another")
         ->check(CLI::NonNegativeNumber);
-    command->add_option("--max-ratio", options->limits.ratio,
-                        "How much more of a cost ratio does: 0.15 is 15 %")
+    command
+        ->add_option("--max-ratio", options->limits.ratio,
+                     "How much more of a cost ratio does: 0.15 is 15 %")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
     command->add_flag("--errors-only", options->limits.errors_only, "Compare no cost ratios");
-    command->footer("Absolute times are never compared. A point that fails or is missing is worse.\n"
-                    "Example:\n"
-                    "  crevice compare-bench docs/bench fresh");
+    command->footer(
+        "Absolute times are never compared. A point that fails or is missing is worse.\n"
+        "Example:\n"
+        "  crevice compare-bench docs/bench fresh");
     command->callback([options, &exit_code] { exit_code = compareBenchFiles(*options); });
 }
 

@@ -56,8 +56,7 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
     CompileOptions compile_options;
     compile_options.extent = view.extent;
     compile_options.disable = {"aliasing"};
-    const auto renderer =
-        Renderer::create(device, description, compile_options, traitsOf(frame));
+    const auto renderer = Renderer::create(device, description, compile_options, traitsOf(frame));
     if (!renderer) return renderer.diagnostics();
     for (int i = 0; i < options.frames; ++i)
         if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
@@ -133,8 +132,7 @@ void printTable(const Checkup& checkup, const Diagnostics& found)
 {
     print("%-16s %-20s %-11s %s\n", "pass", "target", "state", "least .. most by channel");
     for (const TargetHealth& each : checkup.health) {
-        print("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(),
-              stateOf(each).c_str());
+        print("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(), stateOf(each).c_str());
         for (int i = 0; i < each.channels && each.minimum[i] <= each.maximum[i]; ++i)
             print(" %s..%s", significant(each.minimum[i], 4).c_str(),
                   significant(each.maximum[i], 4).c_str());
@@ -209,11 +207,12 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print what was found as JSON");
-    command->footer("Draws the frame twice, in memory that holds other poison each time, and looks at each\n"
-                    "target of each pass: what is not finite, what depends on the poison, what is the same\n"
-                    "everywhere. Exit code 5 where a pass is wrong.\n"
-                    "Example:\n"
-                    "  crevice doctor my.json --scene model.glb");
+    command->footer(
+        "Draws the frame twice, in memory that holds other poison each time, and looks at each\n"
+        "target of each pass: what is not finite, what depends on the poison, what is the same\n"
+        "everywhere. Exit code 5 where a pass is wrong.\n"
+        "Example:\n"
+        "  crevice doctor my.json --scene model.glb");
     command->callback([options, &exit_code] { exit_code = doctor(*options); });
 }
 

@@ -150,8 +150,7 @@ void addPlanOptions(CLI::App& app, ExplainOptions& options)
                    "Plan for this output, view or target alone; may be repeated")
         ->allow_extra_args(false);
     addDisableOption(app, options.disable);
-    app.add_option("--views", options.views,
-                        "Plan for frames of that many views, 2 for stereo")
+    app.add_option("--views", options.views, "Plan for frames of that many views, 2 for stereo")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
 }
@@ -182,13 +181,14 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     command->add_option("--format", options->format, "text, json or dot")
         ->check(CLI::IsMember({"text", "json", "dot"}))
         ->capture_default_str();
-    command->footer("Examples:\n"
-                    "  crevice explain learnopengl\n"
-                    "  crevice explain learnopengl --set intensity=0 --output ao\n"
-                    "  crevice explain my.json --why radius\n"
-                    "  crevice explain --diff learnopengl gtao\n"
-                    "  crevice explain --diff gtao --set slices=1\n"
-                    "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
+    command->footer(
+        "Examples:\n"
+        "  crevice explain learnopengl\n"
+        "  crevice explain learnopengl --set intensity=0 --output ao\n"
+        "  crevice explain my.json --why radius\n"
+        "  crevice explain --diff learnopengl gtao\n"
+        "  crevice explain --diff gtao --set slices=1\n"
+        "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
     command->callback([options, &exit_code] { exit_code = explain(*options); });
 }
 

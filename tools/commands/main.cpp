@@ -14,7 +14,8 @@ int usageError(const CLI::App& app, const CLI::ParseError& error)
     using namespace crevice;
     const auto chosen = app.get_subcommands();
     Diagnostic diagnostic{Code::usage, error.what()};
-    diagnostic.help = "see crevice " + (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help";
+    diagnostic.help =
+        "see crevice " + (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help";
     report({diagnostic}, false);
     return kExitUsage;
 }
@@ -25,9 +26,10 @@ int run(int argc, char** argv)
     CLI::App app("Screen-space ambient occlusion, driven by data.", "crevice");
     app.set_version_flag("--version", "crevice " CREVICE_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 done, 1 bad input, 2 bad usage, 3 the machine lacks something,\n"
-               "4 a result cannot be written, 5 over a limit, or something is wrong, 130 interrupted.\n"
-               "Each command has its own --help with examples.");
+    app.footer(
+        "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 the machine lacks something,\n"
+        "4 a result cannot be written, 5 over a limit, or something is wrong, 130 interrupted.\n"
+        "Each command has its own --help with examples.");
     crevice::addRenderCommand(app, exit_code);
     crevice::addValidateCommand(app, exit_code);
     crevice::addExplainCommand(app, exit_code);

@@ -57,17 +57,20 @@ void addReferenceCommand(CLI::App& app, int& exit_code)
     CLI::App* command = app.add_subcommand("reference", "Ray-trace the true ambient occlusion");
     auto options = std::make_shared<ReferenceOptions>();
     addSceneOptions(*command, *options);
-    command->add_option("--radius", options->trace.radius, "How far an occluder may be, scene units")
+    command
+        ->add_option("--radius", options->trace.radius, "How far an occluder may be, scene units")
         ->capture_default_str();
     command->add_option("--rays", options->trace.rays, "Rays a pixel")->capture_default_str();
     addCacheOptions(*command, options->cache);
-    command->add_option("--out", options->file, "The picture: 1 is open; background is not a number")
+    command
+        ->add_option("--out", options->file, "The picture: 1 is open; background is not a number")
         ->type_name("FILE.pfm")
         ->required();
-    command->footer("Examples:\n"
-                    "  crevice reference --radius 1 --rays 256 --out truth.pfm\n"
-                    "  crevice render learnopengl --set radius=1 --out ao=ao.pfm\n"
-                    "  crevice compare ao.pfm truth.pfm");
+    command->footer(
+        "Examples:\n"
+        "  crevice reference --radius 1 --rays 256 --out truth.pfm\n"
+        "  crevice render learnopengl --set radius=1 --out ao=ao.pfm\n"
+        "  crevice compare ao.pfm truth.pfm");
     command->callback([options, &exit_code] { exit_code = reference(*options); });
 }
 

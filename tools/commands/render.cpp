@@ -39,9 +39,8 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
 {
     printMessage("%s: %d passes over %s, %lld triangles, %dx%d%s\n",
                  printableLine(summary.config).c_str(), static_cast<int>(summary.passes),
-                 printableLine(summary.scene).c_str(),
-                 summary.triangles, summary.extent.width, summary.extent.height,
-                 summary.views > 1 ? " an eye" : "");
+                 printableLine(summary.scene).c_str(), summary.triangles, summary.extent.width,
+                 summary.extent.height, summary.views > 1 ? " an eye" : "");
     printMessage("on %s\n", summary.device.c_str());
     printMessage("planned and compiled in %s ms (wall clock)\n",
                  fixed(summary.create_ms, 1).c_str());
@@ -50,8 +49,7 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
                      programs->asked());
     else if (programs)
         printMessage("nothing is kept: the driver gives no program binaries\n");
-    printMessage("drawn in %s ms (wall clock, first frame)\n",
-                 fixed(summary.ms, 1).c_str());
+    printMessage("drawn in %s ms (wall clock, first frame)\n", fixed(summary.ms, 1).c_str());
     for (const Picture& picture : pictures)
         printMessage("wrote %s (%s)\n", printableLine(picture.request.file).c_str(),
                      printableLine(picture.request.name).c_str());
@@ -139,8 +137,10 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
                                       : description.diagnostics();
         report(description.diagnostics(), false);
         if (description) report(ms.diagnostics(), false);
-        if (ms) printMessage("drawn again in %s ms\n", fixed(*ms, 1).c_str());
-        else printMessage("the last pictures stay\n");
+        if (ms)
+            printMessage("drawn again in %s ms\n", fixed(*ms, 1).c_str());
+        else
+            printMessage("the last pictures stay\n");
     }
     return kExitOk;
 }
@@ -148,9 +148,16 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
 Summary summaryOf(const Session& session, const SceneView& view, double ms)
 {
     const Renderer& renderer = *session.renderer;
-    return {renderer.description().name, view.scene.name, session.open.context->description(),
-            view.extent, renderer.plan().views, triangleCount(view.scene),
-            renderer.plan().passes.size(), session.create_ms, ms, session.open.programs.get()};
+    return {renderer.description().name,
+            view.scene.name,
+            session.open.context->description(),
+            view.extent,
+            renderer.plan().views,
+            triangleCount(view.scene),
+            renderer.plan().passes.size(),
+            session.create_ms,
+            ms,
+            session.open.programs.get()};
 }
 
 /// Whether the picture shows ambient occlusion; of two eyes, the left one's.
@@ -199,8 +206,7 @@ int render(const RenderOptions& options)
     Result<Session> session =
         view ? openSession(options, *view, *description, *outputs, progress) : view.diagnostics();
     progress.begin("drawing");
-    const Result<double> ms =
-        session ? draw(options, *session, *pictures) : session.diagnostics();
+    const Result<double> ms = session ? draw(options, *session, *pictures) : session.diagnostics();
     progress.wipe();
     if (!ms) return report(ms.diagnostics(), options.json);
 
@@ -210,8 +216,8 @@ int render(const RenderOptions& options)
         if (const Status patch = savePatch(options.config, sources, options.save_patch); !patch)
             return report(patch.diagnostics(), options.json);
     Diagnostics warnings = description.diagnostics();
-    for (const Diagnostics* more : {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(),
-                                    &written.diagnostics()})
+    for (const Diagnostics* more :
+         {&view.diagnostics(), &session.diagnostics(), &ms.diagnostics(), &written.diagnostics()})
         append(warnings, *more);
     showSummary(options, *session, *view, *pictures, *ms, std::move(warnings));
     return options.watch ? watch(options, sources, *session, *pictures) : kExitOk;
@@ -220,18 +226,18 @@ int render(const RenderOptions& options)
 void addPictureOptions(CLI::App& app, RenderOptions& options)
 {
     app.add_option("--out", options.out,
-                        "What to write where: an output, a debug view or a target (target.NAME where "
-                        "an output has that name), to .png or .pfm; may be repeated")
+                   "What to write where: an output, a debug view or a target (target.NAME where "
+                   "an output has that name), to .png or .pfm; may be repeated")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--frames", options.frames,
-                        "How many to draw before the last is written; configs that gather over "
-                        "frames need several")
+                   "How many to draw before the last is written; configs that gather over "
+                   "frames need several")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     app.add_option("--save-patch", options.save_patch,
-                        "Write a config that extends CONFIG and says what --variant and --set changed")
+                   "Write a config that extends CONFIG and says what --variant and --set changed")
         ->type_name("FILE.json");
 }
 
@@ -253,16 +259,19 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     addPictureOptions(*command, *options);
     CLI::Option* json =
         command->add_flag("--json", options->json, "Print the summary and diagnostics as JSON");
-    command->add_flag("--watch", options->watch,
-                      "Draw again whenever a file of the config is saved, until interrupted; after a bad "
-                      "edit the last pictures stay")
+    command
+        ->add_flag(
+            "--watch", options->watch,
+            "Draw again whenever a file of the config is saved, until interrupted; after a bad "
+            "edit the last pictures stay")
         ->excludes(json);
-    command->footer("Examples:\n"
-                    "  crevice render learnopengl\n"
-                    "  crevice render learnopengl --scene model.glb --size 1920x1080 --set radius=0.8 \\\n"
-                    "      --out color=lit.png --out ao=ao.pfm\n"
-                    "  crevice render my.json --watch\n"
-                    "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
+    command->footer(
+        "Examples:\n"
+        "  crevice render learnopengl\n"
+        "  crevice render learnopengl --scene model.glb --size 1920x1080 --set radius=0.8 \\\n"
+        "      --out color=lit.png --out ao=ao.pfm\n"
+        "  crevice render my.json --watch\n"
+        "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
     command->callback([options, &exit_code] { exit_code = render(*options); });
 }
 

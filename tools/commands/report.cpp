@@ -31,7 +31,8 @@ Status writeReport(const ReportOptions& options, const std::vector<BenchPoint>& 
     Status written = writeFile(path.string(), page);
     if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(points));
     if (written)
-        written = writeFile(path.replace_extension(".json").string(), reportJson(points, ablation, coverage));
+        written = writeFile(path.replace_extension(".json").string(),
+                            reportJson(points, ablation, coverage));
     return written;
 }
 
@@ -56,7 +57,8 @@ int makeReport(const ReportOptions& options)
     const Status written = writeReport(options, points, *ablation, coverage, *page);
     if (!written) return report(written.diagnostics(), false);
     print("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
-          printableLine(options.out).c_str(), points.size(), fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
+          printableLine(options.out).c_str(), points.size(),
+          fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
     if (!coverage.whole()) print("%s\n", coverageText(coverage).c_str());
     return kExitOk;
 }
@@ -67,15 +69,15 @@ void addReportCommand(CLI::App& app, int& exit_code)
 {
     CLI::App* command = app.add_subcommand("report", "Show bench results in one HTML file");
     auto options = std::make_shared<ReportOptions>();
-    command
-        ->add_option("RESULTS", options->results, "What 'crevice bench' wrote, one file or more")
+    command->add_option("RESULTS", options->results, "What 'crevice bench' wrote, one file or more")
         ->required();
     command->add_option("--out", options->out, "The page; report.html when not given")
         ->type_name("FILE.html");
     command->add_flag("--no-pictures", options->no_pictures, "Leave the pictures out");
-    command->footer("Examples:\n"
-                    "  crevice report results.jsonl --out report.html\n"
-                    "  crevice report shards/*.jsonl --out report.html --no-pictures");
+    command->footer(
+        "Examples:\n"
+        "  crevice report results.jsonl --out report.html\n"
+        "  crevice report shards/*.jsonl --out report.html --no-pictures");
     command->callback([options, &exit_code] { exit_code = makeReport(*options); });
 }
 

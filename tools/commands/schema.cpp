@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // crevice schema: the config format for editors, as JSON Schema, and for readers, as Markdown.
+#include "tools/schema/schema.h"
 #include "tools/cli/config_options.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/schema/schema.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,14 +21,16 @@ void addSchemaCommand(CLI::App& app, int& exit_code)
                                            "Print the config format: every key with its type, "
                                            "default and range");
     auto options = std::make_shared<Options>();
-    command->add_option("--format", options->format,
-                        "json: a JSON Schema (draft 7) for editors; markdown: tables for readers")
+    command
+        ->add_option("--format", options->format,
+                     "json: a JSON Schema (draft 7) for editors; markdown: tables for readers")
         ->check(CLI::IsMember({"json", "markdown"}))
         ->capture_default_str();
     addCheckoutOption(*command, options->checkout);
-    command->footer("Examples:\n"
-                    "  crevice schema > crevice.schema.json\n"
-                    "  crevice schema --format markdown");
+    command->footer(
+        "Examples:\n"
+        "  crevice schema > crevice.schema.json\n"
+        "  crevice schema --format markdown");
     command->callback([options, &exit_code] {
         const CheckoutSources sources(options->checkout);
         const bool json = options->format == "json";

@@ -45,9 +45,10 @@ int listCases(const std::vector<StressTask>& tasks)
         last_config = task.config.config;
         ++cases;
         std::string steps;
-        for (const StressStep& step : last->steps) steps += (steps.empty() ? "" : ", ") + step.label;
-        print("%-20s %s\n%-20s %s%s%s\n", last->name.c_str(), last->what.c_str(), "",
-              steps.c_str(), last->unit.empty() ? "" : " ", last->unit.c_str());
+        for (const StressStep& step : last->steps)
+            steps += (steps.empty() ? "" : ", ") + step.label;
+        print("%-20s %s\n%-20s %s%s%s\n", last->name.c_str(), last->what.c_str(), "", steps.c_str(),
+              last->unit.empty() ? "" : " ", last->unit.c_str());
     }
     print("%zu cases, %zu steps over all configs\n", cases, tasks.size());
     return kExitOk;
@@ -82,8 +83,7 @@ void printTable(const std::vector<StressSeries>& all)
         if (series.config != config) print("%s\n", series.config.c_str());
         config = series.config;
         const Breakdown found = findBreakdown(*series.stress, series.steps);
-        print("  %-34s %s\n", seriesName(series).c_str(),
-              describe(*series.stress, found).c_str());
+        print("  %-34s %s\n", seriesName(series).c_str(), describe(*series.stress, found).c_str());
     }
     const Totals totals = totalsOf(all);
     print("%d cases, %d of them fail in %d steps, %d steps refused\n", totals.series,
@@ -132,9 +132,12 @@ int showAll(const StressCommand& command, const std::vector<StressRecord>& recor
             const std::string& device, int code)
 {
     const std::vector<StressSeries> all = seriesOf(records);
-    if (command.json) printJson(all, device);
-    else printTable(all);
-    const Status page = writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
+    if (command.json)
+        printJson(all, device);
+    else
+        printTable(all);
+    const Status page =
+        writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
     report(page.diagnostics(), false);
     if (code != kExitOk) return code;
     if (!page) return kExitOutput;
@@ -142,7 +145,7 @@ int showAll(const StressCommand& command, const std::vector<StressRecord>& recor
 }
 
 int measureSteps(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
-               const SourceSet& sources, double time_budget)
+                 const SourceSet& sources, double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend, command.precision);
     if (!open) return report(open.diagnostics(), command.json);
@@ -211,10 +214,11 @@ void addStressCommand(CLI::App& app, int& exit_code)
     addPrecisionOption(*command, options->precision);
     command->add_flag("--list", options->list, "Print the cases and stop");
     command->add_flag("--json", options->json, "Print the table as JSON");
-    command->footer("Exit code 5 where a case fails.\n"
-                    "Examples:\n"
-                    "  crevice stress gtao mobile --case plane_near_far --case offset\n"
-                    "  crevice stress --time-budget 10m --out mine");
+    command->footer(
+        "Exit code 5 where a case fails.\n"
+        "Examples:\n"
+        "  crevice stress gtao mobile --case plane_near_far --case offset\n"
+        "  crevice stress --time-budget 10m --out mine");
     command->callback([options, &exit_code] { exit_code = stress(*options); });
 }
 

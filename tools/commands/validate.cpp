@@ -86,25 +86,27 @@ void addValidateCommand(CLI::App& app, int& exit_code)
 {
     CLI::App* command = app.add_subcommand("validate", "Check configs without drawing");
     auto options = std::make_shared<ValidateOptions>();
-    auto* configs = command->add_option("CONFIG", options->configs, "Names of shipped configs, or files");
+    auto* configs =
+        command->add_option("CONFIG", options->configs, "Names of shipped configs, or files");
     auto* all = command->add_flag("--all", options->all, "Check every shipped config");
     configs->excludes(all);
     addConfigOptions(*command, *options);
-    auto* format = command->add_option("--format", options->format,
-                                       "text, json, or sarif (SARIF 2.1.0, for editors and CI)")
+    auto* format = command
+                       ->add_option("--format", options->format,
+                                    "text, json, or sarif (SARIF 2.1.0, for editors and CI)")
                        ->check(CLI::IsMember({"text", "json", "sarif"}))
                        ->capture_default_str();
     command
         ->add_flag_callback(
             "--json", [options] { options->format = "json"; }, "The same as --format json")
         ->excludes(format);
-    command->footer("Examples:\n"
-                    "  crevice validate my.json\n"
-                    "  crevice validate learnopengl --set radius=0.8\n"
-                    "  crevice validate --all --format sarif > configs.sarif");
+    command->footer(
+        "Examples:\n"
+        "  crevice validate my.json\n"
+        "  crevice validate learnopengl --set radius=0.8\n"
+        "  crevice validate --all --format sarif > configs.sarif");
     command->callback([options, all, configs, &exit_code] {
-        if (all->empty() && configs->empty())
-            throw CLI::RequiredError("CONFIG or --all");
+        if (all->empty() && configs->empty()) throw CLI::RequiredError("CONFIG or --all");
         exit_code = validate(*options);
     });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A device that hands every call on to another: what devices that change a little of one begin with.
+// A device that hands every call on to another: what devices that change a little of one begin
+// with.
 #pragma once
 
 #include <crevice/device.h>
@@ -44,7 +45,10 @@ public:
     Status endFrame() override { return device_.endFrame(); }
     void beginPass(const PassInfo& pass) override { device_.beginPass(pass); }
     void endPass() override { device_.endPass(); }
-    void setProgram(ProgramId id, const StateDesc& state) override { device_.setProgram(id, state); }
+    void setProgram(ProgramId id, const StateDesc& state) override
+    {
+        device_.setProgram(id, state);
+    }
     void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) override
     {
         device_.setTexture(location, unit, id, sampler);

@@ -76,8 +76,8 @@ Result<Words> spirvOf(const GlslStage& stage, glslang_stage_t kind)
     const glslang_input_t input = inputOf(text, kind);
     const Shader shader(glslang_shader_create(&input));
     // SPIR-V wants numbers for all that GLSL finds by name.
-    glslang_shader_set_options(shader.get(), GLSLANG_SHADER_AUTO_MAP_BINDINGS |
-                                                 GLSLANG_SHADER_AUTO_MAP_LOCATIONS);
+    glslang_shader_set_options(
+        shader.get(), GLSLANG_SHADER_AUTO_MAP_BINDINGS | GLSLANG_SHADER_AUTO_MAP_LOCATIONS);
     if (!glslang_shader_preprocess(shader.get(), &input) ||
         !glslang_shader_parse(shader.get(), &input))
         return explain(stage, glslang_shader_get_info_log(shader.get()));
@@ -143,7 +143,9 @@ Result<GlslStage> rewrite(const GlslStage& stage, glslang_stage_t kind, Mediump 
 class MediumpDevice : public ForwardingDevice {
 public:
     MediumpDevice(std::unique_ptr<Device> device, Mediump mediump)
-        : ForwardingDevice(*device), owned_(std::move(device)), mediump_(mediump),
+        : ForwardingDevice(*device),
+          owned_(std::move(device)),
+          mediump_(mediump),
           caps_(device_.caps())
     {
         caps_.name += mediump == Mediump::half ? ", mediump half" : ", mediump full";
@@ -175,9 +177,6 @@ Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device> device
     return std::unique_ptr<Device>(std::make_unique<MediumpDevice>(std::move(device), mediump));
 }
 
-bool canRewriteMediump()
-{
-    return true;
-}
+bool canRewriteMediump() { return true; }
 
 }  // namespace crevice

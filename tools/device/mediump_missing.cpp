@@ -6,16 +6,15 @@ namespace crevice {
 
 Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device>, Mediump)
 {
-    Diagnostic error = {Code::no_backend,
-                        "this build cannot choose a precision: glslang or SPIRV-Cross was not found"};
-    error.help = "install them with 'apt-get install glslang-dev libspirv-cross-c-shared-dev' and "
-                 "configure anew";
+    Diagnostic error = {
+        Code::no_backend,
+        "this build cannot choose a precision: glslang or SPIRV-Cross was not found"};
+    error.help =
+        "install them with 'apt-get install glslang-dev libspirv-cross-c-shared-dev' and "
+        "configure anew";
     return error;
 }
 
-bool canRewriteMediump()
-{
-    return false;
-}
+bool canRewriteMediump() { return false; }
 
 }  // namespace crevice

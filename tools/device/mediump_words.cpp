@@ -28,7 +28,8 @@ bool isComparison(spv::Op op)
 class MediumpRounder {
 public:
     MediumpRounder(const SpirvWords& words, Mediump mediump)
-        : original_(readInstructions(words)), out_(words, original_)
+        : original_(readInstructions(words)),
+          out_(words, original_)
     {
         for (const SpirvInstruction& instruction : original_) learn(instruction);
         if (mediump == Mediump::full) mediump_.clear();
@@ -139,7 +140,8 @@ void MediumpRounder::visit(SpirvInstruction instruction)
         return;
     }
     SpirvWords& operands = instruction.operands;
-    if (isComparison(instruction.op) && (mediump_.count(operands[0]) || mediump_.count(operands[1])))
+    if (isComparison(instruction.op) &&
+        (mediump_.count(operands[0]) || mediump_.count(operands[1])))
         roundConstants(instruction);
     if (instruction.op == spv::OpStore && mediump_.count(operands[0]) &&
         variables_[operands[0]] == spv::StorageClassOutput)
@@ -293,7 +295,8 @@ Id MediumpRounder::rounded(Id value, Id result)
 Id MediumpRounder::roundedInteger(Id value, Id type, Id result)
 {
     if (!out_.shapeOf(out_.shapeOf(type).element).is_signed)
-        return out_.emit(spv::OpBitwiseAnd, type, {value, out_.integerConstant(type, 0xffff)}, result);
+        return out_.emit(spv::OpBitwiseAnd, type, {value, out_.integerConstant(type, 0xffff)},
+                         result);
     const Id shift = out_.integerConstant(type, 16);
     const Id high = out_.emit(spv::OpShiftLeftLogical, type, {value, shift});
     return out_.emit(spv::OpShiftRightArithmetic, type, {high, shift}, result);
@@ -318,14 +321,17 @@ void MediumpRounder::writeRoundingFunction(Id type, Id function)
 {
     const SpirvShape shape = out_.shapeOf(type);
     const Id truth = out_.makeType(spv::OpTypeBool, {});
-    const Id truths = shape.count == 1 ? truth
-                                       : out_.makeType(spv::OpTypeVector, {truth, shape.count});
-    out_.append({spv::OpFunction, type, function,
+    const Id truths =
+        shape.count == 1 ? truth : out_.makeType(spv::OpTypeVector, {truth, shape.count});
+    out_.append({spv::OpFunction,
+                 type,
+                 function,
                  {spv::FunctionControlMaskNone, out_.makeType(spv::OpTypeFunction, {type, type})}});
     const Id value = out_.emit(spv::OpFunctionParameter, type, {});
     out_.append({spv::OpLabel, 0, out_.newId(), {}});
     const Id size = out_.emitExtended(GLSLstd450FAbs, type, {value});
-    const Id small = out_.emit(spv::OpFOrdLessThan, truths, {size, out_.constant(type, kSmallestHalf)});
+    const Id small =
+        out_.emit(spv::OpFOrdLessThan, truths, {size, out_.constant(type, kSmallestHalf)});
     const Id half = out_.emit(spv::OpQuantizeToF16, type, {value});
     const Id kept = out_.emit(spv::OpSelect, type, {small, out_.constant(type, 0.0f), half});
     out_.append({spv::OpReturnValue, 0, 0, {kept}});

@@ -57,7 +57,8 @@ void addBackendOption(CLI::App& app, std::string& backend)
 void addPrecisionOption(CLI::App& app, std::string& precision)
 {
     app.add_option("--precision", precision,
-                   "What mediump is in shaders: full, 32 bits; half, 16 bits as on phones; default: what the "
+                   "What mediump is in shaders: full, 32 bits; half, 16 bits as on phones; "
+                   "default: what the "
                    "driver makes of it")
         ->type_name("PRECISION")
         ->check(CLI::IsMember({"full", "half"}));
@@ -66,7 +67,8 @@ void addPrecisionOption(CLI::App& app, std::string& precision)
 void addProgramCacheOption(CLI::App& app, std::string& folder)
 {
     app.add_option("--program-cache", folder,
-                   "Keep linked programs there, so that the next run compiles none of them; default: nowhere")
+                   "Keep linked programs there, so that the next run compiles none of them; "
+                   "default: nowhere")
         ->type_name("FOLDER");
 }
 

@@ -32,10 +32,10 @@ void addPrecisionOption(CLI::App& app, std::string& precision);
 /// Adds --program-cache.
 void addProgramCacheOption(CLI::App& app, std::string& folder);
 
-/// "egl", "osmesa", or "" for the first of these that works, with a warning where that is not EGL. With a
-/// precision of "full" or "half" the device is that of makeMediumpDevice; "" leaves mediump to the driver.
-/// A `program_folder` keeps programs between runs.
-/// Errors: those of makeContext, makeGlDevice, makeMediumpDevice and ProgramFolder::open.
+/// "egl", "osmesa", or "" for the first of these that works, with a warning where that is not EGL.
+/// With a precision of "full" or "half" the device is that of makeMediumpDevice; "" leaves mediump
+/// to the driver. A `program_folder` keeps programs between runs. Errors: those of makeContext,
+/// makeGlDevice, makeMediumpDevice and ProgramFolder::open.
 Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision = {},
                               const std::string& program_folder = {});
 

@@ -25,8 +25,10 @@ Status PoisonDevice::fill(TextureId id, const TextureDesc& desc)
     const FormatInfo& format = formatInfo(desc.format);
     const bool depth = format.format_class == FormatClass::depth;
     FramebufferDesc target{"poison in " + desc.label};
-    if (depth) target.depth = id;
-    else target.color = {id};
+    if (depth)
+        target.depth = id;
+    else
+        target.color = {id};
     const Result<FramebufferId> framebuffer = device_.createFramebuffer(target);
     if (!framebuffer) return framebuffer.diagnostics();
     const Owned<FramebufferId> owned(device_, *framebuffer);

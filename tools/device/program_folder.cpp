@@ -15,7 +15,8 @@ namespace crevice {
 
 namespace {
 
-constexpr std::size_t kMaxProgramBytes = 64u << 20;  // a driver's largest have a few hundred thousand
+constexpr std::size_t kMaxProgramBytes = 64u
+                                         << 20;  // a driver's largest have a few hundred thousand
 
 }  // namespace
 

@@ -24,8 +24,10 @@ struct SpirvInstruction {
 
 /// What a numeric type is made of.
 struct SpirvShape {
-    spv::Op op = spv::OpNop;    ///< OpTypeFloat, OpTypeInt, OpTypeVector or OpTypeMatrix; else OpNop.
-    SpirvId element = 0;        ///< Of a vector or of a matrix's columns; the type itself for a number.
+    /// OpTypeFloat, OpTypeInt, OpTypeVector or OpTypeMatrix; else OpNop.
+    spv::Op op = spv::OpNop;
+    /// Of a vector or of a matrix's columns; the type itself for a number.
+    SpirvId element = 0;
     std::uint32_t count = 1;
     bool is_signed = true;
 };
@@ -33,8 +35,8 @@ struct SpirvShape {
 /// Requires a whole module, as a compiler hands it over.
 std::vector<SpirvInstruction> readInstructions(const SpirvWords& words);
 
-/// Writes a module that begins as a copy of another. Declarations that the copy comes to need go behind
-/// those of the original.
+/// Writes a module that begins as a copy of another. Declarations that the copy comes to need go
+/// behind those of the original.
 class SpirvWriter {
 public:
     SpirvWriter(const SpirvWords& header, const std::vector<SpirvInstruction>& original);
@@ -42,7 +44,8 @@ public:
     /// Appends an instruction of the original, or one of an own function.
     void append(const SpirvInstruction& instruction);
 
-    /// Appends an instruction in the current function and gives its result, new where `result` is 0.
+    /// Appends an instruction in the current function and gives its result, new where `result` is
+    /// 0.
     SpirvId emit(spv::Op op, SpirvId type, const SpirvWords& operands, SpirvId result = 0);
     SpirvId emitExtended(GLSLstd450 what, SpirvId type, SpirvWords operands);
 
@@ -72,8 +75,8 @@ private:
     SpirvWords declarations_;
     SpirvWords functions_;
     bool in_functions_ = false;
-    SpirvId extended_ = 0;  ///< The instruction set GLSL.std.450.
-    std::map<SpirvId, SpirvId> types_;  ///< Of each result.
+    SpirvId extended_ = 0;                          ///< The instruction set GLSL.std.450.
+    std::map<SpirvId, SpirvId> types_;              ///< Of each result.
     std::map<SpirvId, SpirvInstruction> declared_;  ///< Types and constants.
 };
 

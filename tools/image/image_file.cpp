@@ -38,8 +38,8 @@ Diagnostic cannotWrite(const std::string& path, const std::string& reason)
     return error;
 }
 
-/// Most values, over all channels, that an image may have: 16384x8192 pixels of four. A file of a few bytes can
-/// say that it has more than there is memory.
+/// Most values, over all channels, that an image may have: 16384x8192 pixels of four. A file of a
+/// few bytes can say that it has more than there is memory.
 constexpr double kMaxImageValues = 1 << 29;
 constexpr std::size_t kMaxImageBytes = (std::size_t(1) << 31) + 128;  // as floats, behind a header
 
@@ -56,8 +56,9 @@ std::filesystem::path resolvedTarget(const std::string& path)
     return error ? std::filesystem::path(path) : resolved;
 }
 
-// A new file in the folder, or null. Names are tried until one is free: process ids come again, and what was
-// killed leaves its file behind. They are short, since the target's own may be as long as names can be.
+// A new file in the folder, or null. Names are tried until one is free: process ids come again, and
+// what was killed leaves its file behind. They are short, since the target's own may be as long as
+// names can be.
 std::FILE* openTemporary(const std::filesystem::path& folder, std::string& path)
 {
     constexpr int kTries = 1000;
@@ -86,8 +87,8 @@ Status checkPixels(const std::string& path, const Image& image)
     const std::size_t wanted = static_cast<std::size_t>(std::max(image.extent.width, 0)) *
                                std::max(image.extent.height, 0) * std::max(image.channels, 0);
     if (wanted > 0 && image.pixels.size() == wanted && image.channels <= 4) return {};
-    return Diagnostic{Code::image_broken, "there is no image to write to '" + path + "': " +
-                                              std::to_string(image.extent.width) + "x" +
+    return Diagnostic{Code::image_broken, "there is no image to write to '" + path +
+                                              "': " + std::to_string(image.extent.width) + "x" +
                                               std::to_string(image.extent.height) + " pixels of " +
                                               std::to_string(image.channels) + " channels"};
 }
@@ -190,8 +191,8 @@ struct StbFree {
 Status checkImageSize(const std::string& name, Extent extent, int channels)
 {
     if (static_cast<double>(extent.width) * extent.height * channels <= kMaxImageValues) return {};
-    return brokenImage(name, "it is " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
-                                 " pixels, more than are read");
+    return brokenImage(name, "it is " + std::to_string(extent.width) + "x" +
+                                 std::to_string(extent.height) + " pixels, more than are read");
 }
 
 Result<Image> decodeByStb(std::string_view bytes, const std::string& name)
@@ -201,10 +202,11 @@ Result<Image> decodeByStb(std::string_view bytes, const std::string& name)
     Extent extent;
     int channels = 0;
     if (stbi_info_from_memory(data, size, &extent.width, &extent.height, &channels))
-        if (const Status fits = checkImageSize(name, extent, channels); !fits) return fits.diagnostics();
+        if (const Status fits = checkImageSize(name, extent, channels); !fits)
+            return fits.diagnostics();
     if (stbi_is_16_bit_from_memory(data, size)) {
-        const std::unique_ptr<stbi_us, StbFree> rows(stbi_load_16_from_memory(
-            data, size, &extent.width, &extent.height, &channels, 0));
+        const std::unique_ptr<stbi_us, StbFree> rows(
+            stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
         if (rows) return imageFromRows(rows.get(), extent, channels, 65535.0f);
     } else {
         const std::unique_ptr<stbi_uc, StbFree> rows(

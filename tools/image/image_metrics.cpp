@@ -30,12 +30,12 @@ Status checkSizes(const Image& test, const Image& truth, const Image* mask)
 {
     if (test.pixels.empty() || truth.pixels.empty() || (mask && mask->pixels.empty()))
         return Diagnostic{Code::image_broken, "an image to compare has no pixels"};
-    const Image* odd = test.extent != truth.extent           ? &test
+    const Image* odd = test.extent != truth.extent            ? &test
                        : mask && mask->extent != truth.extent ? mask
                                                               : nullptr;
     if (!odd) return {};
-    Diagnostic error = {Code::image_size, "the images differ in size: " + sizeName(*odd) + " and " +
-                                              sizeName(truth)};
+    Diagnostic error = {Code::image_size,
+                        "the images differ in size: " + sizeName(*odd) + " and " + sizeName(truth)};
     error.help = "render both at the same --size";
     return error;
 }
@@ -71,8 +71,10 @@ Pairs collectPairs(const Image& test, const Image& truth, const Image* mask,
     const int channels = std::min(test.channels, truth.channels);
     for (int y = 0; y < truth.extent.height; ++y) {
         for (int x = 0; x < truth.extent.width; ++x) {
-            if (masked(truth, mask, x, y, channels)) ++figures.masked;
-            else if (!finitePixel(test, x, y, channels)) ++figures.non_finite;
+            if (masked(truth, mask, x, y, channels))
+                ++figures.masked;
+            else if (!finitePixel(test, x, y, channels))
+                ++figures.non_finite;
             else {
                 ++figures.pixels;
                 for (int channel = 0; channel < channels; ++channel) {
@@ -179,8 +181,10 @@ Result<Image> differencePicture(const Image& test, const Image& truth, const Ima
             }
             const double error = static_cast<double>(test.at(x, y)) - truth.at(x, y);
             const float fade = static_cast<float>(1.0 - std::min(std::abs(error) / range, 1.0));
-            if (error > 0) setPixel(picture, x, y, 1, fade, fade);
-            else setPixel(picture, x, y, fade, fade, 1);
+            if (error > 0)
+                setPixel(picture, x, y, 1, fade, fade);
+            else
+                setPixel(picture, x, y, fade, fade, 1);
         }
     }
     return picture;

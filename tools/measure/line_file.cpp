@@ -83,8 +83,8 @@ Diagnostic lineDiagnostic(const std::string& path, int number, const std::string
     Diagnostic diagnostic{Code::results_broken,
                           "this line is not a " + std::string(kind.name) + ": " + reason};
     // The message shows the line's beginning; a whole line would fill the screen.
-    const std::string excerpt = std::string(static_cast<std::size_t>(number - 1), '\n') +
-                                line.substr(0, kExcerpt);
+    const std::string excerpt =
+        std::string(static_cast<std::size_t>(number - 1), '\n') + line.substr(0, kExcerpt);
     diagnostic.place = {std::make_shared<SourceText>(SourceText{path, excerpt}), number, 1, 1};
     diagnostic.help = "delete the line; '" + std::string(kind.command) + "' measures it again";
     return diagnostic;
@@ -125,7 +125,8 @@ LineFile::~LineFile()
 }
 
 LineFile::LineFile(LineFile&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1))
+    : path_(std::move(other.path_)),
+      file_(std::exchange(other.file_, -1))
 {
 }
 
@@ -140,10 +141,7 @@ Status LineFile::append(const std::string& line)
     return cannotWrite(path_, std::strerror(failure));
 }
 
-const char* LineFile::wayOut()
-{
-    return kWayOut;
-}
+const char* LineFile::wayOut() { return kWayOut; }
 
 std::string jsonLine(const nlohmann::json& json)
 {
@@ -171,8 +169,8 @@ Diagnostics readLines(const std::string& path, const LineKind& kind,
             take(nlohmann::json::parse(line));
         } catch (const nlohmann::json::exception& error) {
             const bool cut = isCutShort(line);
-            diagnostics.push_back(
-                lineDiagnostic(path, number, line, kind, cut ? "it was cut short" : reasonOf(error)));
+            diagnostics.push_back(lineDiagnostic(path, number, line, kind,
+                                                 cut ? "it was cut short" : reasonOf(error)));
             if (cut) diagnostics.back().severity = Severity::warning;
         }
     }

@@ -38,7 +38,8 @@ private:
     int file_ = -1;
 };
 
-/// JSON as one line of a file. Text that is no UTF-8 is replaced where it is wrong, which is better than a lost line.
+/// JSON as one line of a file. Text that is no UTF-8 is replaced where it is wrong, which is better
+/// than a lost line.
 std::string jsonLine(const nlohmann::json& json);
 
 /// What messages call the lines of a file.
@@ -47,8 +48,8 @@ struct LineKind {
     const char* command;  ///< That writes them: "crevice bench".
 };
 
-/// Has each line of the file taken, as JSON. `take` may throw what nlohmann::json throws. A line that an
-/// interrupt cut short is left out with a warning.
+/// Has each line of the file taken, as JSON. `take` may throw what nlohmann::json throws. A line
+/// that an interrupt cut short is left out with a warning.
 ///
 /// Errors: CV7009 for a file that cannot be read or a line that is not of the kind.
 Diagnostics readLines(const std::string& path, const LineKind& kind,

@@ -22,11 +22,16 @@ std::string timeText(double seconds)
 class Run {
 public:
     Run(const MeasureJob& job, LineFile& file, const MeasureWorld& world)
-        : job_(job), file_(file), world_(world), start_(world.seconds())
+        : job_(job),
+          file_(file),
+          world_(world),
+          start_(world.seconds())
     {
         for (std::size_t task = 0; task < job.tasks.size(); ++task) {
-            if (job.done.count(job.tasks[task].key) > 0) ++summary_.kept;
-            else todo_.push_back(task);
+            if (job.done.count(job.tasks[task].key) > 0)
+                ++summary_.kept;
+            else
+                todo_.push_back(task);
         }
     }
 
@@ -34,7 +39,8 @@ public:
     {
         std::size_t next = 0;
         while (next < todo_.size() && !mustStop() && measureOne(next)) ++next;
-        for (; next < todo_.size(); ++next) summary_.missing.push_back(job_.tasks[todo_[next]].title);
+        for (; next < todo_.size(); ++next)
+            summary_.missing.push_back(job_.tasks[todo_[next]].title);
         return std::move(summary_);
     }
 

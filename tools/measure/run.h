@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The engine under bench, ablation and stress: tasks with keys, measured one after the other into a file.
+// The engine under bench, ablation and stress: tasks with keys, measured one after the other into a
+// file.
 //
-// What the file has under a task's key is not measured again, so a run that was stopped goes on where it
-// stopped, and shards from several machines merge by putting their files one after the other. What a task is
-// and how it is measured is the caller's; no GL is needed here.
+// What the file has under a task's key is not measured again, so a run that was stopped goes on
+// where it stopped, and shards from several machines merge by putting their files one after the
+// other. What a task is and how it is measured is the caller's; no GL is needed here.
 #pragma once
 
 #include "tools/measure/line_file.h"
@@ -29,14 +30,16 @@ struct Shard {
 };
 
 struct MeasureTask {
-    std::string key;      ///< Changes with all that decides the figures.
-    std::string title;    ///< "learnopengl samples=16, room, 960x540".
-    std::string failure;  ///< Why it cannot be measured, where that is known beforehand; else empty.
+    std::string key;    ///< Changes with all that decides the figures.
+    std::string title;  ///< "learnopengl samples=16, room, 960x540".
+    /// Why it cannot be measured, where that is known beforehand; else empty.
+    std::string failure;
 };
 
 /// What a task came to.
 struct Measured {
-    std::string lines;    ///< For the file, without the last line feed: all of them or none. May be empty.
+    /// For the file, without the last line feed: all of them or none. May be empty.
+    std::string lines;
     std::string outcome;  ///< For people, in a few words.
 };
 
@@ -45,11 +48,12 @@ struct MeasureJob {
     std::vector<MeasureTask> tasks;
     std::set<std::string> done;  ///< Keys that the file has figures of.
 
-    /// Measures the task of that index. CV7007 ends the run, any other error becomes the task's failure; a
-    /// warning is said once.
+    /// Measures the task of that index. CV7007 ends the run, any other error becomes the task's
+    /// failure; a warning is said once.
     std::function<Result<Measured>(std::size_t task)> measure;
 
-    /// The line of a task that failed. Without this function the file has none; the task is tried again anyway.
+    /// The line of a task that failed. Without this function the file has none; the task is tried
+    /// again anyway.
     std::function<std::string(std::size_t task, const std::string& failure)> failure_line = {};
 };
 
@@ -64,7 +68,7 @@ struct MeasureWorld {
 
 struct MeasureSummary {
     int measured = 0;
-    int kept = 0;  ///< The file had figures of them.
+    int kept = 0;                       ///< The file had figures of them.
     std::vector<std::string> failures;  ///< Title and reason.
     std::vector<std::string> missing;   ///< Titles of tasks that nobody began.
     bool interrupted = false;

@@ -44,7 +44,8 @@ void printSummary(const MeasureSummary& summary, const std::string& file)
 
 }  // namespace
 
-void addRunOptions(CLI::App& app, RunOptions& options, const std::string& tasks, const std::string& kept)
+void addRunOptions(CLI::App& app, RunOptions& options, const std::string& tasks,
+                   const std::string& kept)
 {
     app.add_option("--time-budget", options.time_budget,
                    "Begin no " + tasks + " after this time: 90s, 5m, 1.5h");

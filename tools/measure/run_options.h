@@ -19,8 +19,10 @@ struct RunOptions {
     std::string out;  ///< A folder.
 };
 
-/// Adds --shard, --time-budget and --out; `tasks` is what the command calls them, `kept` what else the folder holds.
-void addRunOptions(CLI::App& app, RunOptions& options, const std::string& tasks, const std::string& kept);
+/// Adds --shard, --time-budget and --out; `tasks` is what the command calls them, `kept` what else
+/// the folder holds.
+void addRunOptions(CLI::App& app, RunOptions& options, const std::string& tasks,
+                   const std::string& kept);
 
 /// Reads "3/8". Errors: CV8001.
 Result<Shard> parseShard(const std::string& text);

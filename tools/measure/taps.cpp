@@ -8,15 +8,9 @@
 namespace crevice {
 namespace {
 
-int valueOf(const ParamDesc& param)
-{
-    return static_cast<int>(param.value[0]);
-}
+int valueOf(const ParamDesc& param) { return static_cast<int>(param.value[0]); }
 
-bool holds(const ParamDesc& param, int value)
-{
-    return value >= param.min && value <= param.max;
-}
+bool holds(const ParamDesc& param, int value) { return value >= param.min && value <= param.max; }
 
 std::string assignment(const ParamDesc& param, int value)
 {

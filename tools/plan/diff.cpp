@@ -84,7 +84,8 @@ Part partOf(const Plan& plan, const PlanPass& pass)
         else
             facts.push_back({"input " + input.sampler, inputText(plan, input)});
     }
-    if (pass.type == PassType::fullscreen) facts.push_back({"drawn within", boundsText(plan, pass)});
+    if (pass.type == PassType::fullscreen)
+        facts.push_back({"drawn within", boundsText(plan, pass)});
     for (const PlanAttachment& color : pass.color)
         facts.push_back({"writes " + color.name, attachmentText(color)});
     if (pass.has_depth && !isMasked(pass))
@@ -101,7 +102,8 @@ Part partOf(const Plan& plan, const PlanTarget& target)
 {
     const PlanTexture& texture = plan.textures[target.texture];
     const PlanTexture& drawn = plan.textures[target.drawn_texture];
-    return {"targets", target.name,
+    return {"targets",
+            target.name,
             {{"format", formatInfo(texture.format).name},
              {"size", sizeText(texture.extent)},
              {"samples", std::to_string(drawn.samples)},
@@ -110,10 +112,9 @@ Part partOf(const Plan& plan, const PlanTarget& target)
 
 Part partOf(const Plan& plan, const PlanOutput& output)
 {
-    const std::string from =
-        output.constant >= 0
-            ? "constant " + shortest(plan.constants[output.constant].value)
-            : "target " + plan.targets[output.target].name;
+    const std::string from = output.constant >= 0
+                                 ? "constant " + shortest(plan.constants[output.constant].value)
+                                 : "target " + plan.targets[output.target].name;
     return {"outputs", output.name, {{"from", from}}};
 }
 
@@ -172,9 +173,8 @@ std::vector<PlanChange> changesBetween(const std::vector<Part>& before,
     const auto rank = [&](const PlanChange& change) {
         return std::find(sections.begin(), sections.end(), change.section);
     };
-    std::stable_sort(changes.begin(), changes.end(), [&](const PlanChange& a, const PlanChange& b) {
-        return rank(a) < rank(b);
-    });
+    std::stable_sort(changes.begin(), changes.end(),
+                     [&](const PlanChange& a, const PlanChange& b) { return rank(a) < rank(b); });
     return changes;
 }
 

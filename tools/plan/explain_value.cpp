@@ -21,8 +21,10 @@ std::vector<std::string> partsOf(const std::string& path)
     if (startsWith(path, "/")) return pointerKeys(path);
     std::vector<std::string> parts(1);
     for (const char c : path) {
-        if (c == '.') parts.emplace_back();
-        else parts.back() += c;
+        if (c == '.')
+            parts.emplace_back();
+        else
+            parts.back() += c;
     }
     return parts;
 }
@@ -41,8 +43,9 @@ std::vector<std::string> expandBareName(const Node& document, std::vector<std::s
 const Node* child(const Node& node, const std::string& part)
 {
     if (node.kind != Node::Kind::array) return node.find(part);
-    const bool number = !part.empty() && part.size() < 9 &&
-                        std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const bool number =
+        !part.empty() && part.size() < 9 &&
+        std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
     const std::size_t index = number ? std::stoul(part) : node.items.size();
     return index < node.items.size() ? &node.items[index] : nullptr;
 }
@@ -202,7 +205,8 @@ std::optional<UnsetValue> findUnset(const Node& document, const std::string& pat
     const FormatKey key = *findFormatKey(parts);
     return UnsetValue{pointerOf(parts), key.value,
                       (key.value.empty() ? since + ", and the format has no default: "
-                                         : "by default, since " + since + ": ") + key.meaning};
+                                         : "by default, since " + since + ": ") +
+                          key.meaning};
 }
 
 std::string explainText(const FoundValue& value)
@@ -229,10 +233,7 @@ std::string explainText(const UnsetValue& value)
            value.reason + '\n';
 }
 
-std::string explainJson(const FoundValue& value)
-{
-    return dumped(jsonOf(value));
-}
+std::string explainJson(const FoundValue& value) { return dumped(jsonOf(value)); }
 
 std::string explainJson(const UnsetValue& value)
 {

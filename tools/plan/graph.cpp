@@ -66,8 +66,8 @@ GraphNode inputNode(const Plan& plan, const PlanInput& input)
 
 void addPass(const Plan& plan, const PlanPass& pass, Graph& graph)
 {
-    std::string detail = plan.programs[pass.program].label + " " + sizeText(pass.extent) +
-                         samplesText(pass.samples);
+    std::string detail =
+        plan.programs[pass.program].label + " " + sizeText(pass.extent) + samplesText(pass.samples);
     if (plan.views > 1) detail += ", " + std::to_string(plan.views) + " views";
     const std::string id = graph.add({"pass_" + pass.name, Shape::pass, pass.name, detail});
     for (const PlanInput& input : pass.inputs)
@@ -86,10 +86,10 @@ Graph graphOf(const Plan& plan)
     for (const PlanPass& pass : plan.passes) addPass(plan, pass, graph);
     for (const PlanOutput& output : plan.outputs) {
         const std::string id = graph.add({"output_" + output.name, Shape::output, output.name});
-        graph.edges.emplace_back(graph.add(output.constant >= 0
-                                               ? constantNode(plan, output.constant)
-                                               : targetNode(plan, output.target)),
-                                 id);
+        graph.edges.emplace_back(
+            graph.add(output.constant >= 0 ? constantNode(plan, output.constant)
+                                           : targetNode(plan, output.target)),
+            id);
     }
     return graph;
 }

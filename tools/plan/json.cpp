@@ -50,28 +50,32 @@ std::string attachmentJson(const Plan& plan, const PlanAttachment& attachment)
     const bool textured = attachment.target >= 0;
     std::string clear;
     for (const float value : attachment.clear) clear += (clear.empty() ? "" : ", ") + json(value);
-    return "{\"target\": " + json(attachment.name) + ", \"texture\": " +
-           indexJson(textured ? plan.targets[attachment.target].texture : -1) + ", \"load\": " +
-           json(nameOf(attachment.load)) + ", \"store\": " + json(nameOf(attachment.store)) +
-           ", \"clear\": [" + clear + "], \"reason\": " + json(attachment.reason) + "}";
+    return "{\"target\": " + json(attachment.name) +
+           ", \"texture\": " + indexJson(textured ? plan.targets[attachment.target].texture : -1) +
+           ", \"load\": " + json(nameOf(attachment.load)) +
+           ", \"store\": " + json(nameOf(attachment.store)) + ", \"clear\": [" + clear +
+           "], \"reason\": " + json(attachment.reason) + "}";
 }
 
 std::string inputJson(const Plan& plan, const PlanInput& input)
 {
     return "{\"sampler\": " + json(input.sampler) + ", \"kind\": " + json(nameOf(input.kind)) +
-           ", \"from\": " + json(sourceName(plan, input)) + ", \"filter\": " +
-           word(input.sampling.filter) + ", \"wrap\": " + word(input.sampling.wrap) + "}";
+           ", \"from\": " + json(sourceName(plan, input)) +
+           ", \"filter\": " + word(input.sampling.filter) +
+           ", \"wrap\": " + word(input.sampling.wrap) + "}";
 }
 
 std::string uniformJson(const PlanUniform& uniform)
 {
-    return "{\"name\": " + json(uniform.name) + ", \"source\": " + json(nameOf(uniform.source)) + "}";
+    return "{\"name\": " + json(uniform.name) + ", \"source\": " + json(nameOf(uniform.source)) +
+           "}";
 }
 
 std::string stateJson(const StateDesc& state)
 {
-    return "{\"depth_test\": " + word(state.depth_test) + ", \"depth_write\": " +
-           json(state.depth_write) + ", \"cull\": " + word(state.cull) + "}";
+    return "{\"depth_test\": " + word(state.depth_test) +
+           ", \"depth_write\": " + json(state.depth_write) + ", \"cull\": " + word(state.cull) +
+           "}";
 }
 
 std::string passJson(const Plan& plan, const PlanPass& pass)
@@ -83,25 +87,24 @@ std::string passJson(const Plan& plan, const PlanPass& pass)
            ", \"program\": " + json(pass.program) + ", \"extent\": " + json(pass.extent) +
            ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
            ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
-           ",\n      \"masked\": " + json(isMasked(pass)) +
-           ", \"scissor\": " + json(pass.scissor) + ", \"cull_below_pixel\": " +
+           ",\n      \"masked\": " + json(isMasked(pass)) + ", \"scissor\": " + json(pass.scissor) +
+           ", \"cull_below_pixel\": " +
            (pass.cull_below_pixel < 0 ? "null" : json(plan.params[pass.cull_below_pixel].name)) +
            ",\n      \"state\": " + stateJson(pass.state) +
            ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
            ",\n      \"uniforms\": " + list(pass.uniforms, uniformJson, indent) +
            ",\n      \"color\": " + list(pass.color, attachment, indent) +
-           ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") +
-           "}";
+           ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") + "}";
 }
 
 std::string targetJson(const PlanTarget& target)
 {
     return "{\"name\": " + json(target.name) + ", \"texture\": " + json(target.texture) +
            ", \"drawn_texture\": " + json(target.drawn_texture) +
-           ", \"first_pass\": " + json(target.first_pass) + ", \"last_pass\": " +
-           json(target.last_pass) + ", \"history_texture\": " +
-           indexJson(target.history_texture) + ", \"format_reason\": " +
-           json(target.format_reason) + "}";
+           ", \"first_pass\": " + json(target.first_pass) +
+           ", \"last_pass\": " + json(target.last_pass) +
+           ", \"history_texture\": " + indexJson(target.history_texture) +
+           ", \"format_reason\": " + json(target.format_reason) + "}";
 }
 
 std::string textureJson(const PlanTexture& texture)
@@ -109,19 +112,19 @@ std::string textureJson(const PlanTexture& texture)
     std::string targets;
     for (const std::string& name : texture.targets)
         targets += (targets.empty() ? "" : ", ") + json(name);
-    return "{\"format\": " + json(formatInfo(texture.format).name) + ", \"extent\": " +
-           json(texture.extent) + ", \"samples\": " +
-           json(texture.samples) + ", \"bytes\": " +
-           bytesJson(textureBytes(texture)) + ", \"copies\": " + json(texture.copies) +
-           ", \"targets\": [" + targets + "]}";
+    return "{\"format\": " + json(formatInfo(texture.format).name) +
+           ", \"extent\": " + json(texture.extent) + ", \"samples\": " + json(texture.samples) +
+           ", \"bytes\": " + bytesJson(textureBytes(texture)) +
+           ", \"copies\": " + json(texture.copies) + ", \"targets\": [" + targets + "]}";
 }
 
 std::string programJson(const PlanProgram& program)
 {
     const auto name = [](const std::string& each) { return json(each); };
     return "{\"label\": " + json(program.label) + ", \"key\": " + json(program.key) +
-           ", \"varies_with\": " + list(program.varies_with, name) + ", \"variants\": " +
-           bytesJson(program.variants) + ", \"fractions\": " + list(program.fractions, name) + "}";
+           ", \"varies_with\": " + list(program.varies_with, name) +
+           ", \"variants\": " + bytesJson(program.variants) +
+           ", \"fractions\": " + list(program.fractions, name) + "}";
 }
 
 std::string generatedJson(const GeneratorDesc& each)
@@ -132,23 +135,25 @@ std::string generatedJson(const GeneratorDesc& each)
 
 std::string importJson(const ImportDesc& each)
 {
-    return "{\"name\": " + json(each.name) + ", \"type\": " + word(each.type) + ", \"optional\": " +
-           json(each.optional) + "}";
+    return "{\"name\": " + json(each.name) + ", \"type\": " + word(each.type) +
+           ", \"optional\": " + json(each.optional) + "}";
 }
 
 std::string outputJson(const Plan& plan, const PlanOutput& output)
 {
     const bool constant = output.constant >= 0;
-    return "{\"name\": " + json(output.name) + ", \"target\": " +
-           (constant ? "null" : json(plan.targets[output.target].name)) + ", \"constant\": " +
-           (constant ? json(plan.constants[output.constant].value) : "null") + "}";
+    return "{\"name\": " + json(output.name) +
+           ", \"target\": " + (constant ? "null" : json(plan.targets[output.target].name)) +
+           ", \"constant\": " + (constant ? json(plan.constants[output.constant].value) : "null") +
+           "}";
 }
 
 std::string elidedJson(const Elided& each)
 {
-    return "{\"what\": " + json(each.what) + ", \"optimization\": " + json(each.optimization) + ", \"reason\": " +
-           json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) + ", \"texture_bytes\": " +
-           bytesJson(each.texture_bytes) + ", \"by_frame\": " + json(each.by_frame) + "}";
+    return "{\"what\": " + json(each.what) + ", \"optimization\": " + json(each.optimization) +
+           ", \"reason\": " + json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) +
+           ", \"texture_bytes\": " + bytesJson(each.texture_bytes) +
+           ", \"by_frame\": " + json(each.by_frame) + "}";
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ DeviceCaps usualCaps()
 {
     DeviceCaps caps = minimumCaps();
     caps.name = "OpenGL ES 3.0 with float targets";
-    caps.max_texture_size = 8192;  // as GPUs with float targets have at least; the standard's 2048 is below 1080p
+    caps.max_texture_size =
+        8192;  // as GPUs with float targets have at least; the standard's 2048 is below 1080p
     for (const FormatInfo& info : allFormats()) {
         caps.renderable[static_cast<int>(info.format)] = true;
         caps.sample_counts[static_cast<int>(info.format)] = 1u << 1 | 1u << 3;
@@ -47,7 +48,8 @@ std::vector<Setting> otherSettings()
         if (startsWith(trait.name, "scene.")) trait.set(full.traits, 1);
         for (const int value : {0, 1, 2}) {
             if (value == usual || value > trait.most) continue;
-            settings.push_back({std::string(trait.name) + " " + std::to_string(value), usualTraits()});
+            settings.push_back(
+                {std::string(trait.name) + " " + std::to_string(value), usualTraits()});
             trait.set(settings.back().traits, value);
         }
     }
@@ -80,7 +82,8 @@ Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& so
         if (other) continue;
         for (Diagnostic error : other.diagnostics()) {
             const auto same = [&](const Diagnostic& each) { return isSame(each, error); };
-            if (error.severity != Severity::error || std::any_of(errors.begin(), errors.end(), same))
+            if (error.severity != Severity::error ||
+                std::any_of(errors.begin(), errors.end(), same))
                 continue;
             error.notes.push_back({{}, "found with " + setting.what});
             errors.push_back(std::move(error));

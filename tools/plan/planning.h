@@ -18,9 +18,9 @@ SceneTraits usualTraits();
 /// Errors: those of loadDescription and compile; warnings come with the plan.
 Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources);
 
-/// The same plan, once the config plans for every other scene and camera too: with each trait changed from
-/// `usualTraits`, and with all that a scene can have.
-/// Errors: also those of the other plans, each with a note that says where it was found.
+/// The same plan, once the config plans for every other scene and camera too: with each trait
+/// changed from `usualTraits`, and with all that a scene can have. Errors: also those of the other
+/// plans, each with a note that says where it was found.
 Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources);
 
 }  // namespace crevice

@@ -23,10 +23,7 @@ const char* nameOf(LoadOp load)
     return "discard";
 }
 
-const char* nameOf(StoreOp store)
-{
-    return store == StoreOp::store ? "store" : "discard";
-}
+const char* nameOf(StoreOp store) { return store == StoreOp::store ? "store" : "discard"; }
 
 const char* nameOf(InputKind kind)
 {
@@ -84,7 +81,8 @@ std::string boundsText(const Plan& plan, const PlanPass& pass)
 {
     if (!pass.scissor) return "everything";
     if (pass.cull_below_pixel < 0) return "the bounds of things";
-    return "the bounds of things at which " + plan.params[pass.cull_below_pixel].name + " is a pixel or more";
+    return "the bounds of things at which " + plan.params[pass.cull_below_pixel].name +
+           " is a pixel or more";
 }
 
 const PlanTexture& textureOf(const Plan& plan, int target)
@@ -142,8 +140,8 @@ std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool d
             " texture " + std::to_string(target.texture);
     if (target.drawn_texture != target.texture)
         text += " resolved from " + std::to_string(target.drawn_texture);
-    const std::string load = attachment.load == LoadOp::clear ? clearText(attachment, depth)
-                                                              : nameOf(attachment.load);
+    const std::string load =
+        attachment.load == LoadOp::clear ? clearText(attachment, depth) : nameOf(attachment.load);
     return text + ", " + load + ", " + nameOf(attachment.store) + " (" + attachment.reason + ")\n";
 }
 
@@ -151,8 +149,8 @@ std::string passText(const Plan& plan, const PlanPass& pass)
 {
     std::string text = "  " + pass.name + ": " + table::word(pass.type) + " " +
                        sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
-                       plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) + " read, " +
-                       bytesText(pass.bytes_written) + " written\n";
+                       plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) +
+                       " read, " + bytesText(pass.bytes_written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
     if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
@@ -190,7 +188,8 @@ std::string elidedText(const Elided& each)
     if (each.by_frame) return text + "\n";
     const bool stored = each.texture_bytes > 0;
     text += "; saves ";
-    if (each.bytes > 0 || !stored) text += bytesText(each.bytes) + " a frame" + (stored ? ", " : "");
+    if (each.bytes > 0 || !stored)
+        text += bytesText(each.bytes) + " a frame" + (stored ? ", " : "");
     if (stored) text += bytesText(each.texture_bytes) + " of textures";
     return text + "\n";
 }

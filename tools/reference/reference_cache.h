@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Ray-traced references, kept on disk: tracing one takes seconds, reading it milliseconds.
 //
-// A file is named after a hash over everything that decides its pixels, so that it never goes stale;
-// any of them may be deleted at any time.
+// A file is named after a hash over everything that decides its pixels, so that it never goes
+// stale; any of them may be deleted at any time.
 #pragma once
 
 #include "tools/reference/tracer.h"
@@ -32,8 +32,9 @@ void addCacheOptions(CLI::App& app, CacheOptions& options);
 std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent,
                          const TraceOptions& options);
 
-/// The picture of `traceAmbientOcclusion`, from the folder where it is there and whole; otherwise it
-/// is traced and kept there. A folder that cannot be written is a warning. An empty name: no folder.
+/// The picture of `traceAmbientOcclusion`, from the folder where it is there and whole; otherwise
+/// it is traced and kept there. A folder that cannot be written is a warning. An empty name: no
+/// folder.
 ///
 /// Errors: CV7008 when the camera sees no surface, and those of `traceAmbientOcclusion`.
 Result<Image> cachedReference(const Scene& scene, const Camera& camera, Extent extent,

@@ -65,9 +65,8 @@ Basis makeBasis(const glm::vec3& n)
     const float sign = std::copysign(1.0f, n.z);
     const float a = -1.0f / (sign + n.z);
     const float b = n.x * n.y * a;
-    return {{1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x},
-            {b, sign + n.y * n.y * a, -n.y},
-            n};
+    return {
+        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
 class Tracer {
@@ -237,9 +236,6 @@ Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Ex
     return image;
 }
 
-bool canTrace()
-{
-    return true;
-}
+bool canTrace() { return true; }
 
 }  // namespace crevice

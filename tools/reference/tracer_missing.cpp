@@ -11,9 +11,6 @@ Result<Image> traceAmbientOcclusion(const Scene&, const Camera&, Extent, const T
     return error;
 }
 
-bool canTrace()
-{
-    return false;
-}
+bool canTrace() { return false; }
 
 }  // namespace crevice

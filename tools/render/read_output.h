@@ -8,15 +8,17 @@
 
 namespace crevice {
 
-/// Reads a view's output back. One that the plan found to be constant has a single texel, spread out
-/// here over the plan's extent. Requires an output that the renderer was made for, and a frame drawn.
+/// Reads a view's output back. One that the plan found to be constant has a single texel, spread
+/// out here over the plan's extent. Requires an output that the renderer was made for, and a frame
+/// drawn.
 ///
 /// Errors: those of Device::readTexture.
 Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name,
                          int view = 0);
 
-/// Draws the frame and reads an output. A plan with histories draws it 32 times, by when a mean over frames
-/// has gathered what it can, so that the picture does not depend on what was drawn before.
+/// Draws the frame and reads an output. A plan with histories draws it 32 times, by when a mean
+/// over frames has gathered what it can, so that the picture does not depend on what was drawn
+/// before.
 ///
 /// Errors: those of Renderer::render and of readOutput.
 Result<Image> drawSettled(Device& device, Renderer& renderer, const Frame& frame,

@@ -50,10 +50,7 @@ Result<UploadedScene> UploadedScene::upload(Device& device, const Scene& scene)
     return uploaded;
 }
 
-UploadedScene::~UploadedScene()
-{
-    destroy();
-}
+UploadedScene::~UploadedScene() { destroy(); }
 
 UploadedScene::UploadedScene(UploadedScene&& other) noexcept
     : device_(other.device_),

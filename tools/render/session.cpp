@@ -78,8 +78,7 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     const Result<std::vector<SceneCamera>> cameras =
         eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
     if (!cameras) return cameras.diagnostics();
-    Result<OpenDevice> open =
-        openDevice(options.backend, options.precision, options.program_cache);
+    Result<OpenDevice> open = openDevice(options.backend, options.precision, options.program_cache);
     if (!open) return open.diagnostics();
     session.open = std::move(*open);
     Device& device = *session.open.device;

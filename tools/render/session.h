@@ -66,8 +66,8 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
                             Description description, const std::vector<std::string>& outputs,
                             Progress& progress);
 
-/// Draws the frames and reads every picture of the last one back. Gives the milliseconds of the first, by
-/// the wall clock, the wait for the GPU included.
+/// Draws the frames and reads every picture of the last one back. Gives the milliseconds of the
+/// first, by the wall clock, the wait for the GPU included.
 Result<double> draw(const RenderOptions& options, Session& session, std::vector<Picture>& pictures);
 
 /// Errors: CV7007.

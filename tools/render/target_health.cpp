@@ -12,10 +12,7 @@
 namespace crevice {
 namespace {
 
-std::string number(double value)
-{
-    return significant(value, 4);
-}
+std::string number(double value) { return significant(value, 4); }
 
 const TargetHealth* healthOf(const std::vector<TargetHealth>& all, const std::string& target)
 {
@@ -56,20 +53,22 @@ std::string whyUndefined(const PlanPass& pass, const TargetHealth& health)
     const auto cleared = [&](const PlanAttachment& each) {
         return each.name == health.target && each.load == LoadOp::clear;
     };
-    const bool clears = std::any_of(pass.color.begin(), pass.color.end(), cleared) ||
-                        cleared(pass.depth);
+    const bool clears =
+        std::any_of(pass.color.begin(), pass.color.end(), cleared) || cleared(pass.depth);
     if (pass.type == PassType::draw && !clears)
         return "a draw covers only what its triangles cover: add \"clear\": {\"" + health.target +
                "\": 0} to the pass";
-    return "some path through the fragment shader ends without writing it (a discard, an output that "
+    return "some path through the fragment shader ends without writing it (a discard, an output "
+           "that "
            "is set in one branch alone), or reads a texel that nothing wrote";
 }
 
 std::string whyNotFinite(const Description& description, const PlanPass& pass)
 {
-    std::string help = "all that it reads is finite, so its shader divides by zero, normalizes a "
-                       "vector of no length, takes the root or power of something negative, or "
-                       "leaves the range of the target's format";
+    std::string help =
+        "all that it reads is finite, so its shader divides by zero, normalizes a "
+        "vector of no length, takes the root or power of something negative, or "
+        "leaves the range of the target's format";
     const std::string params = paramsRead(description, pass);
     return params.empty() ? help : help + "; it reads " + params;
 }
@@ -84,8 +83,9 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
         const PlanPass* pass = findNamed(plan.passes, each.pass);
         if (!found.empty()) {
             const PassDesc* desc = findNamed(description.passes, each.pass);
-            found[0].notes.push_back({desc ? desc->place : Place{}, "target '" + each.target +
-                                      "' of pass '" + each.pass + "' is wrong too"});
+            found[0].notes.push_back(
+                {desc ? desc->place : Place{},
+                 "target '" + each.target + "' of pass '" + each.pass + "' is wrong too"});
             continue;
         }
         const std::string at = ", the first at (" + std::to_string(each.first_bad.x) + ", " +
@@ -118,7 +118,8 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
     for (const PlanInput& input : pass ? pass->inputs : std::vector<PlanInput>{}) {
         if (input.kind != InputKind::target) continue;
         const TargetHealth* from = healthOf(health, plan.targets[input.index].name);
-        const bool drawn = input.sampler.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
+        const bool drawn =
+            input.sampler.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
         if (from && from->constant && from != &target && !drawn) return rootOf(plan, health, *from);
     }
     return target;
@@ -134,28 +135,31 @@ std::string whyPlanned(const Plan& plan)
     return text;
 }
 
-std::string whyConstant(const Description& description, const Plan& plan,
-                        const TargetHealth& root, const FrameFacts& facts)
+std::string whyConstant(const Description& description, const Plan& plan, const TargetHealth& root,
+                        const FrameFacts& facts)
 {
     const PlanPass* pass = findNamed(plan.passes, root.pass);
     if (!pass) return {};
     for (const PlanInput& input : pass->inputs)
-        if (input.kind == InputKind::constant) return "it reads a constant, for " + whyPlanned(plan);
+        if (input.kind == InputKind::constant)
+            return "it reads a constant, for " + whyPlanned(plan);
     if (pass->type == PassType::draw)
-        return "no triangle was drawn: is the scene in front of the camera, between its near and far "
+        return "no triangle was drawn: is the scene in front of the camera, between its near and "
+               "far "
                "distance? Without --camera a view that frames the whole scene is taken";
     if (findNamed(pass->uniforms, "light_count") && facts.lights == 0 && !facts.ambient)
         return "there is no light in the scene, and no ambient light";
     const ParamDesc* radius = resolvedLength(description);
-    if (radius && findNamed(pass->uniforms, radius->name) && facts.radius_px > 0 && facts.radius_px < 1)
+    if (radius && findNamed(pass->uniforms, radius->name) && facts.radius_px > 0 &&
+        facts.radius_px < 1)
         return radius->name + " " + number(radius->value[0]) + " is " + number(facts.radius_px) +
                " pixels at the middle distance of " + number(facts.distance) +
                ": nothing can be seen within it; try " + radius->name + " " +
                number(radius->value[0] * 30 / facts.radius_px);
     const std::string params = paramsRead(description, *pass);
-    return params.empty() ? "what it reads varies, and nothing of that comes through"
-                          : "what it reads varies, and nothing of that comes through; it reads " +
-                                params;
+    return params.empty()
+               ? "what it reads varies, and nothing of that comes through"
+               : "what it reads varies, and nothing of that comes through; it reads " + params;
 }
 
 Diagnostic constantOutput(const Description& description, const std::string& output,
@@ -170,7 +174,8 @@ Diagnostic constantOutput(const Description& description, const std::string& out
 std::string valueText(const TargetHealth& health)
 {
     std::string text;
-    for (int i = 0; i < health.channels; ++i) text += (i > 0 ? ", " : "") + number(health.minimum[i]);
+    for (int i = 0; i < health.channels; ++i)
+        text += (i > 0 ? ", " : "") + number(health.minimum[i]);
     return health.channels > 1 ? "(" + text + ")" : text;
 }
 

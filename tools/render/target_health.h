@@ -20,35 +20,36 @@ struct PixelPlace {
 /// What a target held after a frame.
 struct TargetHealth {
     std::string target;
-    std::string pass;                ///< The one that writes it.
+    std::string pass;  ///< The one that writes it.
     std::size_t pixels = 0;
-    std::size_t undefined = 0;       ///< Pixels that depend on what memory held before.
+    std::size_t undefined = 0;  ///< Pixels that depend on what memory held before.
     std::size_t not_numbers = 0;
     std::size_t infinite = 0;
-    PixelPlace first_bad;            ///< The uppermost of any of these.
+    PixelPlace first_bad;                         ///< The uppermost of any of these.
     std::array<float, 4> minimum = {0, 0, 0, 0};  ///< By channel, of the finite values.
     std::array<float, 4> maximum = {0, 0, 0, 0};
     int channels = 0;
-    bool constant = false;           ///< All pixels are equal.
+    bool constant = false;  ///< All pixels are equal.
 
     bool bad() const { return undefined + not_numbers + infinite > 0; }
 };
 
-/// Looks at one target drawn twice, in memory that held different things before. Requires images of one
-/// size and number of channels.
+/// Looks at one target drawn twice, in memory that held different things before. Requires images of
+/// one size and number of channels.
 TargetHealth examine(const Image& drawn, const Image& redrawn);
 
 /// What the doctor knows of the frame.
 struct FrameFacts {
     int lights = 0;
-    bool ambient = true;     ///< There is light from all around.
-    double radius_px = 0;    ///< Of the param `radius` at the middle distance; 0 where unknown.
-    double distance = 0;     ///< That distance, in scene units.
+    bool ambient = true;   ///< There is light from all around.
+    double radius_px = 0;  ///< Of the param `radius` at the middle distance; 0 where unknown.
+    double distance = 0;   ///< That distance, in scene units.
 };
 
-/// The first pass that wrote what no pass should, as an error CV9001 or CV9002 with the likely cause as
-/// help; then each output that is the same everywhere, as a warning CV9003. `health` holds every target
-/// that a pass of the plan writes, in the order of the passes. Empty where nothing is wrong.
+/// The first pass that wrote what no pass should, as an error CV9001 or CV9002 with the likely
+/// cause as help; then each output that is the same everywhere, as a warning CV9003. `health` holds
+/// every target that a pass of the plan writes, in the order of the passes. Empty where nothing is
+/// wrong.
 Diagnostics diagnose(const Description& description, const Plan& plan,
                      const std::vector<TargetHealth>& health, const FrameFacts& facts);
 

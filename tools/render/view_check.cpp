@@ -19,8 +19,8 @@
 namespace crevice {
 namespace {
 
-// The radius to take: this part of the view's height, or of the scene's size where that is less, since the rest
-// of the view is empty then. About what radius 0.5 is in the scene 'room'.
+// The radius to take: this part of the view's height, or of the scene's size where that is less,
+// since the rest of the view is empty then. About what radius 0.5 is in the scene 'room'.
 constexpr double kShownShare = 0.08;
 
 std::string figure(double value) { return shortest(static_cast<float>(value)); }
@@ -31,7 +31,6 @@ double rounded(double value)
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
     return std::round(value / unit) * unit;
 }
-
 
 Diagnostic warningOf(Code code, std::string message, std::string help)
 {
@@ -69,13 +68,13 @@ bool isFlat(const Bounds& bounds)
     return std::min({size.x, size.y, size.z}) <= 1e-6 * bounds.diagonal();
 }
 
-// What shows: a share of the view, or of the scene where that is smaller, but some pixels in any case.
+// What shows: a share of the view, or of the scene where that is smaller, but some pixels in any
+// case.
 double shownRadius(const ParamDesc& radius, const Bounds& bounds, double unit_px, Extent extent)
 {
     const double share_of_view = kShownShare * extent.height / unit_px;
     const double least = 2 * kLeastRadiusPixels / unit_px;
-    const double value =
-        std::max(std::min(share_of_view, kShownShare * bounds.diagonal()), least);
+    const double value = std::max(std::min(share_of_view, kShownShare * bounds.diagonal()), least);
     return std::clamp(rounded(value), double{radius.min}, double{radius.max});
 }
 
@@ -83,9 +82,10 @@ Diagnostic nothingSeen(const Scene& scene, Extent extent)
 {
     const SceneCamera framing = frameScene(scene, double(extent.width) / extent.height);
     const glm::dvec3 eye = glm::inverse(framing.view_from_world)[3];
-    return warningOf(Code::nothing_seen, "the camera sees no surface of the scene '" + scene.name + "'",
-                     "try --camera 'eye=" + figure(eye.x) + "," + figure(eye.y) + "," + figure(eye.z) +
-                         "', from where all of it is seen");
+    return warningOf(Code::nothing_seen,
+                     "the camera sees no surface of the scene '" + scene.name + "'",
+                     "try --camera 'eye=" + figure(eye.x) + "," + figure(eye.y) + "," +
+                         figure(eye.z) + "', from where all of it is seen");
 }
 
 }  // namespace
@@ -93,7 +93,8 @@ Diagnostic nothingSeen(const Scene& scene, Extent extent)
 Result<Image> drawDepth(Device& device, Frame frame, Extent extent)
 {
     frame.other_views.clear();
-    const Result<Description> description = loadDescription({kDepthModule, {}, {}, {}}, shippedSources());
+    const Result<Description> description =
+        loadDescription({kDepthModule, {}, {}, {}}, shippedSources());
     if (!description) return description.diagnostics();
     const auto renderer = Renderer::create(device, *description, {extent, {}, {}}, traitsOf(frame));
     if (!renderer) return renderer.diagnostics();
@@ -131,14 +132,16 @@ Diagnostics checkView(const Description& description, const Plan& plan, const Sc
 
     const double now = radius->value[0];
     const double unit_px = pixelsOf(1, *distance, camera, plan.extent);
-    const std::string size = radius->name + " " + figure(now) + " is " + figure(rounded(now * unit_px)) +
-                             " pixels at the median depth " + figure(rounded(*distance));
+    const std::string size = radius->name + " " + figure(now) + " is " +
+                             figure(rounded(now * unit_px)) + " pixels at the median depth " +
+                             figure(rounded(*distance));
     const double shown = shownRadius(*radius, bounds, unit_px, plan.extent);
     const std::string help = "try --set " + radius->name + "=" + figure(shown);
     const bool constant = ao && isConstant(*ao);
     if (constant && !isFlat(bounds))
-        return {warningOf(Code::output_constant, "the ambient occlusion is " + shortest(ao->pixels[0]) +
-                                                     " everywhere: " + size, help)};
+        return {warningOf(
+            Code::output_constant,
+            "the ambient occlusion is " + shortest(ao->pixels[0]) + " everywhere: " + size, help)};
     if (now * unit_px < kLeastRadiusPixels)
         return {warningOf(Code::out_of_range, size + ", where no ambient occlusion shows", help)};
     if (now * unit_px > plan.extent.height)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a view shows ambient occlusion at all: how far away its surfaces are, and how large a radius is there.
+// Whether a view shows ambient occlusion at all: how far away its surfaces are, and how large a
+// radius is there.
 #pragma once
 
 #include <crevice/compile.h>
@@ -18,18 +19,19 @@ constexpr const char* kDepthModule = "bench/depth.json";
 /// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
 Result<Image> drawDepth(Device& device, Frame frame, Extent extent);
 
-/// Median distance along the view axis of what such depths show. Nothing where that is the background alone.
+/// Median distance along the view axis of what such depths show. Nothing where that is the
+/// background alone.
 std::optional<double> medianDistance(const Image& depth, const Camera& camera);
 
 /// Pixels that a length covers at a distance.
 double pixelsOf(double length, double distance, const Camera& camera, Extent extent);
 
-/// Why a frame of the plan shows no ambient occlusion, or none that can be told from a change of brightness:
-/// one warning with the value to take, or nothing. `distance` is the median one in view, `ao` the picture of
-/// occlusion, null where nobody asked for one.
+/// Why a frame of the plan shows no ambient occlusion, or none that can be told from a change of
+/// brightness: one warning with the value to take, or nothing. `distance` is the median one in
+/// view, `ao` the picture of occlusion, null where nobody asked for one.
 ///
-/// CV7008 nothing is in view; CV9003 what the plan or the picture has is the same everywhere; CV4001 the radius
-/// covers less than two pixels at the median distance, or more than the view.
+/// CV7008 nothing is in view; CV9003 what the plan or the picture has is the same everywhere;
+/// CV4001 the radius covers less than two pixels at the median distance, or more than the view.
 Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
                       const Camera& camera, std::optional<double> distance, const Image* ao);
 

@@ -134,10 +134,10 @@ json failuresOf(const Points& points)
     json failures = json::array();
     for (const BenchPoint& point : points) {
         if (point.failure.empty()) continue;
-        failures.push_back({{"title", pointLabel(point) + ", " +
-                                          viewName(point.scene, point.camera) + ", " +
-                                          extentName(point.extent)},
-                            {"reason", point.failure}});
+        failures.push_back(
+            {{"title", pointLabel(point) + ", " + viewName(point.scene, point.camera) + ", " +
+                           extentName(point.extent)},
+             {"reason", point.failure}});
     }
     return failures;
 }
@@ -146,7 +146,9 @@ json failuresOf(const Points& points)
 
 json reportModel(const Points& points)
 {
-    json model = {{"points", json::array()}, {"views", json::array()}, {"advice", json::array()},
+    json model = {{"points", json::array()},
+                  {"views", json::array()},
+                  {"advice", json::array()},
                   {"failures", failuresOf(points)}};
     for (const BenchPoint& point : points) {
         json item = json::parse(toJsonLine(point));
@@ -160,9 +162,9 @@ json reportModel(const Points& points)
         for (ResultView& view : mainViews(views, device)) main_views.push_back(std::move(view));
     }
     for (const ResultView& view : views) {
-        const bool main = std::any_of(
-            main_views.begin(), main_views.end(),
-            [&view](const ResultView& other) { return other.points == view.points; });
+        const bool main =
+            std::any_of(main_views.begin(), main_views.end(),
+                        [&view](const ResultView& other) { return other.points == view.points; });
         model["views"].push_back(toJson(points, view, main));
     }
     return model;

@@ -24,7 +24,8 @@ public:
         if (path.empty() || found_.contains(path)) return;
         const std::string uri = pictureUri(path, folder);
         if (uri.empty()) {
-            Diagnostic warning{Code::image_broken, "the picture '" + path + "' is no PNG below the folder "
+            Diagnostic warning{Code::image_broken, "the picture '" + path +
+                                                       "' is no PNG below the folder "
                                                        "of its results file"};
             warning.help = "the report does without it; keep pictures beside their results file";
             warning.severity = Severity::warning;
@@ -54,7 +55,8 @@ json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRo
                          {"planned", coverage.planned},   {"configs", coverage.configs},
                          {"whole", coverage.whole()},     {"text", coverageText(coverage)}};
     model["ablation"] = json::array();
-    for (const AblationRow& row : ablation) model["ablation"].push_back(json::parse(toJsonLine(row)));
+    for (const AblationRow& row : ablation)
+        model["ablation"].push_back(json::parse(toJsonLine(row)));
     return model;
 }
 

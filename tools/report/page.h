@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages, put together at build from tools/report/bench.html, tools/report/stress.html and what those name.
+// Pages, put together at build from tools/report/bench.html, tools/report/stress.html and what
+// those name.
 #pragma once
 
 #include <string_view>

@@ -36,8 +36,10 @@ nlohmann::json shown(const nlohmann::json& data)
     if (!data.is_structured()) return data;
     nlohmann::json copy = data.is_array() ? nlohmann::json::array() : nlohmann::json::object();
     for (const auto& [key, value] : data.items()) {
-        if (data.is_array()) copy.push_back(shown(value));
-        else copy[printable(key)] = shown(value);
+        if (data.is_array())
+            copy.push_back(shown(value));
+        else
+            copy[printable(key)] = shown(value);
     }
     return copy;
 }
@@ -55,9 +57,12 @@ std::string pictureUri(const std::string& path, const std::string& folder)
 std::string pageWith(std::string_view page, const nlohmann::json& data)
 {
     std::string safe;
-    for (const char c : shown(data).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) {
-        if (c == '<') safe += "\\u003c";
-        else safe += c;
+    for (const char c :
+         shown(data).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
     }
     std::string text(page);
     text.replace(text.find(kReportDataMark), kReportDataMark.size(), safe);

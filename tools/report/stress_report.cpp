@@ -48,8 +48,8 @@ json caseModel(const StressCase& stress)
 {
     json steps = json::array();
     for (const StressStep& step : stress.steps) steps.push_back(step.label);
-    return {{"name", stress.name},     {"what", stress.what},
-            {"unit", stress.unit},     {"steps", steps},
+    return {{"name", stress.name},         {"what", stress.what},
+            {"unit", stress.unit},         {"steps", steps},
             {"ordinary", stress.ordinary}, {"figure", figureName(stress)},
             {"limit", limitOf(stress)}};
 }
@@ -120,7 +120,7 @@ std::string stressHtml(const std::vector<StressRecord>& records, const std::stri
         devices.insert(record.device);
         versions.insert(record.version);
     }
-    const json page = {{"devices", devices}, {"versions", versions}, {"cases", cases},
+    const json page = {{"devices", devices}, {"versions", versions},    {"cases", cases},
                        {"series", series},   {"steps", records.size()}, {"pictures", model.take()}};
     return pageWith(stressPage(), page);
 }

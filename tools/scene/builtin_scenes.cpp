@@ -111,8 +111,9 @@ Result<MeshDesc> loadBunny()
     }
     Diagnostic error = {Code::scene_missing,
                         "the scene 'room' needs the model 'bunny.obj', which was not found"};
-    error.help = "install it with 'apt-get install glmark2-data', name its folder in "
-                 "CREVICE_MODELS, or take the scene 'spheres'";
+    error.help =
+        "install it with 'apt-get install glmark2-data', name its folder in "
+        "CREVICE_MODELS, or take the scene 'spheres'";
     return error;
 }
 
@@ -225,9 +226,12 @@ const std::vector<std::string>& builtinSceneNames()
 
 Result<Scene> builtinScene(std::string_view name)
 {
-    Result<Scene> scene = Diagnostic{
-        Code::scene_missing, "there is no built-in scene '" + std::string(name) + "'", {}, {}, {},
-        suggestName(name, builtinSceneNames(), "built-in scenes")};
+    Result<Scene> scene = Diagnostic{Code::scene_missing,
+                                     "there is no built-in scene '" + std::string(name) + "'",
+                                     {},
+                                     {},
+                                     {},
+                                     suggestName(name, builtinSceneNames(), "built-in scenes")};
     if (name == "corner") scene = makeCornerScene();
     if (name == "plane") scene = makePlaneScene();
     if (name == "room") scene = makeRoomScene();

@@ -64,8 +64,9 @@ struct CameraText {
 Diagnostic unreadable(const std::string& what)
 {
     Diagnostic error = {Code::usage, what};
-    error.help = "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, shift, near and far may "
-                 "follow";
+    error.help =
+        "write --camera 'eye=4,2,6;at=0,1,0;fov=50'; up, ortho, shift, near and far may "
+        "follow";
     return error;
 }
 
@@ -105,7 +106,12 @@ Status readNumbers(const std::string& key, const std::string& text, int count, d
 
 Status readEntry(const std::string& key, const std::string& value, CameraText& camera)
 {
-    struct Known { const char* name; int count; double* numbers; bool* given; };
+    struct Known {
+        const char* name;
+        int count;
+        double* numbers;
+        bool* given;
+    };
     bool ignored = false;
     const Known known[] = {{"eye", 3, &camera.eye.x, &camera.has_eye},
                            {"at", 3, &camera.at.x, &ignored},

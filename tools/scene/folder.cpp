@@ -27,7 +27,8 @@ bool SceneFolder::isBelow(const fs::path& file) const
     std::error_code error;
     const fs::path real = fs::canonical(file, error);
     return !error && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
-        return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+        return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
+               root.end();
     });
 }
 
@@ -48,8 +49,10 @@ bool SceneFolder::refuses(const fs::path& file)
 Diagnostic SceneFolder::warning() const
 {
     const std::vector<std::string> files(refused_.begin(), refused_.end());
-    Diagnostic warning = {Code::module_escape, "the scene '" + scene_ + "' names files outside its "
-                                               "folder, which are not read: " + joined(files)};
+    Diagnostic warning = {Code::module_escape, "the scene '" + scene_ +
+                                                   "' names files outside its "
+                                                   "folder, which are not read: " +
+                                                   joined(files)};
     warning.help = "move them below the scene's folder, or allow theirs with --root FOLDER";
     warning.severity = Severity::warning;
     return warning;

@@ -20,9 +20,9 @@ using nlohmann::json;
 constexpr int kFloat = 5126;  // GL_FLOAT, a componentType
 
 enum class Support {
-    read,      // drawn as the file says
+    read,    // drawn as the file says
     elided,  // the surfaces are right without it, though not their look: required or not, a warning
-    missing,   // wrong surfaces or textures: an error where it is required
+    missing,  // wrong surfaces or textures: an error where it is required
 };
 
 struct Extension {
@@ -33,8 +33,8 @@ struct Extension {
 
 constexpr const char* kToPng = "convert the textures: 'gltf-transform png in.glb out.glb'";
 
-// Whatever is not here is missing. Assimp 5.2 knows more names than it reads, and looks at none that is
-// required.
+// Whatever is not here is missing. Assimp 5.2 knows more names than it reads, and looks at none
+// that is required.
 constexpr Extension kExtensions[] = {
     {"EXT_meshopt_compression", Support::missing, "compress with 'gltfpack -noq' and no -c"},
     {"EXT_texture_avif", Support::missing, kToPng},
@@ -95,8 +95,8 @@ std::set<std::string> names(const json& list)
     return all;
 }
 
-// Whether some primitive takes an attribute whose name begins so from numbers that are not floats, which
-// Assimp copies as if they were.
+// Whether some primitive takes an attribute whose name begins so from numbers that are not floats,
+// which Assimp copies as if they were.
 bool takesIntegers(const json& gltf, std::string_view attribute)
 {
     const json& accessors = member(gltf, "accessors");
@@ -113,7 +113,8 @@ bool takesIntegers(const json& gltf, std::string_view attribute)
     return false;
 }
 
-// Whether some material takes a texture at the second set of coordinates: all are drawn at the first.
+// Whether some material takes a texture at the second set of coordinates: all are drawn at the
+// first.
 bool takesSecondCoordinates(const json& gltf)
 {
     const auto second = [](const json& texture) {
@@ -122,7 +123,8 @@ bool takesSecondCoordinates(const json& gltf)
     };
     for (const json& material : member(gltf, "materials"))
         if (second(member(member(material, "pbrMetallicRoughness"), "baseColorTexture")) ||
-            second(member(material, "normalTexture")) || second(member(material, "occlusionTexture")))
+            second(member(material, "normalTexture")) ||
+            second(member(material, "occlusionTexture")))
             return true;
     return false;
 }
@@ -152,8 +154,7 @@ Status checkGltf(const std::string& path, bool any_version)
     const json gltf = json::parse(jsonText(path), nullptr, false);
     if (!gltf.is_object()) return {};
     const json& version = member(member(gltf, "asset"), "version");
-    if (!any_version && version.is_string() &&
-        !startsWith(version.get<std::string>(), "2.")) {
+    if (!any_version && version.is_string() && !startsWith(version.get<std::string>(), "2.")) {
         Diagnostic error = {Code::scene_broken, "the scene '" + path + "' is of glTF " +
                                                     version.get<std::string>() + ", not 2.0"};
         error.help = "convert it to glTF 2.0, or try --any-format";
@@ -169,13 +170,15 @@ Status checkGltf(const std::string& path, bool any_version)
     std::vector<std::string> elided;
     for (const std::string& name : used)
         if (extensionNamed(name).support != Support::read) elided.push_back(name);
-    if (takesIntegers(gltf, "TEXCOORD")) elided.push_back("texture coordinates that are not floats");
+    if (takesIntegers(gltf, "TEXCOORD"))
+        elided.push_back("texture coordinates that are not floats");
     if (takesSecondCoordinates(gltf)) elided.push_back("the second set of texture coordinates");
     if (elided.empty()) return {};
-    Diagnostic warning = {Code::scene_features, "the scene '" + path + "' is drawn without " +
-                                                    joined(elided)};
-    warning.help = "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
-                   "the picture with another viewer's";
+    Diagnostic warning = {Code::scene_features,
+                          "the scene '" + path + "' is drawn without " + joined(elided)};
+    warning.help =
+        "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
+        "the picture with another viewer's";
     warning.severity = Severity::warning;
     return warning;
 }

@@ -12,17 +12,17 @@
 #include "tools/scene/views.h"
 
 #include <assimp/DefaultIOSystem.h>
-#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/Importer.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <new>
 #include <filesystem>
+#include <new>
 
 namespace crevice {
 
@@ -54,8 +54,8 @@ bool isDefaultExtension(std::string_view extension)
 
 glm::dmat4 matrixFrom(const aiMatrix4x4& m)  // Assimp's has rows, ours columns
 {
-    return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2,
-                      m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4);
+    return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4,
+                      m.b4, m.c4, m.d4);
 }
 
 bool usable(const aiVector3D& v)
@@ -71,8 +71,8 @@ bool usable(const aiMesh& mesh, const aiFace& face)
     });
 }
 
-// Removes the faces that no later step could bear; returns how many. Assimp cuts polygons where a mesh says
-// that it has some, and asserts that it does.
+// Removes the faces that no later step could bear; returns how many. Assimp cuts polygons where a
+// mesh says that it has some, and asserts that it does.
 unsigned dropBrokenFaces(aiMesh& mesh)
 {
     unsigned kept = 0;
@@ -83,7 +83,8 @@ unsigned dropBrokenFaces(aiMesh& mesh)
     }
     const unsigned dropped = mesh.mNumFaces - kept;
     mesh.mNumFaces = kept;
-    mesh.mPrimitiveTypes = kept == 0 ? aiPrimitiveType_TRIANGLE : 0;  // Assimp refuses a mesh of none
+    mesh.mPrimitiveTypes =
+        kept == 0 ? aiPrimitiveType_TRIANGLE : 0;  // Assimp refuses a mesh of none
     for (unsigned index = 0; index < kept; ++index)
         mesh.mPrimitiveTypes |= AI_PRIMITIVE_TYPE_FOR_N_INDICES(mesh.mFaces[index].mNumIndices);
     return dropped;
@@ -305,7 +306,8 @@ Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options
 // Whether a PLY file was cut off before the end of its header, for which Assimp looks for ever.
 bool endsInHeader(const std::string& path)
 {
-    constexpr std::size_t kLongestHeader = 1 << 20;  // a line an element or property takes some thirty bytes
+    constexpr std::size_t kLongestHeader =
+        1 << 20;  // a line an element or property takes some thirty bytes
     const std::string start = readStart(path, kLongestHeader).bytes;
     return startsWith(start, "ply") && start.find("end_header") == start.npos;
 }

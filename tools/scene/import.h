@@ -15,8 +15,8 @@ bool isDefaultFormat(const std::string& path);
 /// CV7002.
 Diagnostic brokenScene(const std::string& path, const std::string& reason);
 
-/// Requires a regular file. Throws what Assimp throws; Assimp may assert, crash, hang or fill the memory.
-/// Errors: CV7002, CV7003.
+/// Requires a regular file. Throws what Assimp throws; Assimp may assert, crash, hang or fill the
+/// memory. Errors: CV7002, CV7003.
 Result<Scene> readScene(const std::string& path, const ImportOptions& options);
 
 }  // namespace crevice

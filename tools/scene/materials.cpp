@@ -68,8 +68,8 @@ std::string percentDecoded(const std::string& text)
     return decoded;
 }
 
-// Exporters write paths of their own machine: what follows the last slash is tried as well. Nothing where
-// the only such file is one that the folder does not open.
+// Exporters write paths of their own machine: what follows the last slash is tried as well. Nothing
+// where the only such file is one that the folder does not open.
 std::optional<std::string> textureFile(const std::string& scene_path, SceneFolder& allowed,
                                        std::string name)
 {
@@ -135,7 +135,13 @@ class TextureImport {
 public:
     TextureImport(const aiScene& from, const std::string& path, SceneFolder& folder, Scene& scene,
                   Diagnostics& warnings)
-        : from_(from), path_(path), folder_(folder), scene_(scene), warnings_(warnings) {}
+        : from_(from),
+          path_(path),
+          folder_(folder),
+          scene_(scene),
+          warnings_(warnings)
+    {
+    }
 
     /// Index of the material's base-colour texture; -1 when it has none that can be read.
     int baseColor(const aiMaterial& material)
@@ -171,7 +177,8 @@ private:
             scene_.textures.push_back({name, linearRgba(**image, encoding)});
             return static_cast<int>(scene_.textures.size()) - 1;
         } catch (const std::bad_alloc&) {
-            return leaveOut({Code::image_broken, "the image '" + name + "' does not fit into memory"});
+            return leaveOut(
+                {Code::image_broken, "the image '" + name + "' does not fit into memory"});
         }
     }
 
@@ -191,10 +198,7 @@ private:
     std::map<std::pair<std::string, Encoding>, int> indices_;
 };
 
-float finiteOr(float value, float otherwise)
-{
-    return std::isfinite(value) ? value : otherwise;
-}
+float finiteOr(float value, float otherwise) { return std::isfinite(value) ? value : otherwise; }
 
 glm::vec3 specularOf(const aiMaterial& from)
 {

@@ -179,8 +179,8 @@ void fillNormals(MeshDesc& mesh)
         for (int k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
         if (hasNormal(*corners[0]) && hasNormal(*corners[1]) && hasNormal(*corners[2])) continue;
         const glm::dvec3 origin = positionOf(*corners[0]);
-        const glm::dvec3 normal = unit(glm::cross(positionOf(*corners[1]) - origin,
-                                                  positionOf(*corners[2]) - origin));
+        const glm::dvec3 normal =
+            unit(glm::cross(positionOf(*corners[1]) - origin, positionOf(*corners[2]) - origin));
         for (Vertex* corner : corners)
             if (!hasNormal(*corner)) setNormal(*corner, normal);
     }

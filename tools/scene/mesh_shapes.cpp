@@ -45,12 +45,12 @@ MeshDesc makeBox(const glm::vec3& low, const glm::vec3& high)
     const glm::vec3 x = {high.x - low.x, 0, 0};
     const glm::vec3 y = {0, high.y - low.y, 0};
     const glm::vec3 z = {0, 0, high.z - low.z};
-    addQuad(mesh, low + z, x, y);      // front
-    addQuad(mesh, low + x, -x, y);     // back
-    addQuad(mesh, low + x + z, -z, y); // right
-    addQuad(mesh, low, z, y);          // left
-    addQuad(mesh, low + y + z, x, -z); // top
-    addQuad(mesh, low, x, z);          // bottom
+    addQuad(mesh, low + z, x, y);       // front
+    addQuad(mesh, low + x, -x, y);      // back
+    addQuad(mesh, low + x + z, -z, y);  // right
+    addQuad(mesh, low, z, y);           // left
+    addQuad(mesh, low + y + z, x, -z);  // top
+    addQuad(mesh, low, x, z);           // bottom
     return mesh;
 }
 

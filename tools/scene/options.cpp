@@ -15,10 +15,12 @@ namespace crevice {
 
 void addImportOptions(CLI::App& app, ImportOptions& options)
 {
-    app.add_flag("--any-format", options.any_format,
-                 "Read a scene in any format that Assimp knows; most of its readers are little tried");
-    app.add_option("--import-time", options.time_s,
-                   "How long reading the scene may take. Default: 10, and 1 for each MiB of the file")
+    app.add_flag(
+        "--any-format", options.any_format,
+        "Read a scene in any format that Assimp knows; most of its readers are little tried");
+    app.add_option(
+           "--import-time", options.time_s,
+           "How long reading the scene may take. Default: 10, and 1 for each MiB of the file")
         ->type_name("SECONDS")
         ->check(CLI::Range(1, 86400));
     addRootOption(app, options.roots);
@@ -27,7 +29,8 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
 void addSceneOptions(CLI::App& app, SceneOptions& options)
 {
     app.add_option("--scene", options.scene,
-                   "A file (glTF 2.0, OBJ, PLY, STL, 3DS) or a built-in scene: " + joined(builtinSceneNames()))
+                   "A file (glTF 2.0, OBJ, PLY, STL, 3DS) or a built-in scene: " +
+                       joined(builtinSceneNames()))
         ->type_name("FILE|NAME")
         ->capture_default_str();
     app.add_option("--size", options.size, "Pixels of the picture")

@@ -104,10 +104,7 @@ void Bounds::add(const glm::dvec3& point)
     max = glm::max(max, point);
 }
 
-double Bounds::diagonal() const
-{
-    return empty() ? 0.0 : glm::length(max - min);
-}
+double Bounds::diagonal() const { return empty() ? 0.0 : glm::length(max - min); }
 
 glm::dvec3 Bounds::corner(int index) const
 {
@@ -128,11 +125,10 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
     const DepthRange range = clipDistances(camera, bounds);
     const double half_height = camera.half_height, half_width = half_height * aspect;
     const glm::dmat4 centered =
-        camera.orthographic
-            ? glm::orthoRH_NO(-half_width, half_width, -half_height, half_height,
-                              range.near_distance, range.far_distance)
-            : glm::perspectiveRH_NO(camera.fov_y_rad, aspect, range.near_distance,
-                                    range.far_distance);
+        camera.orthographic ? glm::orthoRH_NO(-half_width, half_width, -half_height, half_height,
+                                              range.near_distance, range.far_distance)
+                            : glm::perspectiveRH_NO(camera.fov_y_rad, aspect, range.near_distance,
+                                                    range.far_distance);
     const glm::dvec3 clip_shift = {-2.0 * camera.shift, 0.0};  // clip space is 2 wide
     return glm::translate(glm::dmat4(1.0), clip_shift) * centered;
 }

@@ -20,21 +20,21 @@ struct Bounds {
     void add(const glm::dvec3& point);
     bool empty() const { return min.x > max.x; }
     glm::dvec3 center() const { return min * 0.5 + max * 0.5; }
-    double diagonal() const;                 ///< Length from corner to corner; 0 when empty.
-    glm::dvec3 corner(int index) const;      ///< Bits 0, 1, 2 of `index` choose max in x, y, z.
+    double diagonal() const;             ///< Length from corner to corner; 0 when empty.
+    glm::dvec3 corner(int index) const;  ///< Bits 0, 1, 2 of `index` choose max in x, y, z.
 };
 
 struct SceneMaterial {
     std::string name = {};
     glm::vec4 base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);  ///< Linear; times the texture.
-    int base_color_texture = -1;             ///< Into Scene::textures; -1 for none.
-    glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
-    float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
-    float alpha_cutoff = 0.0f;               ///< Below this alpha is a hole; 0 is opaque.
-    int normal_texture = -1;                 ///< Into Scene::textures; tangent space, y up.
-    float normal_scale = 1.0f;               ///< Of its x and y.
-    int occlusion_texture = -1;              ///< Into Scene::textures; baked visibility in red.
-    float occlusion_strength = 1.0f;         ///< [0, 1]; 0 is open.
+    int base_color_texture = -1;           ///< Into Scene::textures; -1 for none.
+    glm::vec3 specular = glm::vec3(0.0f);  ///< Colour of the highlight; 0 is matte.
+    float shininess = 16.0f;               ///< Blinn-Phong exponent, > 0.
+    float alpha_cutoff = 0.0f;             ///< Below this alpha is a hole; 0 is opaque.
+    int normal_texture = -1;               ///< Into Scene::textures; tangent space, y up.
+    float normal_scale = 1.0f;             ///< Of its x and y.
+    int occlusion_texture = -1;            ///< Into Scene::textures; baked visibility in red.
+    float occlusion_strength = 1.0f;       ///< [0, 1]; 0 is open.
 };
 
 /// Four channels, linear, in [0, 1].
@@ -54,12 +54,13 @@ struct SceneCamera {
     std::string name = {};
     glm::dmat4 view_from_world = glm::dmat4(1.0);
     bool orthographic = false;
-    double fov_y_rad = 0.87;         ///< Of a perspective view: top to bottom, in (0, pi).
-    double half_height = 1.0;        ///< Of an orthographic view: centre to top, scene units.
-    glm::dvec2 shift = glm::dvec2(0.0);  ///< Off-centre: how far right of and above the axis the
-                                         ///< picture's centre lies, parts of its width and height.
-    double near_distance = 0.0;      ///< Scene units; when `far_distance` is 0 both follow the
-    double far_distance = 0.0;       ///< scene's bounds, but a near distance above 0 is kept.
+    double fov_y_rad = 0.87;   ///< Of a perspective view: top to bottom, in (0, pi).
+    double half_height = 1.0;  ///< Of an orthographic view: centre to top, scene units.
+    /// Off-centre: how far right of and above the axis the picture's centre lies, parts of its
+    /// width and height.
+    glm::dvec2 shift = glm::dvec2(0.0);
+    double near_distance = 0.0;  ///< Scene units; when `far_distance` is 0 both follow the
+    double far_distance = 0.0;   ///< scene's bounds, but a near distance above 0 is kept.
 };
 
 struct SceneLight {
@@ -100,21 +101,25 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
 
 /// What reading a file may do.
 struct ImportOptions {
-    bool any_format = false;  ///< Every format that Assimp knows, and not glTF 2.0, OBJ, PLY, STL and 3DS alone.
-    double time_s = 0;        ///< At most; 0 leaves 10 s and another for each MiB of the file.
-    std::vector<std::string> roots = {};  ///< Folders beside the file's own, files below which it may name.
+    /// Every format that Assimp knows, and not glTF 2.0, OBJ, PLY, STL and 3DS alone.
+    bool any_format = false;
+    double time_s = 0;  ///< At most; 0 leaves 10 s and another for each MiB of the file.
+    /// Folders beside the file's own, files below which it may name.
+    std::vector<std::string> roots = {};
 };
 
 /// A built-in scene or a file: glTF 2.0, OBJ, PLY, STL, 3DS. A name without a
 /// folder and an extension is a built-in one. What is left out (broken triangles, textures that
-/// cannot be read, what glTF has and crevice does not draw) is told in warnings. A file without lights
-/// gets one, so that it can be seen.
+/// cannot be read, what glTF has and crevice does not draw) is told in warnings. A file without
+/// lights gets one, so that it can be seen.
 ///
-/// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it, CV6009 no memory.
+/// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it, CV6009 no
+/// memory.
 Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& options = {});
 
-/// The file alone; what `loadScene` does for paths. No default light, no look at built-in names. The file is
-/// read in a process of its own, so that one that crashes its reader, or keeps it for ever, is an error.
+/// The file alone; what `loadScene` does for paths. No default light, no look at built-in names.
+/// The file is read in a process of its own, so that one that crashes its reader, or keeps it for
+/// ever, is an error.
 Result<Scene> importScene(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace crevice

@@ -32,10 +32,16 @@ void transferList(Pipe& pipe, List& list)
 }
 
 template <class Pipe>
-void transfer(Pipe& pipe, std::string& text) { transferList(pipe, text); }
+void transfer(Pipe& pipe, std::string& text)
+{
+    transferList(pipe, text);
+}
 
 template <class Pipe, class Entry>
-void transfer(Pipe& pipe, std::vector<Entry>& list) { transferList(pipe, list); }
+void transfer(Pipe& pipe, std::vector<Entry>& list)
+{
+    transferList(pipe, list);
+}
 
 // Bindings, so that a member that is added does not compile until it is sent as well.
 

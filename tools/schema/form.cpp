@@ -37,15 +37,9 @@ Json listForm(Json items, int least, int most)
 Json stringForm() { return {{"type", "string"}}; }
 
 /// The form, or a list of it.
-Json oneOrSeveral(const Json& form, int least)
-{
-    return anyForm({form, listForm(form, least, 0)});
-}
+Json oneOrSeveral(const Json& form, int least) { return anyForm({form, listForm(form, least, 0)}); }
 
-Json scalarForm()
-{
-    return {{"type", {"boolean", "number", "string"}}};
-}
+Json scalarForm() { return {{"type", {"boolean", "number", "string"}}}; }
 
 }  // namespace
 

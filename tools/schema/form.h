@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The visitor of core/config/fields.h that describes: each `formOf` turns a member into the JSON Schema of
-// what it may be written as, with the member's initial value as the default.
+// The visitor of core/config/fields.h that describes: each `formOf` turns a member into the JSON
+// Schema of what it may be written as, with the member's initial value as the default.
 //
 // Private to tools/schema*.cpp. A form is draft-07 but for "x-required", which marks a key that
 // must be there once all files are merged. No form allows null yet: a patch's nulls come last.

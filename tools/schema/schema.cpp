@@ -20,10 +20,7 @@ namespace {
 constexpr std::string_view kConfigs = "configs/";
 constexpr std::string_view kSuffix = ".json";
 
-Json reference(const std::string& definition)
-{
-    return {{"$ref", "#/definitions/" + definition}};
-}
+Json reference(const std::string& definition) { return {{"$ref", "#/definitions/" + definition}}; }
 
 /// Lets every value below be null: merging deletes what a patch has as null.
 void allowNulls(Json& form)
@@ -32,11 +29,14 @@ void allowNulls(Json& form)
         if (!form.contains(list)) continue;
         for (Json& value : form[list]) {
             allowNulls(value);
-            if (value.contains("anyOf")) value["anyOf"].push_back({{"type", "null"}});
-            else if (value.contains("enum")) value["enum"].push_back(nullptr);
+            if (value.contains("anyOf"))
+                value["anyOf"].push_back({{"type", "null"}});
+            else if (value.contains("enum"))
+                value["enum"].push_back(nullptr);
             else if (value.contains("type") && value["type"].is_array())
                 value["type"].push_back("null");
-            else if (value.contains("type")) value["type"] = {value["type"], "null"};
+            else if (value.contains("type"))
+                value["type"] = {value["type"], "null"};
         }
     }
     if (form.contains("anyOf"))
@@ -194,6 +194,18 @@ Json descriptionForm()
     return table::formOf(description, {}, "");
 }
 
+/// A param or feature may be its default alone.
+void allowBareValues(Json& definitions)
+{
+    definitions["param"]["allOf"] = paramTypeRules();
+    definitions["feature"]["allOf"] = featureTypeRules();
+    for (const char* tunable : {"param", "feature"}) {
+        Json bare = definitions[tunable]["properties"]["default"];
+        for (const char* told : {"title", "x-required"}) bare.erase(told);
+        definitions[tunable] = table::anyForm({std::move(definitions[tunable]), std::move(bare)});
+    }
+}
+
 }  // namespace
 
 std::string schemaJson(const SourceSet& sources)
@@ -210,13 +222,7 @@ std::string schemaJson(const SourceSet& sources)
         definitions[definition] = std::exchange(entryOf(all), reference(definition));
         all["properties"] = offeredNames(sources, section, definition);
     }
-    definitions["param"]["allOf"] = paramTypeRules();
-    definitions["feature"]["allOf"] = featureTypeRules();
-    for (const char* tunable : {"param", "feature"}) {
-        Json bare = definitions[tunable]["properties"]["default"];
-        for (const char* told : {"title", "x-required"}) bare.erase(told);
-        definitions[tunable] = table::anyForm({std::move(definitions[tunable]), std::move(bare)});
-    }
+    allowBareValues(definitions);
     for (const auto& [key, value] : form["properties"].items()) {
         definitions[key] = value;
         keys[key] = reference(key);
@@ -249,9 +255,12 @@ std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts)
             form = Json(form["anyOf"].front());  // what has keys comes first
         const bool fixed = form.contains("properties");
         named = !fixed && form.contains("patternProperties");
-        if (fixed && form["properties"].contains(part)) form = Json(form["properties"][part]);
-        else if (named) form = Json(entryOf(form));
-        else return std::nullopt;
+        if (fixed && form["properties"].contains(part))
+            form = Json(form["properties"][part]);
+        else if (named)
+            form = Json(entryOf(form));
+        else
+            return std::nullopt;
     }
     const bool has_default = form.contains("default");
     return FormatKey{form.value("description", ""), has_default ? form["default"].dump() : "",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The cases of `crevice stress`: a small scene, what is varied, and what must come out.
 //
-// A case is one entry of a table (tools/stress/cases.cpp). Its steps lie on both sides of an ordinary
-// one; walking away from that, the first step that fails is the breakdown point.
+// A case is one entry of a table (tools/stress/cases.cpp). Its steps lie on both sides of an
+// ordinary one; walking away from that, the first step that fails is the breakdown point.
 #pragma once
 
 #include "tools/scene/scene.h"
@@ -20,13 +20,15 @@ namespace crevice {
 /// What must come out of each step. Finite values in every target of every pass, and occlusion in
 /// [0, 1], are asked of all.
 enum class Expectation {
-    sound,     ///< No more than that.
-    open,      ///< A flat plane: a mean of 0.999 or more, no pixel of the middle below 0.95.
-    one,       ///< Exactly 1 everywhere.
-    same,      ///< The picture of the ordinary step, within the case's limit: as a mean, or where
-               ///< pixels are spoiled the largest change anywhere else.
-    opens,     ///< From the ordinary step on, each picture as bright as the one before, the last open.
-    darkens,   ///< Each picture as dark as the one before.
+    sound,  ///< No more than that.
+    open,   ///< A flat plane: a mean of 0.999 or more, no pixel of the middle below 0.95.
+    one,    ///< Exactly 1 everywhere.
+    /// The picture of the ordinary step, within the case's limit: as a mean, or where pixels are
+    /// spoiled the largest change anywhere else.
+    same,
+    /// From the ordinary step on, each picture as bright as the one before, the last open.
+    opens,
+    darkens,  ///< Each picture as dark as the one before.
 };
 
 /// What one frame of a step needs.
@@ -35,16 +37,16 @@ struct StressShot {
     Camera camera = {};
     Extent extent = {};
     double radius = 0.5;  ///< Scene units; what the config's param is set to.
-    std::vector<std::string> settings = {};  ///< Further params, "intensity=0"; a config without one of
-                                             ///< them is left out.
-    int samples = 0;      ///< Depth taps a pixel; 0: the config's own, -1: the most.
+    /// Further params, "intensity=0"; a config without one of them is left out.
+    std::vector<std::string> settings = {};
+    int samples = 0;           ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
 
     /// What the config runs over, one of the names in tools/stress/geometry.h; empty: its own.
     std::string geometry = {};
 
-    /// When set, depth and normals come from a host, which draws them through `host_camera` and then does
-    /// this to them.
+    /// When set, depth and normals come from a host, which draws them through `host_camera` and
+    /// then does this to them.
     std::function<void(Image& depth, Image& normal)> host = {};
     Camera host_camera = {};
 
@@ -60,9 +62,11 @@ struct StressShot {
     /// and left and right changed.
     int shift_px = 0;
     bool mirrored = false;
-    int block_px = 1;  ///< Means over such squares are compared: noise that stays with pixels evens out.
+    /// Means over such squares are compared: noise that stays with pixels evens out.
+    int block_px = 1;
 
-    /// Pixels, counted from the lower left, about which the pictures may differ, as far as `reach_px`.
+    /// Pixels, counted from the lower left, about which the pictures may differ, as far as
+    /// `reach_px`.
     std::vector<glm::ivec2> spoiled = {};
     int reach_px = 0;
 };
@@ -74,13 +78,14 @@ struct StressStep {
 
 struct StressCase {
     std::string name;
-    std::string what;   ///< One sentence.
-    std::string unit;   ///< Of the swept value; empty where the steps are kinds, not amounts.
+    std::string what;  ///< One sentence.
+    std::string unit;  ///< Of the swept value; empty where the steps are kinds, not amounts.
     std::vector<StressStep> steps;
-    std::size_t ordinary = 0;   ///< Into `steps`.
+    std::size_t ordinary = 0;  ///< Into `steps`.
     Expectation expectation = Expectation::sound;
-    double limit = 0.002;       ///< Of `same`: mean change. Of `opens`, `darkens`: what noise may do.
-    bool formats = false;       ///< Also with each format that the surface may be stored in.
+    /// Of `same`: mean change. Of `opens`, `darkens`: what noise may do.
+    double limit = 0.002;
+    bool formats = false;  ///< Also with each format that the surface may be stored in.
     StressShot (*shot)(double value, Extent size) = nullptr;
 };
 
@@ -90,8 +95,9 @@ const std::vector<StressCase>& stressCases();
 /// Over all of a shot but what its host does to textures: 16 hex digits.
 std::string hashOf(const StressShot& shot);
 
-/// How far two values that a format tells apart lie from each other at a distance, in scene units. Of
-/// depth formats, for the camera's near and far distance; of half and single float, as a position.
+/// How far two values that a format tells apart lie from each other at a distance, in scene units.
+/// Of depth formats, for the camera's near and far distance; of half and single float, as a
+/// position.
 double formatStep(Format format, double distance, const StressShot& shot);
 
 }  // namespace crevice

@@ -40,6 +40,28 @@ void addVector(ContentHash& hash, const Vector& vector)
     for (int i = 0; i < 3; ++i) hash.add(vector[i]);
 }
 
+void addScene(ContentHash& hash, const Scene& scene)
+{
+    for (const MeshDesc& mesh : scene.meshes) {
+        hash.addBytes(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
+        hash.addBytes(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+    }
+    for (const SceneInstance& instance : scene.instances) {
+        hash.add(instance.mesh);
+        addMatrix(hash, instance.world_from_model);
+    }
+    for (const SceneLight& scene_light : scene.lights) {
+        addVector(hash, scene_light.light.position);
+        addVector(hash, scene_light.light.direction);
+        addVector(hash, scene_light.light.color);
+        addVector(hash, scene_light.light.attenuation);
+    }
+    for (const SceneMaterial& material : scene.materials) {
+        hash.add(material.shininess);
+        addVector(hash, material.specular);
+    }
+}
+
 }  // namespace
 
 std::vector<StressStep> steps(std::initializer_list<double> values)
@@ -67,14 +89,12 @@ std::vector<StressStep> kinds(std::initializer_list<const char*> labels)
 std::vector<StressStep> shapes()
 {
     std::vector<StressStep> all;
-    for (const Shape& shape : kShapes) all.push_back({static_cast<double>(all.size()), shape.label});
+    for (const Shape& shape : kShapes)
+        all.push_back({static_cast<double>(all.size()), shape.label});
     return all;
 }
 
-Extent shapeOf(double kind)
-{
-    return kShapes[static_cast<int>(kind)].size;
-}
+Extent shapeOf(double kind) { return kShapes[static_cast<int>(kind)].size; }
 
 Extent sizeForTaps(double samples, Extent size)
 {
@@ -142,24 +162,7 @@ const std::vector<StressCase>& stressCases()
 std::string hashOf(const StressShot& shot)
 {
     ContentHash hash;
-    for (const MeshDesc& mesh : shot.scene.meshes) {
-        hash.addBytes(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
-        hash.addBytes(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
-    }
-    for (const SceneInstance& instance : shot.scene.instances) {
-        hash.add(instance.mesh);
-        addMatrix(hash, instance.world_from_model);
-    }
-    for (const SceneLight& scene_light : shot.scene.lights) {
-        addVector(hash, scene_light.light.position);
-        addVector(hash, scene_light.light.direction);
-        addVector(hash, scene_light.light.color);
-        addVector(hash, scene_light.light.attenuation);
-    }
-    for (const SceneMaterial& material : shot.scene.materials) {
-        hash.add(material.shininess);
-        addVector(hash, material.specular);
-    }
+    addScene(hash, shot.scene);
     addMatrix(hash, shot.camera.view_from_world);
     addMatrix(hash, shot.camera.clip_from_view);
     hash.add(shot.radius);
@@ -169,7 +172,8 @@ std::string hashOf(const StressShot& shot)
     addImage(hash, shot.distances);
     hash.add(shot.extent.width);
     hash.add(shot.extent.height);
-    for (const double number : {shot.farthest, shot.near_distance, shot.far_distance, shot.coordinates})
+    for (const double number :
+         {shot.farthest, shot.near_distance, shot.far_distance, shot.coordinates})
         hash.add(number);
     hash.add(shot.shift_px);
     hash.add(shot.mirrored);

@@ -39,16 +39,15 @@ StressShot noOp(double kind, Extent size)
 {
     StressShot shot = yardShot(testView(), size);
     const bool no_radius = kind >= 2;
-    if (no_radius) shot.radius = 0;
-    else shot.settings = {"intensity=0"};
+    if (no_radius)
+        shot.radius = 0;
+    else
+        shot.settings = {"intensity=0"};
     shot.keep_no_ops = kind == 1 || kind == 3;
     return shot;
 }
 
-StressShot yardShape(double kind, Extent)
-{
-    return yardShot(testView(), shapeOf(kind));
-}
+StressShot yardShape(double kind, Extent) { return yardShot(testView(), shapeOf(kind)); }
 
 StressShot emptyShape(double kind, Extent)
 {
@@ -76,10 +75,18 @@ void flattenTriangles(MeshDesc& mesh)
         mesh.indices[i + 1] = mesh.indices[i + (i % 4 == 0 ? 0 : 2)];
 }
 
-const char* const kMeshKinds[] = {
-    "ordinary", "normals of no length", "normals of NaN", "triangles of no area", "no triangles",
-    "flattened", "shrunk to a point", "mirrored", "stretched 1e6:1", "camera within the radius",
-    "things behind the camera", "camera inside a box"};
+const char* const kMeshKinds[] = {"ordinary",
+                                  "normals of no length",
+                                  "normals of NaN",
+                                  "triangles of no area",
+                                  "no triangles",
+                                  "flattened",
+                                  "shrunk to a point",
+                                  "mirrored",
+                                  "stretched 1e6:1",
+                                  "camera within the radius",
+                                  "things behind the camera",
+                                  "camera inside a box"};
 
 StressShot yardMeshes(double kind, Extent size)
 {
@@ -121,14 +128,13 @@ void putOnSurface(StressShot& shot, double distance)
         const double y = (i * shot.extent.height / 9 + 0.5) / shot.extent.height * 2 - 1;
         const glm::dvec4 ray = view_from_clip * glm::dvec4(x, y, 1, 1);
         shot.scene.lights.push_back(scene_light);
-        shot.scene.lights.back().light.position =
-            glm::dvec3(ray) * (distance / -ray.z);
+        shot.scene.lights.back().light.position = glm::dvec3(ray) * (distance / -ray.z);
     }
 }
 
-const char* const kLampKinds[] = {"ordinary", "on the surface", "no attenuation", "shininess 0",
-                                  "shininess 1e6", "intensity 1e6", "at the camera",
-                                  "no direction", "all of it"};
+const char* const kLampKinds[] = {"ordinary",      "on the surface", "no attenuation",
+                                  "shininess 0",   "shininess 1e6",  "intensity 1e6",
+                                  "at the camera", "no direction",   "all of it"};
 
 StressShot planeLamps(double value, Extent size)
 {
@@ -162,10 +168,23 @@ std::vector<StressCase> extremeCases()
 {
     using E = Expectation;
     return {
-        {"radius_to_zero", "The test scene under ever smaller radii.", "scene units",
-         {{1e-9, "1e-9"}, {1e-6, "1e-6"}, {1e-4, "1e-4"}, {1e-3, "1e-3"}, {1e-2, "0.01"},
-          {0.05, "0.05"}, {0.1, "0.1"}, {0.25, "0.25"}, {0.5, "0.5"}},
-         8, E::opens, 0.002, false, yardRadius},
+        {"radius_to_zero",
+         "The test scene under ever smaller radii.",
+         "scene units",
+         {{1e-9, "1e-9"},
+          {1e-6, "1e-6"},
+          {1e-4, "1e-4"},
+          {1e-3, "1e-3"},
+          {1e-2, "0.01"},
+          {0.05, "0.05"},
+          {0.1, "0.1"},
+          {0.25, "0.25"},
+          {0.5, "0.5"}},
+         8,
+         E::opens,
+         0.002,
+         false,
+         yardRadius},
         {"radius_growing", "The test scene under ever larger radii.", "scene units",
          steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, yardRadius},
         {"corner_radius", "An inner corner under larger radii.", "scene units",
@@ -179,8 +198,8 @@ std::vector<StressCase> extremeCases()
          yardShape},
         {"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0, E::one, 0,
          false, emptyShape},
-        {"meshes", "Broken meshes, singular matrices and a camera in the way.", "", named(kMeshKinds),
-         0, E::sound, 0, false, yardMeshes},
+        {"meshes", "Broken meshes, singular matrices and a camera in the way.", "",
+         named(kMeshKinds), 0, E::sound, 0, false, yardMeshes},
         {"lamps", "Lamps on the surface, without attenuation, too bright; extreme highlights.", "",
          named(kLampKinds), 0, E::sound, 0, false, planeLamps},
     };

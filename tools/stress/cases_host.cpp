@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stress cases over other geometry: stored positions, and a host's depth and normals of other projections
-// and with rubbish in them.
+// Stress cases over other geometry: stored positions, and a host's depth and normals of other
+// projections and with rubbish in them.
 #include "tools/stress/case_lists.h"
 #include "tools/stress/geometry.h"
 
@@ -31,8 +31,8 @@ StressShot hostShot(Extent size)
     return shot;
 }
 
-/// What a host does to its depth, drawn through `clip_from_view`: each becomes `stored(distance along the view
-/// axis, whether something was drawn)`.
+/// What a host does to its depth, drawn through `clip_from_view`: each becomes `stored(distance
+/// along the view axis, whether something was drawn)`.
 template <class Stored>
 auto storedBy(const glm::dmat4& clip_from_view, const Stored& stored)
 {
@@ -54,15 +54,16 @@ StressShot hostProjection(double kind, Extent size)
     const glm::dmat4 to = shot.camera.clip_from_view;
     const double background = view.reversed ? 0 : 1;
     if (kind > 0)
-        shot.host = storedBy(shot.host_camera.clip_from_view, [to, background](double z, bool seen) {
-            const glm::dvec4 clip = to * glm::dvec4(0, 0, -z, 1);
-            return seen ? clip.z / clip.w * 0.5 + 0.5 : background;
-        });
+        shot.host =
+            storedBy(shot.host_camera.clip_from_view, [to, background](double z, bool seen) {
+                const glm::dvec4 clip = to * glm::dvec4(0, 0, -z, 1);
+                return seen ? clip.z / clip.w * 0.5 + 0.5 : background;
+            });
     return shot;
 }
 
-/// 1 for linear depth, else the power of ten to which logarithmic depth reaches; for a camera with reversed
-/// depth.
+/// 1 for linear depth, else the power of ten to which logarithmic depth reaches; for a camera with
+/// reversed depth.
 StressShot hostEncoding(double kind, Extent size)
 {
     if (kind == 0) return hostShot(size);
@@ -76,9 +77,8 @@ StressShot hostEncoding(double kind, Extent size)
     const double far = std::pow(10, kind);
     shot.geometry = kHostLogGeometry;
     shot.settings = {"log_far=" + fixed(far, 6)};
-    shot.host = storedBy(drawn, [far](double z, bool seen) {
-        return seen ? std::log1p(z) / std::log1p(far) : 1;
-    });
+    shot.host = storedBy(
+        drawn, [far](double z, bool seen) { return seen ? std::log1p(z) / std::log1p(far) : 1; });
     return shot;
 }
 
@@ -107,12 +107,10 @@ const Rubbish kDepths[] = {{"ordinary", 0},
                            {"1e30", 1e30},
                            {"-1e30", -1e30}};
 
-const Rubbish kNormals[] = {{"ordinary", 0},
-                            {"NaN", std::numeric_limits<double>::quiet_NaN()},
-                            {"infinity", kInfinity},
-                            {"no length", 0.5},
-                            {"-1e30", -1e30},
-                            {"1e30", 1e30}};
+const Rubbish kNormals[] = {
+    {"ordinary", 0},         {"NaN", std::numeric_limits<double>::quiet_NaN()},
+    {"infinity", kInfinity}, {"no length", 0.5},
+    {"-1e30", -1e30},        {"1e30", 1e30}};
 
 template <std::size_t count>
 std::vector<StressStep> stepsOf(const Rubbish (&list)[count])
@@ -177,16 +175,27 @@ std::vector<StressCase> hostCases()
     using E = Expectation;
     return {
         {"inputs", "The same config over depth, over stored positions and over linear depth.", "",
-         kinds({kDepthGeometry, kPositionGeometry, kLinearGeometry}), 0, E::same, 0.002, false, inputs},
+         kinds({kDepthGeometry, kPositionGeometry, kLinearGeometry}), 0, E::same, 0.002, false,
+         inputs},
         {"host_projection", "A host's depth of other projections.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
          false, hostProjection},
-        {"host_encoding", "A host's linear depth, and its logarithmic depth to ever farther.", "",
-         {{0, "straight"}, {1, "linear"}, {2, "logarithmic to 1e2"}, {4, "logarithmic to 1e4"},
+        {"host_encoding",
+         "A host's linear depth, and its logarithmic depth to ever farther.",
+         "",
+         {{0, "straight"},
+          {1, "linear"},
+          {2, "logarithmic to 1e2"},
+          {4, "logarithmic to 1e4"},
           {7, "logarithmic to 1e7"}},
-         0, E::same, 0.002, false, hostEncoding},
-        {"host_depth", "Three pixels of rubbish in a host's depth: nothing changes beyond the radius.",
-         "", stepsOf(kDepths), 0, E::same, 0.004, false, hostDepth},
+         0,
+         E::same,
+         0.002,
+         false,
+         hostEncoding},
+        {"host_depth",
+         "Three pixels of rubbish in a host's depth: nothing changes beyond the radius.", "",
+         stepsOf(kDepths), 0, E::same, 0.004, false, hostDepth},
         {"host_normal", "Three pixels of rubbish in a host's normals.", "", stepsOf(kNormals), 0,
          E::same, 0.004, false, hostNormal},
         {"host_inward", "A host's normals turned inward: sound.", "", kinds({"ordinary", "inward"}),

@@ -87,10 +87,7 @@ StressShot planeUnits(double scale, Extent size)
     return shot;
 }
 
-StressShot planeShape(double kind, Extent)
-{
-    return planeShot({}, shapeOf(kind), kDistance, 40);
-}
+StressShot planeShape(double kind, Extent) { return planeShot({}, shapeOf(kind), kDistance, 40); }
 
 /// Without strips of one pixel's width, whose fields of view leave no angle for an answer.
 std::vector<StressStep> usualShapes()
@@ -129,8 +126,8 @@ std::vector<StressCase> planeCases()
          steps({1, 2, 4, 8, 16, 32, 64, 128, -1}), 4, E::open, 0, false, planeSamples},
         {"plane_units", "A plane in other units: all lengths times a factor.", "units",
          decades(-6, 6), 6, E::open, 0, false, planeUnits},
-        {"plane_sizes", "A plane in pictures of other sizes.", "", usualShapes(), 0, E::open, 0, false,
-         planeShape},
+        {"plane_sizes", "A plane in pictures of other sizes.", "", usualShapes(), 0, E::open, 0,
+         false, planeShape},
     };
 }
 

@@ -9,8 +9,8 @@
 namespace crevice {
 namespace {
 
-constexpr double kRadius = 1;     // scene units
-constexpr int kNoiseBlock = 8;    // pixels; tiles of noise are 4x4, at half the size 8x8
+constexpr double kRadius = 1;   // scene units
+constexpr int kNoiseBlock = 8;  // pixels; tiles of noise are 4x4, at half the size 8x8
 
 StressShot testShot(const StressView& view, Extent size, Scene scene = testScene())
 {
@@ -92,13 +92,14 @@ StressShot yardNarrow(double degrees, Extent size)
 {
     constexpr double kHalfHeight = 2;
     StressView view = testView();
-    const double away =
-        degrees > 0 ? kHalfHeight / std::tan(glm::radians(degrees / 2)) : 20.0;
+    const double away = degrees > 0 ? kHalfHeight / std::tan(glm::radians(degrees / 2)) : 20.0;
     view.eye.z = away;
     view.near_distance = away - 4.5;
     view.far_distance = away + 4.5;
-    if (degrees > 0) view.fov_degrees = degrees;
-    else view.half_height = kHalfHeight;
+    if (degrees > 0)
+        view.fov_degrees = degrees;
+    else
+        view.half_height = kHalfHeight;
     return testShot(view, size);
 }
 
@@ -108,26 +109,27 @@ std::vector<StressCase> sameCases()
 {
     using E = Expectation;
     return {
-        {"units", "The test scene in other units, by its model matrices.", "units", decades(-6, 6), 6,
-         E::same, 0.002, false, yardUnits},
-        {"units_in_vertices", "The test scene in other units, in its vertices.", "units", decades(-6, 6),
-         6, E::same, 0.002, false, yardUnitsInVertices},
+        {"units", "The test scene in other units, by its model matrices.", "units", decades(-6, 6),
+         6, E::same, 0.002, false, yardUnits},
+        {"units_in_vertices", "The test scene in other units, in its vertices.", "units",
+         decades(-6, 6), 6, E::same, 0.002, false, yardUnitsInVertices},
         {"offset", "The test scene far from the origin, by its model matrices.", "radii",
          steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, yardOffset},
         {"offset_in_vertices", "The same in its vertices, where floats round it.", "radii",
-         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false,
-         yardOffsetInVertices},
-        {"near_far", "The test scene between ever farther near and far planes.", "near:far", nearFarSteps(), 1,
-         E::same, 0.002, true, yardNearFar},
+         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, yardOffsetInVertices},
+        {"near_far", "The test scene between ever farther near and far planes.", "near:far",
+         nearFarSteps(), 1, E::same, 0.002, true, yardNearFar},
         {"projection", "The test scene through other projections of depth.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
          true, yardProjection},
-        {"off_centre", "The test scene through an off-centre frustum: means over 8x8 pixels that both show.",
+        {"off_centre",
+         "The test scene through an off-centre frustum: means over 8x8 pixels that both show.",
          "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, 0.01, false, yardShift},
         {"mirrored", "The test scene mirrored; noise is not, so means over 8x8 pixels count.", "",
          kinds({"ordinary", "by a matrix", "in the vertices"}), 0, E::same, 0.015, false,
          yardMirrored},
-        {"narrow", "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
+        {"narrow",
+         "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
          "degrees", steps({0, 0.01, 0.03, 0.1}), 0, E::same, 0.01, false, yardNarrow},
     };
 }

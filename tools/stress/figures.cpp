@@ -27,7 +27,8 @@ bool isNear(const StressShot& shot, int x, int y)
 
 /// The differences over what both pictures show, summed up in blocks.
 struct Blocks {
-    std::map<std::pair<int, int>, std::pair<double, int>> sums;  ///< Sum and number of pixels, by place.
+    /// Sum and number of pixels, by place.
+    std::map<std::pair<int, int>, std::pair<double, int>> sums;
 
     void add(int x, int y, double difference)
     {
@@ -101,7 +102,8 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
 double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot)
 {
     if (!(ordinary.extent == image.extent)) return 1;
-    // What lies off the screen says nothing, so pictures of other extents differ along their borders.
+    // What lies off the screen says nothing, so pictures of other extents differ along their
+    // borders.
     const int width = image.extent.width, border = shot.shift_px == 0 ? 0 : width / kBorders;
     Blocks blocks;
     for (int y = 0; y < image.extent.height; ++y)

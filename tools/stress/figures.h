@@ -12,8 +12,8 @@ void describeOcclusion(const Image& ao, StressRecord& record);
 /// What the format makes of the surface, and the pixels of the middle where that is fine enough.
 void describeSurface(const Image& ao, const StressShot& shot, Format format, StressRecord& record);
 
-/// The mean absolute change over what both pictures show; where that is not a number in one, 1. Where
-/// pixels are spoiled, the largest change farther away.
+/// The mean absolute change over what both pictures show; where that is not a number in one, 1.
+/// Where pixels are spoiled, the largest change farther away.
 double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot);
 
 /// Of the shot's radius, at what is seen in the middle.

@@ -28,7 +28,8 @@ const char* const kNoGuardBand =
 std::string overHost(const std::string& module)
 {
     return R"({"format": 1, "name": ")" + module + R"(", "description": "A host's own.",
-        "extends": [")" + module + R"("], "params": {)" + kNoGuardBand + R"(},
+        "extends": [")" +
+           module + R"("], "params": {)" + kNoGuardBand + R"(},
         "targets": {"albedo": {"format": ["rgba8"]}},
         "shaders": {"host_albedo": {"vertex": "common/fullscreen.vert", "fragment": "host/albedo.frag"}},
         "passes": {"host_albedo": {
@@ -65,8 +66,8 @@ MemorySources linearModules(const SourceSet& sources)
 MemorySources positionModules()
 {
     MemorySources modules;
-    modules.add("geometry/depth_normal.json",
-                std::string(R"({"format": 1, "name": "geometry/depth_normal",
+    modules.add(
+        "geometry/depth_normal.json", std::string(R"({"format": 1, "name": "geometry/depth_normal",
         "description": "Stored positions.", "extends": ["geometry/position_normal"],
         "params": {)") + kNoGuardBand + R"(},
         "targets": {"position": {"format": ["rgba32f", "rgba16f"]}}})");
@@ -87,7 +88,8 @@ MemorySources depthModules()
 }  // namespace
 
 Substitutes::Layer::Layer(MemorySources substitutes, const SourceSet& sources)
-    : modules(std::move(substitutes)), all({&modules, &sources})
+    : modules(std::move(substitutes)),
+      all({&modules, &sources})
 {
 }
 
@@ -149,7 +151,8 @@ HostTextures::~HostTextures()
 }
 
 HostTextures::HostTextures(HostTextures&& other) noexcept
-    : device_(other.device_), textures_(std::exchange(other.textures_, {}))
+    : device_(other.device_),
+      textures_(std::exchange(other.textures_, {}))
 {
 }
 

@@ -11,8 +11,8 @@
 
 namespace crevice {
 
-/// What stands in for geometry modules, so that any config that extends one of them becomes one over
-/// another. Others stay as they are.
+/// What stands in for geometry modules, so that any config that extends one of them becomes one
+/// over another. Others stay as they are.
 class Substitutes {
 public:
     explicit Substitutes(const SourceSet& sources);

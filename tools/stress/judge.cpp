@@ -16,10 +16,7 @@ constexpr double kFineShare = 0.02;
 /// What is allowed of coarser ones.
 constexpr double kChangePerStep = 0.25;
 
-std::string number(double value)
-{
-    return significant(value, 4);
-}
+std::string number(double value) { return significant(value, 4); }
 
 Verdict breaks(std::string why) { return {Outcome::breaks, std::move(why)}; }
 
@@ -54,8 +51,8 @@ Verdict judgeSlope(const StressCase& stress, const std::vector<const StressRecor
                            series[other]->absent.empty() && series[other]->refusal.empty();
     if (has_other) {
         const double before = series[other]->mean;
-        const bool wrong = opens ? here.mean < before - stress.limit
-                                 : here.mean > before + stress.limit;
+        const bool wrong =
+            opens ? here.mean < before - stress.limit : here.mean > before + stress.limit;
         if (wrong)
             return breaks("mean " + number(here.mean) + " after " + number(before) + " at " +
                           stress.steps[other].label);
@@ -65,13 +62,14 @@ Verdict judgeSlope(const StressCase& stress, const std::vector<const StressRecor
     return {};
 }
 
-/// How much a picture may change on average and be the same: the case's limit, where the format's steps are
-/// fine; noise of coarser ones showed changes of 0.08 of a step by hemispheres, 0.15 by horizons and 0.24 by
-/// normals rebuilt from depth.
+/// How much a picture may change on average and be the same: the case's limit, where the format's
+/// steps are fine; noise of coarser ones showed changes of 0.08 of a step by hemispheres, 0.15 by
+/// horizons and 0.24 by normals rebuilt from depth.
 double mostChange(const StressCase& stress, const StressRecord& record)
 {
-    return record.step_share <= kFineShare ? stress.limit
-                                           : std::max(stress.limit, kChangePerStep * record.step_share);
+    return record.step_share <= kFineShare
+               ? stress.limit
+               : std::max(stress.limit, kChangePerStep * record.step_share);
 }
 
 std::string atLabel(const StressCase& stress, int step) { return stress.steps[step].label; }
@@ -147,10 +145,9 @@ std::string describe(const StressCase& stress, const Breakdown& breakdown)
     const Reach &down = breakdown.down, &up = breakdown.up;
     std::string text;
     if (down.holds_to >= 0 && up.holds_to >= 0)
-        text = down.holds_to == up.holds_to
-                   ? "holds at " + atLabel(stress, up.holds_to)
-                   : "holds from " + atLabel(stress, down.holds_to) + " to " +
-                         atLabel(stress, up.holds_to);
+        text = down.holds_to == up.holds_to ? "holds at " + atLabel(stress, up.holds_to)
+                                            : "holds from " + atLabel(stress, down.holds_to) +
+                                                  " to " + atLabel(stress, up.holds_to);
     const bool same_break = down.breaks_at == up.breaks_at;
     for (const Reach* reach : {&down, &up})
         if (reach->breaks_at >= 0 && !(same_break && reach == &up))

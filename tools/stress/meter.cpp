@@ -22,7 +22,7 @@ namespace crevice {
 namespace {
 
 constexpr float kPoison = 0.8713f;  // where a format holds no NaN
-constexpr int kTruthRays = 64;       // a pixel: an error of context needs no more
+constexpr int kTruthRays = 64;      // a pixel: an error of context needs no more
 
 std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
@@ -55,7 +55,8 @@ const char* missingFrom(const Description& description, const StressShot& shot)
                : "its geometry module has no such counterpart";
 }
 
-/// The format that the surface is read from: that of stored positions or distances, else of the depth.
+/// The format that the surface is read from: that of stored positions or distances, else of the
+/// depth.
 Format storedFormat(const Plan& plan)
 {
     for (const char* name : {"position", "linear_depth", "depth"})
@@ -108,7 +109,8 @@ std::string StressMeter::contentOf(const StressTask& task, Extent size)
     const std::string config = task.config.config + '\n' + shot.geometry;
     auto content = contents_.find(config);
     if (content == contents_.end()) {
-        const Result<LoadedConfig> loaded = loadWithContent(task.config, substitutes_.over(shot.geometry));
+        const Result<LoadedConfig> loaded =
+            loadWithContent(task.config, substitutes_.over(shot.geometry));
         content = contents_.emplace(config, loaded ? loaded->content : std::string()).first;
     }
     hash.addText(content->second);
@@ -132,7 +134,8 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     }
     if (!base) return base.diagnostics();
     ConfigOptions config = task.config;
-    if (!shot.geometry.empty() && findNamed(base->params, "guard_band")) config.overrides.push_back("guard_band=1");
+    if (!shot.geometry.empty() && findNamed(base->params, "guard_band"))
+        config.overrides.push_back("guard_band=1");
     if (const char* what = missingFrom(*base, shot)) ready.absent = what;
     if (findNamed(base->params, "radius"))
         config.overrides.push_back("radius=" + significant(shot.radius, 9));
@@ -167,8 +170,8 @@ Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& fr
     if (anew || !renderer_->reload(ready.description, ready.options)) {
         renderer_.reset();
         renderer_of_.clear();
-        auto created = Renderer::create(*poison_, ready.description, ready.options,
-                                        traitsOf(frame));
+        auto created =
+            Renderer::create(*poison_, ready.description, ready.options, traitsOf(frame));
         if (!created) return created.diagnostics();
         renderer_ = std::move(*created);
         renderer_of_ = owner;
@@ -223,8 +226,7 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     drawn.stored = storedFormat(*plan);
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
-    const std::string owner =
-        task.config.config + " " + task.config.variant + shot.geometry;
+    const std::string owner = task.config.config + " " + task.config.variant + shot.geometry;
     if (const Status done = render(*ready, *plan, frame, owner); !done) return done.diagnostics();
     if (const Status done = look(watched, drawn); !done) return done.diagnostics();
     Result<Image> ao = readOutput(*poison_, *renderer_, "ao");
@@ -241,8 +243,7 @@ const Image* StressMeter::ordinaryOf(const StressTask& task, Extent size)
     const std::string key = contentOf(ordinary, size);
     if (ordinary_of_ != key) {
         ordinary_of_ = key;
-        const StressShot shot =
-            task.stress->shot(task.stress->steps[ordinary.step].value, size);
+        const StressShot shot = task.stress->shot(task.stress->steps[ordinary.step].value, size);
         Result<Drawn> drawn = draw(ordinary, shot);
         ordinary_ = drawn ? std::move(drawn->ao) : Image();
     }
@@ -305,8 +306,7 @@ StressDrawing StressMeter::measure(const StressTask& task, Extent size)
     done.ao = std::move(drawn->ao);
     record.bad_target = drawn->bad.target;
     record.bad_pass = drawn->bad.pass;
-    record.bad_pixels =
-        static_cast<long long>(drawn->bad.not_numbers + drawn->bad.infinite);
+    record.bad_pixels = static_cast<long long>(drawn->bad.not_numbers + drawn->bad.infinite);
     record.out_of_range = drawn->negative_colors;
     record.stored = formatInfo(drawn->stored).name;
     record.radius_px = radiusInPixels(shot);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drawing the steps of stress cases on a device, in memory full of NaN, and looking at every target.
+// Drawing the steps of stress cases on a device, in memory full of NaN, and looking at every
+// target.
 #pragma once
 
 #include "tools/cli/config_options.h"
@@ -32,8 +33,8 @@ struct StressDrawing {
 /// The formats that a config's surface may be stored in, as StressTask::format; the first is empty.
 std::vector<std::string> surfaceFormats(const Description& description);
 
-/// Keeps one renderer, so that a config's programs compile once. Tasks of one meter differ in no variant and no
-/// override. The device and the sources must outlive it.
+/// Keeps one renderer, so that a config's programs compile once. Tasks of one meter differ in no
+/// variant and no override. The device and the sources must outlive it.
 class StressMeter {
 public:
     /// Truths are kept in `cache_folder`; empty for nowhere.

@@ -26,8 +26,10 @@ Result<std::vector<StressRecord>> readStressRecords(const std::string& path)
         readLines(path, {"step of a stress case", "crevice stress"}, [&](nlohmann::json&& json) {
             StressRecord record = json.get<StressRecord>();
             const auto [place, is_new] = places.emplace(record.key, records.size());
-            if (is_new) records.push_back(std::move(record));
-            else records[place->second] = std::move(record);
+            if (is_new)
+                records.push_back(std::move(record));
+            else
+                records[place->second] = std::move(record);
         });
     if (hasErrors(diagnostics)) return diagnostics;
     return {std::move(records), std::move(diagnostics)};

@@ -13,13 +13,13 @@ namespace crevice {
 
 /// One step of one series, as one line of stress.jsonl.
 struct StressRecord {
-    std::string key;      ///< 16 hex digits over all that decides the figures.
+    std::string key;  ///< 16 hex digits over all that decides the figures.
     std::string config;
     std::string variant;
     std::vector<std::string> overrides;
     std::string case_name;
-    std::string format;   ///< "depth=depth16": what was set; empty: the config's own.
-    int step = 0;         ///< Into StressCase::steps.
+    std::string format;  ///< "depth=depth16": what was set; empty: the config's own.
+    int step = 0;        ///< Into StressCase::steps.
     std::string label;
     double value = 0;
     std::string device;
@@ -28,26 +28,27 @@ struct StressRecord {
     std::string refusal;  ///< The error that came instead of a first frame.
     std::string absent;   ///< What the config lacks for this step; then there are no figures.
 
-    std::string bad_target;     ///< The first, by passes, that holds what is not finite.
+    std::string bad_target;  ///< The first, by passes, that holds what is not finite.
     std::string bad_pass;
     long long bad_pixels = 0;
-    long long out_of_range = 0; ///< Pixels of occlusion outside [0, 1], of colour below 0.
-    double mean = 0;            ///< Of the occlusion's finite pixels, as are the next two.
+    long long out_of_range = 0;  ///< Pixels of occlusion outside [0, 1], of colour below 0.
+    double mean = 0;             ///< Of the occlusion's finite pixels, as are the next two.
     double least = 0;
     double most = 0;
 
-    std::string stored;         ///< The format that the surface is read from.
-    double step_share = 0;      ///< That format's step over the radius, at what is seen in the middle.
-    double resolved = 1;        ///< Share of the surface where that is at most a tenth.
-    long long judged = 0;       ///< Pixels of the middle that show it so.
+    std::string stored;  ///< The format that the surface is read from.
+    /// That format's step over the radius, at what is seen in the middle.
+    double step_share = 0;
+    double resolved = 1;   ///< Share of the surface where that is at most a tenth.
+    long long judged = 0;  ///< Pixels of the middle that show it so.
     double judged_mean = 0;
     double judged_least = 0;
-    double judged_below = 0;    ///< Share of them below 0.95.
-    double change = 0;          ///< Mean against the ordinary picture.
-    double rmse = -1;           ///< Against the ray-traced truth; -1: not measured.
-    double radius_px = 0;       ///< On screen, in the middle.
+    double judged_below = 0;  ///< Share of them below 0.95.
+    double change = 0;        ///< Mean against the ordinary picture.
+    double rmse = -1;         ///< Against the ray-traced truth; -1: not measured.
+    double radius_px = 0;     ///< On screen, in the middle.
     double ms = 0;
-    std::string picture;        ///< Of a failure, relative to the file.
+    std::string picture;  ///< Of a failure, relative to the file.
 };
 
 /// One line, without the line feed.
@@ -82,10 +83,10 @@ struct Reach {
 };
 
 struct Breakdown {
-    Reach down, up;      ///< Towards the first and the last step; both begin at the ordinary one.
+    Reach down, up;  ///< Towards the first and the last step; both begin at the ordinary one.
     int failures = 0;
     int refused = 0;
-    bool absent = false;   ///< There is no figure at all.
+    bool absent = false;  ///< There is no figure at all.
 };
 
 Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series);

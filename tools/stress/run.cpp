@@ -46,8 +46,11 @@ std::string seriesKey(const StressRecord& record)
 /// Draws steps, and judges each by those of its series that are there already.
 class Steps {
 public:
-    Steps(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known, StressHow how)
-        : how_(std::move(how)), tasks_(tasks), records_(tasks.size())
+    Steps(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known,
+          StressHow how)
+        : how_(std::move(how)),
+          tasks_(tasks),
+          records_(tasks.size())
     {
         std::unordered_map<std::string, const StressRecord*> places;
         for (const StressRecord& record : known) places.emplace(record.key, &record);
@@ -82,7 +85,8 @@ public:
         }
         const char* const words[] = {"holds", "BREAKS", "beyond the format", "refused", "absent"};
         std::string outcome = words[static_cast<int>(verdict.outcome)];
-        if (!verdict.why.empty() && verdict.outcome != Outcome::beyond) outcome += ": " + verdict.why;
+        if (!verdict.why.empty() && verdict.outcome != Outcome::beyond)
+            outcome += ": " + verdict.why;
         return Measured{toJsonLine(done.record), std::move(outcome)};
     }
 
@@ -93,7 +97,8 @@ private:
         std::vector<const StressRecord*> series(tasks_[task].stress->steps.size());
         std::size_t first = task;
         while (first > 0 && records_[first - 1] && seriesKey(*records_[first - 1]) == key) --first;
-        for (std::size_t i = first; i < tasks_.size() && records_[i] && seriesKey(*records_[i]) == key; ++i)
+        for (std::size_t i = first;
+             i < tasks_.size() && records_[i] && seriesKey(*records_[i]) == key; ++i)
             series[records_[i]->step] = &*records_[i];
         return judge(*tasks_[task].stress, series, tasks_[task].step);
     }
@@ -115,7 +120,8 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
     std::vector<StressTask> tasks;
     std::size_t index = 0;
     for (const std::string& config : configs) {
-        const ConfigOptions chosen = {config, options.variant, options.overrides, {}, options.roots};
+        const ConfigOptions chosen = {
+            config, options.variant, options.overrides, {}, options.roots};
         const Result<Description> description = loadDescription(chosen, sources);
         if (!description) return description.diagnostics();
         std::vector<std::string> formats = surfaceFormats(*description);
@@ -139,7 +145,8 @@ std::string stepTitle(const StressTask& task)
            task.stress->steps[task.step].label;
 }
 
-MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known, StressHow how)
+MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known,
+                     StressHow how)
 {
     const auto steps = std::make_shared<Steps>(tasks, known, std::move(how));
     MeasureJob job = steps->job();
@@ -165,12 +172,10 @@ std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)
     std::vector<StressSeries> all;
     std::map<std::string, std::size_t> places;
     for (const StressRecord& record : records) {
-        const auto stress = std::find_if(stressCases().begin(), stressCases().end(),
-                                         [&](const StressCase& each) {
-                                             return each.name == record.case_name;
-                                         });
-        if (stress == stressCases().end() ||
-            record.step >= static_cast<int>(stress->steps.size()))
+        const auto stress =
+            std::find_if(stressCases().begin(), stressCases().end(),
+                         [&](const StressCase& each) { return each.name == record.case_name; });
+        if (stress == stressCases().end() || record.step >= static_cast<int>(stress->steps.size()))
             continue;
         const auto [place, is_new] = places.emplace(seriesKey(record), all.size());
         if (is_new) {

@@ -33,17 +33,19 @@ std::string stepTitle(const StressTask& task);
 struct StressHow {
     std::function<std::string(const StressTask&)> key;
     std::function<StressDrawing(const StressTask&)> measure;
-    std::function<Status(const StressDrawing&)> keep;  ///< Of a failure, before its line is written.
+    /// Of a failure, before its line is written.
+    std::function<Status(const StressDrawing&)> keep;
     std::string device;
     std::string version;
 };
 
-/// What the engine needs to draw the steps that `known` has no record of. The tasks and the records must
-/// outlive it.
-MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known, StressHow how);
+/// What the engine needs to draw the steps that `known` has no record of. The tasks and the records
+/// must outlive it.
+MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known,
+                     StressHow how);
 
-/// The file's records of the job's tasks, in their order; those not begun are left out. Errors: those of
-/// readStressRecords.
+/// The file's records of the job's tasks, in their order; those not begun are left out. Errors:
+/// those of readStressRecords.
 Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::string& file);
 
 /// The records of one config, case and format.
@@ -54,7 +56,8 @@ struct StressSeries {
     std::vector<const StressRecord*> steps;  ///< By step; null where there is none.
 };
 
-/// In the order in which they come. The records must outlive them; those of unknown cases are left out.
+/// In the order in which they come. The records must outlive them; those of unknown cases are left
+/// out.
 std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records);
 
 }  // namespace crevice

@@ -62,10 +62,7 @@ glm::dmat4 turned(double x, double z, double degrees)
 }
 
 /// Half of the picture's height at distance 1.
-double halfHeight(const StressView& view)
-{
-    return std::tan(glm::radians(view.fov_degrees) / 2);
-}
+double halfHeight(const StressView& view) { return std::tan(glm::radians(view.fov_degrees) / 2); }
 
 double aspectOf(Extent size) { return static_cast<double>(size.width) / size.height; }
 
@@ -103,10 +100,9 @@ PlaneReach planeReach(const StressView& view, Extent size, double distance, doub
 Camera cameraOf(const StressView& view, Extent size)
 {
     const double wide = view.half_height * aspectOf(size), high = view.half_height;
-    glm::dmat4 clip = view.half_height > 0
-                          ? glm::orthoRH_NO(-wide, wide, -high, high, view.near_distance,
-                                            view.far_distance)
-                          : perspective(view, size);
+    glm::dmat4 clip = view.half_height > 0 ? glm::orthoRH_NO(-wide, wide, -high, high,
+                                                             view.near_distance, view.far_distance)
+                                           : perspective(view, size);
     if (view.reversed)
         for (int column = 0; column < 4; ++column) clip[column][2] = -clip[column][2];
     const double shift = 2.0 * view.shift_px / size.width;
@@ -172,7 +168,8 @@ Scene placed(Scene scene, const glm::dmat4& first)
     for (SceneInstance& instance : scene.instances)
         instance.world_from_model = first * instance.world_from_model;
     for (SceneLight& scene_light : scene.lights)
-        scene_light.light.position = glm::dvec3(first * glm::dvec4(scene_light.light.position, 1.0));
+        scene_light.light.position =
+            glm::dvec3(first * glm::dvec4(scene_light.light.position, 1.0));
     return scene;
 }
 

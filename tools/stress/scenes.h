@@ -15,9 +15,9 @@ struct StressView {
     double half_height = 0;  ///< Above 0: orthographic.
     double near_distance = 0.1;
     double far_distance = 100;
-    bool infinite = false;   ///< The far plane lies infinitely far.
-    bool reversed = false;   ///< Near is at depth 1, far at 0.
-    int shift_px = 0;        ///< Off-centre: what lies that many pixels further right.
+    bool infinite = false;  ///< The far plane lies infinitely far.
+    bool reversed = false;  ///< Near is at depth 1, far at 0.
+    int shift_px = 0;       ///< Off-centre: what lies that many pixels further right.
 };
 
 Camera cameraOf(const StressView& view, Extent size);
@@ -28,11 +28,12 @@ struct PlaneView {
     Image distances;  ///< Along the view axis; 0 where a pixel does not show the plane.
 };
 
-/// `tilt` is the angle off facing the camera. The plane reaches past the borders of the view, where that is
-/// not too far. `view.eye` must be the origin.
+/// `tilt` is the angle off facing the camera. The plane reaches past the borders of the view, where
+/// that is not too far. `view.eye` must be the origin.
 PlaneView planeView(const StressView& view, Extent size, double distance, double tilt_degrees);
 
-/// A floor and two walls with boxes, a pole and a sphere, all closed, seen from (0, 1, 5). Everything lies in the vertices, each model matrix is one, and lamps shine.
+/// A floor and two walls with boxes, a pole and a sphere, all closed, seen from (0, 1, 5).
+/// Everything lies in the vertices, each model matrix is one, and lamps shine.
 Scene testScene();
 
 /// A floor and a wall that meet in the x axis, seen from (0, 1, 4).

@@ -21,21 +21,21 @@ namespace crevice {
 /// What `eglGetProcAddress` is wrapped in. Must not be empty.
 using GlLoader = std::function<void*(const char* name)>;
 
-/// Where a host keeps linked programs between runs, so that the next run compiles none of them: in a
-/// folder, say, with a file for each. The library itself writes no file.
+/// Where a host keeps linked programs between runs, so that the next run compiles none of them: in
+/// a folder, say, with a file for each. The library itself writes no file.
 ///
-/// Both functions are called wherever a program would be compiled, on the device's thread and in its
-/// context: they must not throw, and not touch GL or the device. What they refer to must outlive the
-/// device. Either may be empty. Neither is called where the driver gives no binaries
+/// Both functions are called wherever a program would be compiled, on the device's thread and in
+/// its context: they must not throw, and not touch GL or the device. What they refer to must
+/// outlive the device. Either may be empty. Neither is called where the driver gives no binaries
 /// (GL_NUM_PROGRAM_BINARY_FORMATS is 0).
 ///
-/// A key is 16 hex digits, fit for a file's name: a hash over both shaders as they are compiled, and
-/// the driver's vendor, renderer and version. So what a key stands for never changes, any entry may
-/// go at any time, and one place serves all configs, devices and versions. Drivers run what is in it
-/// as code: keep it where no one else can write.
+/// A key is 16 hex digits, fit for a file's name: a hash over both shaders as they are compiled,
+/// and the driver's vendor, renderer and version. So what a key stands for never changes, any entry
+/// may go at any time, and one place serves all configs, devices and versions. Drivers run what is
+/// in it as code: keep it where no one else can write.
 struct ProgramCache {
-    /// What was stored under the key; empty for nothing. Bytes that are not whole, or that the driver
-    /// refuses, count as nothing: the program is compiled, and stored anew.
+    /// What was stored under the key; empty for nothing. Bytes that are not whole, or that the
+    /// driver refuses, count as nothing: the program is compiled, and stored anew.
     std::function<std::vector<std::uint8_t>(const std::string& key)> load;
 
     /// Keeps the bytes, 4 to 21 KiB on Mesa's llvmpipe, in place of what is there.
@@ -47,8 +47,8 @@ struct GlDeviceOptions {
     /// queries a frame; the host must then set all state that it relies on.
     bool restore_state = true;
 
-    /// Asks for errors after each pass, and once a frame whether the context is lost, or is not the one
-    /// that is current. Off saves what can be a wait for a driver's own thread.
+    /// Asks for errors after each pass, and once a frame whether the context is lost, or is not the
+    /// one that is current. Off saves what can be a wait for a driver's own thread.
     bool check_errors = true;
 
     /// Pretends a bare OpenGL ES 3.0 without extensions: for testing what falls back.
@@ -63,11 +63,11 @@ struct GlDeviceOptions {
 /// Where none is current, or another, calls give CV6004 and leave the device as it is: make the
 /// context current and call again. What is destroyed meanwhile is deleted with the next call that
 /// finds the context; names that a device destroyed so leaves go with its context. That is known by
-/// GL calls that do nothing without a context, as they do in Mesa and libglvnd; of another driver make
-/// sure yourself, since it may crash in them.
-/// From then on the device calls no GL; every further call that can fail gives CV6016, and the device
-/// and all that was made on it may be destroyed at any time, whatever context is current. It asks
-/// glGetGraphicsResetStatus, which tells of a reset once: a host that asks too may hear nothing.
+/// GL calls that do nothing without a context, as they do in Mesa and libglvnd; of another driver
+/// make sure yourself, since it may crash in them. From then on the device calls no GL; every
+/// further call that can fail gives CV6016, and the device and all that was made on it may be
+/// destroyed at any time, whatever context is current. It asks glGetGraphicsResetStatus, which
+/// tells of a reset once: a host that asks too may hear nothing.
 ///
 /// Errors: CV6003 for a function that the context lacks, CV6004 for a context that is too old or
 /// when none is current, CV6005 and CV6009 when the driver fails, CV6016 when the context is lost.

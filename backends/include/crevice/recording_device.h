@@ -35,8 +35,8 @@ public:
     /// A uniform's values past the sixteenth are left out; `lastUniform` has them.
     std::string log() const;
 
-    /// Forgets the calls, and the destroyed objects that they name, but keeps the memory of calls, so
-    /// that a steady frame allocates nothing.
+    /// Forgets the calls, and the destroyed objects that they name, but keeps the memory of calls,
+    /// so that a steady frame allocates nothing.
     void clearLog();
 
     /// The values of the last setUniform for that name in the log; empty when there is none.
@@ -54,8 +54,8 @@ public:
     /// Loses the context: from now on all that can fail does so, with CV6016.
     void loseContext() { lost_ = true; }
 
-    /// Takes the context from the thread, or gives it back: until then all that can fail does so, with
-    /// CV6004.
+    /// Takes the context from the thread, or gives it back: until then all that can fail does so,
+    /// with CV6004.
     void setCurrent(bool current) { current_ = current; }
 
     /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
@@ -109,10 +109,28 @@ public:
 
 private:
     enum class Call {
-        create_texture, create_framebuffer, create_program, create_mesh, adopt_texture, destroy,
-        write_texture, read_texture, begin_frame, end_frame, begin_pass, end_pass, set_program,
-        set_texture, set_uniform, draw, draw_fullscreen, present, finish,
-        begin_timer, end_timer, read_timer,
+        create_texture,
+        create_framebuffer,
+        create_program,
+        create_mesh,
+        adopt_texture,
+        destroy,
+        write_texture,
+        read_texture,
+        begin_frame,
+        end_frame,
+        begin_pass,
+        end_pass,
+        set_program,
+        set_texture,
+        set_uniform,
+        draw,
+        draw_fullscreen,
+        present,
+        finish,
+        begin_timer,
+        end_timer,
+        read_timer,
     };
 
     /// One call; what it was given beyond the object lies in `words_`.
@@ -156,6 +174,7 @@ private:
     std::vector<float> values(const Record& call) const;
     std::string uniformText(const Record& call) const;
     std::string presentText(const Record& call) const;
+    std::string bindingText(const Record& call) const;
     std::string createdText(const Object& object) const;
     std::string arguments(const Record& call) const;
 

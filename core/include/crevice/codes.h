@@ -14,24 +14,24 @@ enum class Code : int {
     internal = 1,  ///< A fault in crevice itself.
 
     // reading
-    syntax = 1001,            ///< Not JSON.
-    duplicate_key = 1002,     ///< The same key twice in one object.
-    number_range = 1003,      ///< A number that no double holds, such as 1e999.
-    bad_utf8 = 1004,          ///< Text that is not UTF-8, or that begins with a byte order mark.
-    too_deep = 1005,          ///< More than 64 levels.
-    too_large = 1006,         ///< More than 1 MiB.
-    not_an_object = 1007,     ///< A file whose top value is not an object.
-    empty_text = 1008,        ///< Nothing but white space and comments.
-    merge_missing = 1101,     ///< A patch deletes what is not there.
-    merge_kind = 1102,        ///< A patch turns an object into something else, or the reverse.
-    module_missing = 1201,    ///< `extends` or the command line names what does not exist.
-    module_cycle = 1202,      ///< `extends` leads back to itself.
-    module_depth = 1203,      ///< `extends` is more than 8 deep.
-    module_escape = 1204,     ///< A path leads out of the modules, or of the folders that a config may read.
-    variant_missing = 1205,   ///< No such variant.
-    override_syntax = 1206,   ///< An override that is not name=value.
-    format_version = 1207,    ///< `format` is missing or newer than this library.
-    module_clash = 1208,      ///< Two modules in `extends` that are one thing twice.
+    syntax = 1001,           ///< Not JSON.
+    duplicate_key = 1002,    ///< The same key twice in one object.
+    number_range = 1003,     ///< A number that no double holds, such as 1e999.
+    bad_utf8 = 1004,         ///< Text that is not UTF-8, or that begins with a byte order mark.
+    too_deep = 1005,         ///< More than 64 levels.
+    too_large = 1006,        ///< More than 1 MiB.
+    not_an_object = 1007,    ///< A file whose top value is not an object.
+    empty_text = 1008,       ///< Nothing but white space and comments.
+    merge_missing = 1101,    ///< A patch deletes what is not there.
+    merge_kind = 1102,       ///< A patch turns an object into something else, or the reverse.
+    module_missing = 1201,   ///< `extends` or the command line names what does not exist.
+    module_cycle = 1202,     ///< `extends` leads back to itself.
+    module_depth = 1203,     ///< `extends` is more than 8 deep.
+    module_escape = 1204,    ///< A path out of the modules, or of the folders that may be read.
+    variant_missing = 1205,  ///< No such variant.
+    override_syntax = 1206,  ///< An override that is not name=value.
+    format_version = 1207,   ///< `format` is missing or newer than this library.
+    module_clash = 1208,     ///< Two modules in `extends` that are one thing twice.
 
     // references and graph
     shader_missing = 2101,      ///< A pass names a shader that is not declared.
@@ -53,22 +53,23 @@ enum class Code : int {
     output_missing = 2209,      ///< An output that the config does not export was asked for.
     attachment_samples = 2210,  ///< Attachments of one pass differ in samples.
     cannot_filter = 2211,       ///< A linear read of a format that no device filters.
-    dead_pass = 2212,         ///< A pass that no output needs, whichever is asked for (a warning).
+    dead_pass = 2212,  ///< A pass that no output needs, whichever is asked for (a warning).
 
     // keys and types
-    unknown_key = 3001,    ///< A key that the format does not have.
-    wrong_type = 3002,     ///< A value of another type than wanted.
-    missing_key = 3003,    ///< A key that must be there is not.
-    bad_name = 3004,       ///< A name that is not snake_case or that GLSL reserves.
-    bad_enum = 3005,       ///< A word that is not among the allowed ones.
-    bad_length = 3006,     ///< A list with too few or too many entries.
+    unknown_key = 3001,  ///< A key that the format does not have.
+    wrong_type = 3002,   ///< A value of another type than wanted.
+    missing_key = 3003,  ///< A key that must be there is not.
+    bad_name = 3004,     ///< A name that is not snake_case or that GLSL reserves.
+    bad_enum = 3005,     ///< A word that is not among the allowed ones.
+    bad_length = 3006,   ///< A list with too few or too many entries.
 
     // values
-    out_of_range = 4001,   ///< A value outside its range.
-    bad_range = 4002,      ///< min above max, or a default outside them.
-    not_finite = 4003,     ///< NaN or infinity.
-    unknown_param = 4004,  ///< A value for a param, feature or kernel that the config does not have.
-    bad_size = 4005,       ///< A size that is not positive or that the device cannot hold.
+    out_of_range = 4001,  ///< A value outside its range.
+    bad_range = 4002,     ///< min above max, or a default outside them.
+    not_finite = 4003,    ///< NaN or infinity.
+    unknown_param =
+        4004,         ///< A value for a param, feature or kernel that the config does not have.
+    bad_size = 4005,  ///< A size that is not positive or that the device cannot hold.
     value_dropped = 4006,  ///< A value set at run time that a reloaded config has no place for.
 
     // shaders
@@ -84,22 +85,23 @@ enum class Code : int {
     recompiled = 5010,       ///< A value set at run time made shaders compile.
 
     // devices and contexts
-    no_egl = 6001,             ///< No EGL library, display or configuration.
-    no_osmesa = 6002,          ///< No OSMesa library or context.
-    gl_function = 6003,        ///< A GL function that must be there is not.
-    gl_version = 6004,         ///< No context, another than the device's, or one older than OpenGL ES 3.0.
-    gl_error = 6005,           ///< The driver reported an error.
-    no_format = 6006,          ///< No format of a preference list can be rendered to.
-    too_big_for_device = 6007, ///< A texture or mesh larger than the device holds.
-    too_many = 6008,           ///< More attachments, samplers or uniforms than the device has.
-    out_of_memory = 6009,      ///< The device has no memory left.
-    missing_import = 6010,     ///< The host did not supply something that is not optional.
-    bad_input = 6011,          ///< The host supplied something unusable.
-    no_backend = 6012,         ///< A backend that does not exist or was not built.
-    no_samples = 6013,         ///< More samples than the device draws.
-    sampler_version = 6014,    ///< A sampler that the device's version of OpenGL ES does not have.
-    too_coarse = 6015,         ///< Formats that do not resolve the radius as far as it is seen (a warning).
-    context_lost = 6016,       ///< The context is gone, and all that was made in it.
+    no_egl = 6001,       ///< No EGL library, display or configuration.
+    no_osmesa = 6002,    ///< No OSMesa library or context.
+    gl_function = 6003,  ///< A GL function that must be there is not.
+    gl_version = 6004,  ///< No context, another than the device's, or one older than OpenGL ES 3.0.
+    gl_error = 6005,    ///< The driver reported an error.
+    no_format = 6006,   ///< No format of a preference list can be rendered to.
+    too_big_for_device = 6007,  ///< A texture or mesh larger than the device holds.
+    too_many = 6008,            ///< More attachments, samplers or uniforms than the device has.
+    out_of_memory = 6009,       ///< The device has no memory left.
+    missing_import = 6010,      ///< The host did not supply something that is not optional.
+    bad_input = 6011,           ///< The host supplied something unusable.
+    no_backend = 6012,          ///< A backend that does not exist or was not built.
+    no_samples = 6013,          ///< More samples than the device draws.
+    sampler_version = 6014,     ///< A sampler that the device's version of OpenGL ES does not have.
+    too_coarse =
+        6015,  ///< Formats that do not resolve the radius as far as it is seen (a warning).
+    context_lost = 6016,  ///< The context is gone, and all that was made in it.
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

@@ -16,14 +16,14 @@ namespace crevice {
 struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
-    std::vector<std::string> disable = {};     ///< Names of optimizations to switch off, or "all".
+    std::vector<std::string> disable = {};  ///< Names of optimizations to switch off, or "all".
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values
 /// are the ones in force. Warnings come with the plan. Requires a description that `decode` made.
 ///
-/// Errors: CV2xxx graph optimizations, CV4005 and CV6xxx for what the device cannot do, CV5xxx for what
-/// GLSL and config disagree about; all of them, each at its place in the config or the shader.
+/// Errors: CV2xxx graph optimizations, CV4005 and CV6xxx for what the device cannot do, CV5xxx for
+/// what GLSL and config disagree about; all of them, each at its place in the config or the shader.
 Result<Plan> compile(const Description& description, const SceneTraits& traits,
                      const DeviceCaps& caps, const CompileOptions& options);
 

@@ -34,22 +34,22 @@ enum class Bind {
     define,   ///< A #define in upper case: a change compiles the shader again.
 };
 
-/// What a param means to the choice of formats. A length, in scene units, is how far an estimator looks
-/// about: formats of depth and positions are chosen to tell surfaces a tenth of it apart.
+/// What a param means to the choice of formats. A length, in scene units, is how far an estimator
+/// looks about: formats of depth and positions are chosen to tell surfaces a tenth of it apart.
 enum class ParamSemantic { other, length };
 
 /// A tunable number or vector. All bounds hold for each component and are inclusive.
 struct ParamDesc : Named {
     ParamType type = ParamType::float_;
     std::array<float, 4> value = {0, 0, 0, 0};  ///< JSON "default"; the first `components` count.
-    double min = -1e30;      ///< Hard: a value below is an error.
-    double max = 1e30;       ///< Hard: a value above is an error.
-    double soft_max = 0.0;   ///< Where a slider ends; 0 means at `max`.
-    double step = 0.0;       ///< What a slider snaps to; 0 means it does not.
-    std::string unit;        ///< "scene units", "pixels", "1" ...
-    std::string label;       ///< For people; the name when empty.
-    std::string tooltip;     ///< One sentence: what it does and what turning it up costs.
-    std::string group;       ///< Heading in a panel.
+    double min = -1e30;                         ///< Hard: a value below is an error.
+    double max = 1e30;                          ///< Hard: a value above is an error.
+    double soft_max = 0.0;                      ///< Where a slider ends; 0 means at `max`.
+    double step = 0.0;                          ///< What a slider snaps to; 0 means it does not.
+    std::string unit;                           ///< "scene units", "pixels", "1" ...
+    std::string label;                          ///< For people; the name when empty.
+    std::string tooltip;  ///< One sentence: what it does and what turning it up costs.
+    std::string group;    ///< Heading in a panel.
     Bind bind = Bind::uniform;
     ParamSemantic semantic = ParamSemantic::other;
 };
@@ -83,17 +83,18 @@ struct SizeDesc {
     Place place = {};            ///< Of the value that was set last.
 };
 
-/// What surfaces are found by in a target of a colour format; those of a depth format hold window depth, but
-/// for masks: 0 and 1, for `mask`.
+/// What surfaces are found by in a target of a colour format; those of a depth format hold window
+/// depth, but for masks: 0 and 1, for `mask`.
 enum class Semantic { other, view_position, view_depth, mask };
 
 struct TargetDesc : Named {
-    std::vector<Format> formats;  ///< Preference list: the first one that the device renders to and
-                                  ///< that resolves what `holds` says (core/compile/depth_precision.h).
+    /// Preference list: the first one that the device renders to and that resolves what `holds`
+    /// says (core/compile/depth_precision.h).
+    std::vector<Format> formats;
     Place formats_place = {};
     Semantic semantic = Semantic::other;
     SizeDesc size = {};
-    bool history = false;  ///< Last frame's content stays, under `historyName`.
+    bool history = false;          ///< Last frame's content stays, under `historyName`.
     Reference samples_param = {};  ///< The param that gives the samples; empty when `samples` does.
     int samples = 1;  ///< Of a pixel, [1, kMaxSamples]; above 1 its pass resolves it for readers.
 };
@@ -102,7 +103,7 @@ struct TargetDesc : Named {
 inline std::string historyName(const TargetDesc& target) { return target.name + "_history"; }
 
 struct ShaderDesc : Named {
-    Reference vertex = {};    ///< Path in the sources.
+    Reference vertex = {};  ///< Path in the sources.
     Reference fragment = {};
     std::map<std::string, std::string> defines = {};
 };
@@ -129,8 +130,8 @@ struct NoOpDesc {
     struct Gives {
         Reference output;
         bool constant = false;
-        float value = 0.0f;   ///< In every channel, when constant.
-        Reference input = {}; ///< Otherwise.
+        float value = 0.0f;    ///< In every channel, when constant.
+        Reference input = {};  ///< Otherwise.
     };
     std::vector<Gives> gives = {};
 };
@@ -173,10 +174,11 @@ struct PassDesc : Named {
     std::vector<PreservesConstantDesc> preserves_constant = {};
     Reference frustum_scale_param = {};  ///< The param that gives `frustum_scale`; else empty.
     float frustum_scale = 0.0f;          ///< View sizes; 0 is unknown.
-    Reference mask = {};         ///< A mask: the pass is drawn where that is above 0; elsewhere stands
-                                        ///< what `clear` says.
-    bool scissor = false;               ///< That stands also where no thing lies on the screen ...
-    Reference cull_below_pixel = {};        ///< ... or at which this param, a length, is below a pixel.
+    /// A mask: the pass is drawn where that is above 0; elsewhere stands what `clear` says.
+    Reference mask = {};
+    bool scissor = false;  ///< That stands also where no thing lies on the screen ...
+    /// ... or at which this param, a length, is below a pixel.
+    Reference cull_below_pixel = {};
     std::vector<InputDesc> inputs = {};
     StateDesc state = {};
 };
@@ -207,8 +209,9 @@ struct Description : Named {
     std::vector<OutputDesc> outputs;
     std::vector<ViewDesc> views;
     std::vector<Named> deleted;  ///< Entries that patches deleted, for notes.
-    Diagnostics unused;          ///< About names that nothing uses; `compile` tells them where it finds
-                                 ///< no other error, which might be why.
+    /// About names that nothing uses; `compile` tells them where it finds no other error, which
+    /// might be why.
+    Diagnostics unused;
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.
 };
 
@@ -223,33 +226,34 @@ constexpr int kMaxExtendsDepth = 8;
 
 /// What to load and what to lay over it.
 struct LoadRequest {
-    std::string config;  ///< A shipped config's name ("learnopengl"), or the path of a file.
+    std::string config;        ///< A shipped config's name ("learnopengl"), or the path of a file.
     std::string variant = {};  ///< A name under `variants`; empty for none.
-    std::vector<std::string> overrides = {};  ///< "radius=0.8": a param's default or a feature's,
-                                              ///< or a pointer, "/passes/blur/when=null",
-                                              ///< or a module that the config or a config that it extends
-                                              ///< names, and another: "filter/box=filter/median".
-    std::vector<std::string> roots = {};  ///< Folders below which files may be named besides those below the
-                                          ///< config's own folder, and for an override's value those below the
-                                          ///< current one. A folder that does not exist allows nothing.
+    /// "radius=0.8": a param's default or a feature's, or a pointer, "/passes/blur/when=null", or a
+    /// module that the config or a config that it extends names, and another:
+    /// "filter/box=filter/median".
+    std::vector<std::string> overrides = {};
+    /// Folders below which files may be named besides those below the config's own folder, and for
+    /// an override's value those below the current one. A folder that does not exist allows
+    /// nothing.
+    std::vector<std::string> roots = {};
 };
 
 /// Finds the config and everything that it extends, and merges them: modules from left to right,
 /// then the file, then the variant, then the overrides. The result has neither `extends` nor
 /// `variants`, nor the `$schema` by which editors find what checks a file; its top keeps the file's
-/// place, as an origin too where a variant or a pointer's override was laid over it. A name is looked up
-/// as "configs/NAME.json" in `sources`; what ends in ".json" is a file on disk first. `extends` entries
-/// are module names ("ssao/hemisphere", found as "ssao/hemisphere.json" in `sources`), config names,
-/// or paths relative to the file ("./mine.json"), to what lies, once links are resolved, below the config's own
-/// folder or one of `roots`; the same holds for the GLSL files that `decode` reads. Two files, neither of which extends the other, may
-/// not make one shader or interface: that is two filters or two estimators, of which a merge would
-/// keep halves.
+/// place, as an origin too where a variant or a pointer's override was laid over it. A name is
+/// looked up as "configs/NAME.json" in `sources`; what ends in ".json" is a file on disk first.
+/// `extends` entries are module names ("ssao/hemisphere", found as "ssao/hemisphere.json" in
+/// `sources`), config names, or paths relative to the file ("./mine.json"), to what lies, once
+/// links are resolved, below the config's own folder or one of `roots`; the same holds for the GLSL
+/// files that `decode` reads. Two files, neither of which extends the other, may not make one
+/// shader or interface: that is two filters or two estimators, of which a merge would keep halves.
 ///
 /// Errors: CV1xxx of any file, CV1201 to CV1208, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
 
-/// The names of the variants that a config and all that it extends declare, sorted; none where it cannot
-/// be read. Of the request, `config` and `roots` count.
+/// The names of the variants that a config and all that it extends declare, sorted; none where it
+/// cannot be read. Of the request, `config` and `roots` count.
 std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& request);
 
 /// The names of the configs in `sources`, sorted.

@@ -45,10 +45,10 @@ struct FormatInfo {
     const char* name;  ///< The JSON spelling.
     FormatClass format_class;
     int channels;
-    int bytes;       ///< A texel; depth24 counts 4.
+    int bytes;             ///< A texel; depth24 counts 4.
     bool core_renderable;  ///< OpenGL ES 3.0 renders to it with no extension.
-    bool filterable;       ///< ... and reads it with the filter linear; else that reads black
-                           ///< (table 3.13, section 3.8.13).
+    /// ... and reads it with the filter linear; else that reads black (table 3.13, section 3.8.13).
+    bool filterable;
     double absolute_step;  ///< Between neighbouring values: this much,
     double relative_step;  ///< and this share of the value, at most.
 };
@@ -83,10 +83,22 @@ struct StateDesc {
     Cull cull = Cull::none;
 };
 
-struct TextureId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
-struct MeshId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
-struct ProgramId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
-struct FramebufferId { std::uint32_t value = 0; explicit operator bool() const { return value != 0; } };
+struct TextureId {
+    std::uint32_t value = 0;
+    explicit operator bool() const { return value != 0; }
+};
+struct MeshId {
+    std::uint32_t value = 0;
+    explicit operator bool() const { return value != 0; }
+};
+struct ProgramId {
+    std::uint32_t value = 0;
+    explicit operator bool() const { return value != 0; }
+};
+struct FramebufferId {
+    std::uint32_t value = 0;
+    explicit operator bool() const { return value != 0; }
+};
 
 /// Any of the above, for `Device::destroy`.
 struct ObjectId {
@@ -103,12 +115,13 @@ struct ObjectId {
 
 /// What a device can do; read once when it is made.
 struct DeviceCaps {
-    std::string name;      ///< Renderer and version as the driver tells them.
-    int version = 300;     ///< 300, 310 or 320; a desktop context counts as what it is compatible with.
-    bool software = false; ///< Rendered by the CPU: timer queries lie, time with finish().
+    std::string name;  ///< Renderer and version as the driver tells them.
+    /// 300, 310 or 320; a desktop context counts as what it is compatible with.
+    int version = 300;
+    bool software = false;  ///< Rendered by the CPU: timer queries lie, time with finish().
     int max_texture_size = 2048;
     int max_color_attachments = 4;
-    int max_texture_units = 16;           ///< Of the fragment stage.
+    int max_texture_units = 16;  ///< Of the fragment stage.
     int max_fragment_uniform_vectors = 224;
     int max_vertex_uniform_vectors = 256;
     bool renderable[kFormatCount + 1] = {};  ///< By Format.
@@ -126,14 +139,16 @@ struct TextureDesc {
     std::string label = {};
     Format format = Format::rgba8;
     Extent extent = {};
-    int samples = 1;  ///< Above 1 it can be drawn into and resolved, and neither sampled nor read,
-                      ///< unless it is adopted: then sampler2DMS reads it, from OpenGL ES 3.1 on.
+    /// Above 1 it can be drawn into and resolved, and neither sampled nor read, unless it is
+    /// adopted: then sampler2DMS reads it, from OpenGL ES 3.1 on.
+    int samples = 1;
 };
 
 struct FramebufferDesc {
     std::string label = {};
     std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
-    TextureId depth = {};  ///< May be larger than a pass that clears it first and keeps nothing of it.
+    /// May be larger than a pass that clears it first and keeps nothing of it.
+    TextureId depth = {};
 
     /// Where the above have several samples: what those whose StoreOp is store are resolved into as
     /// a pass ends; colour to the mean, depth to one sample. The samples themselves do not stay.
@@ -160,7 +175,8 @@ struct MeshDesc {
     std::vector<std::uint32_t> indices = {};  ///< Triangles.
 };
 
-/// The most bytes that a mesh's vertices may take, and its indices: sizes in 32-bit drivers end here.
+/// The most bytes that a mesh's vertices may take, and its indices: sizes in 32-bit drivers end
+/// here.
 constexpr std::uint64_t kMaxMeshBytes = 0x7fffffff;
 
 /// Errors: CV6007 for so many vertices or indices that one of them takes more than kMaxMeshBytes.
@@ -229,9 +245,9 @@ struct HostFramebuffer {
     Extent extent = {};
 };
 
-/// One context's worth of graphics. Every function must be called with that context current. Where it
-/// is not, functions that return a Status or Result say so with CV6004 and change nothing. An id that
-/// the device does not have is an error CV6011.
+/// One context's worth of graphics. Every function must be called with that context current. Where
+/// it is not, functions that return a Status or Result say so with CV6004 and change nothing. An id
+/// that the device does not have is an error CV6011.
 class Device {
 public:
     virtual ~Device() = default;
@@ -239,8 +255,8 @@ public:
     virtual const DeviceCaps& caps() const = 0;
 
     /// Creates an object; the caller owns it and gives it to `destroy`.
-    /// Errors: CV6004, CV6005, CV6007, CV6009, CV6016; CV5001 and CV5002 for programs, CV6011 for meshes.
-    /// A texture's content is undefined.
+    /// Errors: CV6004, CV6005, CV6007, CV6009, CV6016; CV5001 and CV5002 for programs, CV6011 for
+    /// meshes. A texture's content is undefined.
     virtual Result<TextureId> createTexture(const TextureDesc& desc) = 0;
     virtual Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) = 0;
     virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
@@ -254,15 +270,17 @@ public:
     virtual ObjectInfo info(ObjectId id) const = 0;
 
     /// The API's own name of a texture, for a host's own shaders: with the GL device a name for
-    /// glBindTexture(GL_TEXTURE_2D, name), or GL_TEXTURE_2D_MULTISAMPLE if it was adopted with samples.
-    /// 0 of an id that the device does not have, and of samples that are drawn into and never read.
+    /// glBindTexture(GL_TEXTURE_2D, name), or GL_TEXTURE_2D_MULTISAMPLE if it was adopted with
+    /// samples. 0 of an id that the device does not have, and of samples that are drawn into and
+    /// never read.
     ///
-    /// It is the device's: read it, and neither write nor delete it. Its own parameters are GL_NEAREST and
-    /// GL_CLAMP_TO_EDGE, one level; bind a sampler object for others. The name is good for as long as the id
-    /// is; Renderer::output says how long that is.
+    /// It is the device's: read it, and neither write nor delete it. Its own parameters are
+    /// GL_NEAREST and GL_CLAMP_TO_EDGE, one level; bind a sampler object for others. The name is
+    /// good for as long as the id is; Renderer::output says how long that is.
     std::uint32_t nativeName(TextureId id) const { return info(id).native_name; }
 
-    /// Destroys one object of any kind. A null id, and one that the device does not have, is ignored.
+    /// Destroys one object of any kind. A null id, and one that the device does not have, is
+    /// ignored.
     virtual void destroy(ObjectId id) = 0;
 
     /// Replaces level 0 of a texture; channels are converted to the texture's format.
@@ -277,9 +295,9 @@ public:
     virtual const std::vector<UniformInfo>& uniforms(ProgramId id) const = 0;
 
     /// Brackets all drawing of a frame: keeps the host's state and puts it back.
-    /// beginFrame returns CV6004 or CV6016 where nothing can be drawn; no endFrame must follow then.
-    /// endFrame returns CV6005 with the pass's name when the driver reported an error, CV6009 when
-    /// memory ran out, and CV6016 when the context is lost: then the device is of no more use.
+    /// beginFrame returns CV6004 or CV6016 where nothing can be drawn; no endFrame must follow
+    /// then. endFrame returns CV6005 with the pass's name when the driver reported an error, CV6009
+    /// when memory ran out, and CV6016 when the context is lost: then the device is of no more use.
     virtual Status beginFrame() = 0;
     virtual Status endFrame() = 0;
 
@@ -290,8 +308,8 @@ public:
     /// Binds a texture to the sampler at `location`, through texture unit `unit`.
     virtual void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) = 0;
 
-    /// `data` holds `count` values of `type`: floats, or 32-bit ints for the integer types; matrices
-    /// by columns.
+    /// `data` holds `count` values of `type`: floats, or 32-bit ints for the integer types;
+    /// matrices by columns.
     virtual void setUniform(int location, GlslType type, int count, const void* data) = 0;
 
     /// Draws triangles [first, first + count) of indices.

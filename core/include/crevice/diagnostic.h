@@ -52,8 +52,8 @@ std::string codeName(Code code);
 /// "my.json:9:57", "my.json" when the line is unknown, "" when nothing is known.
 std::string placeName(const Place& place);
 
-/// The message as in this header's example, ending in a newline. Text from files is made printable, so that no
-/// name in it controls a terminal.
+/// The message as in this header's example, ending in a newline. Text from files is made printable,
+/// so that no name in it controls a terminal.
 std::string toText(const Diagnostic& diagnostic);
 std::string toText(const Diagnostics& diagnostics);
 

@@ -34,10 +34,11 @@
 
 namespace crevice {
 
-// The libraries are built with GLM's packed float types. A host that forces aligned ones would read other
-// offsets than they write.
+// The libraries are built with GLM's packed float types. A host that forces aligned ones would read
+// other offsets than they write.
 static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec4) == 4 && alignof(glm::dmat4) == 8,
-              "crevice's structs hold packed GLM types: include <crevice/effect.h> alone, which has no GLM types, "
+              "crevice's structs hold packed GLM types: include <crevice/effect.h> alone, which "
+              "has no GLM types, "
               "or build this file without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
 
 enum class ImportType { camera, draw_list, lights, texture };
@@ -71,7 +72,8 @@ struct Camera {
     /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
     bool orthographic() const;
 
-    /// True when what is farther has less depth. Passes then test and clear depth the other way round.
+    /// True when what is farther has less depth. Passes then test and clear depth the other way
+    /// round.
     bool reversedDepth() const;
 };
 
@@ -82,7 +84,7 @@ struct Light {
     glm::vec3 direction = glm::vec3(0.0f, 0.0f, -1);  ///< Of a directional light or spot.
     glm::vec3 color = glm::vec3(1.0f);                ///< Linear, >= 0.
     glm::vec3 attenuation = glm::vec3(1.0f, 0, 0);    ///< Constant, linear (1/unit), quadratic.
-    bool spot = false;             ///< A point light that shines in a cone.
+    bool spot = false;                                ///< A point light that shines in a cone.
     float inner_angle_rad = 0.0f;  ///< Of a spot: off its direction, as far as it shines in full.
     float outer_angle_rad = 0.8f;  ///< ... and where it ends, [inner, pi].
 };
@@ -92,11 +94,12 @@ struct Material {
     TextureId base_color_map = {};           ///< Null means white.
     glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
     float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
-    float alpha_cutoff = 0.0f;               ///< Below this alpha a pixel is discarded; 0 is opaque.
-    TextureId normal_map = {};               ///< Tangent space, n * 0.5 + 0.5, y up; null is flat.
-    float normal_scale = 1.0f;               ///< Of the map's x and y.
-    TextureId occlusion_map = {};            ///< Baked visibility in red; null is open.
-    float occlusion_strength = 1.0f;         ///< [0, 1]; 0 is open.
+    /// Below this alpha a pixel is discarded; 0 is opaque.
+    float alpha_cutoff = 0.0f;
+    TextureId normal_map = {};        ///< Tangent space, n * 0.5 + 0.5, y up; null is flat.
+    float normal_scale = 1.0f;        ///< Of the map's x and y.
+    TextureId occlusion_map = {};     ///< Baked visibility in red; null is open.
+    float occlusion_strength = 1.0f;  ///< [0, 1]; 0 is open.
 
     bool operator==(const Material& other) const;
 };
@@ -109,9 +112,9 @@ struct DrawItem {
     glm::dmat4 world_from_model = glm::dmat4(1.0);
     int material = 0;  ///< Into Frame::materials.
 
-    /// A sphere around all that is drawn, in model space. Of an item that lies outside of what a pass shows
-    /// nothing is then drawn, and occlusion is worked out within what spheres cover. A radius below 0 means that
-    /// none is known.
+    /// A sphere around all that is drawn, in model space. Of an item that lies outside of what a
+    /// pass shows nothing is then drawn, and occlusion is worked out within what spheres cover. A
+    /// radius below 0 means that none is known.
     glm::vec3 bounds_center = glm::vec3(0.0f);
     float bounds_radius = -1.0f;
 
@@ -123,8 +126,9 @@ struct ImportedTexture {
     std::string name;
     TextureId texture = {};
 
-    /// A number that changes whenever the host draws into the texture, or puts another under the same
-    /// id; passes that read it are then run again. 0 means that it may change with every frame.
+    /// A number that changes whenever the host draws into the texture, or puts another under the
+    /// same id; passes that read it are then run again. 0 means that it may change with every
+    /// frame.
     std::uint64_t revision = 0;
 };
 
@@ -135,34 +139,39 @@ struct FrameView {
 };
 
 /// A frame's input. The host keeps it and changes it in place, so that a steady frame allocates
-/// nothing. What is the same as in the last frame is not drawn again: camera, lights, draws and materials
-/// are compared, and what meshes and textures hold is known by `revision`.
+/// nothing. What is the same as in the last frame is not drawn again: camera, lights, draws and
+/// materials are compared, and what meshes and textures hold is known by `revision`.
 struct Frame {
     Camera camera;
     std::vector<DrawItem> draws;
     std::vector<Material> materials;
-    std::vector<Light> lights;  ///< Those past kMaxLights are left out, with a warning when compiled.
+    /// Those past kMaxLights are left out, with a warning when compiled.
+    std::vector<Light> lights;
     glm::vec3 ambient_light = glm::vec3(1.0f);  ///< Colour of the surroundings; configs scale it.
     std::vector<ImportedTexture> textures;
-    std::vector<FrameView> other_views;  ///< Views 1 and up, orthographic or reversed if `camera` is.
-    std::uint64_t revision = 0;  ///< To be changed when a mesh, or a material's texture, that was drawn
-                                 ///< before holds something else now: ids of what was destroyed
-                                 ///< are given out again.
+    /// Views 1 and up, orthographic or reversed if `camera` is.
+    std::vector<FrameView> other_views;
+    /// To be changed when a mesh, or a material's texture, that was drawn before holds something
+    /// else now: ids of what was destroyed are given out again.
+    std::uint64_t revision = 0;
     bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
 };
 
 /// The camera of a view: 0 is `frame.camera`. Requires 0 <= view <= other_views.size().
 const Camera& cameraOf(const Frame& frame, std::size_t view);
 
-/// How near and far a camera sees along its axis, in scene units. Two that differ by less than a factor of
-/// two in each are equal, so that no plan is made anew while a camera zooms or its planes move a little;
-/// far planes past 2^20 near ones, which a float matrix no longer tells, count as none.
+/// How near and far a camera sees along its axis, in scene units. Two that differ by less than a
+/// factor of two in each are equal, so that no plan is made anew while a camera zooms or its planes
+/// move a little; far planes past 2^20 near ones, which a float matrix no longer tells, count as
+/// none.
 struct CameraRange {
     double near_distance = 0;  ///< 0 of an orthographic camera,
-    double far_distance = 0;   ///< ... and this its planes' distance from each other. Infinite where there
-                               ///< is no far plane; 0 where nothing is known.
-    double zoom = 0;  ///< A length covers zoom / 2 of the view's height at distance 1, or anywhere in an
-                      ///< orthographic view.
+    /// ... and this its planes' distance from each other. Infinite where there is no far plane; 0
+    /// where nothing is known.
+    double far_distance = 0;
+    /// A length covers zoom / 2 of the view's height at distance 1, or anywhere in an orthographic
+    /// view.
+    double zoom = 0;
 
     bool operator==(const CameraRange& other) const;
 };
@@ -172,13 +181,13 @@ CameraRange rangeOf(const Camera& camera);
 
 /// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
 struct SceneTraits {
-    int lights = 0;              ///< scene.lights
-    bool alpha_tested = false;   ///< scene.alpha_tested
-    bool specular = false;       ///< scene.specular
-    bool textured = false;       ///< scene.textured: some material has a base_color_map
-    bool orthographic = false;   ///< camera.orthographic
+    int lights = 0;                ///< scene.lights
+    bool alpha_tested = false;     ///< scene.alpha_tested
+    bool specular = false;         ///< scene.specular
+    bool textured = false;         ///< scene.textured: some material has a base_color_map
+    bool orthographic = false;     ///< camera.orthographic
     bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
-    bool normal_mapped = false;  ///< scene.normal_mapped: some material has a normal_map
+    bool normal_mapped = false;    ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
     int views = 1;                 ///< camera.views
     CameraRange camera = {};       ///< Formats are chosen by it, and no condition sees it.

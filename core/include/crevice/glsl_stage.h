@@ -9,7 +9,6 @@
 
 #include <crevice/result.h>
 
-
 #include <map>
 #include <string>
 #include <string_view>
@@ -19,8 +18,21 @@ namespace crevice {
 
 /// GLSL types that a uniform may have here.
 enum class GlslType {
-    float_, vec2, vec3, vec4, int_, ivec2, ivec3, ivec4, uint_, bool_,
-    mat3, mat4, sampler2d, sampler2d_ms, other,
+    float_,
+    vec2,
+    vec3,
+    vec4,
+    int_,
+    ivec2,
+    ivec3,
+    ivec4,
+    uint_,
+    bool_,
+    mat3,
+    mat4,
+    sampler2d,
+    sampler2d_ms,
+    other,
 };
 
 /// The GLSL spelling; "other" for other.
@@ -49,8 +61,8 @@ struct GlslOutput {
 
 /// A shader stage ready for a driver.
 struct GlslStage {
-    std::string text;               ///< With #version, defines and #line.
-    std::vector<SourceRef> files;   ///< By source-string number; only explainLog reads lines.
+    std::string text;              ///< With #version, defines and #line.
+    std::vector<SourceRef> files;  ///< By source-string number; only explainLog reads lines.
     std::vector<GlslUniform> uniforms;
     std::vector<GlslOutput> outputs;
     std::vector<std::string> defines_used;  ///< Of those offered, the ones that the text mentions.
@@ -58,17 +70,17 @@ struct GlslStage {
 
 using GlslDefines = std::map<std::string, std::string>;
 
-/// Assembles the stage that begins in `files.at(path)`. Of `defines`, only those whose name the text
-/// mentions are written, so that a shader is the same text, and the same program, whatever else a
-/// config defines. `interfaces` maps an interface's name to the path of its file.
+/// Assembles the stage that begins in `files.at(path)`. Of `defines`, only those whose name the
+/// text mentions are written, so that a shader is the same text, and the same program, whatever
+/// else a config defines. `interfaces` maps an interface's name to the path of its file.
 ///
 /// Errors: CV5005, CV5006, CV5009 with the place in the GLSL file; CV2104 when there is no `path`.
 Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
                                 const std::map<std::string, std::string>& interfaces,
                                 const std::string& path, const GlslDefines& defines);
 
-/// Makes a plain variable of the output, so that a driver leaves out what only it needs. An output that does
-/// not stand alone in its declaration, on one line, stays as it is.
+/// Makes a plain variable of the output, so that a driver leaves out what only it needs. An output
+/// that does not stand alone in its declaration, on one line, stays as it is.
 void dropOutput(GlslStage& stage, const std::string& name);
 
 /// The paths and <interfaces> that a text includes, in order, with their places.

@@ -12,7 +12,8 @@ struct Extent {
     int width = 0;
     int height = 0;
 
-    bool operator==(const Extent& other) const {
+    bool operator==(const Extent& other) const
+    {
         return width == other.width && height == other.height;
     }
     bool operator!=(const Extent& other) const { return !(*this == other); }
@@ -28,14 +29,17 @@ struct Image {
     Image(Extent size, int channel_count, float value = 0.0f)
         : extent(size),
           channels(channel_count),
-          pixels(static_cast<std::size_t>(size.width) * size.height * channel_count, value) {}
+          pixels(static_cast<std::size_t>(size.width) * size.height * channel_count, value)
+    {
+    }
 
     /// Requires 0 <= x < width, 0 <= y < height, 0 <= channel < channels.
     float& at(int x, int y, int channel = 0) { return pixels[index(x, y, channel)]; }
     float at(int x, int y, int channel = 0) const { return pixels[index(x, y, channel)]; }
 
 private:
-    std::size_t index(int x, int y, int channel) const {
+    std::size_t index(int x, int y, int channel) const
+    {
         return (static_cast<std::size_t>(y) * extent.width + x) * channels + channel;
     }
 };

@@ -31,8 +31,9 @@ struct PlanTexture {
     Extent extent;
     int samples = 1;
     std::vector<std::string> targets;  ///< In the order in which they use it.
-    int copies = 1;  ///< One for all views, which use it in turn; or one a view, where what it
-                     ///< holds outlives the view's passes: an output, a history.
+    /// One for all views, which use it in turn; or one a view, where what it holds outlives the
+    /// view's passes: an output, a history.
+    int copies = 1;
 };
 
 /// Bytes of a texture, with all its copies.
@@ -41,13 +42,16 @@ double textureBytes(const PlanTexture& texture);
 /// A target that some active pass writes.
 struct PlanTarget {
     std::string name;
-    int texture = -1;          ///< Index into Plan::textures.
-    int drawn_texture = -1;    ///< What the writer draws into: `texture`, unless that is resolved
-                               ///< from one with several samples.
-    int first_pass = -1;       ///< The writer.
-    int last_pass = -1;        ///< The last reader; the number of passes when an output or remembered.
-    int history_texture = -1;  ///< What it held last frame, where someone reads that; the two
-                               ///< textures change places before each frame.
+    int texture = -1;  ///< Index into Plan::textures.
+    /// What the writer draws into: `texture`, unless that is resolved from one with several
+    /// samples.
+    int drawn_texture = -1;
+    int first_pass = -1;  ///< The writer.
+    /// The last reader; the number of passes when an output or remembered.
+    int last_pass = -1;
+    /// What it held last frame, where someone reads that; the two textures change places before
+    /// each frame.
+    int history_texture = -1;
     std::string format_reason = {};  ///< Why its format is not the list's first; mostly empty.
 };
 
@@ -73,21 +77,21 @@ struct PlanAttachment {
 /// A value that may change from frame to frame without another plan.
 struct PlanParam {
     std::string name;
-    GlslType type = GlslType::float_;  ///< float, int or a vector of floats.
+    GlslType type = GlslType::float_;             ///< float, int or a vector of floats.
     std::array<float, 4> initial = {0, 0, 0, 0};  ///< Until `setParam`; as many as the type has.
 };
 
-/// Where a uniform's value comes from. A value of `frame` is the same for a whole pass; one of `draw`
-/// changes with each item of the draw list.
+/// Where a uniform's value comes from. A value of `frame` is the same for a whole pass; one of
+/// `draw` changes with each item of the draw list.
 enum class UniformSource { param, frame, draw, kernel };
 
 /// A uniform of a pass and the value that it is fed from.
 struct PlanUniform {
     std::string name;  ///< In GLSL.
     GlslType type = GlslType::float_;
-    int count = 1;     ///< Elements; more than 1 is an array.
+    int count = 1;  ///< Elements; more than 1 is an array.
     UniformSource source = UniformSource::param;
-    int index = -1;    ///< Into Plan::params, kFrameValues (of frame and draw) or Plan::generated.
+    int index = -1;  ///< Into Plan::params, kFrameValues (of frame and draw) or Plan::generated.
 };
 
 struct PlanPass {
@@ -96,13 +100,14 @@ struct PlanPass {
     int program = -1;  ///< Into Plan::programs.
     std::vector<PlanAttachment> color;
     bool has_depth = false;
-    PlanAttachment depth;     ///< Written; or only tested, where its load is LoadOp::load.
+    PlanAttachment depth;  ///< Written; or only tested, where its load is LoadOp::load.
     Extent extent;
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
     float frustum_scale = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
-    bool scissor = false;    ///< It is drawn within the bounds of the frame's things alone ...
-    int cull_below_pixel = -1;   ///< ... and of those at which this of Plan::params comes to a pixel; -1: of all.
+    bool scissor = false;     ///< It is drawn within the bounds of the frame's things alone ...
+    /// ... and of those at which this of Plan::params comes to a pixel; -1: of all.
+    int cull_below_pixel = -1;
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> uniforms;
     double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
@@ -118,19 +123,23 @@ struct PlanProgram {
     std::string label;  ///< The shader's name in the config.
     GlslStage vertex;
     GlslStage fragment;
-    Place place;         ///< Of the shader in the config.
+    Place place;  ///< Of the shader in the config.
     std::string pointer;
-    std::vector<std::string> varies_with = {};  ///< Features, traits and whole-number defines in its text.
-    double variants = 1;                        ///< How many texts their values make, for each value ...
-    std::vector<std::string> fractions = {};    ///< ... of these defines, which are no whole numbers.
+    /// Features, traits and whole-number defines in its text.
+    std::vector<std::string> varies_with = {};
+    /// How many texts their values make, for each value ...
+    double variants = 1;
+    /// ... of these defines, which are no whole numbers.
+    std::vector<std::string> fractions = {};
 };
 
 /// One thing that the plan does not do.
 struct Elided {
-    std::string what;    ///< "pass filter_x", "attachment albedo"
-    std::string optimization;    ///< Of kOptimizations; or "condition", which is meaning and cannot be switched off.
-    std::string reason;  ///< One sentence.
-    double bytes = 0;    ///< Estimated bytes a frame that are not moved.
+    std::string what;  ///< "pass filter_x", "attachment albedo"
+    /// Of kOptimizations; or "condition", which is meaning and cannot be switched off.
+    std::string optimization;
+    std::string reason;        ///< One sentence.
+    double bytes = 0;          ///< Estimated bytes a frame that are not moved.
     double texture_bytes = 0;  ///< Of textures that are not there.
     bool by_frame = false;     ///< What is left out, and what that saves, depends on the frame.
 };
@@ -150,8 +159,9 @@ struct Plan {
     std::string config;
     Extent extent;
     int views = 1;  ///< Every pass runs once for each, all passes of one before the next.
-    bool reruns = false;  ///< Passes run in every frame, also where nothing that they read has changed:
-                          ///< the optimization "cached" is off.
+    /// Passes run in every frame, also where nothing that they read has changed: the optimization
+    /// "cached" is off.
+    bool reruns = false;
     std::vector<PlanPass> passes;
     std::vector<PlanTarget> targets;
     std::vector<PlanTexture> textures;

@@ -25,8 +25,8 @@ class Renderer {
 public:
     /// Compiles the plan and creates every object that it needs. The device must outlive it.
     ///
-    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6004 where the device's context is
-    /// not current, CV6005 to CV6009, CV6016.
+    /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6004 where the device's
+    /// context is not current, CV6005 to CV6009, CV6016.
     static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
                                                     const CompileOptions& options,
                                                     const SceneTraits& traits);
@@ -36,18 +36,19 @@ public:
 
     /// Runs those passes of the plan whose input has changed since the last frame (Frame says how
     /// that is known), and those after them. A frame with other traits than the plan was made for
-    /// is planned anew first; where that fails, the old plan and its pictures stay. The warnings of a
-    /// new plan come back with the one frame that it was made for: look at `diagnostics()` of what is
-    /// `ok()` as well.
+    /// is planned anew first; where that fails, the old plan and its pictures stay. The warnings of
+    /// a new plan come back with the one frame that it was made for: look at `diagnostics()` of
+    /// what is `ok()` as well.
     ///
-    /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that has it:
-    /// draws with a mesh or texture that the device does not have, with indices past the mesh's, or with
-    /// a matrix, bounds or material that are not finite or not there, and lights that are not finite.
+    /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that
+    /// has it: draws with a mesh or texture that the device does not have, with indices past the
+    /// mesh's, or with a matrix, bounds or material that are not finite or not there, and lights
+    /// that are not finite.
     ///
-    /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's context is
-    /// not current, and the frame then counts as not drawn; CV6005 and CV6009 from the driver, and
-    /// CV6016 where the context is lost: destroy the renderer, and make another on a new device from the
-    /// same `description()`.
+    /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's
+    /// context is not current, and the frame then counts as not drawn; CV6005 and CV6009 from the
+    /// driver, and CV6016 where the context is lost: destroy the renderer, and make another on a
+    /// new device from the same `description()`.
     Status render(const Frame& frame);
 
     /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
@@ -60,7 +61,8 @@ public:
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
     /// bound as defines, those that a count or size is taken from, values at which a pass is or was
     /// a no-op and a radius that other formats serve better: those plan anew. Only a define, or
-    /// a pass that never ran, compiles a shader, which a warning CV5010 names; what was compiled is kept for when the value comes back.
+    /// a pass that never ran, compiles a shader, which a warning CV5010 names; what was compiled is
+    /// kept for when the value comes back.
     ///
     /// Errors: CV4001, CV4003, CV4004, CV3006; the old value stays.
     Status setParam(std::string_view name, const float* values, int count);
@@ -73,9 +75,9 @@ public:
     Status setFeature(std::string_view name, std::string_view value);
 
     /// Puts another description, such as an edited config, in the place of the present one. What
-    /// `setParam` and `setFeature` changed stays changed; a warning CV4006 names what the new description
-    /// has no place for. Programs of the same text are not compiled again, so a variant that ran before
-    /// is there within a frame. Histories start anew.
+    /// `setParam` and `setFeature` changed stays changed; a warning CV4006 names what the new
+    /// description has no place for. Programs of the same text are not compiled again, so a variant
+    /// that ran before is there within a frame. Histories start anew.
     ///
     /// Errors: those of `create`; the old description and its pictures stay.
     Status reload(Description description, const CompileOptions& options);
@@ -85,10 +87,10 @@ public:
 
     /// The texture behind an output of a view, 0 up to `plan().views`: owned by the renderer, valid
     /// until the next plan, or the next frame where the output is a target with a history. Null
-    /// when there is none. Plans are made by resize, reload, setFeature and setParam as they say, and by
-    /// a frame of other traits: so ask after each frame. Its format and size are those of the plan's
-    /// target, and 1x1 rgba8 where the plan found the output to be constant. `Device::nativeName` has the
-    /// API's name of it.
+    /// when there is none. Plans are made by resize, reload, setFeature and setParam as they say,
+    /// and by a frame of other traits: so ask after each frame. Its format and size are those of
+    /// the plan's target, and 1x1 rgba8 where the plan found the output to be constant.
+    /// `Device::nativeName` has the API's name of it.
     TextureId output(std::string_view name, int view = 0) const;
 
     /// What `setParam` and `setFeature` made different from the description given to `create`, as

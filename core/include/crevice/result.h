@@ -14,11 +14,16 @@ namespace crevice {
 template <class T>
 class [[nodiscard]] Result {
 public:
-    Result(T value) : value_(std::move(value)) {}  // NOLINT: implicit, so that `return value;` works
+    Result(T value)
+        : value_(std::move(value)) {}  // NOLINT: implicit, so that `return value;` works
     Result(T value, Diagnostics warnings)
-        : value_(std::move(value)), diagnostics_(std::move(warnings)) {}
+        : value_(std::move(value)),
+          diagnostics_(std::move(warnings))
+    {
+    }
     Result(Diagnostic error) { diagnostics_.push_back(std::move(error)); }  // NOLINT
-    Result(Diagnostics errors) : diagnostics_(std::move(errors)) {          // NOLINT
+    Result(Diagnostics errors) : diagnostics_(std::move(errors))
+    {  // NOLINT
         assert(hasErrors(diagnostics_));
     }
 
@@ -26,8 +31,16 @@ public:
     explicit operator bool() const { return ok(); }
 
     /// The value. Requires ok().
-    T& value() { assert(ok()); return *value_; }
-    const T& value() const { assert(ok()); return *value_; }
+    T& value()
+    {
+        assert(ok());
+        return *value_;
+    }
+    const T& value() const
+    {
+        assert(ok());
+        return *value_;
+    }
     T& operator*() { return value(); }
     const T& operator*() const { return value(); }
     T* operator->() { return &value(); }
@@ -45,7 +58,7 @@ private:
 class [[nodiscard]] Status {
 public:
     Status() = default;
-    Status(Diagnostic error) { diagnostics_.push_back(std::move(error)); }      // NOLINT
+    Status(Diagnostic error) { diagnostics_.push_back(std::move(error)); }     // NOLINT
     Status(Diagnostics diagnostics) : diagnostics_(std::move(diagnostics)) {}  // NOLINT
 
     bool ok() const { return !hasErrors(diagnostics_); }

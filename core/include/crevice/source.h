@@ -48,8 +48,8 @@ bool isModule(const Place& place);
 /// of `extends` in such a file that brought the module.
 Place ownPlace(const Place& place);
 
-/// Texts by path: "ssao/hemisphere.json", "ssao/shaders/hemisphere.frag", "configs/learnopengl.json".
-/// Paths use '/', have no leading slash and no "..".
+/// Texts by path: "ssao/hemisphere.json", "ssao/shaders/hemisphere.frag",
+/// "configs/learnopengl.json". Paths use '/', have no leading slash and no "..".
 class SourceSet {
 public:
     virtual ~SourceSet() = default;
@@ -64,7 +64,8 @@ public:
 /// Texts held in memory; what tests and the embedded catalog use.
 class MemorySources : public SourceSet {
 public:
-    /// Adds or replaces the text at `path`. A message names it `name`, or `path` when that is empty.
+    /// Adds or replaces the text at `path`. A message names it `name`, or `path` when that is
+    /// empty.
     void add(std::string path, std::string text, std::string name = {});
 
     SourceRef find(std::string_view path) const override;
@@ -74,12 +75,13 @@ private:
     std::map<std::string, SourceRef, std::less<>> texts_;  // by path
 };
 
-/// Files below a folder, read anew at each `find`: what live editing uses. A link that leads out of the folder
-/// and of `roots` is no text.
+/// Files below a folder, read anew at each `find`: what live editing uses. A link that leads out of
+/// the folder and of `roots` is no text.
 class DirectorySources : public SourceSet {
 public:
     explicit DirectorySources(std::string root, std::vector<std::string> roots = {})
-        : root_(std::move(root)), roots_(std::move(roots))
+        : root_(std::move(root)),
+          roots_(std::move(roots))
     {
         roots_.push_back(root_);
     }
@@ -115,8 +117,8 @@ bool isOnDisk(std::string_view path);
 /// above the root of a catalog path; a path on disk may climb as far as it likes.
 std::string resolvePath(std::string_view from, std::string_view path);
 
-/// Where a text is, as something to resolve paths against: its path in a SourceSet, or a path on disk that begins
-/// with '/', "./" or "../".
+/// Where a text is, as something to resolve paths against: its path in a SourceSet, or a path on
+/// disk that begins with '/', "./" or "../".
 std::string locationOf(const SourceText& source);
 
 /// Reads a regular file, cut one byte behind kMaxDocumentBytes. Null when it cannot be read.

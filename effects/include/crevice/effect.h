@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// An effect: a config running on a device, with everything set by name. It is all that an application needs
-// which has a depth texture and wants its ambient occlusion.
+// An effect: a config running on a device, with everything set by name. It is all that an
+// application needs which has a depth texture and wants its ambient occlusion.
 //
 //     auto device = makeGlDevice(loader);
 //     auto effect = Effect::create(**device, R"({ "format": 1, "name": "ao",
-//         "extends": ["geometry/host_depth", "ssao/gtao", "filter/bilateral_normal"] })", {1920, 1080});
+//         "extends": ["geometry/host_depth", "ssao/gtao", "filter/bilateral_normal"] })", {1920,
+//         1080});
 //     effect->setProjection(clip_from_view);
 //     effect->setTexture("depth", depth_texture, Format::depth24, {1920, 1080});
 //     effect->render();
 //     GLuint ao = effect->nativeName("ao");
 //
-// Below it lie loadConfig, decode, compile and Renderer, for applications that want one of those steps.
+// Below it lie loadConfig, decode, compile and Renderer, for applications that want one of those
+// steps.
 #pragma once
 
 #include <crevice/device.h>
@@ -29,13 +31,13 @@ struct Frame;
 
 class Effect {
 public:
-    /// Loads a config and creates every object that it needs on the device, which must outlive the effect. Its
-    /// context must be current here and in all calls below.
+    /// Loads a config and creates every object that it needs on the device, which must outlive the
+    /// effect. Its context must be current here and in all calls below.
     ///
-    /// `config` is the name of a shipped config ("balanced"), the path of a file that ends in ".json", or JSON
-    /// text that begins with '{'. Files and folders that a JSON text names are found as those of a file in the
-    /// current folder. `outputs` names those that are wanted, such as {"ao"}; passes that none of them needs
-    /// are left out. Empty means all.
+    /// `config` is the name of a shipped config ("balanced"), the path of a file that ends in
+    /// ".json", or JSON text that begins with '{'. Files and folders that a JSON text names are
+    /// found as those of a file in the current folder. `outputs` names those that are wanted, such
+    /// as {"ao"}; passes that none of them needs are left out. Empty means all.
     ///
     /// Errors: those of loadConfig, decode and Renderer::create.
     static Result<Effect> create(Device& device, std::string_view config, Extent size,
@@ -45,22 +47,24 @@ public:
     Effect& operator=(Effect&&) noexcept;
     ~Effect();
 
-    /// The projection: 16 floats by columns, as for glUniformMatrix4fv. Default: orthographic, of the cube [-1, 1].
+    /// The projection: 16 floats by columns, as for glUniformMatrix4fv. Default: orthographic, of
+    /// the cube [-1, 1].
     void setProjection(const float* clip_from_view);
 
-    /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z. What draws
-    /// nothing and keeps no history does not depend on it.
+    /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z.
+    /// What draws nothing and keeps no history does not depend on it.
     void setView(const double* view_from_world);
 
-    /// Hands over a texture for an import of the config, by its API's name (GLuint). It stays the host's, and must
-    /// have that format and size. Its content may change with every frame. Costs nothing where all is as before.
+    /// Hands over a texture for an import of the config, by its API's name (GLuint). It stays the
+    /// host's, and must have that format and size. Its content may change with every frame. Costs
+    /// nothing where all is as before.
     ///
-    /// Errors: CV2101 for a name that the config does not import; those of Device::adoptTexture; the texture of
-    /// before stays.
+    /// Errors: CV2101 for a name that the config does not import; those of Device::adoptTexture;
+    /// the texture of before stays.
     Status setTexture(std::string_view name, std::uint32_t native_name, Format format, Extent size);
 
-    /// Sets a param: as many floats as it has components; or a feature: "true", "false" or an enum's word.
-    /// Errors and costs: those of Renderer::setParam and Renderer::setFeature.
+    /// Sets a param: as many floats as it has components; or a feature: "true", "false" or an
+    /// enum's word. Errors and costs: those of Renderer::setParam and Renderer::setFeature.
     Status setParam(std::string_view name, float value);
     Status setParam(std::string_view name, const float* values, int count);
     Status setFeature(std::string_view name, std::string_view value);
@@ -71,17 +75,20 @@ public:
     /// Draws what has changed since the last frame. Errors and warnings: those of Renderer::render.
     Status render();
 
-    /// The API's name of an output's texture, which is the device's: sample it, and neither write nor delete it.
-    /// Ask again after each frame. 0 where the config has no such output, or none was drawn.
+    /// The API's name of an output's texture, which is the device's: sample it, and neither write
+    /// nor delete it. Ask again after each frame. 0 where the config has no such output, or none
+    /// was drawn.
     std::uint32_t nativeName(std::string_view output) const;
 
     /// The same as an id of the device, for Device::present and Device::readTexture.
     TextureId output(std::string_view name) const;
 
-    /// Draw list, materials, lights and all else that the next frame is drawn from (<crevice/frame.h>).
+    /// Draw list, materials, lights and all else that the next frame is drawn from
+    /// (<crevice/frame.h>).
     Frame& frame();
 
-    /// What runs below: the plan, times of passes, changes of params as a patch (<crevice/renderer.h>).
+    /// What runs below: the plan, times of passes, changes of params as a patch
+    /// (<crevice/renderer.h>).
     Renderer& renderer();
 
 private:

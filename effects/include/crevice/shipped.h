@@ -6,8 +6,8 @@
 
 namespace crevice {
 
-/// All of effects/ by path ("ssao/hemisphere.json", "ssao/shaders/hemisphere.frag") and all of configs/ under
-/// "configs/" ("configs/learnopengl.json"). To edit them while a program runs, layer
+/// All of effects/ by path ("ssao/hemisphere.json", "ssao/shaders/hemisphere.frag") and all of
+/// configs/ under "configs/" ("configs/learnopengl.json"). To edit them while a program runs, layer
 /// DirectorySources over this set.
 const SourceSet& shippedSources();
 

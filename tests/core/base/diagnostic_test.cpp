@@ -31,8 +31,8 @@ TEST_CASE("a diagnostic shows place, line, marks, pointer, notes and help")
 {
     const SourceRef mine = textOf("{\n\n\"a\": \"ao_filterd\" }\n");
     const SourceRef base = std::make_shared<SourceText>(SourceText{"base.json", ""});
-    Diagnostic diagnostic{Code::target_missing, "pass 'a' reads target 'ao_filterd'",
-                          {mine, 3, 6, 12}};
+    Diagnostic diagnostic{
+        Code::target_missing, "pass 'a' reads target 'ao_filterd'", {mine, 3, 6, 12}};
     diagnostic.pointer = "/passes/a";
     diagnostic.notes.resize(2);
     diagnostic.notes[0].place = {base, 31, 21, 1};
@@ -121,7 +121,10 @@ TEST_CASE("bytes that would upset a terminal are not shown as they are")
 TEST_CASE("no part of a diagnostic controls the terminal or forges a line")
 {
     const std::string bad = "\x1B]0;x\x07\xC2\x9B\xE2\x80\xAE\nerror CV0001: forged";
-    Diagnostic diagnostic{Code::usage, bad, {std::make_shared<SourceText>(SourceText{bad, "\xE2\x80\xAE!\x7F"}), 1, 4, 1}};
+    Diagnostic diagnostic{
+        Code::usage,
+        bad,
+        {std::make_shared<SourceText>(SourceText{bad, "\xE2\x80\xAE!\x7F"}), 1, 4, 1}};
     diagnostic.pointer = bad;
     diagnostic.notes = {{diagnostic.place, bad}};
     diagnostic.help = bad;
@@ -171,8 +174,8 @@ TEST_CASE("only an error counts as one")
 
 TEST_CASE("the name that was meant is found")
 {
-    const std::vector<std::string> names = {"ao", "ao_filtered", "color", "depth", "normal",
-                                            "ssao/hemisphere", "radius"};
+    const std::vector<std::string> names = {"ao",     "ao_filtered",     "color", "depth",
+                                            "normal", "ssao/hemisphere", "radius"};
     const auto meant = [&](const char* written) {
         const std::string help = suggestName(written, names, "names");
         const std::string start = "did you mean '";

@@ -72,7 +72,8 @@ TEST_CASE("Messages have the same numbers under a locale with a decimal comma")
 {
     const auto messages = [] {
         std::string all;
-        for (const char* override : {"radius=-0.5", "power=1234567.5", "samples=1.5", "radius=1e999"}) {
+        for (const char* override :
+             {"radius=-0.5", "power=1234567.5", "samples=1.5", "radius=1e999"}) {
             const auto config = loadConfig(shippedSources(), {"learnopengl", "", {override}});
             all += toText(config ? decode(*config, shippedSources()).diagnostics()
                                  : config.diagnostics());

@@ -71,8 +71,8 @@ TEST_CASE("a folder does not give what lies outside of it")
     folder.write("root/a.json", "a");
     const DirectorySources sources((folder.path / "root").string());
     CHECK(sources.find("a.json"));
-    for (const std::string path : {"../secret.json", "x/../../secret.json", "./a.json", "", "..",
-                                   "a.json/", "//a.json"})
+    for (const std::string path :
+         {"../secret.json", "x/../../secret.json", "./a.json", "", "..", "a.json/", "//a.json"})
         CHECK_FALSE(sources.find(path));
     CHECK_FALSE(sources.find((folder.path / "secret.json").string()));
 }
@@ -130,8 +130,8 @@ TEST_CASE("a catalog path does not climb above its root, a path on disk may")
 
 TEST_CASE("UTF-8 characters are told from bytes that only look like them")
 {
-    for (const std::string good : {"a", "\xC3\xA4", "\xE2\x82\xAC", "\xF0\x9F\x99\x82",
-                                   "\xED\x9F\xBF"})
+    for (const std::string good :
+         {"a", "\xC3\xA4", "\xE2\x82\xAC", "\xF0\x9F\x99\x82", "\xED\x9F\xBF"})
         CHECK(utf8Length(good, 0) == good.size());
     for (const std::string bad : {"\x80", "\xC0\xAF", "\xC3", "\xE0\x9F\xBF", "\xED\xA0\x80",
                                   "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF", "\xE2\x82"})
@@ -150,7 +150,8 @@ TEST_CASE("text for a terminal has no control characters and turns no direction"
 {
     CHECK(printable("a\x1B]0;b\x07 \x7F\r") == "a\\u001b]0;b\\u0007 \\u007f\\u000d");
     CHECK(printable("\xC2\x80\xC2\x9B\xC2\x9F") == "\\u0080\\u009b\\u009f");
-    CHECK(printable("\xE2\x80\xAA\xE2\x80\xAE\xE2\x81\xA6\xE2\x81\xA9") == "\\u202a\\u202e\\u2066\\u2069");
+    CHECK(printable("\xE2\x80\xAA\xE2\x80\xAE\xE2\x81\xA6\xE2\x81\xA9") ==
+          "\\u202a\\u202e\\u2066\\u2069");
     CHECK(printable("\xE2\x80\x8E\xE2\x80\x8F\xD8\x9C") == "\\u200e\\u200f\\u061c");
     CHECK(printable("\xE2\x80\xA8\xE2\x80\xA9") == "\\u2028\\u2029");
     CHECK(printable("\x9B\xC3") == "\xEF\xBF\xBD\xEF\xBF\xBD");

@@ -11,14 +11,16 @@ std::string textWith(const std::string& names, const std::string& extra = "",
                      const SceneTraits& traits = {}, const std::string& defines = "{}")
 {
     std::string mentions;
-    for (const std::string& name : words(names))
-        mentions += "#ifdef " + name + "\n#endif\n";
-    const Plan plan = planOf(describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
-        "shaders": {"s": {"vertex": "v", "fragment": "f", "defines": )" + defines + R"(}},
+    for (const std::string& name : words(names)) mentions += "#ifdef " + name + "\n#endif\n";
+    const Plan plan = planOf(
+        describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
+        "shaders": {"s": {"vertex": "v", "fragment": "f", "defines": )" +
+                     defines + R"(}},
         "passes": {"p": {"shader": "s", "color": "x"}}, "outputs": {"x": "x"})" +
-                                          (extra.empty() ? "" : ", " + extra) + "}",
-        {{"v", kFullVertex},
-         {"f", "#version 300 es\n" + mentions + "out highp vec4 c;\nvoid main() {}\n"}}), traits);
+                     (extra.empty() ? "" : ", " + extra) + "}",
+                 {{"v", kFullVertex},
+                  {"f", "#version 300 es\n" + mentions + "out highp vec4 c;\nvoid main() {}\n"}}),
+        traits);
     return plan.programs.at(0).fragment.text;
 }
 
@@ -93,8 +95,9 @@ TEST_CASE("Shaders that ask are told how finely a texture tells values apart")
 
 TEST_CASE("A shader's own defines win")
 {
-    CHECK(defines(textWith("SOFT", R"("features": {"soft": {"type": "bool"}})", {},
-                           R"({"SOFT": "7"})"), "SOFT 7"));
+    CHECK(defines(
+        textWith("SOFT", R"("features": {"soft": {"type": "bool"}})", {}, R"({"SOFT": "7"})"),
+        "SOFT 7"));
 }
 
 TEST_CASE("Passes whose text is the same share a program, others do not")
@@ -102,12 +105,16 @@ TEST_CASE("Passes whose text is the same share a program, others do not")
     const auto programs = [](const std::string& first, const std::string& second) {
         return planOf(describe(R"({"format": 1, "features": {"soft": {"type": "bool"}},
             "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
-            "shaders": {"s": {"vertex": "v", "fragment": "f", "defines": )" + first + R"(},
-                        "t": {"vertex": "v", "fragment": "f", "defines": )" + second + R"(}},
+            "shaders": {"s": {"vertex": "v", "fragment": "f", "defines": )" +
+                                   first + R"(},
+                        "t": {"vertex": "v", "fragment": "f", "defines": )" +
+                                   second + R"(}},
             "passes": {"a": {"shader": "s", "color": "x"}, "b": {"shader": "t", "color": "y"}},
             "outputs": {"x": "x", "y": "y"}})",
-            {{"v", kFullVertex},
-             {"f", "#version 300 es\n#if AXIS\n#endif\nout highp vec4 c;\nvoid main() {}\n"}}))
+                               {{"v", kFullVertex},
+                                {"f",
+                                 "#version 300 es\n#if AXIS\n#endif\nout highp vec4 c;\nvoid "
+                                 "main() {}\n"}}))
             .programs;
     };
     CHECK(programs(R"({"AXIS": 0})", R"({"AXIS": 1})").size() == 2);
@@ -124,8 +131,13 @@ TEST_CASE("Passes whose text is the same share a program, others do not")
 TEST_CASE("A feature that a shader does not mention leaves its program as it is")
 {
     const auto key = [](const std::string& soft) {
-        return planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}, {},
-            R"("features": {"soft": {"type": "bool", "default": )" + soft + "}}"})).programs[0].key;
+        return planOf(describe(Sketch{
+                          {"a: -> x"},
+                          {{"out", "x"}},
+                          {},
+                          R"("features": {"soft": {"type": "bool", "default": )" + soft + "}}"}))
+            .programs[0]
+            .key;
     };
     CHECK(key("true") == key("false"));
 }

@@ -168,9 +168,12 @@ TEST_CASE("What is resolved ends where a step is a tenth of the radius")
             const double end = resolvedDistance(traits, drawn(Format::depth16), need);
             CAPTURE(share, end);
             const double limit = need.step * 65535;
-            if (end == need.distance) CHECK(slopeOf(lens.clip_from_view, end) < 1.01 * limit);
-            else if (end > 0) CHECK(slopeOf(lens.clip_from_view, end) == about(limit));
-            else CHECK(slopeOf(lens.clip_from_view, traits.camera.near_distance) > 0.99 * limit);
+            if (end == need.distance)
+                CHECK(slopeOf(lens.clip_from_view, end) < 1.01 * limit);
+            else if (end > 0)
+                CHECK(slopeOf(lens.clip_from_view, end) == about(limit));
+            else
+                CHECK(slopeOf(lens.clip_from_view, traits.camera.near_distance) > 0.99 * limit);
         }
     }
     const PrecisionNeed need = {0.05, 1000};

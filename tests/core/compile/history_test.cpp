@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Targets that keep what they held in the last frame: how they are planned, and how frames use them.
+// Targets that keep what they held in the last frame: how they are planned, and how frames use
+// them.
 #include "core/frame/frame_math.h"
 #include "tests/support/plan_rig.h"
 #include "tests/support/renderer_rig.h"
@@ -33,9 +34,9 @@ bool same(const glm::mat4& a, const glm::mat4& b)
 
 TEST_CASE("A pass may read the history of what it writes")
 {
-    const Plan plan = planOf(
-        describe(Sketch{{"mean: now mean_history -> mean", "first: -> now"}, {{"out", "mean"}},
-                        {{"mean", kKept}}}));
+    const Plan plan = planOf(describe(Sketch{{"mean: now mean_history -> mean", "first: -> now"},
+                                             {{"out", "mean"}},
+                                             {{"mean", kKept}}}));
     CHECK(passNames(plan) == "first, mean");
     const PlanInput& input = plan.passes[1].inputs.at(1);
     CHECK(input.kind == InputKind::history);
@@ -53,7 +54,8 @@ TEST_CASE("A target with a history has two textures, which nothing else shares")
 {
     const Plan plan = planOf(describe(Sketch{
         {"a: kept_history -> x", "b: x -> kept", "c: kept -> y", "d: y -> z", "e: z -> last"},
-        {{"out", "last"}}, {{"kept", kKept}}}));
+        {{"out", "last"}},
+        {{"kept", kKept}}}));
     for (const PlanTexture& texture : plan.textures) {
         INFO(joined(texture.targets));
         const bool kept = texture.targets[0] == "kept" || texture.targets[0] == "kept_history";
@@ -70,8 +72,7 @@ TEST_CASE("A target with a history has two textures, which nothing else shares")
 
 TEST_CASE("A history that nobody reads costs nothing, and the plan says so")
 {
-    const Plan plan =
-        planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}, {{"x", kKept}}}));
+    const Plan plan = planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}, {{"x", kKept}}}));
     CHECK(plan.textures.size() == 1);
     REQUIRE(elided(plan, "history x"));
     CHECK(elided(plan, "history x")->optimization == "dead_pass");
@@ -79,27 +80,26 @@ TEST_CASE("A history that nobody reads costs nothing, and the plan says so")
 
 TEST_CASE("A history without a pass that writes its target is an error")
 {
-    const Diagnostic error = onlyError(describe(
-        Sketch{{"a: x_history -> y"}, {{"out", "y"}}, {{"x", kKept}}}));
+    const Diagnostic error =
+        onlyError(describe(Sketch{{"a: x_history -> y"}, {{"out", "y"}}, {{"x", kKept}}}));
     CHECK(error.code == Code::never_written);
 }
 
 TEST_CASE("A target without a history has none to read")
 {
-    const Diagnostic error =
-        onlyError(describe(Sketch{{"a: x_history -> x"}, {{"out", "x"}}}));
+    const Diagnostic error = onlyError(describe(Sketch{{"a: x_history -> x"}, {{"out", "x"}}}));
     CHECK(error.code == Code::uniform_unbound);
 }
 
 TEST_CASE("A pass whose output is remembered runs even at its no-op value")
 {
     const auto planFor = [](const std::string& reads) {
-        return planOf(describe(Sketch{
-            {"a: -> x | \"no_op\": {\"strength\": {\"at\": 0, \"gives\": {\"x\": 1}}}",
-             "b: x " + reads + " -> y"},
-            {{"out", "y"}},
-            {{"x", kKept}},
-            R"("params": {"strength": {"default": 0}})"}));
+        return planOf(describe(
+            Sketch{{"a: -> x | \"no_op\": {\"strength\": {\"at\": 0, \"gives\": {\"x\": 1}}}",
+                    "b: x " + reads + " -> y"},
+                   {{"out", "y"}},
+                   {{"x", kKept}},
+                   R"("params": {"strength": {"default": 0}})"}));
     };
     CHECK(passNames(planFor("")) == "b");
     CHECK(passNames(planFor("x_history")) == "a, b");
@@ -150,8 +150,7 @@ TEST_CASE("A frame knows where the camera was in the one before")
     rig.frame.camera.view_from_world =
         glm::lookAt(glm::vec3(3, 2, 5), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0));
     rig.frame.camera.clip_from_view = glm::perspective(0.5f, 2.0f, 0.1f, 100.0f);
-    const glm::mat4 moved =
-        before.view_from_world * glm::inverse(rig.frame.camera.view_from_world);
+    const glm::mat4 moved = before.view_from_world * glm::inverse(rig.frame.camera.view_from_world);
     rig.draw();
     CHECK(same(sentMatrix(rig, "previous_view_from_view"), moved));
     CHECK(same(sentMatrix(rig, "previous_clip_from_view"), before.clip_from_view * moved));

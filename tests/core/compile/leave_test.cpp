@@ -40,8 +40,8 @@ CompileOptions keeping(const std::string& optimization)
 
 TEST_CASE("A pass whose condition fails is left out, and its bypass stands in for it")
 {
-    const Plan plan = planOf(
-        describe(filtered(R"("when": {"soft": true}, "bypass": {"smooth": "ao"})", kSoft)));
+    const Plan plan =
+        planOf(describe(filtered(R"("when": {"soft": true}, "bypass": {"smooth": "ao"})", kSoft)));
     CHECK(passNames(plan) == "ssao, light");
     REQUIRE(plan.passes[1].inputs.size() == 1);
     CHECK(plan.targets[plan.passes[1].inputs[0].index].name == "ao");
@@ -78,10 +78,12 @@ TEST_CASE("A condition is meaning: no option switches it off")
 
 TEST_CASE("Bypasses are followed through one another")
 {
-    const Plan plan = planOf(describe(Sketch{
-        {"a: -> x", R"(b: x -> y | "when": {"soft": true}, "bypass": {"y": "x"})",
-         R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
-        {{"out", "w"}}, {}, kSoft}));
+    const Plan plan = planOf(describe(
+        Sketch{{"a: -> x", R"(b: x -> y | "when": {"soft": true}, "bypass": {"y": "x"})",
+                R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
+               {{"out", "w"}},
+               {},
+               kSoft}));
     CHECK(passNames(plan) == "a, d");
     CHECK(plan.targets[plan.passes[1].inputs[0].index].name == "x");
 }
@@ -100,10 +102,12 @@ TEST_CASE("Reading what an inactive pass would have written is an error that nam
 
 TEST_CASE("Bypasses that lead round in a circle stand in for nothing")
 {
-    const Diagnostic error = onlyError(describe(Sketch{
-        {R"(b: z -> y | "when": {"soft": true}, "bypass": {"y": "z"})",
-         R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
-        {{"out", "w"}}, {}, kSoft}));
+    const Diagnostic error = onlyError(describe(
+        Sketch{{R"(b: z -> y | "when": {"soft": true}, "bypass": {"y": "z"})",
+                R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
+               {{"out", "w"}},
+               {},
+               kSoft}));
     CHECK(error.code == Code::never_written);
 }
 
@@ -112,10 +116,12 @@ TEST_CASE("Two passes may write one target when their conditions exclude each ot
     const std::string feature =
         R"("features": {"method": {"type": "enum", "values": ["near", "far", "off"],
                                    "default": "far"}})";
-    const Plan plan = planOf(describe(Sketch{
-        {R"(near: -> ao | "when": {"method": "near"})",
-         R"(far: -> ao | "when": {"method": ["far", "off"]})", "light: ao -> lit"},
-        {{"out", "lit"}}, {}, feature}));
+    const Plan plan = planOf(
+        describe(Sketch{{R"(near: -> ao | "when": {"method": "near"})",
+                         R"(far: -> ao | "when": {"method": ["far", "off"]})", "light: ao -> lit"},
+                        {{"out", "lit"}},
+                        {},
+                        feature}));
     CHECK(passNames(plan) == "far, light");
 }
 
@@ -124,7 +130,8 @@ TEST_CASE("Every term of a condition must hold")
     const auto names = [](bool specular, int lights) {
         const Sketch sketch{
             {"a: -> x", R"(b: x -> y | "when": {"scene.specular": true, "scene.lights": true},
-                           "bypass": {"y": "x"})", "c: y -> z"},
+                           "bypass": {"y": "x"})",
+             "c: y -> z"},
             {{"out", "z"}}};
         SceneTraits traits;
         traits.specular = specular;
@@ -139,10 +146,9 @@ TEST_CASE("Every term of a condition must hold")
 TEST_CASE("Lights compare as none, at least one, or a number")
 {
     const auto runs = [](const std::string& wanted, int lights) {
-        const Sketch sketch{
-            {"a: -> x", R"(b: x -> y | "when": {"scene.lights": )" + wanted +
-                            R"(}, "bypass": {"y": "x"})"},
-            {{"out", "y"}}};
+        const Sketch sketch{{"a: -> x", R"(b: x -> y | "when": {"scene.lights": )" + wanted +
+                                            R"(}, "bypass": {"y": "x"})"},
+                            {{"out", "y"}}};
         SceneTraits traits;
         traits.lights = lights;
         return planOf(describe(sketch), traits).passes.size() == 2;
@@ -158,12 +164,12 @@ TEST_CASE("Lights compare as none, at least one, or a number")
 
 TEST_CASE("Each trait of the scene and the camera can be a condition")
 {
-    const auto [name, on] = GENERATE(table<std::string, SceneTraits>({
-        {"scene.alpha_tested", {0, true, false, false, false}},
-        {"scene.specular", {0, false, true, false, false}},
-        {"scene.textured", {0, false, false, true, false}},
-        {"camera.orthographic", {0, false, false, false, true}},
-        {"camera.reversed_depth", {0, false, false, false, false, true}}}));
+    const auto [name, on] = GENERATE(table<std::string, SceneTraits>(
+        {{"scene.alpha_tested", {0, true, false, false, false}},
+         {"scene.specular", {0, false, true, false, false}},
+         {"scene.textured", {0, false, false, true, false}},
+         {"camera.orthographic", {0, false, false, false, true}},
+         {"camera.reversed_depth", {0, false, false, false, false, true}}}));
     const Description description = describe(Sketch{
         {"a: -> x", "b: x -> y | \"when\": {\"" + name + R"(": true}, "bypass": {"y": "x"})"},
         {{"out", "y"}}});
@@ -215,10 +221,12 @@ TEST_CASE("A no-op holds at its exact value alone")
 TEST_CASE("A pass stays when its no-op value leaves out an output that is needed")
 {
     const auto names = [](const std::string& reads) {
-        return passNames(planOf(describe(Sketch{
-            {R"(ssao: -> ao bent | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-             "light: " + reads + " -> lit"},
-            {{"out", "lit"}}, {}, R"("params": {"intensity": {"default": 0}})"})));
+        return passNames(planOf(describe(
+            Sketch{{R"(ssao: -> ao bent | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+                    "light: " + reads + " -> lit"},
+                   {{"out", "lit"}},
+                   {},
+                   R"("params": {"intensity": {"default": 0}})"})));
     };
     CHECK(names("ao") == "light");
     CHECK(names("ao bent") == "ssao, light");
@@ -226,12 +234,13 @@ TEST_CASE("A pass stays when its no-op value leaves out an output that is needed
 
 TEST_CASE("The next no-op is tried when the first leaves out an output that is needed")
 {
-    const Plan plan = planOf(describe(Sketch{
-        {R"(ssao: -> ao bent | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}},
+    const Plan plan = planOf(
+        describe(Sketch{{R"(ssao: -> ao bent | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}},
                                             "radius": {"at": 0, "gives": {"ao": 1, "bent": 0}}})",
-         "light: ao bent -> lit"},
-        {{"out", "lit"}}, {},
-        R"("params": {"intensity": {"default": 0}, "radius": {"default": 0}})"}));
+                         "light: ao bent -> lit"},
+                        {{"out", "lit"}},
+                        {},
+                        R"("params": {"intensity": {"default": 0}, "radius": {"default": 0}})"}));
     CHECK(passNames(plan) == "light");
     CHECK(plan.constants.size() == 2);
     CHECK(elided(plan, "pass ssao")->reason == "radius is 0, so ao is 1, bent is 0");
@@ -243,7 +252,9 @@ TEST_CASE("What a no-op gives counts as read, so no param's value can break the 
         return R"( | "no_op": {"amount": {"at": 0, "gives": {)" + gives + "}}}";
     };
     const auto described = [](const std::vector<std::string>& passes, const std::string& amount) {
-        return describe(Sketch{passes, {{"out", "x"}}, {{"ghost", R"({"format": ["r8"]})"}},
+        return describe(Sketch{passes,
+                               {{"out", "x"}},
+                               {{"ghost", R"({"format": ["r8"]})"}},
                                R"("params": {"amount": {"default": )" + amount + "}}"});
     };
     const std::string amount = GENERATE("0", "1");
@@ -261,9 +272,10 @@ TEST_CASE("What a no-op gives counts as read, so no param's value can break the 
     }
     SECTION("one another's outputs")
     {
-        CHECK(onlyError(described({"a: -> x" + noOp(R"("x": "y")"),
-                                   "b: -> y" + noOp(R"("y": "x")")}, amount)).code ==
-              Code::cycle);
+        CHECK(
+            onlyError(described({"a: -> x" + noOp(R"("x": "y")"), "b: -> y" + noOp(R"("y": "x")")},
+                                amount))
+                .code == Code::cycle);
     }
     SECTION("what is made from the output")
     {
@@ -277,9 +289,12 @@ TEST_CASE("A vector param is at a no-op when each component is")
 {
     const auto passes = [](const std::string& tint) {
         return planOf(describe(Sketch{
-            {"a: -> x", R"(b: x -> y | "no_op": {"tint": {"at": 1, "gives": {"y": "x"}}})"},
-            {{"out", "y"}}, {},
-            R"("params": {"tint": {"type": "vec3", "default": )" + tint + "}}"})).passes.size();
+                          {"a: -> x",
+                           R"(b: x -> y | "no_op": {"tint": {"at": 1, "gives": {"y": "x"}}})"},
+                          {{"out", "y"}},
+                          {},
+                          R"("params": {"tint": {"type": "vec3", "default": )" + tint + "}}"}))
+            .passes.size();
     };
     CHECK(passes("[1, 1, 1]") == 1);
     CHECK(passes("[1, 1, 0.5]") == 2);
@@ -316,13 +331,14 @@ TEST_CASE("A pass that keeps constants goes where it reads one, down a chain")
 
 TEST_CASE("A pass that keeps constants stays for what else is needed of it")
 {
-    const Description description = describe(Sketch{
-        {R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-         R"(x: ao -> blur edges | "preserves_constant": {"blur": "ao"})",
-         R"(y: blur -> smooth | "preserves_constant": {"smooth": "blur"})", "light: smooth edges -> lit"},
-        {{"color", "lit"}},
-        {},
-        R"("params": {"intensity": {"default": 0}})"});
+    const Description description =
+        describe(Sketch{{R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
+                         R"(x: ao -> blur edges | "preserves_constant": {"blur": "ao"})",
+                         R"(y: blur -> smooth | "preserves_constant": {"smooth": "blur"})",
+                         "light: smooth edges -> lit"},
+                        {{"color", "lit"}},
+                        {},
+                        R"("params": {"intensity": {"default": 0}})"});
     const Plan plan = planOf(description);
     CHECK(passNames(plan) == "x, y, light");
     REQUIRE(plan.passes[0].inputs.size() == 1);
@@ -331,9 +347,9 @@ TEST_CASE("A pass that keeps constants stays for what else is needed of it")
 
 TEST_CASE("A constant is kept of a sampler that the shader has")
 {
-    const Diagnostic error = onlyError(describe(Sketch{
-        {"ssao: -> ao", R"(x: ao -> blur | "preserves_constant": {"blur": "aoo"})"},
-        {{"ao", "blur"}}}));
+    const Diagnostic error = onlyError(
+        describe(Sketch{{"ssao: -> ao", R"(x: ao -> blur | "preserves_constant": {"blur": "aoo"})"},
+                        {{"ao", "blur"}}}));
     CHECK(error.code == Code::input_unused);
     CHECK(error.pointer == "/passes/x/preserves_constant/blur");
     CHECK(error.help.find("'ao'") != error.help.npos);
@@ -374,8 +390,8 @@ TEST_CASE("An attachment that nobody reads gets no texture, and is listed with i
 
 TEST_CASE("Passes that nobody needs run when the unread optimization is switched off")
 {
-    const Description description = describe(Sketch{
-        {"used: -> a", "unused: a -> b", "end: a -> c"}, {{"out", "c"}}});
+    const Description description =
+        describe(Sketch{{"used: -> a", "unused: a -> b", "end: a -> c"}, {{"out", "c"}}});
     CHECK(passNames(planOf(description, {}, keeping("dead_pass"))) == "used, unused, end");
 }
 
@@ -421,19 +437,20 @@ namespace {
 // draw -> mask -> ao, where ao is drawn where the mask says.
 Sketch masked(const std::string& mask_keys = "", const std::string& ao_keys = "")
 {
-    return {{R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
-             R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})" + mask_keys,
-             R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + ao_keys,
-             "light: ao -> lit"},
-            {{"color", "lit"}},
-            {{"mask", R"({"format": ["depth16"], "semantic": "mask", "size": {"of": "ao"}})"}},
-            R"("imports": {"scene": {"type": "draw_list"}},
+    return {
+        {R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
+         R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})" + mask_keys,
+         R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + ao_keys, "light: ao -> lit"},
+        {{"color", "lit"}},
+        {{"mask", R"({"format": ["depth16"], "semantic": "mask", "size": {"of": "ao"}})"}},
+        R"("imports": {"scene": {"type": "draw_list"}},
                "features": {"soft": {"type": "bool", "default": false}})"};
 }
 
 }  // namespace
 
-TEST_CASE("A pass that is drawn where a mask says is tested against it, and cleared to what is elsewhere")
+TEST_CASE(
+    "A pass that is drawn where a mask says is tested against it, and cleared to what is elsewhere")
 {
     const Plan plan = planOf(describe(masked()));
     CHECK(passNames(plan) == "things, mask, ao, light");
@@ -450,7 +467,8 @@ TEST_CASE("A pass that is drawn where a mask says is tested against it, and clea
     CHECK(mask.last_pass == 2);
 }
 
-TEST_CASE("A mask is left out with its optimization, where its pass is off, and where it does not fit")
+TEST_CASE(
+    "A mask is left out with its optimization, where its pass is off, and where it does not fit")
 {
     const auto drawnWhole = [](const Plan& plan) {
         return passNames(plan) == "things, ao, light" && !plan.passes[1].has_depth &&
@@ -482,8 +500,10 @@ TEST_CASE("A long chain of passes that each read twice what is before is planned
     sketch.passes = {R"(pass_0: -> t_0 | "type": "draw", "frustum_scale": 1)"};
     for (int i = 1; i < 40; ++i) {
         const std::string now = std::to_string(i), before = "t_" + std::to_string(i - 1);
-        sketch.passes.push_back("pass_" + now + ": " + before + " again -> t_" + now + R"( | "scissor": true,
-            "clear": {"t_)" + now + R"(": 0}, "inputs": {"again": ")" + before + "\"}");
+        sketch.passes.push_back("pass_" + now + ": " + before + " again -> t_" + now +
+                                R"( | "scissor": true,
+            "clear": {"t_)" + now +
+                                R"(": 0}, "inputs": {"again": ")" + before + "\"}");
     }
     sketch.outputs = {{"out", "t_39"}};
     sketch.extra = R"("imports": {"scene": {"type": "draw_list"}})";

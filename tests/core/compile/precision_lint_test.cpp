@@ -45,8 +45,8 @@ Setup depthIn(std::vector<Format> formats, double near_distance, double far_dist
 SceneTraits traitsFor(const Setup& setup)
 {
     Frame frame;
-    glm::dmat4 lens = glm::perspective(glm::radians(60.0), 16.0 / 9, setup.near_distance,
-                                       setup.far_distance);
+    glm::dmat4 lens =
+        glm::perspective(glm::radians(60.0), 16.0 / 9, setup.near_distance, setup.far_distance);
     for (int column = 0; setup.reversed && column < 4; ++column) lens[column].z *= -1;
     frame.camera.clip_from_view = glm::mat4(lens);
     frame.lights.resize(1);
@@ -104,10 +104,12 @@ TEST_CASE("A near plane that leaves depth too coarse is told once, with figures 
     REQUIRE(warnings(plan) == 1);
     const Diagnostic& warning = *findDiagnostic(plan.diagnostics(), Code::too_coarse);
     CHECK(warning.severity == Severity::warning);
-    CHECK(warning.message == "depth16 of 'depth' with near 0.001 resolves 6.1 at distance 20, and a "
-                             "tenth of the radius 0.5 up to 1.8 alone");
+    CHECK(warning.message ==
+          "depth16 of 'depth' with near 0.001 resolves 6.1 at distance 20, and a "
+          "tenth of the radius 0.5 up to 1.8 alone");
     CHECK(warning.pointer == "/targets/depth/format");
-    CHECK(warning.help == "store it in depth24, move the near plane out to 0.13, or raise the radius to 62");
+    CHECK(warning.help ==
+          "store it in depth24, move the near plane out to 0.13, or raise the radius to 62");
 }
 
 TEST_CASE("What a warning advises is enough")
@@ -163,7 +165,8 @@ TEST_CASE("A format further down the list is taken where it serves farther, and 
     CHECK(toText(*plan).find("formats\n  depth: depth24 instead of depth16, which resolves 0.3 at "
                              "distance 20, and a tenth of the radius 0.5 up to 8 alone\n") !=
           std::string::npos);
-    CHECK(toJson(*plan).find("\"format_reason\": \"depth24 instead of depth16") != std::string::npos);
+    CHECK(toJson(*plan).find("\"format_reason\": \"depth24 instead of depth16") !=
+          std::string::npos);
 
     Setup ordinary = setup;
     ordinary.near_distance = 0.2;
@@ -175,7 +178,8 @@ TEST_CASE("Positions are stored in 32 bits where halves do not hold the units")
     for (const char* config : {"learnopengl", "ogldev45"})
         for (const double unit : {1e-6, 1e-5, 1e-3, 1.0, 1e3, 1e5, 1e6}) {
             CAPTURE(config, unit);
-            Setup setup = {config, {"radius=" + shortest(float(0.5 * unit))}, 0.1 * unit, 50 * unit};
+            Setup setup = {
+                config, {"radius=" + shortest(float(0.5 * unit))}, 0.1 * unit, 50 * unit};
             const Result<Plan> plan = planFor(setup);
             CHECK(warnings(plan) == 0);
             const bool half = unit > 1.3e-3 && unit < 5e3;
@@ -199,14 +203,16 @@ TEST_CASE("What is read linearly keeps a format that filters")
     const auto chosen = [&](const std::string& filter) {
         std::string text = config;
         text.replace(text.find("nearest"), 7, filter);
-        const Description description = describe(
-            text, {{"full.vert", "#version 300 es\nvoid main() {}\n"},
-                   {"write.frag", "#version 300 es\nprecision highp float;\n"
-                                  "layout(location = 0) out vec4 there;\n"},
-                   {"read.frag", "#version 300 es\nprecision highp float;\n"
-                                 "uniform highp sampler2D there;\nuniform float reach;\n"
-                                 "const vec2 steps = THERE_STEP;\n"
-                                 "layout(location = 0) out float ao;\n"}});
+        const Description description =
+            describe(text, {{"full.vert", "#version 300 es\nvoid main() {}\n"},
+                            {"write.frag",
+                             "#version 300 es\nprecision highp float;\n"
+                             "layout(location = 0) out vec4 there;\n"},
+                            {"read.frag",
+                             "#version 300 es\nprecision highp float;\n"
+                             "uniform highp sampler2D there;\nuniform float reach;\n"
+                             "const vec2 steps = THERE_STEP;\n"
+                             "layout(location = 0) out float ao;\n"}});
         const Result<Plan> plan =
             compile(description, traitsFor({}), usualCaps(), {{960, 540}, {}, {}});
         INFO(toText(plan.diagnostics()));
@@ -224,7 +230,8 @@ TEST_CASE("A host that reverses its float depth needs no warning")
         MemorySources mine;
         mine.add("configs/hosted.json", R"({
   "format": 1, "name": "hosted", "extends": ["geometry/host_depth", "ssao/hemisphere", "filter/box"],
-  "imports": { "depth": { "format": ")" + format + R"(" } } })");
+  "imports": { "depth": { "format": ")" + format +
+                                            R"(" } } })");
         const LayeredSources sources({&mine, &shippedSources()});
         Setup setup = {"hosted", {}, 0.001, 1000};
         setup.reversed = reversed;
@@ -233,7 +240,9 @@ TEST_CASE("A host that reverses its float depth needs no warning")
     CHECK(warnings(plan("depth32f", true)) == 0);
     const Result<Plan> straight = plan("depth32f", false);
     REQUIRE(warnings(straight) == 1);
-    CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reverse the depth") == 0);
+    CHECK(
+        findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reverse the depth") ==
+        0);
     CHECK(warnings(plan("depth24", true)) == 1);
 }
 
@@ -277,7 +286,8 @@ TEST_CASE("A frame that is planned anew tells the new plan's warnings once")
     const Setup setup = depthIn({Format::depth16}, 1);
     Frame frame;
     frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 1.0, 10.0));
-    auto renderer = Renderer::create(device, described(setup), {{960, 540}, {}, {}}, traitsOf(frame));
+    auto renderer =
+        Renderer::create(device, described(setup), {{960, 540}, {}, {}}, traitsOf(frame));
     REQUIRE(renderer.ok());
     CHECK(findDiagnostic(renderer.diagnostics(), Code::too_coarse) == nullptr);
     frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 1e-3, 10.0));
@@ -292,8 +302,8 @@ TEST_CASE("A radius set at run time plans anew only where other formats serve it
     RecordingDevice device;
     Frame frame;
     frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.5, 0.1, 20.0));
-    auto renderer = Renderer::create(device, described({"learnopengl"}), {{960, 540}, {}, {}},
-                                     traitsOf(frame));
+    auto renderer =
+        Renderer::create(device, described({"learnopengl"}), {{960, 540}, {}, {}}, traitsOf(frame));
     REQUIRE(renderer.ok());
     const auto stored = [&] { return formatOf((*renderer)->plan(), "position"); };
     CHECK(stored() == Format::rgba16f);

@@ -13,7 +13,8 @@ const std::string kOut = "layout(location = 0) out vec4 color;\n";
 Description onePass(const std::string& fragment, const std::string& keys = "",
                     const std::string& extra = "", const std::string& vertex = kFullVertex)
 {
-    return describe(R"({"format": 1, "name": "one",
+    return describe(
+        R"({"format": 1, "name": "one",
         "params": {"radius": {"default": 0.5}, "taps": {"type": "int", "default": 3},
                    "tint": {"type": "vec3", "default": [1, 1, 1]},
                    "samples": {"type": "int", "default": 4, "min": 1, "bind": "define"}},
@@ -23,12 +24,10 @@ Description onePass(const std::string& fragment, const std::string& keys = "",
                       "noise": {"generator": "rotation_noise", "count": 8}},
         "targets": {"color": {"format": ["rgba8"]}, "ghost": {"format": ["r8"]}},
         "shaders": {"s": {"vertex": "p.vert", "fragment": "p.frag"}},
-        "passes": {"p": {"shader": "s", "color": "color")" + (keys.empty() ? "" : ", " + keys) +
-                        "}}, \"outputs\": {\"out\": \"color\"}" +
-                        (extra.empty() ? "" : ", " + extra) + "}",
-                    {{"p.vert", vertex},
-                     {"p.frag", fragment},
-                     {"part.glsl", "uniform float deep;\n"}});
+        "passes": {"p": {"shader": "s", "color": "color")" +
+            (keys.empty() ? "" : ", " + keys) + "}}, \"outputs\": {\"out\": \"color\"}" +
+            (extra.empty() ? "" : ", " + extra) + "}",
+        {{"p.vert", vertex}, {"p.frag", fragment}, {"part.glsl", "uniform float deep;\n"}});
 }
 
 Description body(const std::string& declarations, const std::string& keys = "")
@@ -54,8 +53,9 @@ TEST_CASE("A sampler binds to the generated texture or import of its name")
 
 TEST_CASE("An input renames a sampler and says how it is sampled")
 {
-    const Plan plan = planOf(body("uniform sampler2D grain;\n",
-        R"("inputs": {"grain": {"from": "noise", "filter": "linear", "wrap": "clamp"}})"));
+    const Plan plan = planOf(
+        body("uniform sampler2D grain;\n",
+             R"("inputs": {"grain": {"from": "noise", "filter": "linear", "wrap": "clamp"}})"));
     const PlanInput& input = plan.passes[0].inputs.at(0);
     CHECK(input.sampler == "grain");
     CHECK(plan.generated.at(input.index).name == "noise");
@@ -74,7 +74,8 @@ TEST_CASE("A material's texture is for draw passes")
     CHECK(textAt(error.notes.at(0).place) == "base_color_map");
 }
 
-TEST_CASE("A sampler of nothing is refused where the pass names its shader, with the nearest texture")
+TEST_CASE(
+    "A sampler of nothing is refused where the pass names its shader, with the nearest texture")
 {
     const Diagnostic error = onlyError(body("uniform sampler2D noize;\n"));
     CHECK(error.code == Code::uniform_unbound);
@@ -102,23 +103,25 @@ TEST_CASE("An array of samplers is refused")
 
 TEST_CASE("A mistake in GLSL that two passes share is one error")
 {
-    const Diagnostic error = onlyError(describe(R"({"format": 1,
+    const Diagnostic error =
+        onlyError(describe(R"({"format": 1,
         "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
         "shaders": {"s": {"vertex": "v", "fragment": "f"}},
         "passes": {"a": {"shader": "s", "color": "x"}, "b": {"shader": "s", "color": "y"}},
         "outputs": {"x": "x", "y": "y"}})",
-        {{"v", kFullVertex},
-         {"f", kHead + "uniform float raduis;\n" + kOut + "void main() {}\n"}}));
+                           {{"v", kFullVertex},
+                            {"f", kHead + "uniform float raduis;\n" + kOut + "void main() {}\n"}}));
     CHECK(error.code == Code::uniform_unbound);
     CHECK(textAt(error.notes.at(0).place) == "raduis");
 }
 
 TEST_CASE("Uniforms of every source bind by name, and what they need is collected")
 {
-    const Plan plan = planOf(body("uniform float radius;\nuniform int taps;\nuniform vec3 tint;\n"
-                                  "uniform vec3 kernel[SAMPLES];\nuniform mat4 clip_from_view;\n"
-                                  "uniform vec4 light_position[MAX_LIGHTS];\n"
-                                  "uniform vec2 viewport_size;\n"));
+    const Plan plan =
+        planOf(body("uniform float radius;\nuniform int taps;\nuniform vec3 tint;\n"
+                    "uniform vec3 kernel[SAMPLES];\nuniform mat4 clip_from_view;\n"
+                    "uniform vec4 light_position[MAX_LIGHTS];\n"
+                    "uniform vec2 viewport_size;\n"));
     CHECK(joined(namesOf(plan.imports)) == "eye, lamps");
     CHECK(joined(namesOf(plan.generated)) == "kernel");
     CHECK(plan.generated[0].count == 4);
@@ -158,12 +161,18 @@ TEST_CASE("A uniform that nothing supplies is refused, with the GLSL and the nea
 
 TEST_CASE("A uniform of another type or length than its value is refused")
 {
-    const auto [declared, name] = GENERATE(table<std::string, std::string>({
-        {"int radius", "radius"}, {"float taps", "taps"}, {"vec4 tint", "tint"},
-        {"float radius[2]", "radius"}, {"vec3 kernel[3]", "kernel"}, {"vec3 kernel", "kernel"},
-        {"vec4 kernel[SAMPLES]", "kernel"}, {"mat3 clip_from_view", "clip_from_view"},
-        {"vec4 light_position[3]", "light_position"}, {"vec4 noise", "noise"},
-        {"float ghost", "ghost"}}));
+    const auto [declared, name] =
+        GENERATE(table<std::string, std::string>({{"int radius", "radius"},
+                                                  {"float taps", "taps"},
+                                                  {"vec4 tint", "tint"},
+                                                  {"float radius[2]", "radius"},
+                                                  {"vec3 kernel[3]", "kernel"},
+                                                  {"vec3 kernel", "kernel"},
+                                                  {"vec4 kernel[SAMPLES]", "kernel"},
+                                                  {"mat3 clip_from_view", "clip_from_view"},
+                                                  {"vec4 light_position[3]", "light_position"},
+                                                  {"vec4 noise", "noise"},
+                                                  {"float ghost", "ghost"}}));
     const Diagnostic error = onlyError(body("uniform " + declared + ";\n"));
     CAPTURE(declared);
     CHECK(error.code == Code::uniform_type);
@@ -176,8 +185,8 @@ TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hide
 {
     SECTION("an input")
     {
-        const Diagnostic error = onlyError(body("uniform sampler2D noise;\n",
-                                                R"("inputs": {"noize": "noise"})"));
+        const Diagnostic error =
+            onlyError(body("uniform sampler2D noise;\n", R"("inputs": {"noize": "noise"})"));
         CHECK(error.code == Code::input_unused);
         CHECK(error.pointer == "/passes/p/inputs/noize");
         CHECK(textAt(error.place) == "\"noize\"");
@@ -185,20 +194,23 @@ TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hide
     }
     SECTION("an input by a name far from that of what it reads, which the shader has")
     {
-        const Diagnostic error = onlyError(body("uniform sampler2D noise;\n",
-                                                R"("inputs": {"grain": "noise"})"));
+        const Diagnostic error =
+            onlyError(body("uniform sampler2D noise;\n", R"("inputs": {"grain": "noise"})"));
         CHECK(error.code == Code::input_unused);
         CHECK_THAT(error.help, Catch::StartsWith("did you mean 'noise'? the shader declares: "));
     }
     SECTION("hidden")
     {
         CHECK(planOf(body("#if SAMPLES > 90\nuniform sampler2D grain;\n#endif\n",
-                          R"("inputs": {"grain": "noise"})")).passes[0].inputs.empty());
+                          R"("inputs": {"grain": "noise"})"))
+                  .passes[0]
+                  .inputs.empty());
     }
     SECTION("hidden in a file that is not included")
     {
         CHECK(planOf(body("#if SAMPLES > 90\n#include \"part.glsl\"\n#endif\n",
-                          R"("inputs": {"deep": "noise"})")).passes.size() == 1);
+                          R"("inputs": {"deep": "noise"})"))
+                  .passes.size() == 1);
     }
 }
 
@@ -208,15 +220,12 @@ TEST_CASE("Outputs of the shader are the pass's colour targets")
     const auto compiled = [&](const std::string& outputs, const std::string& color) {
         return describe("{\"format\": 1, " + targets + R"(
             "shaders": {"s": {"vertex": "v", "fragment": "f"}},
-            "passes": {"p": {"shader": "s", "color": )" + color + R"(}}, "outputs": {"o": "a"}})",
+            "passes": {"p": {"shader": "s", "color": )" +
+                            color + R"(}}, "outputs": {"o": "a"}})",
                         {{"v", kFullVertex}, {"f", kHead + outputs + "void main() {}\n"}});
     };
-    const std::string both =
-        "layout(location = 0) out vec4 a;\nlayout(location = 1) out vec4 b;\n";
-    SECTION("in order")
-    {
-        CHECK(planOf(compiled(both, R"(["a", "b"])")).passes.size() == 1);
-    }
+    const std::string both = "layout(location = 0) out vec4 a;\nlayout(location = 1) out vec4 b;\n";
+    SECTION("in order") { CHECK(planOf(compiled(both, R"(["a", "b"])")).passes.size() == 1); }
     SECTION("an output without a target")
     {
         const Diagnostic error = onlyError(compiled(both, R"("a")"));

@@ -8,10 +8,7 @@ using namespace crevice;
 
 namespace {
 
-Sketch oneTarget(const std::string& json)
-{
-    return {{"a: -> x"}, {{"out", "x"}}, {{"x", json}}};
-}
+Sketch oneTarget(const std::string& json) { return {{"a: -> x"}, {{"out", "x"}}, {{"x", json}}}; }
 
 CompileOptions keeping(const std::string& optimization, const std::string& output = "")
 {
@@ -37,11 +34,13 @@ TEST_CASE("Sizes are rounded up and never vanish")
 
 TEST_CASE("A size may follow another target's")
 {
-    const Plan plan = planOf(describe(Sketch{
-        {"a: -> half", "b: half -> quarter"}, {{"out", "quarter"}},
-        {{"half", R"({"format": ["r8"], "size": {"scale": 0.5}})"},
-         {"quarter", R"({"format": ["r8"], "size": {"of": "half", "scale": 0.5}})"}}}),
-        {}, sized(10, 6));
+    const Plan plan =
+        planOf(describe(Sketch{
+                   {"a: -> half", "b: half -> quarter"},
+                   {{"out", "quarter"}},
+                   {{"half", R"({"format": ["r8"], "size": {"scale": 0.5}})"},
+                    {"quarter", R"({"format": ["r8"], "size": {"of": "half", "scale": 0.5}})"}}}),
+               {}, sized(10, 6));
     CHECK(plan.passes[0].extent == Extent{5, 3});
     CHECK(plan.passes[1].extent == Extent{3, 2});
 }
@@ -49,10 +48,11 @@ TEST_CASE("A size may follow another target's")
 TEST_CASE("A linear read of what no device filters is refused, with formats that are")
 {
     const auto reading = [](const char* format, const char* filter) {
-        return describe(Sketch{{"a: -> x", std::string("b: x -> y | \"inputs\": {\"x\": {\"filter\": \"") +
-                                               filter + "\"}}"},
-                               {{"out", "y"}},
-                               {{"x", std::string("{\"format\": [\"") + format + "\"]}"}}});
+        return describe(Sketch{
+            {"a: -> x",
+             std::string("b: x -> y | \"inputs\": {\"x\": {\"filter\": \"") + filter + "\"}}"},
+            {{"out", "y"}},
+            {{"x", std::string("{\"format\": [\"") + format + "\"]}"}}});
     };
     const Diagnostic error = onlyError(reading("r32f", "linear"));
     CHECK(error.code == Code::cannot_filter);
@@ -74,8 +74,7 @@ TEST_CASE("A texture larger than the device holds is refused")
 {
     SECTION("as one error when the picture itself is")
     {
-        const Description description =
-            describe(Sketch{{"a: -> x y"}, {{"out", "x"}, {"o", "y"}}});
+        const Description description = describe(Sketch{{"a: -> x y"}, {{"out", "x"}, {"o", "y"}}});
         const Diagnostic error = onlyError(description, {}, ampleCaps(), sized(4000, 16));
         CHECK(error.code == Code::too_big_for_device);
         CHECK(error.message.find("2048") != error.message.npos);
@@ -93,8 +92,9 @@ TEST_CASE("A texture larger than the device holds is refused")
         const char* const big = R"({"format": ["r8"], "size": {"scale": 4}})";
         const char* const follows = R"({"format": ["r8"], "size": {"of": "big"}})";
         const auto error = [&](const std::vector<std::string>& passes) {
-            return onlyError(describe(Sketch{passes, {{"out", "x"}}, {{"big", big}, {"x", follows}}}),
-                             {}, ampleCaps(), sized(1000, 16));
+            return onlyError(
+                describe(Sketch{passes, {{"out", "x"}}, {{"big", big}, {"x", follows}}}), {},
+                ampleCaps(), sized(1000, 16));
         };
         CHECK(error({"first: -> big", "last: big -> x"}).pointer == "/targets/big");
         const Diagnostic alone = error({"first: -> big", "last: -> x"});
@@ -104,8 +104,8 @@ TEST_CASE("A texture larger than the device holds is refused")
     SECTION("even when the size is absurd")
     {
         CHECK(onlyError(describe(oneTarget(R"({"format": ["r8"], "size": {"scale": 4}})")), {},
-                        ampleCaps(), sized(2147483647, 2147483647)).code ==
-              Code::too_big_for_device);
+                        ampleCaps(), sized(2147483647, 2147483647))
+                  .code == Code::too_big_for_device);
     }
 }
 
@@ -124,9 +124,8 @@ TEST_CASE("The first format that the device renders to is taken, and a fall-back
 
 TEST_CASE("A target whose formats the device cannot render to is refused, if it is needed")
 {
-    Sketch sketch{{"a: -> x y"},
-                  {{"x", "x"}, {"y", "y"}},
-                  {{"x", R"({"format": ["rgba32f", "r16f"]})"}}};
+    Sketch sketch{
+        {"a: -> x y"}, {{"x", "x"}, {"y", "y"}}, {{"x", R"({"format": ["rgba32f", "r16f"]})"}}};
     const Diagnostic error = onlyError(describe(sketch), {}, minimumCaps());
     CHECK(error.code == Code::no_format);
     CHECK(error.pointer == "/targets/x");
@@ -145,9 +144,10 @@ TEST_CASE("A depth format as colour, or a colour format as depth, is refused")
     }
     SECTION("colour as depth")
     {
-        const Diagnostic error = onlyError(describe(Sketch{
-            {R"(a: -> x | "type": "draw", "depth": "d")"}, {{"out", "x"}},
-            {{"d", R"({"format": ["depth24", "r32f"]})"}}}));
+        const Diagnostic error =
+            onlyError(describe(Sketch{{R"(a: -> x | "type": "draw", "depth": "d")"},
+                                      {{"out", "x"}},
+                                      {{"d", R"({"format": ["depth24", "r32f"]})"}}}));
         CHECK(error.code == Code::attachment_kind);
         CHECK(error.pointer == "/passes/a/depth");
     }
@@ -165,8 +165,7 @@ TEST_CASE("More colour targets or samplers than the device has are refused")
 {
     SECTION("colour targets")
     {
-        const Diagnostic error =
-            onlyError(describe(Sketch{{"a: -> v w x y z"}, {{"out", "v"}}}));
+        const Diagnostic error = onlyError(describe(Sketch{{"a: -> v w x y z"}, {{"out", "v"}}}));
         CHECK(error.code == Code::too_many);
         CHECK(error.pointer == "/passes/a");
     }
@@ -184,8 +183,8 @@ TEST_CASE("More colour targets or samplers than the device has are refused")
 TEST_CASE("A fullscreen pass loads nothing, and a draw and a test clear first")
 {
     const auto load = [](const std::string& keys) {
-        const Plan plan = planOf(describe(Sketch{
-            {"a: -> x |" + keys}, {{"out", "x"}}, {{"d", R"({"format": ["depth24"]})"}}}));
+        const Plan plan = planOf(describe(
+            Sketch{{"a: -> x |" + keys}, {{"out", "x"}}, {{"d", R"({"format": ["depth24"]})"}}}));
         return *attachmentOf(plan, "x");
     };
     CHECK(load(R"("type": "fullscreen")").load == LoadOp::discard);
@@ -198,17 +197,19 @@ TEST_CASE("A fullscreen pass loads nothing, and a draw and a test clear first")
 
 TEST_CASE("A shader that discards leaves pixels, so its target is cleared")
 {
-    const Description description = describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
+    const Description description =
+        describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
         "shaders": {"s": {"vertex": "v", "fragment": "f"}},
         "passes": {"p": {"shader": "s", "color": "x"}}, "outputs": {"x": "x"}})",
-        {{"v", kFullVertex},
-         {"f", "#version 300 es\nout highp vec4 c;\nvoid main() { discard; }\n"}});
+                 {{"v", kFullVertex},
+                  {"f", "#version 300 es\nout highp vec4 c;\nvoid main() { discard; }\n"}});
     CHECK(planOf(description).passes[0].color[0].load == LoadOp::clear);
 }
 
 TEST_CASE("Depth is cleared to 1, needs a texture even unread, and is then not stored")
 {
-    const Sketch sketch{{R"(g: -> x | "type": "draw", "depth": "d")", "h: x -> y"}, {{"out", "y"}},
+    const Sketch sketch{{R"(g: -> x | "type": "draw", "depth": "d")", "h: x -> y"},
+                        {{"out", "y"}},
                         {{"d", R"({"format": ["depth24"]})"}}};
     const Plan plan = planOf(describe(sketch));
     const PlanPass& pass = plan.passes[0];
@@ -223,17 +224,18 @@ TEST_CASE("Depth is cleared to 1, needs a texture even unread, and is then not s
 
 TEST_CASE("Depth that a later pass samples is stored")
 {
-    const Plan plan = planOf(describe(Sketch{
-        {R"(g: -> x | "type": "draw", "depth": "d")", "h: x d -> y"}, {{"out", "y"}},
-        {{"d", R"({"format": ["depth24"]})"}}}));
+    const Plan plan =
+        planOf(describe(Sketch{{R"(g: -> x | "type": "draw", "depth": "d")", "h: x d -> y"},
+                               {{"out", "y"}},
+                               {{"d", R"({"format": ["depth24"]})"}}}));
     CHECK(plan.passes[0].depth.store == StoreOp::store);
     CHECK(plan.passes[0].depth.reason.find("read by h") != std::string::npos);
 }
 
 TEST_CASE("Targets whose lifetimes do not meet share a texture")
 {
-    const Description description = describe(Sketch{
-        {"a: -> w", "b: w -> x", "c: x -> y", "d: y -> z"}, {{"out", "z"}}});
+    const Description description =
+        describe(Sketch{{"a: -> w", "b: w -> x", "c: x -> y", "d: y -> z"}, {{"out", "z"}}});
     const Plan plan = planOf(description);
     CHECK(plan.textures.size() == 2);
     CHECK(plan.textures[0].targets == std::vector<std::string>{"w", "y"});
@@ -245,7 +247,8 @@ TEST_CASE("Textures are not shared between formats or sizes")
 {
     const auto textures = [](const std::string& y) {
         return planOf(describe(Sketch{
-            {"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}, {{"y", y}}})).textures.size();
+                          {"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}, {{"y", y}}}))
+            .textures.size();
     };
     CHECK(textures(R"({"format": ["r8"]})") == 2);
     CHECK(textures(R"({"format": ["rg8"]})") == 3);
@@ -272,8 +275,8 @@ TEST_CASE("In graphs of every shape no two live targets share a texture and read
             const auto place = static_cast<std::ptrdiff_t>(below(passes.size() + 1));
             passes.insert(passes.begin() + place, line);
         }
-        const Plan plan = planOf(describe(Sketch{
-            passes, {{"last", targets.back()}, {"other", targets[below(targets.size())]}}}));
+        const Plan plan = planOf(describe(
+            Sketch{passes, {{"last", targets.back()}, {"other", targets[below(targets.size())]}}}));
         for (std::size_t i = 0; i < plan.targets.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 const PlanTarget& a = plan.targets[j];
@@ -290,18 +293,19 @@ TEST_CASE("In graphs of every shape no two live targets share a texture and read
     }
 }
 
-TEST_CASE("Depth that nobody reads may be a part of a larger texture that is free, and no other target")
+TEST_CASE(
+    "Depth that nobody reads may be a part of a larger texture that is free, and no other target")
 {
     const auto plan = [](const char* scratch, const char* output) {
-        return planOf(describe(Sketch{
-            {R"(first: -> a | "type": "draw", "depth": "wide")", "middle: wide a -> b",
-             std::string(R"(last: b -> lit | "type": "draw", "depth": ")") + scratch + "\""},
-            {{"color", output}},
-            {{"wide", R"({"format": ["depth24"], "size": {"scale": 1.5}})"},
-             {"a", R"({"format": ["r8"], "size": {"scale": 1.5}})"},
-             {"near", R"({"format": ["depth24"]})"},
-             {"other", R"({"format": ["depth16"]})"}},
-            R"("imports": {"scene": {"type": "draw_list"}})"}));
+        return planOf(describe(
+            Sketch{{R"(first: -> a | "type": "draw", "depth": "wide")", "middle: wide a -> b",
+                    std::string(R"(last: b -> lit | "type": "draw", "depth": ")") + scratch + "\""},
+                   {{"color", output}},
+                   {{"wide", R"({"format": ["depth24"], "size": {"scale": 1.5}})"},
+                    {"a", R"({"format": ["r8"], "size": {"scale": 1.5}})"},
+                    {"near", R"({"format": ["depth24"]})"},
+                    {"other", R"({"format": ["depth16"]})"}},
+                   R"("imports": {"scene": {"type": "draw_list"}})"}));
     };
     const Plan shared = plan("near", "lit");
     const PlanAttachment* scratch = attachmentOf(shared, "near");

@@ -163,9 +163,11 @@ TEST_CASE("Each view remembers its own last frame")
                              glm::inverse(rig.frame.other_views[0].camera.view_from_world);
     for (int i = 0; i < 16; ++i) CHECK(right.at(i) == Approx(wanted[i / 4][i % 4]).margin(1e-5));
     CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history'") +
-              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao'") == 1);
+              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao'") ==
+          1);
     CHECK(count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao of view 1'") +
-              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history of view 1'") == 1);
+              count(log, "smooth_ao_history unit 1 <- texture 'smooth_ao_history of view 1'") ==
+          1);
 
     rig.draw();
     CHECK(rig.renderer->output("ao").value == first);
@@ -311,9 +313,9 @@ TEST_CASE("A plan says how many views it has and which textures each of them hol
 
 TEST_CASE("The number of views can be a condition and a define")
 {
-    const Description description = describe(Sketch{
-        {"a: -> x", R"(b: x -> y | "when": {"camera.views": 2}, "bypass": {"y": "x"})"},
-        {{"out", "y"}}});
+    const Description description = describe(
+        Sketch{{"a: -> x", R"(b: x -> y | "when": {"camera.views": 2}, "bypass": {"y": "x"})"},
+               {{"out", "y"}}});
     CHECK(passNames(planOf(description)) == "a");
     CHECK(passNames(planOf(description, twoViews())) == "a, b");
 }

@@ -16,7 +16,9 @@ TEST_CASE("Every config of the corpus is told its one mistake, where it is, and 
         if (config.expected.find("driver")) continue;  // no text shows it: bad_corpus_gl_test.cpp
         RecordingDevice device(capsOf(config));
         Diagnostics told = diagnosticsOf(config, device);
-        const auto warning = [](const Diagnostic& each) { return each.severity != Severity::error; };
+        const auto warning = [](const Diagnostic& each) {
+            return each.severity != Severity::error;
+        };
         told.erase(std::remove_if(told.begin(), told.end(), warning), told.end());
         INFO(config.name << "\n" << toText(told));
         REQUIRE(told.size() == 1);

@@ -95,7 +95,8 @@ TEST_CASE("a list of another length is an error", "[decode]")
         {"features", R"({"check": {"type": "enum", "values": ["one"]}})",
          "CV3006 /features/check/values"},
         {"targets", R"({"depth": {"format": []}, "ao": {"format": "r8"},
-                        "ao_filtered": {"format": "r8"}})", "CV3006 /targets/depth/format"},
+                        "ao_filtered": {"format": "r8"}})",
+         "CV3006 /targets/depth/format"},
         {"passes", R"({"p": {"shader": "ao", "color": "ao", "clear": {"ao": [0, 0, 0]}}})",
          "CV3006 /passes/p/clear/ao"},
         {"passes", R"({"p": {"shader": "ao", "depth": "depth", "clear": {"depth": [1, 1, 1, 1]}}})",
@@ -107,9 +108,11 @@ TEST_CASE("a vector param wants a list of numbers and cannot be a define", "[dec
 {
     checkEach({
         {"params", R"({"samples": {"type": "int", "default": 1},
-                       "a": {"type": "vec2", "default": 1}})", "CV3002 /params/a/default"},
+                       "a": {"type": "vec2", "default": 1}})",
+         "CV3002 /params/a/default"},
         {"params", R"({"samples": {"type": "int", "default": 1},
-                       "a": {"type": "vec2", "default": [1, "2"]}})", "CV3002 /params/a/default/1"},
+                       "a": {"type": "vec2", "default": [1, "2"]}})",
+         "CV3002 /params/a/default/1"},
         {"params", R"({"samples": {"type": "int", "default": 1},
                        "a": {"type": "vec2", "default": [1, 2], "bind": "define"}})",
          "CV3005 /params/a/bind"},
@@ -152,9 +155,10 @@ TEST_CASE("a value outside its range is an error", "[decode]")
 
 TEST_CASE("a range error names value, range and unit, and points at the number", "[decode]")
 {
-    const std::string text = "{ \"format\": 1, \"params\": {\n"
-                             "  \"radius\": { \"min\": 0.001, \"max\": 100,\n"
-                             "              \"unit\": \"scene units\", \"default\": -0.5 } } }\n";
+    const std::string text =
+        "{ \"format\": 1, \"params\": {\n"
+        "  \"radius\": { \"min\": 0.001, \"max\": 100,\n"
+        "              \"unit\": \"scene units\", \"default\": -0.5 } } }\n";
     const auto result = decode(parsed(text), MemorySources());
     REQUIRE(errorsOf(result) == "CV4001 /params/radius/default");
     const Diagnostic& error = result.diagnostics().at(0);
@@ -176,10 +180,10 @@ TEST_CASE("a minimum above the maximum is one error, whatever the default", "[de
 
 TEST_CASE("names are snake_case that GLSL does not reserve", "[decode]")
 {
-    const char* bad[][2] = {{"AoBlur", "'ao_blur'"}, {"ao-blur", "'ao_blur'"},
-                            {"ao__blur", "'ao_blur'"}, {"gl_blur", "'blur'"},
-                            {"2x", "'my_2x'"}, {"_blur", "'blur'"}, {"", "'name'"},
-                            {"größe", "'gr_e'"}};
+    const char* bad[][2] = {
+        {"AoBlur", "'ao_blur'"}, {"ao-blur", "'ao_blur'"}, {"ao__blur", "'ao_blur'"},
+        {"gl_blur", "'blur'"},   {"2x", "'my_2x'"},        {"_blur", "'blur'"},
+        {"", "'name'"},          {"größe", "'gr_e'"}};
     for (const auto& [name, wanted] : bad) {
         const std::string views = std::string("{\"") + name + "\": {\"target\": \"ao\"}}";
         const auto result = decodeWith({{"views", views}});
@@ -229,7 +233,8 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
     }
 }
 
-TEST_CASE("a document of nothing but mistakes is told a thousand of them, and how many more", "[decode]")
+TEST_CASE("a document of nothing but mistakes is told a thousand of them, and how many more",
+          "[decode]")
 {
     std::string params = R"("samples": {"type": "int", "default": 16})";
     for (int i = 0; i < 1500; ++i)

@@ -54,10 +54,9 @@ TEST_CASE("a description carries each GLSL file that it names or includes", "[de
 {
     const auto result = decodeWith({});
     REQUIRE(result.ok());
-    CHECK(keysOf(*result) ==
-          std::vector<std::string>{"common/fullscreen.vert", "common/view.glsl",
-                                   "geometry/a.surface.glsl", "geometry/normal.glsl",
-                                   "ssao/ao.frag"});
+    CHECK(keysOf(*result) == std::vector<std::string>{"common/fullscreen.vert", "common/view.glsl",
+                                                      "geometry/a.surface.glsl",
+                                                      "geometry/normal.glsl", "ssao/ao.frag"});
     for (const auto& [key, file] : result->files) CHECK(file->name == key);
 }
 
@@ -65,9 +64,9 @@ TEST_CASE("the files are what a stage needs to be assembled", "[decode]")
 {
     const auto result = decodeWith({});
     REQUIRE(result.ok());
-    const auto stage = assembleStage(result->files,
-                                     {{"surface", result->interfaces.at(0).file.name}},
-                                     result->shaders.at(0).fragment.name, {});
+    const auto stage =
+        assembleStage(result->files, {{"surface", result->interfaces.at(0).file.name}},
+                      result->shaders.at(0).fragment.name, {});
     INFO(toText(stage.diagnostics()));
     CHECK(stage.ok());
 }
@@ -89,8 +88,8 @@ TEST_CASE("a path with ./ is relative to the file that wrote it", "[decode]")
 TEST_CASE("a config on disk names files beside it and modules' files", "[decode]")
 {
     const TemporaryFolder folder;
-    const std::string config = folder.write(
-        "mine/config.json", configText({{"shaders", shaders("./local.frag")}}));
+    const std::string config =
+        folder.write("mine/config.json", configText({{"shaders", shaders("./local.frag")}}));
     folder.write("mine/local.frag",
                  "#version 300 es\n#include \"../shared.glsl\"\n"
                  "#include \"common/view.glsl\"\n#include <surface>\n");

@@ -112,7 +112,8 @@ TEST_CASE("a condition wants values that its subject can have", "[decode]")
     checkPass(R"("when": {"scene.lights": -1})", "CV2106 /passes/p/when/scene.lights");
     checkPass(R"("when": {"scene.lights": 1.5})", "CV2106 /passes/p/when/scene.lights");
     checkPass(R"("when": {"scene.lights": [true, 0, 3], "camera.orthographic": false,
-                          "scene.alpha_tested": true, "scene.textured": true})", "");
+                          "scene.alpha_tested": true, "scene.textured": true})",
+              "");
 }
 
 TEST_CASE("a count comes from an int param whose value the generator can make", "[decode]")
@@ -151,8 +152,8 @@ TEST_CASE("nothing may have the name of a history", "[decode]")
 {
     const auto errorsWith = [](const std::string& name) {
         return errorsOf(decodeWith({{"targets", R"({"ao": {"format": "r8", "history": true},
-            "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}, ")" + name +
-                                                    R"(": {"format": "r8"}})"}}));
+            "ao_filtered": {"format": "r8"}, "depth": {"format": "depth24"}, ")" +
+                                                    name + R"(": {"format": "r8"}})"}}));
     };
     CHECK(errorsWith("ao_before") == "");
     CHECK(errorsWith("depth_history") == "");
@@ -182,7 +183,8 @@ TEST_CASE("one name cannot stand for two things that GLSL or an override would s
         {"imports", R"({"photo": {"type": "texture"}, "depth": {"type": "texture"}})",
          "CV2107 /imports/depth"},
         {"generated", R"({"noise": {"generator": "rotation_noise"},
-                          "radius": {"generator": "sphere_kernel"}})", "CV2107 /generated/radius"},
+                          "radius": {"generator": "sphere_kernel"}})",
+         "CV2107 /generated/radius"},
         {"features", R"({"samples": {}})", "CV2107 /features/samples"},
         {"params", R"({"samples": {"type": "int", "default": 1}, "shininess": {"default": 1}})",
          "CV2107 /params/shininess"},
@@ -219,7 +221,7 @@ TEST_CASE("a misspelt section is one error", "[decode]")
     const std::string targets = R"({"depth": {"format": "depth24"}, "ao": {"format": "r8"},
                                     "ao_filtered": {"format": "r8"}})";
     CHECK(errorsOf(decodeWith({{"targets", ""}, {"targts", targets}})) == "CV3001 /targts");
-    CHECK(errorsOf(decodeWith({{"interfaces", ""},
-                               {"interface", R"({"surface": "geometry/a.surface.glsl"})"}})) ==
+    CHECK(errorsOf(decodeWith(
+              {{"interfaces", ""}, {"interface", R"({"surface": "geometry/a.surface.glsl"})"}})) ==
           "CV3001 /interface");
 }

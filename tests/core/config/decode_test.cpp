@@ -196,7 +196,8 @@ TEST_CASE("a pass takes every key", "[decode]")
         "no_op": {"radius": {"at": 0, "gives": {"ao": 1, "ao_filtered": "depth"}}},
         "inputs": {"base_color_map": {"filter": "linear", "wrap": "repeat"}, "photo": {},
                    "tile": "noise", "lowered": {"from": "photo", "filter": "nearest"}},
-        "state": {"depth_test": "greater_equal", "depth_write": true, "cull": "front"}}})"}}).passes.at(0);
+        "state": {"depth_test": "greater_equal", "depth_write": true, "cull": "front"}}})"}})
+                           .passes.at(0);
     CHECK(p.type == PassType::draw);
     CHECK(p.color.at(1).name == "ao_filtered");
     CHECK(p.clear.at(0).value == std::array<float, 4>{0.5f, 0.5f, 0.5f, 0.5f});
@@ -243,8 +244,9 @@ TEST_CASE("outputs and views name targets", "[decode]")
 
 TEST_CASE("keys that begin with x- are the host's at every level", "[decode]")
 {
-    const Description d = decoded({{"x-editor", R"({"zoom": [1, "2", null]})"},
-        {"targets", R"({"x-note": 1, "depth": {"format": "depth24", "x-why": "precise"},
+    const Description d =
+        decoded({{"x-editor", R"({"zoom": [1, "2", null]})"},
+                 {"targets", R"({"x-note": 1, "depth": {"format": "depth24", "x-why": "precise"},
                         "ao": {"format": "r8"},
                         "ao_filtered": {"format": "r8", "size": {"x-a": {}, "scale": 1}}})"}});
     CHECK(d.targets.size() == 3);

@@ -81,7 +81,8 @@ TEST_CASE("Under a variant an unused name is a warning")
     const Diagnostics unused = unusedIn(
         R"("targets": {"more": {"format": "r8"}},
            "passes": {"more": {"shader": "ao", "color": "more"}},
-           "variants": {"plain": {"passes": {"more": null}}})", request);
+           "variants": {"plain": {"passes": {"more": null}}})",
+        request);
     INFO(toText(unused));
     REQUIRE(unused.size() == 1);
     CHECK(unused[0].severity == Severity::warning);
@@ -90,7 +91,8 @@ TEST_CASE("Under a variant an unused name is a warning")
 
 TEST_CASE("An unused name is told where nothing else is wrong, since that might be why")
 {
-    Description description = describe(R"({"format": 1, "targets": {"x": {"format": "r8"}},
+    Description description = describe(
+        R"({"format": 1, "targets": {"x": {"format": "r8"}},
         "shaders": {"a": {"vertex": "full.vert", "fragment": "a.frag"}},
         "passes": {"a": {"shader": "a", "color": "x"}}, "outputs": {"out": "x"}})",
         {{"full.vert", kFullVertex},
@@ -103,9 +105,10 @@ TEST_CASE("An unused name is told where nothing else is wrong, since that might 
 
 TEST_CASE("An override of a name that does not exist is an error in the override")
 {
-    for (const char* text : {"/params/raduis/default=1", "/features/soff/default=true",
-                             "/targets/ao_smoth={\"format\": [\"r8\"]}", "/imports/lihgts={\"type\": \"texture\"}",
-                             "/interfaces/sruface=surface.glsl"}) {
+    for (const char* text :
+         {"/params/raduis/default=1", "/features/soff/default=true",
+          "/targets/ao_smoth={\"format\": [\"r8\"]}", "/imports/lihgts={\"type\": \"texture\"}",
+          "/interfaces/sruface=surface.glsl"}) {
         INFO(text);
         MemorySources all = sources();
         all.add("configs/mine.json", R"({"format": 1, "name": "mine", "extends": ["base"]})");

@@ -36,7 +36,8 @@ struct Neighbours {
 };
 
 // All that the shader of a config in mine/ is told, for files beside it.
-Diagnostics shaderErrors(const Neighbours& around, const std::string& fragment, const LoadRequest& extra = {})
+Diagnostics shaderErrors(const Neighbours& around, const std::string& fragment,
+                         const LoadRequest& extra = {})
 {
     LoadRequest request = extra;
     request.config = around.folder.write(
@@ -47,7 +48,8 @@ Diagnostics shaderErrors(const Neighbours& around, const std::string& fragment, 
     Diagnostics errors;
     const Result<Description> description = decode(document, smallCatalog());
     for (const Diagnostic& each : description.diagnostics())
-        if (each.pointer.find("/shaders") == 0 && each.code != Code::unused_name) errors.push_back(each);
+        if (each.pointer.find("/shaders") == 0 && each.code != Code::unused_name)
+            errors.push_back(each);
     return errors;
 }
 
@@ -66,8 +68,10 @@ void checkRefused(const Diagnostic& error)
 TEST_CASE("a config extends no file outside of its folder, and is not told whether it is there")
 {
     const Neighbours around("roots_extends");
-    for (const char* name : {"../secret.env", "../missing.env", "./../secret.env", "./sub/../../secret.env"}) {
-        const Diagnostic error = around.failureOf(file(R"("extends": [")" + std::string(name) + "\"]"));
+    for (const char* name :
+         {"../secret.env", "../missing.env", "./../secret.env", "./sub/../../secret.env"}) {
+        const Diagnostic error =
+            around.failureOf(file(R"("extends": [")" + std::string(name) + "\"]"));
         checkRefused(error);
         CHECK(error.place.column == 27);
         CHECK_THAT(error.message, Catch::Contains((around.folder.path / "mine").string() + "'"));
@@ -82,7 +86,8 @@ TEST_CASE("a path with a zero byte leads nowhere")
     const Neighbours around("roots_zero");
     around.folder.write("mine/a.json", file(""));
     for (const char* name : {"../secret.env\\u0000", "./a.json\\u0000", "./..\\u0000/secret.env"})
-        CHECK(around.failureOf(file(R"("extends": [")" + std::string(name) + "\"]")).code == Code::module_escape);
+        CHECK(around.failureOf(file(R"("extends": [")" + std::string(name) + "\"]")).code ==
+              Code::module_escape);
 }
 
 TEST_CASE("a link out of the folder is no way out of it")
@@ -94,10 +99,12 @@ TEST_CASE("a link out of the folder is no way out of it")
     checkRefused(around.failureOf(file(R"("extends": ["./up/secret.env"])")));
     around.folder.write("mine/real.json", file(R"("x-real": 1)"));
     fs::create_symlink("real.json", around.folder.path / "mine/alias.json");
-    const std::string config = around.folder.write("mine/config.json", file(R"("extends": ["./alias.json"])"));
+    const std::string config =
+        around.folder.write("mine/config.json", file(R"("extends": ["./alias.json"])"));
     CHECK(at(loaded(smallCatalog(), {config}), "x-real"));
     fs::create_directory_symlink(around.folder.path / "mine", around.folder.path / "linked");
-    CHECK(at(loaded(smallCatalog(), {(around.folder.path / "linked/config.json").string()}), "x-real"));
+    CHECK(at(loaded(smallCatalog(), {(around.folder.path / "linked/config.json").string()}),
+             "x-real"));
 }
 
 TEST_CASE("a folder whose name begins with that of the config's folder is another one")
@@ -112,7 +119,8 @@ TEST_CASE("a file that a config extends may not climb higher than the config")
     const Neighbours around("roots_nested");
     around.folder.write("mine/sub/up.json", file(R"("extends": ["../more.json"])"));
     around.folder.write("mine/more.json", file(R"("x-more": 1)"));
-    const std::string config = around.folder.write("mine/config.json", file(R"("extends": ["./sub/up.json"])"));
+    const std::string config =
+        around.folder.write("mine/config.json", file(R"("extends": ["./sub/up.json"])"));
     CHECK(at(loaded(smallCatalog(), {config}), "x-more"));
     around.folder.write("mine/sub/up.json", file(R"("extends": ["../../secret.env"])"));
     checkRefused(failure(smallCatalog(), {config}));
@@ -126,14 +134,16 @@ TEST_CASE("a root allows what is below it, and one that does not exist allows no
     const std::string config = around.folder.write("mine/config.json", text);
     CHECK(at(loaded(smallCatalog(), {config, {}, {}, {around.folder.path.string()}}), "x-base"));
     CHECK(at(loaded(smallCatalog(), {config, {}, {}, {"/"}}), "x-base"));
-    for (const char* root : {"", "nowhere", "/nowhere"}) checkRefused(around.failureOf(text, {root}));
+    for (const char* root : {"", "nowhere", "/nowhere"})
+        checkRefused(around.failureOf(text, {root}));
 }
 
 TEST_CASE("the variants of a config are found through its roots")
 {
     const Neighbours around("roots_variants");
     around.folder.write("base.json", file(R"("variants": {"low": {}})"));
-    const std::string config = around.folder.write("mine/config.json", file(R"("extends": ["../base.json"])"));
+    const std::string config =
+        around.folder.write("mine/config.json", file(R"("extends": ["../base.json"])"));
     CHECK(variantNames(smallCatalog(), {config}).empty());
     CHECK(variantNames(smallCatalog(), {config, {}, {}, {around.folder.path.string()}}) ==
           std::vector<std::string>{"low"});
@@ -143,10 +153,13 @@ TEST_CASE("GLSL is read below the config's folder alone, whatever names it")
 {
     const Neighbours around("roots_glsl");
     fs::create_symlink("../secret.env", around.folder.path / "mine/link.frag");
-    around.folder.write("mine/include.frag", "#version 300 es\n#include \"./../secret.env\"\nvoid main() {}\n");
+    around.folder.write("mine/include.frag",
+                        "#version 300 es\n#include \"./../secret.env\"\nvoid main() {}\n");
     around.folder.write("mine/deep/a.glsl", "#include \"../../secret.env\"\n");
-    around.folder.write("mine/deep.frag", "#version 300 es\n#include \"./deep/a.glsl\"\nvoid main() {}\n");
-    for (const char* name : {"./../secret.env", "../missing.env", "./link.frag", "./include.frag", "./deep.frag"}) {
+    around.folder.write("mine/deep.frag",
+                        "#version 300 es\n#include \"./deep/a.glsl\"\nvoid main() {}\n");
+    for (const char* name :
+         {"./../secret.env", "../missing.env", "./link.frag", "./include.frag", "./deep.frag"}) {
         const Diagnostics errors = shaderErrors(around, name);
         INFO(name);
         REQUIRE(errors.size() == 1);
@@ -161,16 +174,16 @@ TEST_CASE("an override names files below the current folder and below the roots 
 {
     const Neighbours around("roots_override");
     const std::string fragment = "/shaders/a/fragment=";
-    const Diagnostics errors =
-        shaderErrors(around, "./a.vert", {{}, {}, {fragment + (fs::path("..") / ".." / "secret.env").string()}});
+    const Diagnostics errors = shaderErrors(
+        around, "./a.vert", {{}, {}, {fragment + (fs::path("..") / ".." / "secret.env").string()}});
     REQUIRE(errors.size() == 1);
     checkRefused(errors[0]);
     const fs::path here = around.folder.path.lexically_relative(fs::current_path());
     const std::string secret = here.string().find("../") == 0 ? (here / "secret.env").string() : "";
     if (secret.empty()) return;
     checkRefused(shaderErrors(around, "./a.vert", {{}, {}, {fragment + secret}}).at(0));
-    for (const Diagnostic& each :
-         shaderErrors(around, "./a.vert", {{}, {}, {fragment + secret}, {around.folder.path.string()}}))
+    for (const Diagnostic& each : shaderErrors(
+             around, "./a.vert", {{}, {}, {fragment + secret}, {around.folder.path.string()}}))
         CHECK(each.code != Code::module_escape);
 }
 
@@ -179,7 +192,8 @@ TEST_CASE("a folder of modules gives no link out of it, but for its roots")
     const Neighbours around("roots_modules");
     fs::create_symlink("../secret.env", around.folder.path / "mine/a.glsl");
     CHECK_FALSE(DirectorySources((around.folder.path / "mine").string()).find("a.glsl"));
-    CHECK(DirectorySources((around.folder.path / "mine").string(), {around.folder.path.string()}).find("a.glsl"));
+    CHECK(DirectorySources((around.folder.path / "mine").string(), {around.folder.path.string()})
+              .find("a.glsl"));
 }
 
 TEST_CASE("what is no regular file is not opened, and nothing waits for it")
@@ -207,7 +221,8 @@ TEST_CASE("a shader that is a pipe or a folder is told as what it is")
     REQUIRE(errors.size() == 1);
     CHECK(errors[0].code == Code::file_missing);
     CHECK_THAT(errors[0].message, Catch::Contains("cannot be read: it is no regular file"));
-    CHECK_THAT(shaderErrors(around, "./none.frag").at(0).message, Catch::Contains("does not exist"));
+    CHECK_THAT(shaderErrors(around, "./none.frag").at(0).message,
+               Catch::Contains("does not exist"));
 }
 
 TEST_CASE("reading stops at the limit")

@@ -246,6 +246,7 @@ TEST_CASE("the schema that a file names for editors is no part of the config")
 {
     MemorySources sources = smallCatalog();
     sources.add("ssao/hemisphere.json", file(R"("$schema": "../schema.json")"));
-    sources.add("configs/fine.json", file(R"("$schema": "schema.json", "extends": ["ssao/hemisphere"])"));
+    sources.add("configs/fine.json",
+                file(R"("$schema": "schema.json", "extends": ["ssao/hemisphere"])"));
     CHECK(at(loaded(sources, {"fine"}), "$schema") == nullptr);
 }

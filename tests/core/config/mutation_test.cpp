@@ -69,10 +69,7 @@ public:
     explicit Mutator(const SourceRef& source) : text_(source->text), document_(parsed(source)) {}
 
     /// Calls `each` with every mutation of the document.
-    void run(const std::function<void(const Mutation&)>& each)
-    {
-        visit(document_, "", each);
-    }
+    void run(const std::function<void(const Mutation&)>& each) { visit(document_, "", each); }
 
 private:
     static Node parsed(const SourceRef& source)

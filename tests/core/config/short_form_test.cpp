@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// "radius": 0.8 for {"radius": {"default": 0.8}}: what it sets, where errors point, and when it may not stand.
+// "radius": 0.8 for {"radius": {"default": 0.8}}: what it sets, where errors point, and when it may
+// not stand.
 #include "core/json/merge.h"
 #include "tests/support/decode_fixture.h"
 #include "tests/support/load_fixture.h"
@@ -16,7 +17,8 @@ const char* const kBase = R"({"format": 1,
     "passes": {"blur": {"inputs": {"ao": {"filter": "linear"}}}}})";
 
 /// A config that extends kBase, with its own members and an override.
-Result<Description> extended(const std::string& members, const std::vector<std::string>& overrides = {},
+Result<Description> extended(const std::string& members,
+                             const std::vector<std::string>& overrides = {},
                              const std::string& variant = "")
 {
     MemorySources sources;

@@ -92,8 +92,10 @@ TEST_CASE("Every filter and every estimator takes the place of that of every shi
             for (const std::string& to : modules) {
                 const Result<Plan> plan = planSwapped(config, from + "=" + to);
                 INFO(to << "\n" << toText(plan.diagnostics()));
-                if (plan) CHECK(findNamed(plan->outputs, "ao"));
-                else checkIndirect(plan, config, to);
+                if (plan)
+                    CHECK(findNamed(plan->outputs, "ao"));
+                else
+                    checkIndirect(plan, config, to);
             }
         }
     }
@@ -118,12 +120,15 @@ TEST_CASE("A swap changes the module and leaves out with a warning what was set 
 
 TEST_CASE("A module is swapped in the configs that a config extends, and not in other modules")
 {
-    const Node deep = need(loadConfig(shippedSources(), {"mobile", "", {"filter/upsample=filter/box"}}));
+    const Node deep =
+        need(loadConfig(shippedSources(), {"mobile", "", {"filter/upsample=filter/box"}}));
     CHECK(at(deep, "shaders/filter/fragment")->text == "filter/shaders/box.frag");
     // ssao/ssdo extends ssao/hemisphere, which takes the place of nothing here.
-    const Node ssdo = need(loadConfig(shippedSources(), {"thesis", "", {"ssao/hemisphere=ssao/ssdo"}}));
+    const Node ssdo =
+        need(loadConfig(shippedSources(), {"thesis", "", {"ssao/hemisphere=ssao/ssdo"}}));
     CHECK(at(ssdo, "targets/indirect"));
-    const Diagnostic inner = failure(shippedSources(), {"ssdo", "", {"ssao/hemisphere=ssao/sphere"}});
+    const Diagnostic inner =
+        failure(shippedSources(), {"ssdo", "", {"ssao/hemisphere=ssao/sphere"}});
     CHECK(inner.code == Code::module_missing);
 }
 

@@ -24,10 +24,10 @@ TEST_CASE("A camera reverses depth when what is farther has less of it")
     Camera camera;
     CHECK_FALSE(camera.reversedDepth());
     const glm::mat4 flip = glm::scale(glm::mat4(1), glm::vec3(1, 1, -1));
-    for (const glm::mat4& clip :
-         {glm::ortho(-2.0f, 3.0f, -1.0f, 1.0f, 0.1f, 50.0f), glm::perspective(1.0f, 1.5f, 0.1f, 50.0f),
-          glm::frustum(-0.1f, 0.3f, -0.1f, 0.1f, 0.1f, 50.0f),
-          glm::infinitePerspective(1.0f, 1.5f, 1e-6f)}) {
+    for (const glm::mat4& clip : {glm::ortho(-2.0f, 3.0f, -1.0f, 1.0f, 0.1f, 50.0f),
+                                  glm::perspective(1.0f, 1.5f, 0.1f, 50.0f),
+                                  glm::frustum(-0.1f, 0.3f, -0.1f, 0.1f, 0.1f, 50.0f),
+                                  glm::infinitePerspective(1.0f, 1.5f, 1e-6f)}) {
         camera.clip_from_view = clip;
         CHECK_FALSE(camera.reversedDepth());
         camera.clip_from_view = flip * clip;

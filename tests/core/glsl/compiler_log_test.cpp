@@ -16,8 +16,9 @@ SourceRef textOf(const std::string& name, const std::string& text)
 /// Two files: what `main` includes is file 1.
 GlslStage twoFiles()
 {
-    const std::string main = "#version 300 es\n#include \"b.glsl\"\nout float x;\nvoid main() {\n"
-                             "    /* why */ x = foo + foobar;   x = ;\n}\n";
+    const std::string main =
+        "#version 300 es\n#include \"b.glsl\"\nout float x;\nvoid main() {\n"
+        "    /* why */ x = foo + foobar;   x = ;\n}\n";
     Result<GlslStage> stage =
         assembleStage({{"main", textOf("main.frag", main)},
                        {"b.glsl", textOf("b.glsl", "\nfloat f() { return bar; }\n")}},
@@ -101,14 +102,15 @@ TEST_CASE("of several words the one nearest to the driver's column is meant")
 
 TEST_CASE("each message of a log is a diagnostic, and what Mesa indents belongs to the one before")
 {
-    const Diagnostics diagnostics =
-        explain("0:5(1): error: no matching function for call to `g(int)'; candidates are:\n"
-                "0:5(1): error:    float g(float)\n"
-                "0:5(1): error:    float g(vec2)\n"
-                "0:3(1): error: second\n");
+    const Diagnostics diagnostics = explain(
+        "0:5(1): error: no matching function for call to `g(int)'; candidates are:\n"
+        "0:5(1): error:    float g(float)\n"
+        "0:5(1): error:    float g(vec2)\n"
+        "0:3(1): error: second\n");
     REQUIRE(diagnostics.size() == 2);
-    CHECK(diagnostics[0].message == "no matching function for call to `g(int)'; candidates are: "
-                                    "float g(float); float g(vec2)");
+    CHECK(diagnostics[0].message ==
+          "no matching function for call to `g(int)'; candidates are: "
+          "float g(float); float g(vec2)");
     CHECK(diagnostics[1].message == "second");
     CHECK(diagnostics[1].place.line == 3);
 }
@@ -121,9 +123,9 @@ TEST_CASE("a linker's error has no line but the stage's file")
 
 TEST_CASE("headings and counts say nothing")
 {
-    const Diagnostics diagnostics =
-        explain("Fragment info\n-------------\n0(5) : error C1: a\n"
-                "ERROR: 1 compilation errors.  No code generated.\n\n");
+    const Diagnostics diagnostics = explain(
+        "Fragment info\n-------------\n0(5) : error C1: a\n"
+        "ERROR: 1 compilation errors.  No code generated.\n\n");
     CHECK(diagnostics.size() == 1);
 }
 

@@ -112,9 +112,10 @@ TEST_CASE("a uniform block is an error that says what to do instead")
 
 TEST_CASE("outputs have the location that they say, or that of their order")
 {
-    const GlslStage stage = stageOf("layout(location = 1) out vec4 normal;\n"
-                                    "layout(location = FIRST) out highp vec4 position;\n",
-                                    {{"FIRST", "0"}});
+    const GlslStage stage = stageOf(
+        "layout(location = 1) out vec4 normal;\n"
+        "layout(location = FIRST) out highp vec4 position;\n",
+        {{"FIRST", "0"}});
     REQUIRE(stage.outputs.size() == 2);
     CHECK(stage.outputs[0].name == "normal");
     CHECK(stage.outputs[0].location == 1);
@@ -128,9 +129,10 @@ TEST_CASE("outputs have the location that they say, or that of their order")
 
 TEST_CASE("an output that is dropped becomes a variable on its line, with its precision")
 {
-    const std::string body = "layout(location = 1) out mediump vec4 albedo;\n"
-                             "  highp out float far;\nout vec2 a, b;\n"
-                             "void f(out float far);\n";
+    const std::string body =
+        "layout(location = 1) out mediump vec4 albedo;\n"
+        "  highp out float far;\nout vec2 a, b;\n"
+        "void f(out float far);\n";
     GlslStage stage = stageOf(body);
     const auto lines = std::count(stage.text.begin(), stage.text.end(), '\n');
     dropOutput(stage, "albedo");

@@ -10,14 +10,15 @@ namespace {
 
 GlslStage including(const std::string& included, const GlslDefines& defines)
 {
-    const std::string main = "#version 300 es\nprecision highp float;\n#include \"b.glsl\"\n"
-                             "out vec4 color;\nvoid main() { color = vec4(value()); }\n";
+    const std::string main =
+        "#version 300 es\nprecision highp float;\n#include \"b.glsl\"\n"
+        "out vec4 color;\nvoid main() { color = vec4(value()); }\n";
     const auto text = [](const char* name, const std::string& content) {
         return std::make_shared<SourceText>(SourceText{name, content});
     };
-    return need(assembleStage({{"main.frag", text("main.frag", main)},
-                               {"b.glsl", text("b.glsl", included)}},
-                              {}, "main.frag", defines));
+    return need(assembleStage(
+        {{"main.frag", text("main.frag", main)}, {"b.glsl", text("b.glsl", included)}}, {},
+        "main.frag", defines));
 }
 
 }  // namespace
@@ -32,8 +33,8 @@ TEST_CASE_METHOD(GlFixture, "a driver compiles an assembled stage, conditions an
 
 TEST_CASE_METHOD(GlFixture, "a driver too refuses a condition over a name without a define")
 {
-    const GlslStage broken = stage(
-        fragment("#if UNKNOWN\n#endif\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n"));
+    const GlslStage broken =
+        stage(fragment("#if UNKNOWN\n#endif\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n"));
     CHECK_FALSE(device->createProgram({"unknown", stage(kFullscreenVertex), broken}).ok());
 }
 

@@ -67,8 +67,9 @@ TEST_CASE("a stage begins with #version, the used defines in order, and its line
 {
     const GlslStage stage = stageOf(kVersion + "float x = float(ZED + ALPHA);\n",
                                     {{"ZED", "1"}, {"ALPHA", "2"}, {"UNUSED", "3"}});
-    CHECK(stage.text == "#version 300 es\n#define ALPHA 2\n#define ZED 1\n#line 2 0\n"
-                        "float x = float(ZED + ALPHA);\n");
+    CHECK(stage.text ==
+          "#version 300 es\n#define ALPHA 2\n#define ZED 1\n#line 2 0\n"
+          "float x = float(ZED + ALPHA);\n");
     CHECK(stage.defines_used == std::vector<std::string>{"ALPHA", "ZED"});
     REQUIRE(stage.files.size() == 1);
     CHECK(stage.files[0]->name == "a/main.frag");
@@ -114,11 +115,11 @@ TEST_CASE("an include is found from the folder of the file that names it")
 
 TEST_CASE("a file that two others include is there once")
 {
-    const GlslStage stage = stageOf(
-        {{"a/main.frag",
-          kVersion + "#include \"b.glsl\"\n#include \"c.glsl\"\n#include \"b.glsl\"\n"},
-         {"b.glsl", "#include \"c.glsl\"\n"},
-         {"c.glsl", "int once;\n"}});
+    const GlslStage stage =
+        stageOf({{"a/main.frag",
+                  kVersion + "#include \"b.glsl\"\n#include \"c.glsl\"\n#include \"b.glsl\"\n"},
+                 {"b.glsl", "#include \"c.glsl\"\n"},
+                 {"c.glsl", "int once;\n"}});
     CHECK(stage.files.size() == 3);
     CHECK(stage.text.find("once") == stage.text.rfind("once"));
     CHECK(stage.text.find("include") == std::string::npos);
@@ -135,8 +136,8 @@ TEST_CASE("an interface is the file that the config gives for it")
 
 TEST_CASE("an include of nothing is an error at its name with the nearest one")
 {
-    const Diagnostic file = errorOf(Texts{
-        {"a/main.frag", kVersion + "\n  #include \"noise.gls\"\n"}, {"noise.glsl", ""}});
+    const Diagnostic file = errorOf(
+        Texts{{"a/main.frag", kVersion + "\n  #include \"noise.gls\"\n"}, {"noise.glsl", ""}});
     CHECK(file.code == Code::include_missing);
     CHECK(file.place.line == 3);
     CHECK(file.place.column == 13);
@@ -173,16 +174,16 @@ TEST_CASE("an include that no condition reaches may name anything")
 
 TEST_CASE("a define counts as used by code, conditions, includes and other used defines")
 {
-    const GlslDefines defines = {{"IN_CODE", "1"}, {"IN_IF", "1"},      {"IN_INCLUDE", "INDIRECT"},
+    const GlslDefines defines = {{"IN_CODE", "1"},  {"IN_IF", "1"},      {"IN_INCLUDE", "INDIRECT"},
                                  {"INDIRECT", "4"}, {"IN_COMMENT", "1"}, {"IN_DEAD_CODE", "1"}};
     const std::string text = kVersion +
                              "#include \"b.glsl\"\n// IN_COMMENT\n"
                              "/* IN_COMMENT */ int x = IN_CODE;\n"
                              "#if IN_IF > 3\nint y = IN_DEAD_CODE;\n#endif\n";
-    const GlslStage stage = stageOf({{"a/main.frag", text}, {"b.glsl", "int z = IN_INCLUDE;\n"}},
-                                    defines);
-    CHECK(stage.defines_used == std::vector<std::string>{"INDIRECT", "IN_CODE", "IN_DEAD_CODE",
-                                                         "IN_IF", "IN_INCLUDE"});
+    const GlslStage stage =
+        stageOf({{"a/main.frag", text}, {"b.glsl", "int z = IN_INCLUDE;\n"}}, defines);
+    CHECK(stage.defines_used ==
+          std::vector<std::string>{"INDIRECT", "IN_CODE", "IN_DEAD_CODE", "IN_IF", "IN_INCLUDE"});
 }
 
 TEST_CASE("defines that the text does not mention leave it as it is")
@@ -194,8 +195,7 @@ TEST_CASE("defines that the text does not mention leave it as it is")
 
 TEST_CASE("a define's value stays on its line")
 {
-    const GlslStage stage = stageOf(kVersion + "int x = A;\n",
-                                    {{"A", "1 // one\n+ 2"}});
+    const GlslStage stage = stageOf(kVersion + "int x = A;\n", {{"A", "1 // one\n+ 2"}});
     CHECK(stage.text.find("#define A 1       ") != std::string::npos);
     CHECK(stage.text.find("+ 2\n#line") != std::string::npos);
 }
@@ -333,9 +333,10 @@ TEST_CASE("endless nesting and macros without end are errors, not crashes")
 
 TEST_CASE("includes are found outside comments, with their places")
 {
-    const std::string text = "// #include \"no.glsl\"\n/*\n#include \"no.glsl\"\n*/\n"
-                             " # include \"a/b.glsl\" // why\n#include <surface>\r\n#include oops\n"
-                             "#if 0\n#include \"c//d.glsl\"\n#endif\n";
+    const std::string text =
+        "// #include \"no.glsl\"\n/*\n#include \"no.glsl\"\n*/\n"
+        " # include \"a/b.glsl\" // why\n#include <surface>\r\n#include oops\n"
+        "#if 0\n#include \"c//d.glsl\"\n#endif\n";
     const std::vector<GlslInclude> includes = findIncludes(filesOf({{"x", text}})["x"]);
     REQUIRE(includes.size() == 3);
     CHECK(includes[0].name == "a/b.glsl");

@@ -39,8 +39,9 @@ TEST_CASE("A mesh of 2 GiB or more is refused, whether by its vertices or by its
         CHECK(codeOf(checkMeshSize("mesh", 0, std::uint64_t(1) << shift)) ==
               Code::too_big_for_device);
     const Diagnostic error = checkMeshSize("bunny", 1u << 27, 0).diagnostics().front();
-    CHECK(error.message == "mesh 'bunny' has 134217728 vertices and 0 indices; one mesh holds "
-                           "67108863 and 536870911");
+    CHECK(error.message ==
+          "mesh 'bunny' has 134217728 vertices and 0 indices; one mesh holds "
+          "67108863 and 536870911");
 }
 
 TEST_CASE("A mesh without triangles is fine, and one with an index past its vertices is refused")

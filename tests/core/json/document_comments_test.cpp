@@ -34,10 +34,11 @@ Diagnostic failureOf(const std::string& text)
 
 TEST_CASE("comments are read wherever white space may be")
 {
-    for (const char* text :
-         {"{\"a\": [1, 2]} // why", "// why\n{\"a\": [1, 2]}", "/**/{/* k */\"a\"/* c */:/***/[1/* 1 */,// 2\n2]}",
-          "{\"a\": [1, 2] /* two\nlines * / // */}", "{\"a\": [1, //\r\n2]}//", "{\"a\": [1, // why\r2]}",
-          "{\"a\": [1, 2] /* // \"*/ }", "{\"a\": [1, 2 // \xC3\xA4, ], }\n]}"})
+    for (const char* text : {"{\"a\": [1, 2]} // why", "// why\n{\"a\": [1, 2]}",
+                             "/**/{/* k */\"a\"/* c */:/***/[1/* 1 */,// 2\n2]}",
+                             "{\"a\": [1, 2] /* two\nlines * / // */}", "{\"a\": [1, //\r\n2]}//",
+                             "{\"a\": [1, // why\r2]}", "{\"a\": [1, 2] /* // \"*/ }",
+                             "{\"a\": [1, 2 // \xC3\xA4, ], }\n]}"})
         CHECK(toJson(documentOf(text)) == "{\"a\": [1, 2]}");
 }
 
@@ -59,7 +60,8 @@ TEST_CASE("a text keeps what looks like a comment or a last comma")
 
 TEST_CASE("places are right behind comments and last commas")
 {
-    const Node node = documentOf("/* one\n   two */ { // three\n  \"a\": [1,], /* \xC3\xA4\n*/ \"b\": 2 }");
+    const Node node =
+        documentOf("/* one\n   two */ { // three\n  \"a\": [1,], /* \xC3\xA4\n*/ \"b\": 2 }");
     const auto at = [](const Place& place) {
         return std::to_string(place.line) + ":" + std::to_string(place.column);
     };
@@ -72,7 +74,11 @@ TEST_CASE("places are right behind comments and last commas")
 
 TEST_CASE("what is wrong beside comments and commas is told with its place")
 {
-    struct Case { const char* text; const char* place; const char* part; };
+    struct Case {
+        const char* text;
+        const char* place;
+        const char* part;
+    };
     const Case kCases[] = {
         {"{\"a\": 1 /* why\n", "my.json:1:9", "close it with '*/'"},
         {"{\n  /*/ }", "my.json:2:3", "does not end"},

@@ -85,8 +85,9 @@ TEST_CASE("every kind of value is read")
 
 TEST_CASE("keys and values know where they stand")
 {
-    const Node node = documentOf("{\n  \"radius\" :\t{ \"min\": -12.5e3,\r\n"
-                                 "\"x\\\"y\": [ true , \"\xC3\xA4,:\" ] }\n}");
+    const Node node = documentOf(
+        "{\n  \"radius\" :\t{ \"min\": -12.5e3,\r\n"
+        "\"x\\\"y\": [ true , \"\xC3\xA4,:\" ] }\n}");
     const Member& radius = node.members.at(0);
     CHECK(spanOf(node.place) == "1:1+1");
     CHECK(spanOf(radius.key_place) == "2:3+8");
@@ -105,15 +106,16 @@ TEST_CASE("keys and values know where they stand")
 TEST_CASE("the text at a value's place is that value")
 {
     const std::string text = R"({"\u00e4\\" :[ 0,-1.5E+3 ,"\"]","" ,[],{} ,true, false,null],)"
-                             "\n\t" R"("b":"€\ud83d\ude42"})";
+                             "\n\t"
+                             R"("b":"€\ud83d\ude42"})";
     const Node node = documentOf(text);
     std::vector<const Node*> values = {node.find("b")};
     for (const Node& item : node.members.at(0).value.items) values.push_back(&item);
     for (const Node* value : values) {
         const std::size_t line = value->place.line == 1 ? 0 : text.find('\n') + 1;
         const bool nested_value = value->kind >= Node::Kind::array;
-        const std::string slice = text.substr(line + value->place.column - 1,
-                                              nested_value ? 2 : value->place.length);
+        const std::string slice =
+            text.substr(line + value->place.column - 1, nested_value ? 2 : value->place.length);
         const Result<Node> again = parseValue(textOf(slice));
         REQUIRE(again);
         CHECK(again->kind == value->kind);
@@ -226,7 +228,11 @@ TEST_CASE("all duplicate keys are found, and a syntax error behind them too")
 
 TEST_CASE("a syntax error stands at the first character that cannot be")
 {
-    struct Case { const char* text; const char* place; const char* part; };
+    struct Case {
+        const char* text;
+        const char* place;
+        const char* part;
+    };
     const Case kCases[] = {
         {"{\"a\": 1\n \"b\": 2}", "2:2+3", "comma missing"},
         {"{\"a\" 1}", "1:6+1", "where ':' was wanted"},
@@ -235,7 +241,9 @@ TEST_CASE("a syntax error stands at the first character that cannot be")
         {"{radius: 1}", "1:2+6", "double quotes"},
         {"{'a': 1}", "1:2+1", "double quotes"},
         {"{\"a\": soft}", "1:7+4", "double quotes"},
-        {"{\xE2\x80\x9C" "a\": 1}", "1:2+3", "a curly quote"},
+        {"{\xE2\x80\x9C"
+         "a\": 1}",
+         "1:2+3", "a curly quote"},
         {"{\"a\": 1 # why\n}", "1:9+1", "a comment begins with '//'"},
         {"{\"a\": NaN}", "1:7+3", "finite"},
         {"{\"a\": -Infinity}", "1:7+9", "finite"},
@@ -275,14 +283,15 @@ TEST_CASE("a syntax error stands at the first character that cannot be")
 
 TEST_CASE("what is not closed says where it was opened")
 {
-    struct Case { const char* text; const char* place; const char* opened; };
+    struct Case {
+        const char* text;
+        const char* place;
+        const char* opened;
+    };
     const Case kCases[] = {
-        {"{\"a\": [1, 2}", "1:12+1", "1:7+1"},
-        {"{\"a\": {\"b\": 1]}", "1:14+1", "1:7+1"},
-        {"{\"a\": [1, 2\n\n", "1:11+1", "1:7+1"},
-        {"{\"a\":", "1:5+1", "1:1+1"},
-        {"{\"a\": {\"b\": 1,", "1:14+1", "1:7+1"},
-        {"{", "1:1+1", "1:1+1"},
+        {"{\"a\": [1, 2}", "1:12+1", "1:7+1"},     {"{\"a\": {\"b\": 1]}", "1:14+1", "1:7+1"},
+        {"{\"a\": [1, 2\n\n", "1:11+1", "1:7+1"},  {"{\"a\":", "1:5+1", "1:1+1"},
+        {"{\"a\": {\"b\": 1,", "1:14+1", "1:7+1"}, {"{", "1:1+1", "1:1+1"},
     };
     for (const Case& one : kCases) {
         INFO(one.text);

@@ -38,7 +38,11 @@ std::string codesOf(const Diagnostics& diagnostics)
 
 TEST_CASE("merging follows RFC 7396 where a patch makes sense")
 {
-    struct Case { const char* base; const char* patch; const char* result; };
+    struct Case {
+        const char* base;
+        const char* patch;
+        const char* result;
+    };
     const Case kCases[] = {
         {R"({"a": "b"})", R"({"a": "c"})", R"({"a": "c"})"},
         {R"({"a": "b"})", R"({"b": "c"})", R"({"a": "b", "b": "c"})"},
@@ -81,8 +85,8 @@ TEST_CASE("a replaced value remembers each place that set it, oldest first")
 
 TEST_CASE("deleting what is not there is an error that lists what is")
 {
-    const Merged result = merged(R"({"passes": {"blur": {}, "light": {}}})",
-                                 R"({"passes": {"blurr": null}})");
+    const Merged result =
+        merged(R"({"passes": {"blur": {}, "light": {}}})", R"({"passes": {"blurr": null}})");
     REQUIRE(codesOf(result.errors) == "CV1101 /passes/blurr;");
     const Diagnostic& error = result.errors.front();
     CHECK(placeName(error.place) == "patch.json:1:13");
@@ -116,8 +120,8 @@ TEST_CASE("an object and anything else do not replace each other")
 
 TEST_CASE("all errors of a patch are found and its good parts are applied")
 {
-    const Merged result = merged(R"({"a": {"b": 1}, "c": 2})",
-                                 R"({"a": 5, "x": null, "c": 3, "d": {"y": null}})");
+    const Merged result =
+        merged(R"({"a": {"b": 1}, "c": 2})", R"({"a": 5, "x": null, "c": 3, "d": {"y": null}})");
     CHECK(codesOf(result.errors) == "CV1102 /a;CV1101 /x;CV1101 /d/y;");
     CHECK(result.node.find("c")->number == 3);
 }

@@ -6,10 +6,7 @@ using namespace crevice;
 
 namespace {
 
-Node overridden(const std::string& text)
-{
-    return loaded(smallCatalog(), {"base", {}, {text}});
-}
+Node overridden(const std::string& text) { return loaded(smallCatalog(), {"base", {}, {text}}); }
 
 Diagnostic overrideFailure(const std::string& text)
 {
@@ -158,8 +155,7 @@ TEST_CASE("an override swaps a module of the config's list")
 TEST_CASE("a variant's own list of modules takes the place of its file's")
 {
     MemorySources sources = swappableCatalog();
-    sources.add("configs/two.json",
-                file(R"("extends": ["geometry/plain", "filter/box"],
+    sources.add("configs/two.json", file(R"("extends": ["geometry/plain", "filter/box"],
                         "variants": {"other": {"extends": ["geometry/plain", "filter/median"]}})"));
     sources.add("configs/over.json", file(R"("extends": ["two"], "name": "over")"));
     for (const char* config : {"two", "over"}) {
@@ -220,5 +216,6 @@ TEST_CASE("an override by pointer changes one item of a list")
     CHECK(formats("/targets/ao/format/0=r16f") == R"(["r16f", "rg8"])");
     CHECK(formats("/targets/ao/format/2=r16f") == R"(["r8", "rg8", "r16f"])");
     CHECK(formats("/targets/ao/format/0=null") == R"(["rg8"])");
-    CHECK(failure(sources, {"listed", "", {"/targets/ao/format/3=r8"}}).code == Code::merge_missing);
+    CHECK(failure(sources, {"listed", "", {"/targets/ao/format/3=r8"}}).code ==
+          Code::merge_missing);
 }

@@ -3,10 +3,10 @@
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
+#include "core/config/values.h"
 #include "core/json/merge.h"
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
-#include "core/config/values.h"
 
 using namespace crevice;
 
@@ -45,8 +45,9 @@ TEST_CASE("A param that is no define never compiles a shader, whatever its value
             const ParamDesc& desc = *findNamed(rig.renderer->description().params, param);
             const double value = desc.min + (desc.max - desc.min) * part;
             INFO(param << " " << value);
-            CHECK_FALSE(setCompiles(rig, param, static_cast<float>(
-                            desc.type == ParamType::int_ ? std::floor(value) : value)));
+            CHECK_FALSE(setCompiles(
+                rig, param,
+                static_cast<float>(desc.type == ParamType::int_ ? std::floor(value) : value)));
         }
     CHECK(rig.device.misuse().empty());
 }
@@ -117,10 +118,9 @@ TEST_CASE("Changes are the smallest patch, and what is set back is none")
     REQUIRE(renderer.setParam("samples", 16.0f).ok());
     REQUIRE(renderer.setFeature("soft", "false").ok());
     REQUIRE(renderer.setFeature("look", "flat").ok());
-    CHECK(renderer.changes() ==
-          R"({"params": {"radius": 0.8, "samples": 16, )"
-          R"("tint": [0.1, 0.5, 0.25]}, )"
-          R"("features": {"soft": false, "look": "flat"}})");
+    CHECK(renderer.changes() == R"({"params": {"radius": 0.8, "samples": 16, )"
+                                R"("tint": [0.1, 0.5, 0.25]}, )"
+                                R"("features": {"soft": false, "look": "flat"}})");
     REQUIRE(renderer.setParam("radius", 0.5f).ok());
     REQUIRE(renderer.setParam("samples", 4.0f).ok());
     REQUIRE(renderer.setFeature("soft", "true").ok());
@@ -162,7 +162,8 @@ TEST_CASE("An int of many digits is written as an int")
 {
     Description description = describe(
         R"({"format": 1, "name": "big", "params": {"count": {"type": "int", "default": 1}},
-            "outputs": {}})", {});
+            "outputs": {}})",
+        {});
     const Values loaded = valuesOf(description);
     description.params[0].value[0] = 1000000.0f;
     CHECK(valuesPatch(loaded, description) == R"({"params": {"count": 1000000}})");

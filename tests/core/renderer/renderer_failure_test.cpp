@@ -2,10 +2,10 @@
 // The renderer on a device that fails: an error, no leak, and what worked before works on.
 #include <crevice/renderer.h>
 
+#include "core/config/values.h"
 #include "tests/support/catch.h"
 #include "tests/support/failing_changes.h"
 #include "tests/support/renderer_rig.h"
-#include "core/config/values.h"
 
 #include <algorithm>
 #include <functional>
@@ -39,8 +39,8 @@ TEST_CASE("A renderer that fails at any object leaves none behind")
     for (int n = 1; n <= needed; ++n) {
         INFO("attempt " << n);
         rig.device.failAt(n);
-        const auto none = Renderer::create(rig.device, rigDescription(), {{64, 32}},
-                                           traitsOf(rig.frame));
+        const auto none =
+            Renderer::create(rig.device, rigDescription(), {{64, 32}}, traitsOf(rig.frame));
         rig.device.failAt(0);
         if (none.ok()) break;
         ++failures;
@@ -106,8 +106,9 @@ TEST_CASE("A frame of other traits that lacks an import leaves the old plan and 
       "outputs": {"ao": "ao"}})";
     const Description description =
         describe(config, {{"v", "#version 300 es\nvoid main() {}\n"},
-                          {"f", "#version 300 es\nuniform highp sampler2D depth;\n"
-                                "layout(location = 0) out highp float ao;\n"}});
+                          {"f",
+                           "#version 300 es\nuniform highp sampler2D depth;\n"
+                           "layout(location = 0) out highp float ao;\n"}});
     RecordingDevice device;
     auto renderer = Renderer::create(device, description, {{8, 8}}, traitsOf({}));
     REQUIRE(renderer.ok());
@@ -175,7 +176,8 @@ TEST_CASE("What the driver reports at the end of a frame reaches the caller, and
     CHECK(rig.device.misuse().empty());
 }
 
-TEST_CASE("A lost context is one error a call and changes nothing, and a new renderer draws the same")
+TEST_CASE(
+    "A lost context is one error a call and changes nothing, and a new renderer draws the same")
 {
     Rig rig;
     REQUIRE(rig.renderer->setParam("radius", 2.0f).ok());
@@ -199,7 +201,7 @@ TEST_CASE("A lost context is one error a call and changes nothing, and a new ren
     CHECK(rig.device.misuse().empty());
 
     Rig other;
-    other.renderer = std::move(*Renderer::create(other.device, description, {{64, 32}},
-                                                 traitsOf(other.frame)));
+    other.renderer =
+        std::move(*Renderer::create(other.device, description, {{64, 32}}, traitsOf(other.frame)));
     CHECK(other.draw() == before);
 }

@@ -84,7 +84,8 @@ TEST_CASE("Shaders get the camera's matrices and their inverses")
     CHECK(view_from_world == glm::mat4(rig.frame.camera.view_from_world));
     CHECK(difference(sentMatrix(rig, "view_from_clip") * clip_from_view, glm::mat4(1)) < 1e-4f);
     const glm::vec4 middle = sentMatrix(rig, "view_from_window") * glm::vec4(0.5f, 0.5f, 0.75f, 1);
-    CHECK(glm::length(middle - sentMatrix(rig, "view_from_clip") * glm::vec4(0, 0, 0.5f, 1)) < 1e-5f);
+    CHECK(glm::length(middle - sentMatrix(rig, "view_from_clip") * glm::vec4(0, 0, 0.5f, 1)) <
+          1e-5f);
     CHECK(difference(sentMatrix(rig, "world_from_view") * view_from_world, glm::mat4(1)) < 1e-5f);
 }
 
@@ -230,7 +231,8 @@ TEST_CASE("A light that shines nowhere has no direction, not an invalid one")
     CHECK(lightInView(light, glm::dmat4(1.0)) == glm::vec4(0));
 }
 
-TEST_CASE("A spot's cone is 1 within its inner angle, 0 beyond the outer, and no other light has one")
+TEST_CASE(
+    "A spot's cone is 1 within its inner angle, 0 beyond the outer, and no other light has one")
 {
     Light light;
     light.direction = {0, 0, -2};
@@ -268,8 +270,9 @@ TEST_CASE("Passes load, clear and store as the plan says, and sample as the conf
 {
     Rig rig;
     const std::string log = rig.draw();
-    CHECK(contains(log, "beginPass geometry 64x32 color0 clear 0 0 0 0 store "
-                        "color1 clear 0.25 0 0 1 store depth clear 1 store\n"));
+    CHECK(contains(log,
+                   "beginPass geometry 64x32 color0 clear 0 0 0 0 store "
+                   "color1 clear 0.25 0 0 1 store depth clear 1 store\n"));
     CHECK(contains(log, "beginPass occlusion 32x16 color0 discard store\n"));
     CHECK(contains(log, "setProgram 'geometry' depth_test less depth_write"));
     CHECK(contains(log, "setTexture noise unit 2 <- texture 'noise' nearest repeat"));

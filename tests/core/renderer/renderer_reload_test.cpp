@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reloading an edited config: all or nothing, with what was set at run time, and without compiling what
-// is there.
+// Reloading an edited config: all or nothing, with what was set at run time, and without compiling
+// what is there.
 #include "tests/support/renderer_rig.h"
 
 using namespace crevice;
@@ -55,8 +55,7 @@ TEST_CASE("What was set at run time outlives a reload, and what was not follows 
     CHECK(valueOf(rig, "radius") == 2);
     CHECK(valueOf(rig, "taps") == 5);
     CHECK(findNamed(rig.renderer->description().features, "look")->value == 1);
-    CHECK(rig.renderer->changes() ==
-          R"({"params": {"radius": 2}, "features": {"look": "flat"}})");
+    CHECK(rig.renderer->changes() == R"({"params": {"radius": 2}, "features": {"look": "flat"}})");
 
     // Against the file as it is now: back at its value is no change.
     REQUIRE(rig.renderer->setParam("radius", 9.0f).ok());

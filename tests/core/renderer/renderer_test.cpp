@@ -261,7 +261,8 @@ TEST_CASE("A frame with other traits is planned anew, once")
 
 TEST_CASE("The warnings of a plan that a frame asks for come back with that frame alone")
 {
-    const Description description = describe(R"({"format": 1, "name": "dead_pass",
+    const Description description =
+        describe(R"({"format": 1, "name": "dead_pass",
         "imports": {"scene": {"type": "draw_list"}},
         "targets": {"color": {"format": ["rgba8"]}, "shine": {"format": ["rgba8"]}},
         "shaders": {"plain": {"vertex": "v", "fragment": "f"}},
@@ -269,8 +270,8 @@ TEST_CASE("The warnings of a plan that a frame asks for come back with that fram
                    "sheen": {"type": "fullscreen", "shader": "plain", "color": "shine",
                              "when": {"scene.specular": true}}},
         "outputs": {"color": "color"}})",
-        {{"v", "#version 300 es\nvoid main() {}\n"},
-         {"f", "#version 300 es\nprecision highp float;\nout vec4 value;\n"}});
+                 {{"v", "#version 300 es\nvoid main() {}\n"},
+                  {"f", "#version 300 es\nprecision highp float;\nout vec4 value;\n"}});
     Rig rig;
     auto renderer = Renderer::create(rig.device, description, {{8, 8}}, traitsOf(rig.frame));
     REQUIRE(renderer.ok());

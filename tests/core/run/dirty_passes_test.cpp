@@ -11,7 +11,8 @@ namespace {
 
 struct Cached {
     explicit Cached(const Sketch& sketch, int views = 1)
-        : plan(planOf(describe(sketch), traitsFor(views))), cache(plan)
+        : plan(planOf(describe(sketch), traitsFor(views))),
+          cache(plan)
     {
     }
 

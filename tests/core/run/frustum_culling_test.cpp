@@ -33,7 +33,7 @@ const View kViews[] = {
     {"wide", glm::perspective(2.6f, 1.0f, 0.1f, 50.0f)},
     {"off-centre", glm::frustum(-0.01f, 0.2f, 0.0f, 0.1f, 0.1f, 50.0f)},
     {"infinite", glm::infinitePerspective(0.8f, 1.7f, 0.1f)},
-    {"reversed, infinite", kReversed * glm::infinitePerspective(0.8f, 1.7f, 0.1f)},
+    {"reversed, infinite", kReversed* glm::infinitePerspective(0.8f, 1.7f, 0.1f)},
     {"orthographic", glm::ortho(-3.0f, 4.0f, -1.0f, 2.0f, 0.1f, 50.0f)},
 };
 
@@ -107,7 +107,8 @@ TEST_CASE("What shows of a thing lies in the area of things, and the area of wha
             item.bounds_radius = 0.5f * std::abs(around(random));
             item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(12.0f * vector()));
             const PixelArea area = pixelsOf(
-                areaOfThings({item}, matrices, extent, std::numeric_limits<double>::infinity()), extent);
+                areaOfThings({item}, matrices, extent, std::numeric_limits<double>::infinity()),
+                extent);
             const Extent all = area.extent;
             small += all.width > 0 && all.width * all.height < extent.width * extent.height / 20;
             for (int k = 0; k < 40; ++k) {
@@ -127,7 +128,8 @@ TEST_CASE("What shows of a thing lies in the area of things, and the area of wha
     CHECK(small > 200);
 }
 
-TEST_CASE("The area of things is all of the view where one has no bounds, and none where none is drawn")
+TEST_CASE(
+    "The area of things is all of the view where one has no bounds, and none where none is drawn")
 {
     Camera camera;
     camera.clip_from_view = glm::perspective(0.8f, 1.0f, 0.1f, 50.0f);
@@ -153,7 +155,9 @@ TEST_CASE("The area of things is all of the view where one has no bounds, and no
     CHECK(pixels({item}, any) == 0);
 }
 
-TEST_CASE("An item without bounds is never outside, and one that wider views show is not outside of those")
+TEST_CASE(
+    "An item without bounds is never outside, and one that wider views show is not outside of "
+    "those")
 {
     Camera camera;
     camera.clip_from_view = glm::perspective(0.8f, 1.0f, 0.1f, 50.0f);
@@ -191,8 +195,8 @@ struct Cubes {
         CompileOptions options;
         options.extent = {64, 32};
         options.disable = keep;
-        const auto renderer = need(
-            Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
+        const auto renderer =
+            need(Renderer::create(device, descriptionOf({"gtao", ""}), options, traitsOf(frame)));
         device.clearLog();
         need(renderer->render(frame));
         std::vector<std::string> lines;

@@ -64,14 +64,19 @@ Code onlyCode(const Status& status)
 
 }  // namespace
 
-TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back as soon as it is mended")
+TEST_CASE(
+    "A draw that cannot be drawn is left out with a warning, and is back as soon as it is mended")
 {
     Scene scene;
     Rig& rig = scene.rig;
     const DrawItem item = scene.item();
     const Material material = scene.material();
     std::string why;
-    SECTION("null mesh") { scene.item().mesh = {}; why = "it has no mesh"; }
+    SECTION("null mesh")
+    {
+        scene.item().mesh = {};
+        why = "it has no mesh";
+    }
     SECTION("unknown mesh")
     {
         scene.item().mesh = {kPoison};
@@ -79,7 +84,8 @@ TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back a
     }
     SECTION("a mesh that was destroyed")
     {
-        scene.item().mesh = rig.device.createMesh({"gone", std::vector<Vertex>(3), {0, 1, 2}}).value();
+        scene.item().mesh =
+            rig.device.createMesh({"gone", std::vector<Vertex>(3), {0, 1, 2}}).value();
         rig.device.destroy(scene.item().mesh);
         why = "is none of this device";
     }
@@ -88,16 +94,36 @@ TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back a
         scene.item().mesh = {rig.renderer->output("ao").value};
         why = "is none of this device";
     }
-    SECTION("indices past the mesh's") { scene.item().count = 7; why = "has fewer indices than it draws"; }
+    SECTION("indices past the mesh's")
+    {
+        scene.item().count = 7;
+        why = "has fewer indices than it draws";
+    }
     SECTION("first index past the mesh's")
     {
         scene.item().first = 0xffffffff;
         why = "has fewer indices than it draws";
     }
-    SECTION("matrix") { scene.item().world_from_model[1][2] = kNan; why = "its matrix is not finite"; }
-    SECTION("huge matrix") { scene.item().world_from_model[3][0] = 1e300; why = "its matrix is not finite"; }
-    SECTION("center") { scene.item().bounds_center.y = kNan; why = "its bounds are not finite"; }
-    SECTION("radius") { scene.item().bounds_radius = kNan; why = "its bounds are not finite"; }
+    SECTION("matrix")
+    {
+        scene.item().world_from_model[1][2] = kNan;
+        why = "its matrix is not finite";
+    }
+    SECTION("huge matrix")
+    {
+        scene.item().world_from_model[3][0] = 1e300;
+        why = "its matrix is not finite";
+    }
+    SECTION("center")
+    {
+        scene.item().bounds_center.y = kNan;
+        why = "its bounds are not finite";
+    }
+    SECTION("radius")
+    {
+        scene.item().bounds_radius = kNan;
+        why = "its bounds are not finite";
+    }
     SECTION("no such material")
     {
         scene.item().material = GENERATE(2, -1, 2147483647);
@@ -105,9 +131,10 @@ TEST_CASE("A draw that cannot be drawn is left out with a warning, and is back a
     }
     SECTION("material")
     {
-        float* const numbers[] = {&scene.material().base_color.w, &scene.material().specular.y,
-                                  &scene.material().shininess, &scene.material().alpha_cutoff,
-                                  &scene.material().normal_scale, &scene.material().occlusion_strength};
+        float* const numbers[] = {
+            &scene.material().base_color.w, &scene.material().specular.y,
+            &scene.material().shininess,    &scene.material().alpha_cutoff,
+            &scene.material().normal_scale, &scene.material().occlusion_strength};
         *numbers[GENERATE(range(0, 6))] = kNan;
         why = "material 1 is not finite";
     }
@@ -166,10 +193,26 @@ TEST_CASE("A light that is not finite is left out with a warning, and the pictur
     Rig rig;
     rig.draw();
     std::string what;
-    SECTION("position") { rig.frame.lights[0].position.y = kNan; what = "light 0"; }
-    SECTION("color") { rig.frame.lights[0].color.y = kNan; what = "light 0"; }
-    SECTION("cone") { rig.frame.lights[0].inner_angle_rad = kNan; what = "light 0"; }
-    SECTION("ambient") { rig.frame.ambient_light.z = kNan; what = "ambient_light"; }
+    SECTION("position")
+    {
+        rig.frame.lights[0].position.y = kNan;
+        what = "light 0";
+    }
+    SECTION("color")
+    {
+        rig.frame.lights[0].color.y = kNan;
+        what = "light 0";
+    }
+    SECTION("cone")
+    {
+        rig.frame.lights[0].inner_angle_rad = kNan;
+        what = "light 0";
+    }
+    SECTION("ambient")
+    {
+        rig.frame.ambient_light.z = kNan;
+        what = "ambient_light";
+    }
     const Drawn drawn(rig);
     CHECK(drawn.warning.message == what + " is left out: it is not finite");
     CHECK(rig.device.lastUniform("light_count") == std::vector<float>{1});
@@ -230,7 +273,8 @@ TEST_CASE("A frame without the device's context is an error, and counts as not d
     CHECK(rig.renderer->output("ao").value == shown.value);
     rig.device.setCurrent(true);
     rig.draw();
-    for (const char* pass : {"geometry", "occlusion", "filter", "lighting"}) CHECK(rig.ranPass(pass));
+    for (const char* pass : {"geometry", "occlusion", "filter", "lighting"})
+        CHECK(rig.ranPass(pass));
     CHECK(rig.device.lastUniform("view_from_model")[12] == 1);
     CHECK(rig.device.misuse().empty());
 }

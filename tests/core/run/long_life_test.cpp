@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A renderer that lives long: ten thousand resizes, reloads, swaps and settings later nothing has grown.
+// A renderer that lives long: ten thousand resizes, reloads, swaps and settings later nothing has
+// grown.
 #include <crevice/gl_device.h>
 
 #include "tests/support/allocations.h"
@@ -52,8 +53,9 @@ private:
         case 2: return renderer_->setFeature("soft", turn % 2 ? "true" : "false").ok();
         case 3: return renderer_->setParam("samples", 1.0f + turn % 40).ok();
         case 4: frame_.lights.resize(turn % 4); return true;
-        default: return renderer_->setParam("radius", 0.5f + turn % 10).ok() &&
-                        !renderer_->setParam("radius", -1.0f).ok();
+        default:
+            return renderer_->setParam("radius", 0.5f + turn % 10).ok() &&
+                   !renderer_->setParam("radius", -1.0f).ok();
         }
     }
 

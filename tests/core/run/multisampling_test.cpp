@@ -45,8 +45,8 @@ DeviceCaps capsWith(const std::vector<int>& counts)
 /// What decoding says against a target with those keys.
 Diagnostic refusal(const std::string& keys)
 {
-    const Result<Node> document = parseDocument(std::make_shared<const SourceText>(SourceText{
-        "test.json", R"({"format": 1, "targets": {"x": )" + target("r8", keys) + "}}"}));
+    const Result<Node> document = parseDocument(std::make_shared<const SourceText>(
+        SourceText{"test.json", R"({"format": 1, "targets": {"x": )" + target("r8", keys) + "}}"}));
     const Result<Description> description = decode(*document, MemorySources{});
     REQUIRE(description.diagnostics().size() == 1);
     return description.diagnostics().front();
@@ -58,7 +58,7 @@ TEST_CASE("A plan draws several samples into a texture apart and resolves what i
 {
     const Plan plan = planOf(describe(sketched("4")));
     CHECK(toText(plan) ==
-R"(plan sketch 64x32: 2 passes, 4 textures, 74.0 KiB
+          R"(plan sketch 64x32: 2 passes, 4 textures, 74.0 KiB
 passes
   paint: draw 64x32, 4 samples, program paint, 32.0 KiB read, 40.0 KiB written
     writes  color: rgba8 texture 1 resolved from 0, clear to 0, store (a draw does not cover every pixel; read by grade)
@@ -118,10 +118,10 @@ TEST_CASE("A device draws the samples, resolves what is stored, and nobody sampl
 
 TEST_CASE("A param gives the samples, and another value plans anew")
 {
-    const std::string msaa = R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 16}})";
+    const std::string msaa =
+        R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 16}})";
     RecordingDevice device;
-    auto renderer =
-        Renderer::create(device, describe(sketched("\"msaa\"", msaa)), sized(), {});
+    auto renderer = Renderer::create(device, describe(sketched("\"msaa\"", msaa)), sized(), {});
     REQUIRE(renderer.ok());
     CHECK((*renderer)->plan().passes[0].samples == 1);
     const float eight = 8;
@@ -131,7 +131,8 @@ TEST_CASE("A param gives the samples, and another value plans anew")
     CHECK(device.misuse().empty());
 }
 
-TEST_CASE("A device draws the next count that all formats of a pass have, or says that it has fewer")
+TEST_CASE(
+    "A device draws the next count that all formats of a pass have, or says that it has fewer")
 {
     CHECK(planWith(capsWith({2, 4, 8}), "3").passes[0].samples == 4);
     CHECK(planWith(capsWith({4}), "2").passes[0].samples == 4);
@@ -140,9 +141,9 @@ TEST_CASE("A device draws the next count that all formats of a pass have, or say
     CHECK(planWith(caps, "4").passes[0].samples == 8);
 
     const bool any = GENERATE(true, false);
-    const Result<Plan> plan = compile(describe(sketched("16")), {},
-                                      capsWith(any ? std::vector<int>{2, 4} : std::vector<int>{}),
-                                      sized());
+    const Result<Plan> plan =
+        compile(describe(sketched("16")), {},
+                capsWith(any ? std::vector<int>{2, 4} : std::vector<int>{}), sized());
     REQUIRE(plan.ok());
     CHECK(plan->passes[0].samples == (any ? 4 : 1));
     REQUIRE(plan.diagnostics().size() == 1);
@@ -196,7 +197,8 @@ namespace {
 /// A pass that reads what `import` says one sample at a time.
 Description reading(const std::string& import, const std::string& sampler = "sampler2DMS")
 {
-    return describe(R"({"format": 1, "imports": {"host": )" + import + R"(},
+    return describe(
+        R"({"format": 1, "imports": {"host": )" + import + R"(},
         "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
         "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
         "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},

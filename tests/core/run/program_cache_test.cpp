@@ -204,8 +204,10 @@ TEST_CASE("Memory that runs out over a binary costs no more than a compilation")
                 CHECK(gl.names() == names);
                 if (gl.attempts() - attempts < n) break;
                 CHECK((program_id.ok() || !warm));
-                if (program_id) ++made;
-                else codes.insert(program_id.diagnostics()[0].code);
+                if (program_id)
+                    ++made;
+                else
+                    codes.insert(program_id.diagnostics()[0].code);
             }
             need(device->createProgram(program()));
             CHECK(kept.entries.size() == 1);

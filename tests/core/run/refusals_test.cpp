@@ -113,8 +113,10 @@ TEST_CASE("Lighting needs the colours that a host's depth does not have")
 {
     for (const Module& input : shippedInputs()) {
         const Names modules = {input.name, "ssao/gtao", "filter/box", "lighting/deferred"};
-        if (input.targets.count("albedo") > 0) CHECK(refusal(modules).empty());
-        else checkRefused(modules, Code::uniform_unbound, "'albedo'");
+        if (input.targets.count("albedo") > 0)
+            CHECK(refusal(modules).empty());
+        else
+            checkRefused(modules, Code::uniform_unbound, "'albedo'");
     }
 }
 
@@ -122,11 +124,15 @@ TEST_CASE("Bent normals are refused on an estimator that has none")
 {
     for (const Module& estimator : shippedEstimators()) {
         const Names modules = {"geometry/depth_normal", estimator.name, "ssao/bent_normals"};
-        const SourceRef shader = shippedSources().find("ssao/shaders" + estimator.name.substr(4) + ".frag");
+        const SourceRef shader =
+            shippedSources().find("ssao/shaders" + estimator.name.substr(4) + ".frag");
         const bool has = shader && shader->text.find("BENT_NORMALS") != std::string::npos;
-        if (has) CHECK(refusal(modules).empty());
-        else if (estimator.targets.size() > 1) CHECK(hasErrors(refusal(modules)));
-        else checkRefused(modules, Code::output_mismatch, "'bent_normal'");
+        if (has)
+            CHECK(refusal(modules).empty());
+        else if (estimator.targets.size() > 1)
+            CHECK(hasErrors(refusal(modules)));
+        else
+            checkRefused(modules, Code::output_mismatch, "'bent_normal'");
     }
 }
 

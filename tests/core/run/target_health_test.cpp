@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The doctor: what is wrong with targets, which pass is to blame, and why.
-#include "tests/support/plan_rig.h"
 #include "tools/render/target_health.h"
+#include "tests/support/plan_rig.h"
 
 #include <limits>
 
@@ -85,8 +85,8 @@ TEST_CASE("The first pass that is wrong is named, and those behind it are notes"
     TargetHealth second = healthy("y", "second"), third = healthy("z", "third");
     second.not_numbers = 3;
     third.not_numbers = 7;
-    const Diagnostics found = diagnose(description, planOf(description),
-                                       {healthy("x", "first"), second, third}, {});
+    const Diagnostics found =
+        diagnose(description, planOf(description), {healthy("x", "first"), second, third}, {});
     REQUIRE(found.size() == 1);
     CHECK(found[0].code == Code::target_not_finite);
     CHECK(found[0].pointer == "/passes/second");
@@ -109,9 +109,9 @@ TEST_CASE("What depends on poison is an error of the pass that left it")
 TEST_CASE("An output that is the same everywhere is traced to the pass where that began")
 {
     const Description description = chain();
-    const Diagnostics found =
-        diagnose(description, planOf(description),
-                 {healthy("x", "first"), constant("y", "second", 1), constant("z", "third", 1)}, {});
+    const Diagnostics found = diagnose(
+        description, planOf(description),
+        {healthy("x", "first"), constant("y", "second", 1), constant("z", "third", 1)}, {});
     REQUIRE(found.size() == 1);
     CHECK(found[0].code == Code::output_constant);
     CHECK(found[0].severity == Severity::warning);

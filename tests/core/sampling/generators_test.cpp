@@ -31,8 +31,7 @@ std::vector<glm::vec3> manyOffsets(bool hemisphere, const std::string& distribut
 {
     std::vector<glm::vec3> all;
     for (unsigned seed = 0; seed < 200; ++seed)
-        for (const glm::vec3& offset :
-             kernelOf(hemisphere, kMaxKernelSize, distribution, seed))
+        for (const glm::vec3& offset : kernelOf(hemisphere, kMaxKernelSize, distribution, seed))
             all.push_back(offset);
     return all;
 }

@@ -61,7 +61,8 @@ TEST_CASE("Rows come back as they were written, the later of two about one thing
 TEST_CASE("A line that is no row is an error at its place")
 {
     const TemporaryFolder folder("ablation_broken");
-    for (const std::string& bad : {std::string("[]"), std::string("{}"), std::string(R"({"config": 1})")}) {
+    for (const std::string& bad :
+         {std::string("[]"), std::string("{}"), std::string(R"({"config": 1})")}) {
         INFO(bad);
         write(folder, {toJsonLine(row("", 2, 1)), bad});
         const auto rows = readAblation({folder.path.string()});
@@ -78,5 +79,6 @@ TEST_CASE("An ablation reads as a line a situation, and is part of the report")
     const auto report = nlohmann::json::parse(reportJson({}, rows));
     REQUIRE(report["ablation"].size() == 3);
     CHECK(report["ablation"][2]["optimization"] == "all");
-    CHECK(need(reportHtml({}, false, rows)).find("\"optimization\":\"no_op\"") != std::string::npos);
+    CHECK(need(reportHtml({}, false, rows)).find("\"optimization\":\"no_op\"") !=
+          std::string::npos);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A whole bench on a real device: figures, pictures, a config that fails, and the same errors twice.
+// A whole bench on a real device: figures, pictures, a config that fails, and the same errors
+// twice.
 #include "tools/bench/ablation.h"
 #include "tools/bench/measure.h"
 
@@ -57,7 +58,8 @@ void checkErrors(const BenchPoint& point)
     CHECK(point.error.rmse > 0.01);
     CHECK(point.error.rmse < 0.3);
     CHECK(point.error.rmse_fit <= point.error.rmse);
-    for (const double part : {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
+    for (const double part :
+         {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
         CHECK(part >= 0.0);
         CHECK(part < 0.3);
     }
@@ -69,7 +71,8 @@ void checkErrors(const BenchPoint& point)
 
 }  // namespace
 
-TEST_CASE("An ablation times every optimization in every situation, and a still frame is next to nothing")
+TEST_CASE(
+    "An ablation times every optimization in every situation, and a still frame is next to nothing")
 {
     GlFixture gl;
     BenchOptions options = smallOptions();
@@ -104,8 +107,9 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
     MemorySources mine;
     mine.add("configs/broken.json", R"({
         "format": 1, "extends": ["hemisphere_box"], "shaders": {"ssao": {"fragment": "broken.frag"}}})");
-    mine.add("broken.frag", "#version 300 es\nlayout(location = 0) out mediump float ao;\n"
-                            "void main() { ao = nothing; }\n");
+    mine.add("broken.frag",
+             "#version 300 es\nlayout(location = 0) out mediump float ao;\n"
+             "void main() { ao = nothing; }\n");
     const LayeredSources sources({&mine, &shippedSources()});
     const TemporaryFolder folder("bench_gl");
     BenchOptions options = smallOptions();
@@ -163,11 +167,13 @@ TEST_CASE("A view without a surface fails each of its points and says why")
 TEST_CASE("What a config converges to does not depend on its samples or seeds")
 {
     GlFixture gl;
-    const BenchPlan plan = need(planBench([] {
-        BenchOptions options = smallOptions();
-        options.samples = {2, 32};
-        return options;
-    }(), shippedSources()));
+    const BenchPlan plan = need(planBench(
+        [] {
+            BenchOptions options = smallOptions();
+            options.samples = {2, 32};
+            return options;
+        }(),
+        shippedSources()));
     const BenchView& view = plan.views[0];
     const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));
     const Frame frame = makeFrame(scene, view.camera, view.extent);

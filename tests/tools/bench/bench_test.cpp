@@ -166,7 +166,8 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     depth.at(0, 0) = window(-2);
     depth.at(1, 0) = window(-4);
     depth.at(2, 0) = window(-50);
-    CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(50 / std::tan(0.5) / 4).epsilon(1e-3));
+    CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) ==
+          Approx(50 / std::tan(0.5) / 4).epsilon(1e-3));
 
     camera.clip_from_view = glm::ortho(-3.0f, 3.0f, -2.5f, 2.5f, 0.0f, 10.0f);
     CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(20));

@@ -13,9 +13,9 @@ using Kind = ChoiceLimit::Kind;
 
 std::vector<BenchPoint> twoScenes()
 {
-    return {benchPoint("fast", 4, 1, 0.10),          benchPoint("fast", 4, 1.2, 0.08, "hall"),
-            benchPoint("middle", 8, 2, 0.05),        benchPoint("middle", 8, 2, 0.09, "hall"),
-            benchPoint("good", 16, 3, 0.06),         benchPoint("good", 16, 5, 0.06, "hall")};
+    return {benchPoint("fast", 4, 1, 0.10),   benchPoint("fast", 4, 1.2, 0.08, "hall"),
+            benchPoint("middle", 8, 2, 0.05), benchPoint("middle", 8, 2, 0.09, "hall"),
+            benchPoint("good", 16, 3, 0.06),  benchPoint("good", 16, 5, 0.06, "hall")};
 }
 
 std::string chosen(const std::vector<BenchPoint>& points, Kind kind, double most,

@@ -8,7 +8,8 @@
 
 namespace crevice {
 
-/// A point of "room" at 960x540 and radius 1 on one device; its key says which it is. `ms` is its cost.
+/// A point of "room" at 960x540 and radius 1 on one device; its key says which it is. `ms` is its
+/// cost.
 inline BenchPoint benchPoint(const std::string& config, int samples, double ms, double rmse,
                              const std::string& scene = "room")
 {

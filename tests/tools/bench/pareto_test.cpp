@@ -73,7 +73,8 @@ TEST_CASE("a power law is recovered from points that follow it")
 {
     for (const double slope : {-1.0, -0.5, 0.0, 1.3}) {
         std::vector<XY> points;
-        for (const double x : {4.0, 8.0, 16.0, 64.0}) points.push_back({x, 0.3 * std::pow(x, slope)});
+        for (const double x : {4.0, 8.0, 16.0, 64.0})
+            points.push_back({x, 0.3 * std::pow(x, slope)});
         const auto law = fitPowerLaw(points);
         REQUIRE(law.has_value());
         CHECK(law->slope == Approx(slope).margin(1e-12));

@@ -60,8 +60,9 @@ TEST_CASE("A stopped bench knows how much of it was measured, and a finished one
     FakeBench{"", 25}.run(path, planned);
     CHECK(coverage().measured == 3);
     CHECK(coverage().planned == planned.tasks.size());
-    CHECK(coverageText(coverage()).find("3 of " + std::to_string(planned.tasks.size()) +
-                                        " points measured: balanced") == 0);
+    CHECK(coverageText(coverage())
+              .find("3 of " + std::to_string(planned.tasks.size()) +
+                    " points measured: balanced") == 0);
     CHECK(FakeBench{"thesis"}.run(path, planned).kept == 3);
     CHECK(coverage().failed == 4);
     CHECK(coverage().whole());

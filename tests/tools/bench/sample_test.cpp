@@ -35,8 +35,8 @@ TEST_CASE("a bench point comes back as it was written")
 TEST_CASE("of two lines about one bench point the later one holds, whatever its key")
 {
     const TemporaryFolder folder("bench_point");
-    const std::string first = folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) +
-                                                          line(benchPoint("b", 4, 1, 0.1)));
+    const std::string first = folder.write(
+        "a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + line(benchPoint("b", 4, 1, 0.1)));
     BenchPoint edited = benchPoint("a", 4, 1, 0.2);
     edited.key = "of another shader";
     BenchPoint elsewhere = benchPoint("b", 4, 1, 0.3);
@@ -56,8 +56,8 @@ TEST_CASE("a shader that was edited and fails now hides what it was before")
     BenchPoint failed = benchPoint("a", 4, 0, 0);
     failed.key = "of another shader";
     failed.failure = "the shader does not link";
-    const auto read = readBenchPoints(
-        {folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + line(failed))});
+    const auto read =
+        readBenchPoints({folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + line(failed))});
     REQUIRE(read.ok());
     REQUIRE(read->size() == 1);
     CHECK(!read->front().failure.empty());
@@ -92,7 +92,8 @@ TEST_CASE("a bench line that was cut short costs a warning and that line alone")
     const std::string whole = line(benchPoint("a", 4, 1, 0.1));
     const std::string cut = toJsonLine(benchPoint("b", 4, 1, 0.1)).substr(0, 200);
     const std::string after = line(benchPoint("c", 4, 1, 0.1));
-    const auto read = readBenchPoints({folder.write("a.jsonl", whole + cut + "\n\n" + after + cut)});
+    const auto read =
+        readBenchPoints({folder.write("a.jsonl", whole + cut + "\n\n" + after + cut)});
     REQUIRE(read.ok());
     REQUIRE(read->size() == 2);
     CHECK(read->at(1).config == "c");
@@ -118,7 +119,8 @@ TEST_CASE("a line that is no bench point is an error at its place")
 TEST_CASE("bench results that cannot be read are errors, each of them")
 {
     const TemporaryFolder folder("bench_point");
-    const auto read = readBenchPoints({(folder.path / "none.jsonl").string(), folder.path.string()});
+    const auto read =
+        readBenchPoints({(folder.path / "none.jsonl").string(), folder.path.string()});
     REQUIRE(!read.ok());
     REQUIRE(read.diagnostics().size() == 2);
     CHECK(read.diagnostics()[1].code == Code::results_broken);
@@ -149,7 +151,8 @@ TEST_CASE("bench pictures lie beside their results file")
 TEST_CASE("text that is no UTF-8 does not lose a bench point")
 {
     const TemporaryFolder folder("bench_point");
-    const auto read = readBenchPoints({folder.write("a.jsonl", line(benchPoint("a\xff", 4, 1, 0.1)))});
+    const auto read =
+        readBenchPoints({folder.write("a.jsonl", line(benchPoint("a\xff", 4, 1, 0.1)))});
     REQUIRE(read.ok());
     CHECK(read->size() == 1);
 }

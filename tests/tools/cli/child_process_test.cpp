@@ -45,9 +45,12 @@ TEST_CASE("what a child sends arrives as it was, small and large")
 
 TEST_CASE("a child that crashes, ends or throws is told from one that is done")
 {
-    CHECK(runInChild({}, [](Sender&) { std::abort(); }, kNothing) == ChildEnd::crashed);
-    CHECK(runInChild({}, [](Sender&) { std::_Exit(0); }, kNothing) == ChildEnd::crashed);
-    CHECK(runInChild({}, [](Sender&) { throw 1; }, kNothing) == ChildEnd::crashed);
+    CHECK(runInChild(
+              {}, [](Sender&) { std::abort(); }, kNothing) == ChildEnd::crashed);
+    CHECK(runInChild(
+              {}, [](Sender&) { std::_Exit(0); }, kNothing) == ChildEnd::crashed);
+    CHECK(runInChild(
+              {}, [](Sender&) { throw 1; }, kNothing) == ChildEnd::crashed);
 }
 
 TEST_CASE("a child that hangs ends at its time limit")
@@ -56,7 +59,11 @@ TEST_CASE("a child that hangs ends at its time limit")
     limits.time_s = 0.2;
     const auto begin = std::chrono::steady_clock::now();
     const ChildEnd end = runInChild(
-        limits, [](Sender&) { for (;;) pause(); }, kNothing);
+        limits,
+        [](Sender&) {
+            for (;;) pause();
+        },
+        kNothing);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     CHECK(end == ChildEnd::too_long);
     CHECK(taken.count() < 5);

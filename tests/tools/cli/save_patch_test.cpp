@@ -19,10 +19,15 @@ Node documentOf(const std::string& text)
 
 TEST_CASE("the patch between two documents is the smallest that makes one of the other")
 {
-    struct Case { const char* base; const char* now; const char* patch; };
+    struct Case {
+        const char* base;
+        const char* now;
+        const char* patch;
+    };
     const Case kCases[] = {
         {R"({"a": 1, "b": {"c": 2}})", R"({"b": {"c": 2.0}, "a": 1})", "{}"},
-        {R"({"a": 1, "b": {"c": 2, "d": 3}})", R"({"a": 1, "b": {"c": 2, "d": 4}})", R"({"b":{"d":4}})"},
+        {R"({"a": 1, "b": {"c": 2, "d": 3}})", R"({"a": 1, "b": {"c": 2, "d": 4}})",
+         R"({"b":{"d":4}})"},
         {R"({"a": {"b": 1}, "c": 1})", R"({"a": {}})", R"({"a":{"b":null},"c":null})"},
         {R"({"a": [1, 2]})", R"({"a": [1, 3], "b": {"c": true}})", R"({"a":[1,3],"b":{"c":true}})"},
         {R"({"a": "x"})", R"({"a": "y"})", R"({"a":"y"})"},

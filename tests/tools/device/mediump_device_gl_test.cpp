@@ -10,14 +10,16 @@ using namespace crevice;
 
 namespace {
 
-/// The four values that a fragment shader's body leaves in `color`, with `value` as its one uniform.
+/// The four values that a fragment shader's body leaves in `color`, with `value` as its one
+/// uniform.
 std::vector<float> drawAs(Mediump mediump, const std::string& body, std::vector<float> value)
 {
     GlFixture gl;
     gl.device = need(makeMediumpDevice(std::move(gl.device), mediump));
     const TextureId target = gl.texture(Format::rgba32f, {1, 1});
     const ProgramId program = gl.program(
-        "uniform highp vec4 value;\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n" + body + "}\n");
+        "uniform highp vec4 value;\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n" + body +
+        "}\n");
     const FramebufferId into = gl.framebuffer({target});
     value.resize(4);
     need(gl.device->beginFrame());
@@ -47,7 +49,8 @@ TEST_CASE("In half floats 2049 is 2048, 65536 is infinite and 2^-15 is 0, and hi
     CHECK(drawHalf("    mediump vec4 v = value; color = v;\n", value) ==
           std::vector<float>({2048.0f, kInfinity, 0.0f, -2052.0f}));
     CHECK(drawHalf("    color = value;\n", value) == value);
-    CHECK(drawHalf("    mediump float one = value.x; color = vec4(one + 2048.0, one * 2049.0, 0.0, 0.0);\n",
+    CHECK(drawHalf("    mediump float one = value.x; color = vec4(one + 2048.0, one * 2049.0, 0.0, "
+                   "0.0);\n",
                    {1.0f}) == std::vector<float>({2048.0f, 2048.0f, 0.0f, 0.0f}));
 }
 
@@ -66,18 +69,21 @@ TEST_CASE("In half floats what overflows on the way to a result is lost, as on a
     if (!canRewriteMediump()) return;
     const std::string in = "    mediump vec3 v = value.xyz;\n";
     const std::vector<float> far = {300.0f, 0.0f, 0.0f};
-    CHECK(drawHalf(in + "    color = vec4(dot(v, v), length(v), normalize(v).x, distance(v, -v));\n", far) ==
-          std::vector<float>({kInfinity, kInfinity, 0.0f, kInfinity}));
-    CHECK(drawHalf("    highp vec3 v = value.xyz; color = vec4(dot(v, v), length(v), 0.0, 0.0);\n", far) ==
-          std::vector<float>({90000.0f, 300.0f, 0.0f, 0.0f}));
-    CHECK(std::isnan(drawHalf("    mediump float a = value.x; color = vec4(a / a);\n", {1e-5f})[0]));
+    CHECK(
+        drawHalf(in + "    color = vec4(dot(v, v), length(v), normalize(v).x, distance(v, -v));\n",
+                 far) == std::vector<float>({kInfinity, kInfinity, 0.0f, kInfinity}));
+    CHECK(drawHalf("    highp vec3 v = value.xyz; color = vec4(dot(v, v), length(v), 0.0, 0.0);\n",
+                   far) == std::vector<float>({90000.0f, 300.0f, 0.0f, 0.0f}));
+    CHECK(
+        std::isnan(drawHalf("    mediump float a = value.x; color = vec4(a / a);\n", {1e-5f})[0]));
 }
 
 TEST_CASE("In half floats the built-in functions are right to half precision")
 {
     if (!canRewriteMediump()) return;
     const std::vector<float> value = {0.25f, 0.5f, 0.75f, 2.0f};
-    const std::string in = "    mediump vec4 v = value; mediump vec3 a = v.xyz; mediump vec3 b = v.zxw;\n";
+    const std::string in =
+        "    mediump vec4 v = value; mediump vec3 a = v.xyz; mediump vec3 b = v.zxw;\n";
     const auto near = [&](const std::string& mediump, std::vector<float> exact) {
         const std::vector<float> got = drawHalf(in + "    color = " + mediump + ";\n", value);
         INFO(mediump);
@@ -91,14 +97,14 @@ TEST_CASE("In half floats the built-in functions are right to half precision")
     near("vec4(mat3(a, b, a) * b, (b * mat3(a, b, a)).y)", {0.875f, 1.4375f, 2.5625f, 4.625f});
 }
 
-TEST_CASE("In half floats mediump integers have 16 bits, and textures the precision of their sampler")
+TEST_CASE(
+    "In half floats mediump integers have 16 bits, and textures the precision of their sampler")
 {
     if (!canRewriteMediump()) return;
     CHECK(drawHalf("    mediump int i = int(value.x); mediump uint u = uint(value.y);\n"
                    "    highp int whole = int(value.x);\n"
                    "    color = vec4(float(i), float(u), float(whole), 0.0);\n",
-                   {40000.0f, 65537.0f}) ==
-          std::vector<float>({-25536.0f, 1.0f, 40000.0f, 0.0f}));
+                   {40000.0f, 65537.0f}) == std::vector<float>({-25536.0f, 1.0f, 40000.0f, 0.0f}));
 
     GlFixture gl;
     gl.device = need(makeMediumpDevice(std::move(gl.device), Mediump::half));
@@ -110,10 +116,10 @@ TEST_CASE("In half floats mediump integers have 16 bits, and textures the precis
     need(gl.device->writeTexture(source, third));
     const auto sampledAs = [&](const std::string& precision) {
         const TextureId target = gl.texture(Format::r32f, {1, 1});
-        const ProgramId program =
-            gl.program("uniform " + precision + " sampler2D source;\nin vec2 uv;\n"
-                       "layout(location = 0) out float color;\n"
-                       "void main() { color = texture(source, uv).r; }\n");
+        const ProgramId program = gl.program("uniform " + precision +
+                                             " sampler2D source;\nin vec2 uv;\n"
+                                             "layout(location = 0) out float color;\n"
+                                             "void main() { color = texture(source, uv).r; }\n");
         const FramebufferId into = gl.framebuffer({target});
         need(gl.device->beginFrame());
         gl.device->beginPass(wholePass(into, {1, 1}));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Linked programs in a folder: what --program-cache names.
+#include "tools/device/program_folder.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/device/program_folder.h"
 
 using namespace crevice;
 

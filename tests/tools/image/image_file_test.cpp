@@ -192,7 +192,8 @@ TEST_CASE("a stale temporary file of the same process id is in nobody's way")
     const TemporaryFolder folder("image_stale");
     const std::string path = (folder.path / "a.pfm").string();
     for (int i = 0; i < 500; ++i)
-        folder.write(".crevice-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".tmp", "stale");
+        folder.write(".crevice-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".tmp",
+                     "stale");
     folder.write("a.pfm." + std::to_string(getpid()) + ".tmp", "stale");
     CHECK(writeFile(path, "bytes").ok());
     CHECK(readFile(path)->text == "bytes");
@@ -217,7 +218,8 @@ TEST_CASE("an image that is no regular file or larger than memory is refused unr
     for (const std::string& path : {pipe, std::string("/dev/zero"), sparse})
         CHECK(codeOf(readImage(path)) == Code::image_broken);
     // 16384x16384 pixels in a header: the picture itself could be a few thousand bytes.
-    const std::string bomb("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0\0\0\0\0", 33);
+    const std::string bomb(
+        "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0\0\0\0\0", 33);
     const auto unpacked = decodeImage(bomb, "bomb");
     REQUIRE_FALSE(unpacked.ok());
     CHECK_THAT(unpacked.diagnostics()[0].message, Catch::Contains("more than are read"));

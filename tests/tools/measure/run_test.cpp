@@ -37,14 +37,17 @@ struct FakeRun {
     MeasureSummary run(const TemporaryFolder& folder)
     {
         LineFile file = need(LineFile::open(pathIn(folder)));
-        const Diagnostics read = readLines(file.path(), {"task", "a test"}, [this](nlohmann::json&& line) {
-            job.done.insert(line.at("key").get<std::string>());
-        });
+        const Diagnostics read = readLines(
+            file.path(), {"task", "a test"},
+            [this](nlohmann::json&& line) { job.done.insert(line.at("key").get<std::string>()); });
         REQUIRE_FALSE(hasErrors(read));
         return measureAll(job, file, world);
     }
 
-    static std::string pathIn(const TemporaryFolder& folder) { return (folder.path / "lines.jsonl").string(); }
+    static std::string pathIn(const TemporaryFolder& folder)
+    {
+        return (folder.path / "lines.jsonl").string();
+    }
 
     MeasureJob job;
     MeasureWorld world;
@@ -60,8 +63,8 @@ struct FakeRun {
 std::size_t linesIn(const TemporaryFolder& folder)
 {
     std::size_t count = 0;
-    const Diagnostics read =
-        readLines(FakeRun::pathIn(folder), {"task", "a test"}, [&count](nlohmann::json&&) { ++count; });
+    const Diagnostics read = readLines(FakeRun::pathIn(folder), {"task", "a test"},
+                                       [&count](nlohmann::json&&) { ++count; });
     CHECK(read.empty());
     return count;
 }
@@ -76,8 +79,8 @@ TEST_CASE("A second run measures nothing again but tries failures once more")
     first.job.tasks[4].failure = "there is no such scene";
     const MeasureSummary broken = first.run(folder);
     CHECK(broken.measured == 4);
-    CHECK(broken.failures == std::vector<std::string>{"task c: CV6005: it broke",
-                                                      "task e: there is no such scene"});
+    CHECK(broken.failures ==
+          std::vector<std::string>{"task c: CV6005: it broke", "task e: there is no such scene"});
     CHECK(first.order == "abcdf");
     CHECK(first.lines[0] == "[1/6] task a: fine; about 50 s left");
     CHECK(first.lines[2].find("[3/6] task c: failed: CV6005: it broke; about") == 0);

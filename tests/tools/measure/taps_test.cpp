@@ -57,7 +57,7 @@ TEST_CASE("another count is shared between slices and steps in the config's own 
     CHECK(split(marching(2, 4), 64) == std::vector<std::string>{"slices=4", "steps=8"});
     CHECK(split(marching(3, 3), 8) == std::vector<std::string>{"slices=2", "steps=2"});
     CHECK(split(marching(1, 8), 8) == std::vector<std::string>{"slices=1", "steps=4"});
-    CHECK(split(marching(2, 4), 7).empty());     // not the same on both ways
+    CHECK(split(marching(2, 4), 7).empty());       // not the same on both ways
     CHECK(split(marching(2, 4), 2 * 37).empty());  // 37 fits neither range
 }
 

@@ -113,21 +113,25 @@ TEST_CASE("Defines, inputs and what a sampler reads are told by their names")
 TEST_CASE("A diff tells by what mask and within what a pass is drawn, and no write of the mask")
 {
     const auto drawn = [](const std::string& keys) {
-        return planOf(describe(Sketch{
-            {R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
-             R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})",
-             R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + keys},
-            {{"ao", "ao"}},
-            {{"mask", R"({"format": ["depth16"], "semantic": "mask"})"}},
-            R"("imports": {"scene": {"type": "draw_list"}})"}));
+        return planOf(
+            describe(Sketch{{R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
+                             R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})",
+                             R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + keys},
+                            {{"ao", "ao"}},
+                            {{"mask", R"({"format": ["depth16"], "semantic": "mask"})"}},
+                            R"("imports": {"scene": {"type": "draw_list"}})"}));
     };
     const PlanDiff diff = diffPlans(drawn(""), drawn(R"(, "scissor": true)"));
     const PlanChange* ao = changeOf(diff, "passes", "ao");
     CHECK(property(ao, "drawn within") == "everything -> the bounds of things");
     CHECK(property(ao, "writes mask") == "");
-    const PlanDiff kept = diffPlans(drawn(""), planOf(describe(Sketch{
-        {R"(things: -> normal | "type": "draw", "frustum_scale": 1)", "ao: normal -> ao"},
-        {{"ao", "ao"}}, {}, R"("imports": {"scene": {"type": "draw_list"}})"})));
+    const PlanDiff kept = diffPlans(
+        drawn(""),
+        planOf(describe(Sketch{
+            {R"(things: -> normal | "type": "draw", "frustum_scale": 1)", "ao: normal -> ao"},
+            {{"ao", "ao"}},
+            {},
+            R"("imports": {"scene": {"type": "draw_list"}})"})));
     const std::string text = toText(kept);
     CHECK(text.find("writes mask") == text.npos);
     CHECK(text.find("input  =") == text.npos);

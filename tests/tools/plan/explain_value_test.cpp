@@ -30,7 +30,8 @@ Node mergedDocument()
   "a/b": { "~": 7 }
 })");
     Diagnostics diagnostics;
-    mergePatch(document, parsed("patch.json", "{ \"params\":\n{ \"radius\": { \"default\": 0.25 } } }"),
+    mergePatch(document,
+               parsed("patch.json", "{ \"params\":\n{ \"radius\": { \"default\": 0.25 } } }"),
                diagnostics);
     REQUIRE(diagnostics.empty());
     return document;
@@ -140,7 +141,8 @@ TEST_CASE("what a patch deleted is told with the place that deleted it")
   "passes": { "ssao": { "state": { "cull": "back" } }, "blur": {} } })");
     Diagnostics diagnostics;
     mergePatch(document, parsed("patch.json", R"({
-  "passes": { "ssao": { "state": { "cull": null } }, "blur": null } })"), diagnostics);
+  "passes": { "ssao": { "state": { "cull": null } }, "blur": null } })"),
+               diagnostics);
     REQUIRE(diagnostics.empty());
     CHECK(findUnset(document, "passes.ssao.state.cull", nullptr)->reason ==
           "by default, since patch.json:2:36 deletes it: Which side of a triangle is left out.");

@@ -9,20 +9,21 @@ namespace {
 // One of everything: a draw, a condition, an no_op, unread, generated, a constant, renames.
 Description everything()
 {
-    Sketch sketch{
-        {R"(geometry: base_color_map -> normal albedo | "type": "draw", "depth": "depth",
+    Sketch sketch{{R"(geometry: base_color_map -> normal albedo | "type": "draw", "depth": "depth",
             "clear": {"normal": [0, 0, 1, 0]})",
-         "ssao: depth normal noise -> ao",
-         R"(glow: -> light_glow |
+                   "ssao: depth normal noise -> ao",
+                   R"(glow: -> light_glow |
             "no_op": {"strength": {"at": 0, "gives": {"light_glow": 0.5}}})",
-         R"(filter: ao -> smooth | "when": {"soft": true}, "bypass": {"smooth": "ao"})",
-         R"(light: visible light_glow -> color |
+                   R"(filter: ao -> smooth | "when": {"soft": true}, "bypass": {"smooth": "ao"})",
+                   R"(light: visible light_glow -> color |
             "inputs": {"visible": {"from": "smooth", "filter": "linear"}})",
-         "debug: color -> spare"},
-        {{"ao", "smooth"}, {"color", "color"}},
-        {{"depth", R"({"format": ["depth24"]})"}, {"normal", R"({"format": ["rgba16f"]})"},
-         {"albedo", R"({"format": ["rgba8"]})"}, {"color", R"({"format": ["rgba8"]})"}},
-        R"("params": {"strength": {"default": 0}},
+                   "debug: color -> spare"},
+                  {{"ao", "smooth"}, {"color", "color"}},
+                  {{"depth", R"({"format": ["depth24"]})"},
+                   {"normal", R"({"format": ["rgba16f"]})"},
+                   {"albedo", R"({"format": ["rgba8"]})"},
+                   {"color", R"({"format": ["rgba8"]})"}},
+                  R"("params": {"strength": {"default": 0}},
            "features": {"soft": {"type": "bool"}},
            "imports": {"things": {"type": "draw_list"}},
            "generated": {"noise": {"generator": "rotation_noise", "count": 4}})"};
@@ -34,7 +35,7 @@ Description everything()
 TEST_CASE("The text of a plan tells passes, textures, outputs and what is left out")
 {
     CHECK(toText(planOf(everything())) ==
-R"(plan sketch 64x32: 3 passes, 4 textures, 34.0 KiB
+          R"(plan sketch 64x32: 3 passes, 4 textures, 34.0 KiB
 passes
   geometry: draw 64x32, program geometry, 8.0 KiB read, 24.0 KiB written
     reads   base_color_map of the material
@@ -78,11 +79,12 @@ left out
 TEST_CASE("The text does not change when a shader is reworded, and the JSON's keys do")
 {
     const auto plan = [](const std::string& comment) {
-        return planOf(describe(R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
+        return planOf(describe(
+            R"({"format": 1, "targets": {"x": {"format": ["r8"]}},
             "shaders": {"s": {"vertex": "v", "fragment": "f"}},
             "passes": {"p": {"shader": "s", "color": "x"}}, "outputs": {"x": "x"}})",
-            {{"v", kFullVertex}, {"f", "#version 300 es\nout highp vec4 c;\nvoid main() {" +
-                                           comment + "}\n"}}));
+            {{"v", kFullVertex},
+             {"f", "#version 300 es\nout highp vec4 c;\nvoid main() {" + comment + "}\n"}}));
     };
     CHECK(toText(plan("")) == toText(plan("c = vec4(1.0);")));
     CHECK(toJson(plan("")) != toJson(plan("c = vec4(1.0);")));
@@ -90,8 +92,8 @@ TEST_CASE("The text does not change when a shader is reworded, and the JSON's ke
 
 TEST_CASE("Targets that share a texture are listed in turn")
 {
-    const std::string text = toText(planOf(describe(Sketch{
-        {"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}})));
+    const std::string text =
+        toText(planOf(describe(Sketch{{"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}})));
     CHECK(text.find("0: r8 64x32, 2.0 KiB: w, then y\n") != text.npos);
 }
 
@@ -122,9 +124,11 @@ TEST_CASE("The JSON of a plan is JSON and tells the same")
 
 TEST_CASE("An output that is a constant says so everywhere")
 {
-    const Plan plan = planOf(describe(Sketch{
-        {R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})"},
-        {{"ao", "ao"}}, {}, R"("params": {"intensity": {"default": 0}})"}));
+    const Plan plan = planOf(
+        describe(Sketch{{R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})"},
+                        {{"ao", "ao"}},
+                        {},
+                        R"("params": {"intensity": {"default": 0}})"}));
     CHECK(toText(plan).find("ao: constant 1\n") != std::string::npos);
     CHECK(toJson(plan).find(R"("constant": 1})") != std::string::npos);
     CHECK(toDot(plan).find("\"constant_0\" -> \"output_ao\"") != std::string::npos);
@@ -133,7 +137,7 @@ TEST_CASE("An output that is a constant says so everywhere")
 TEST_CASE("The Graphviz drawing has boxes for passes, ellipses for textures, and the data's way")
 {
     CHECK(toDot(planOf(describe(Sketch{{"a: -> x", "b: x -> y"}, {{"out", "y"}}}))) ==
-R"(digraph "sketch" {
+          R"(digraph "sketch" {
   rankdir=LR;
   "pass_a" [shape=box, label="a\na 64x32"];
   "target_x" [shape=ellipse, label="x\nr8 64x32, texture 0"];

@@ -139,7 +139,9 @@ TEST_CASE("A broken kept reference is traced anew")
     const Scene scene = sphereOnFloor();
     const Image traced = need(cachedReference(scene, kCamera, kExtent, options(), cache));
     const std::filesystem::path file = onlyFile(folder.path);
-    const auto again = [&] { return need(cachedReference(scene, kCamera, kExtent, options(), cache)); };
+    const auto again = [&] {
+        return need(cachedReference(scene, kCamera, kExtent, options(), cache));
+    };
 
     std::filesystem::resize_file(file, 40);
     CHECK(sameBits(again(), traced));

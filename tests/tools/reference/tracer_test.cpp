@@ -80,9 +80,9 @@ Scene cornerWithSphere()
 
 // A build without Embree has no truth to test.
 #define REQUIRE_EMBREE() \
-    if (!canTrace()) {   \
+    if (!canTrace()) { \
         WARN("built without Embree"); \
-        return;          \
+        return; \
     }
 
 TEST_CASE("an open plane is open, seen from any side and under any slope")

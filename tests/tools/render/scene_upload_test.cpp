@@ -24,9 +24,7 @@ Scene makeScene()
     scene.materials[1].specular = glm::vec3(0.5f);
     scene.materials[1].shininess = 99;
     scene.materials[1].alpha_cutoff = 0.4f;
-    scene.instances = {{0},
-                       {1, glm::mat4(1), 1},
-                       {1, glm::translate(glm::mat4(1), {5, 0, 0}), 0}};
+    scene.instances = {{0}, {1, glm::mat4(1), 1}, {1, glm::translate(glm::mat4(1), {5, 0, 0}), 0}};
     scene.lights.resize(1);
     scene.ambient_light = glm::vec3(0.1f);
     return scene;

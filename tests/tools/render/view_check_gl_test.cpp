@@ -28,7 +28,10 @@ Scene square(float size, const glm::dmat4& world_from_model)
     return scene;
 }
 
-Scene facing(double distance) { return square(100, glm::translate(glm::dmat4(1), {0, 0, -distance})); }
+Scene facing(double distance)
+{
+    return square(100, glm::translate(glm::dmat4(1), {0, 0, -distance}));
+}
 
 std::optional<double> distanceOf(GlFixture& gl, const Scene& scene)
 {
@@ -55,7 +58,8 @@ TEST_CASE("A floor that the camera stands on is seen though it passes behind the
 {
     GlFixture gl;
     const glm::dmat4 below = glm::translate(glm::dmat4(1), {0, -1, 0});
-    const auto distance = distanceOf(gl, square(100, glm::rotate(below, glm::radians(-90.0), {1, 0, 0})));
+    const auto distance =
+        distanceOf(gl, square(100, glm::rotate(below, glm::radians(-90.0), {1, 0, 0})));
     REQUIRE(distance);
     CHECK(*distance > 1);
     CHECK(*distance < 50);

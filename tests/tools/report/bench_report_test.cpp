@@ -48,9 +48,9 @@ TEST_CASE("a report names fronts, slopes and advice")
     const auto& view = report["views"][0];
     CHECK(view["front_ms"] == nlohmann::json({0, 2, 4}));
     CHECK(view["front_ratio"] == view["front_ms"]);
-    const auto curve = std::find_if(view["curves"].begin(), view["curves"].end(), [](const auto& c) {
-        return c["kind"] == "error_samples" && c["family"] == "a";
-    });
+    const auto curve = std::find_if(
+        view["curves"].begin(), view["curves"].end(),
+        [](const auto& c) { return c["kind"] == "error_samples" && c["family"] == "a"; });
     REQUIRE(curve != view["curves"].end());
     CHECK((*curve)["slope"].get<double>() == Approx(-1));
     const auto& advice = report["advice"][0];
@@ -176,7 +176,9 @@ TEST_CASE("a report embeds nothing but PNGs below the folder of its results")
 TEST_CASE("no name in a page turns the direction of its text")
 {
     auto points = sweep();
-    points[0].config = "a\xE2\x80\xAE" "b\xC2\x9B";
+    points[0].config =
+        "a\xE2\x80\xAE"
+        "b\xC2\x9B";
     const std::string html = page(points);
     CHECK(!holds(html, "\xE2\x80\xAE"));
     CHECK(holds(html, "a\\\\u202eb\\\\u009b"));

@@ -92,8 +92,9 @@ Result<Scene> roomWith(const std::string& bunny)
     return room;
 }
 
-const char* const kTetrahedron = "v -1 -1 -1\nv 1 -1 -1\nv 0 -1 1\nv 0 1 0\n"
-                                 "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+const char* const kTetrahedron =
+    "v -1 -1 -1\nv 1 -1 -1\nv 0 -1 1\nv 0 1 0\n"
+    "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
 
 Scene load(const std::string& name)
 {

@@ -70,11 +70,10 @@ Bounds clipBounds(const Scene& scene, const SceneCamera& camera, Extent extent)
 
 TEST_CASE("a framed scene is in the picture whole, at any shape of either")
 {
-    const Scene shapes[] = {boxScene({-1, 0, -2}, {3, 2, 5}),
-                            boxScene({0, 0, 0}, {100, 0.1f, 0.1f}),
-                            boxScene({0, 0, 0}, {0.1f, 50, 0.1f}),
-                            boxScene({5, 5, 5}, {5.001f, 5.002f, 5}),
-                            boxScene({-1e6f, 0, -1e6f}, {1e6f, 1e5f, 1e6f})};
+    const Scene shapes[] = {
+        boxScene({-1, 0, -2}, {3, 2, 5}), boxScene({0, 0, 0}, {100, 0.1f, 0.1f}),
+        boxScene({0, 0, 0}, {0.1f, 50, 0.1f}), boxScene({5, 5, 5}, {5.001f, 5.002f, 5}),
+        boxScene({-1e6f, 0, -1e6f}, {1e6f, 1e5f, 1e6f})};
     for (const Scene& scene : shapes) {
         for (const Extent extent : {Extent{960, 540}, {100, 100}, {100, 900}, {2000, 100}}) {
             const double aspect = static_cast<double>(extent.width) / extent.height;
@@ -127,10 +126,7 @@ TEST_CASE("without a wish the scene's first camera is taken, or the scene is fra
     CHECK(chooseCamera(Scene(), kBox, "", 1.5)->name == "framing");
 }
 
-TEST_CASE("a camera is chosen by its name")
-{
-    CHECK(choose("balcony")->name == "balcony");
-}
+TEST_CASE("a camera is chosen by its name") { CHECK(choose("balcony")->name == "balcony"); }
 
 TEST_CASE("a camera that the scene does not have suggests its nearest")
 {
@@ -195,8 +191,8 @@ TEST_CASE("an orthographic camera is as high as it says")
 
 TEST_CASE("a camera that looks straight down has an up of its own")
 {
-    for (const char* text : {"eye=0,9,0;at=0,0,0", "eye=0,0,9;at=0,0,0;up=0,0,1",
-                             "eye=1,2,3;at=0,0,0;up=0,0,0"}) {
+    for (const char* text :
+         {"eye=0,9,0;at=0,0,0", "eye=0,0,9;at=0,0,0;up=0,0,1", "eye=1,2,3;at=0,0,0;up=0,0,0"}) {
         const auto camera = choose(text);
         REQUIRE(camera.ok());
         CHECK(glm::determinant(camera->view_from_world) == Approx(1));

@@ -48,17 +48,22 @@ TEST_CASE("a file without extensions, or with those that are read, passes withou
     CHECK(check("").diagnostics().empty());
     CHECK(check(R"(, "extensionsRequired": ["KHR_draco_mesh_compression"],
                      "extensionsUsed": ["KHR_draco_mesh_compression", "KHR_lights_punctual"])")
-              .diagnostics().empty());
+              .diagnostics()
+              .empty());
 }
 
 TEST_CASE("textures at a second set of coordinates are told")
 {
-    for (const char* material : {R"({"occlusionTexture": {"index": 0, "texCoord": 1}})", R"({"normalTexture": {"texCoord": 1}})",
-                                 R"({"pbrMetallicRoughness": {"baseColorTexture": {"texCoord": 1}}})"}) {
+    for (const char* material :
+         {R"({"occlusionTexture": {"index": 0, "texCoord": 1}})",
+          R"({"normalTexture": {"texCoord": 1}})",
+          R"({"pbrMetallicRoughness": {"baseColorTexture": {"texCoord": 1}}})"}) {
         const Status status = check(R"(, "materials": [)" + std::string(material) + "]");
         CHECK(names(only(status), "second set of texture coordinates"));
     }
-    CHECK(check(R"(, "materials": [{"occlusionTexture": {"texCoord": 0}}, 5])").diagnostics().empty());
+    CHECK(check(R"(, "materials": [{"occlusionTexture": {"texCoord": 0}}, 5])")
+              .diagnostics()
+              .empty());
 }
 
 TEST_CASE("every required extension that is not read is in one error with its way out")
@@ -77,8 +82,7 @@ TEST_CASE("every required extension that is not read is in one error with its wa
 TEST_CASE("textures in formats that are not read say how to convert them")
 {
     for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif"}) {
-        const Status status =
-            check(std::string(R"(, "extensionsRequired": [")") + name + "\"]");
+        const Status status = check(std::string(R"(, "extensionsRequired": [")") + name + "\"]");
         CHECK_FALSE(status.ok());
         CHECK(names(only(status), "gltf-transform"));
     }
@@ -92,7 +96,8 @@ TEST_CASE("what is used and not drawn is one warning a file")
     const Diagnostic& warning = only(status);
     CHECK(warning.code == Code::scene_features);
     CHECK(warning.severity == Severity::warning);
-    for (const char* name : {"KHR_texture_transform", "KHR_materials_clearcoat", "EXT_texture_webp"})
+    for (const char* name :
+         {"KHR_texture_transform", "KHR_materials_clearcoat", "EXT_texture_webp"})
         CHECK(names(warning, name));
     CHECK_FALSE(names(warning, "KHR_lights_punctual"));
 }
@@ -106,12 +111,14 @@ TEST_CASE("a required extension of materials alone is a warning")
 
 TEST_CASE("integers where Assimp wants floats are found though no extension is named")
 {
-    const char* const more = R"(, "meshes": [{"primitives": [{"attributes": {"NORMAL": 1, "POSITION": 0}}]}],
+    const char* const more =
+        R"(, "meshes": [{"primitives": [{"attributes": {"NORMAL": 1, "POSITION": 0}}]}],
         "accessors": [{"componentType": 5123}, {"componentType": 5126}])";
     const Status status = check(more);
     CHECK_FALSE(status.ok());
     CHECK(names(only(status), "KHR_mesh_quantization"));
-    const Status texture = check(R"(, "meshes": [{"primitives": [{"attributes": {"TEXCOORD_0": 0}}]}],
+    const Status texture =
+        check(R"(, "meshes": [{"primitives": [{"attributes": {"TEXCOORD_0": 0}}]}],
         "accessors": [{"componentType": 5121}])");
     CHECK(texture.ok());
     CHECK(names(only(texture), "texture coordinates"));
@@ -126,7 +133,8 @@ TEST_CASE("JSON of any shape does the check no harm")
 {
     for (const char* members :
          {R"(, "extensionsRequired": 3)", R"(, "extensionsUsed": [[], 1, null])",
-          R"(, "meshes": {"a": 1}, "accessors": 7)", R"(, "meshes": [1, [2], "x", {"primitives": 4}])",
+          R"(, "meshes": {"a": 1}, "accessors": 7)",
+          R"(, "meshes": [1, [2], "x", {"primitives": 4}])",
           R"(, "meshes": [{"primitives": [{"attributes": [0]}]}], "accessors": [1])",
           R"(, "meshes": [{"primitives": [{"attributes": {"POSITION": 9e9}}]}])"})
         CHECK(check(members).diagnostics().empty());
@@ -134,6 +142,8 @@ TEST_CASE("JSON of any shape does the check no harm")
     CHECK(checkGltf(folder.write("cut.gltf", "{\"asset\""), false).diagnostics().empty());
     CHECK(checkGltf(folder.write("cut.glb", "glTF\x02"), false).diagnostics().empty());
     CHECK(checkGltf(folder.write("lies.glb", "glTF" + littleEndian(2) + littleEndian(20) +
-                                                 littleEndian(0xfffffff0u) + "JSON{"), false)
-              .diagnostics().empty());
+                                                 littleEndian(0xfffffff0u) + "JSON{"),
+                    false)
+              .diagnostics()
+              .empty());
 }

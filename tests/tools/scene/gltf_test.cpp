@@ -42,7 +42,8 @@ std::string gltf(const std::string& nodes, const std::string& more = "",
       "meshes": [{"name": "square", "primitives": [
         {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2)" +
            primitive + R"(}]}],
-      )" + more + R"("nodes": [)" + nodes + R"(], "scenes": [{"nodes": [0]}], "scene": 0})";
+      )" + more +
+           R"("nodes": [)" + nodes + R"(], "scenes": [{"nodes": [0]}], "scene": 0})";
 }
 
 Scene load(const std::string& text)
@@ -158,7 +159,8 @@ TEST_CASE("the brightest light brings 1 to the centre of the scene, in any unit"
         R"({"children": [1, 2, 3], "mesh": 0},
            {"extensions": {"KHR_lights_punctual": {"light": 0}}, "translation": [0.5, 0.5, 10]},
            {"extensions": {"KHR_lights_punctual": {"light": 1}}, "translation": [0.5, 0.5, 1]},
-           {"extensions": {"KHR_lights_punctual": {"light": 2}}})", lights));
+           {"extensions": {"KHR_lights_punctual": {"light": 2}}})",
+        lights));
     REQUIRE(scene.lights.size() == 3);
     const auto atCenter = [](const Light& light, float distance) {
         const glm::vec3 a = light.attenuation;
@@ -177,7 +179,8 @@ TEST_CASE("a masked glTF material keeps its colour, texture and cutoff")
     const std::string more = R"("materials": [{"name": "leaf", "alphaMode": "MASK",
         "alphaCutoff": 0.4, "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.125, 0.9],
         "baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
-        "images": [{"uri": "data:image/png;base64,)" + kPicture + R"("}], )";
+        "images": [{"uri": "data:image/png;base64,)" +
+                             kPicture + R"("}], )";
     const Scene scene = load(gltf(R"({"mesh": 0})", more, R"(, "material": 0)"));
     const SceneMaterial& material = scene.materials[scene.instances[0].material];
     CHECK(material.base_color == glm::vec4(0.5f, 0.25f, 0.125f, 0.9f));
@@ -199,7 +202,8 @@ TEST_CASE("a glTF material keeps its normal and occlusion maps as plain numbers"
 {
     const std::string more = R"("materials": [{"normalTexture": {"index": 0, "scale": 0.5},
         "occlusionTexture": {"index": 0, "strength": 0.75}}, {}], "textures": [{"source": 0}],
-        "images": [{"uri": "data:image/png;base64,)" + kPicture + R"("}], )";
+        "images": [{"uri": "data:image/png;base64,)" +
+                             kPicture + R"("}], )";
     const Scene scene = load(gltf(R"({"mesh": 0})", more, R"(, "material": 0)"));
     const SceneMaterial& material = scene.materials[scene.instances[0].material];
     CHECK(material.base_color_texture == -1);
@@ -243,8 +247,8 @@ TEST_CASE("a missing texture is a warning and leaves the plain colour")
         "baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
         "images": [{"uri": "gone.png"}], )";
     const TemporaryFolder folder("scene_gltf_missing");
-    const auto scene = importScene(
-        folder.write("scene.gltf", gltf(R"({"mesh": 0})", more, R"(, "material": 0)")));
+    const auto scene =
+        importScene(folder.write("scene.gltf", gltf(R"({"mesh": 0})", more, R"(, "material": 0)")));
     REQUIRE(scene.ok());
     CHECK(scene->materials[scene->instances[0].material].base_color_texture == -1);
     REQUIRE(scene.diagnostics().size() == 1);
@@ -259,8 +263,8 @@ TEST_CASE("a texture is found beside the scene, also by an escaped name")
         "images": [{"uri": "my%20skin.pgm"}], )";
     const TemporaryFolder folder("scene_gltf_escaped");
     folder.write("my skin.pgm", std::string("P5 1 1 255\n\xff"));
-    const auto scene = importScene(
-        folder.write("scene.gltf", gltf(R"({"mesh": 0})", more, R"(, "material": 0)")));
+    const auto scene =
+        importScene(folder.write("scene.gltf", gltf(R"({"mesh": 0})", more, R"(, "material": 0)")));
     REQUIRE(scene.ok());
     REQUIRE(scene->textures.size() == 1);
     CHECK(scene->textures[0].image.at(0, 0, 1) == 1.0f);
@@ -274,8 +278,8 @@ TEST_CASE("a glTF file whose buffer is missing or too short is told from its rea
     const auto too_long = folder.write("long.gltf", text.replace(count, 10, "\"count\": 600"));
     text = gltf(R"({"mesh": 0})");
     const auto uri = text.find("data:");
-    const auto missing = folder.write(
-        "missing.gltf", text.replace(uri, text.find('"', uri) - uri, "nowhere.bin"));
+    const auto missing =
+        folder.write("missing.gltf", text.replace(uri, text.find('"', uri) - uri, "nowhere.bin"));
     for (const std::string& path : {too_long, missing}) {
         const auto scene = importScene(path);
         REQUIRE_FALSE(scene.ok());

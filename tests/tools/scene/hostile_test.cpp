@@ -31,7 +31,8 @@ const Diagnostic& onlyError(const Result<Scene>& scene)
     return scene.diagnostics()[0];
 }
 
-// A folder with scene/a.obj, whose material takes `texture`, and a picture beside the scene's folder.
+// A folder with scene/a.obj, whose material takes `texture`, and a picture beside the scene's
+// folder.
 struct Textured {
     TemporaryFolder folder;
     std::string scene;
@@ -80,9 +81,11 @@ TEST_CASE("a scene whose triangles have no area is an error")
 TEST_CASE("a PLY file that ends within its header is an error at once")
 {
     const TemporaryFolder folder("scene_cut");
-    const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n";
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n";
     for (const std::size_t length : {3u, 30u, 60u, 64u}) {
-        const Diagnostic error = onlyError(importScene(folder.write("cut.ply", header.substr(0, length))));
+        const Diagnostic error =
+            onlyError(importScene(folder.write("cut.ply", header.substr(0, length))));
         CHECK(error.code == Code::scene_broken);
         CHECK(error.message.find("ends within its header") != std::string::npos);
     }
@@ -109,7 +112,8 @@ TEST_CASE("a file that lies about its counts does not fill the memory")
     const auto ply = importScene(
         folder.write("lies.ply", "ply\nformat binary_little_endian 1.0\nelement vertex " + count +
                                      "\nproperty float x\nproperty float y\nproperty float z\n"
-                                     "element face " + count +
+                                     "element face " +
+                                     count +
                                      "\nproperty list uchar int vertex_indices\nend_header\nabc"),
         soon());
     CHECK(onlyError(ply).code == Code::scene_broken);
@@ -188,11 +192,10 @@ TEST_CASE("materials outside the scene's folder are not read")
 {
     const TemporaryFolder folder("scene_materials");
     folder.write("secret.mtl", "newmtl m\nKd .1 .2 .3\n");
-    const auto scene = importScene(
-        folder.write("scene/a.obj", "mtllib ../secret.mtl\nusemtl m\n" + kTriangle));
+    const auto scene =
+        importScene(folder.write("scene/a.obj", "mtllib ../secret.mtl\nusemtl m\n" + kTriangle));
     REQUIRE(scene.ok());
-    for (const SceneMaterial& material : scene->materials)
-        CHECK(material.base_color.r != 0.1f);
+    for (const SceneMaterial& material : scene->materials) CHECK(material.base_color.r != 0.1f);
     REQUIRE(scene.diagnostics().size() == 1);
     CHECK(scene.diagnostics()[0].code == Code::module_escape);
 }
@@ -215,8 +218,8 @@ TEST_CASE("a buffer outside the scene's folder is an error that names it and the
 TEST_CASE("what is told of a broken file is no longer than a few lines")
 {
     const TemporaryFolder folder("scene_long");
-    const auto error = onlyError(importScene(
-        folder.write("long.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"scene\": \"" +
-                                      std::string(100000, 'x') + "\"}")));
+    const auto error = onlyError(
+        importScene(folder.write("long.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"scene\": \"" +
+                                                  std::string(100000, 'x') + "\"}")));
     CHECK(error.message.size() < 1000);
 }

@@ -63,8 +63,8 @@ TEST_CASE("a vertex counts a face by its angle there, not by how it was cut")
 {
     // One corner of a box whose top is cut into two triangles and whose sides are not seen as flat.
     MeshDesc mesh;
-    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, -1}}, {{1, 0, -1}},
-                     {{0, 1, -1}}};
+    mesh.vertices = {{{0, 0, 0}},  {{1, 0, 0}},  {{1, 1, 0}}, {{0, 1, 0}},
+                     {{0, 0, -1}}, {{1, 0, -1}}, {{0, 1, -1}}};
     mesh.indices = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 0, 3, 6, 0, 6, 4};
     smoothNormals(mesh, 120);
     const glm::vec3 expected = glm::normalize(glm::vec3(-1, -1, 1));

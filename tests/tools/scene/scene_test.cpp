@@ -160,8 +160,8 @@ TEST_CASE("a scene of nothing but broken triangles is empty")
 
 TEST_CASE("triangles without an area stay and have normals of length one")
 {
-    const auto scene = importText(
-        "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\nf 1 2 4\n");
+    const auto scene =
+        importText("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\nf 1 2 4\n");
     REQUIRE(scene.ok());
     CHECK(scene->meshes[0].indices.size() == 9);
     for (const Vertex& vertex : scene->meshes[0].vertices)
@@ -177,8 +177,8 @@ TEST_CASE("a cube without normals keeps its edges")
     CHECK(mesh.indices.size() == 36);
     CHECK(mesh.vertices.size() == 24);
     for (const Vertex& vertex : mesh.vertices) {
-        const float largest = std::max({std::abs(vertex.normal[0]), std::abs(vertex.normal[1]),
-                                        std::abs(vertex.normal[2])});
+        const float largest = std::max(
+            {std::abs(vertex.normal[0]), std::abs(vertex.normal[1]), std::abs(vertex.normal[2])});
         CHECK(largest == Approx(1));
     }
 }
@@ -201,8 +201,8 @@ TEST_CASE("a rounded mesh without normals becomes smooth")
     REQUIRE(scene.ok());
     CHECK(scene->meshes[0].vertices.size() == 38);
     for (const Vertex& vertex : scene->meshes[0].vertices) {
-        const double along = vertex.normal[0] * vertex.position[0] +
-                             vertex.normal[2] * vertex.position[2];
+        const double along =
+            vertex.normal[0] * vertex.position[0] + vertex.normal[2] * vertex.position[2];
         CHECK(std::abs(along) > 0.99);
     }
 }

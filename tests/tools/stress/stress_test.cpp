@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stress cases without GL: what figures mean, where a series breaks, and a run that stops and goes on.
+// Stress cases without GL: what figures mean, where a series breaks, and a run that stops and goes
+// on.
 #include "tools/report/stress_report.h"
 #include "tools/stress/run.h"
 #include "tools/stress/scenes.h"
@@ -143,8 +144,9 @@ TEST_CASE("The breakdown point is the first step that fails, walking away from t
     CHECK(found.up.holds_to == 2);
     CHECK(found.up.breaks_at == 3);
     CHECK(found.failures == 3);
-    CHECK(series.text() == "holds from b to c; breaks at a: mean 0.9, least 1; breaks at d: mean 1, "
-                           "least 0.5, 25 % below 0.95");
+    CHECK(series.text() ==
+          "holds from b to c; breaks at a: mean 0.9, least 1; breaks at d: mean 1, "
+          "least 0.5, 25 % below 0.95");
 }
 
 TEST_CASE("A series whose ordinary step fails holds nowhere and breaks there, once")
@@ -271,7 +273,8 @@ TEST_CASE("A plane's distances are those at which its pixels see it")
             const double z = plane.distances.at(x, y);
             if (z <= 0) continue;
             ++seen;
-            const glm::dvec4 far = view_from_clip * glm::dvec4((x + 0.5) / 32 - 1, (y + 0.5) / 18 - 1, 1, 1);
+            const glm::dvec4 far =
+                view_from_clip * glm::dvec4((x + 0.5) / 32 - 1, (y + 0.5) / 18 - 1, 1, 1);
             const glm::dvec3 point = glm::dvec3(far) * (z / -far.z);
             CHECK(std::abs(glm::dot(point - glm::dvec3(0, 0, -5), normal)) < 1e-4 * z);
         }
