@@ -74,15 +74,15 @@ const std::string kReflections[] = {"lambert", "phong", "blinn_phong"};
 
 }  // namespace
 
-TEST_CASE("Full occlusion of the ambient light alone leaves what lamps bring")
+TEST_CASE("Full occlusion of the ambient light alone leaves what lights bring")
 {
     const Scene scene = glossySpheres();
     for (const std::string& reflection : kReflections) {
         INFO(reflection);
         const std::string chosen = "reflection=" + reflection;
-        const Image lamps = lit("1.0", {chosen, "ambient=0"}, scene);
-        CHECK(mean(lamps) > 0.1);
-        CHECK(meanChange(lit("0.0", {chosen}, scene), lamps) == 0.0);
+        const Image lights = lit("1.0", {chosen, "ambient=0"}, scene);
+        CHECK(mean(lights) > 0.1);
+        CHECK(meanChange(lit("0.0", {chosen}, scene), lights) == 0.0);
         const Image dark =
             lit("0.0", {chosen, "ao_on=everything", "background_color=[0,0,0]"}, scene);
         CHECK(mean(dark) == 0.0);

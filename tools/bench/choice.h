@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which config to take: the least wrong within a time, or the cheapest within an error.
+// Which config to take: the most accurate within a time, or the cheapest within an error.
 //
 // A config must hold up in every scene that was measured, so its worst scene counts, for time and
 // error apart.

@@ -80,8 +80,8 @@ std::string bytesText(double bytes)
 std::string boundsText(const Plan& plan, const PlanPass& pass)
 {
     if (!pass.scissor) return "everything";
-    if (pass.cull_below_pixel < 0) return "the bounds of things";
-    return "the bounds of things at which " + plan.params[pass.cull_below_pixel].name +
+    if (pass.cull_below_pixel < 0) return "the bounds of all draws";
+    return "the bounds of draws at which " + plan.params[pass.cull_below_pixel].name +
            " is a pixel or more";
 }
 

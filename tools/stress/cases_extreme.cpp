@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress cases of extreme radii, sizes and counts, of broken meshes and of lamps.
+// Stress cases of extreme radii, sizes and counts, of broken meshes and of lights.
 #include "tools/stress/case_lists.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -115,9 +115,9 @@ StressShot yardMeshes(double kind, Extent size)
     return shot;
 }
 
-// Lamps
+// Lights
 
-/// Lamps that lie on the surface itself, at the middles of pixels.
+/// Lights that lie on the surface itself, at the middles of pixels.
 void putOnSurface(StressShot& shot, double distance)
 {
     const SceneLight scene_light = shot.scene.lights.front();
@@ -200,8 +200,8 @@ std::vector<StressCase> extremeCases()
          false, emptyShape},
         {"meshes", "Broken meshes, singular matrices and a camera in the way.", "",
          named(kMeshKinds), 0, E::sound, 0, false, yardMeshes},
-        {"lamps", "Lamps on the surface, without attenuation, too bright; extreme highlights.", "",
-         named(kLampKinds), 0, E::sound, 0, false, planeLamps},
+        {"lights", "Lights on the surface, without attenuation, too bright; extreme highlights.",
+         "", named(kLampKinds), 0, E::sound, 0, false, planeLamps},
     };
 }
 

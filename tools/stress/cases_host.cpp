@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stress cases over other geometry: stored positions, and a host's depth and normals of other
-// projections and with rubbish in them.
+// projections and with invalid values in them.
 #include "tools/stress/case_lists.h"
 #include "tools/stress/geometry.h"
 
@@ -194,10 +194,10 @@ std::vector<StressCase> hostCases()
          false,
          hostEncoding},
         {"host_depth",
-         "Three pixels of rubbish in a host's depth: nothing changes beyond the radius.", "",
+         "Three pixels of invalid values in a host's depth: nothing changes beyond the radius.", "",
          stepsOf(kDepths), 0, E::same, 0.004, false, hostDepth},
-        {"host_normal", "Three pixels of rubbish in a host's normals.", "", stepsOf(kNormals), 0,
-         E::same, 0.004, false, hostNormal},
+        {"host_normal", "Three pixels of invalid values in a host's normals.", "",
+         stepsOf(kNormals), 0, E::same, 0.004, false, hostNormal},
         {"host_inward", "A host's normals turned inward: sound.", "", kinds({"ordinary", "inward"}),
          0, E::sound, 0, false, hostInward},
     };

@@ -39,7 +39,7 @@ void add(Scene& scene, MeshDesc mesh, const glm::dmat4& placed_at = glm::dmat4(1
     scene.instances.push_back(instance);
 }
 
-/// The matte material and the lamps that all scenes have.
+/// The matte material and the lights that all scenes have.
 Scene emptyYard()
 {
     Scene scene;

@@ -33,7 +33,7 @@ struct PlaneView {
 PlaneView planeView(const StressView& view, Extent size, double distance, double tilt_degrees);
 
 /// A floor and two walls with boxes, a pole and a sphere, all closed, seen from (0, 1, 5).
-/// Everything lies in the vertices, each model matrix is one, and lamps shine.
+/// Everything lies in the vertices, each model matrix is one, and lights shine.
 Scene testScene();
 
 /// A floor and a wall that meet in the x axis, seen from (0, 1, 4).

@@ -14,7 +14,7 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
 #include "geometry/shaders/view_z.glsl"
 
 #ifndef SURFACE_WITHOUT_NORMAL
-#include "geometry/shaders/rebuilt_normal.glsl"
+#include "geometry/shaders/normal_from_depth.glsl"
 
 // The unit normal in view space at uv, towards the camera's side.
 highp vec3 normalAt(highp vec2 at)

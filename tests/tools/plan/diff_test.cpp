@@ -123,7 +123,7 @@ TEST_CASE("A diff tells by what mask and within what a pass is drawn, and no wri
     };
     const PlanDiff diff = diffPlans(drawn(""), drawn(R"(, "scissor": true)"));
     const PlanChange* ao = changeOf(diff, "passes", "ao");
-    CHECK(property(ao, "drawn within") == "everything -> the bounds of things");
+    CHECK(property(ao, "drawn within") == "everything -> the bounds of all draws");
     CHECK(property(ao, "writes mask") == "");
     const PlanDiff kept = diffPlans(
         drawn(""),
