@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Saves the host's GL state, sets what drawing needs, and restores the host's.
 #include "backends/gl/state.h"
 
 #include <algorithm>

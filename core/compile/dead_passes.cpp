@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is needed: which passes some output hangs on, and what stands in for those that do not run.
+// Dead passes are culled: those that no output needs. What stands in for them is chosen here too.
 #include "core/compile/steps.h"
 
 #include <algorithm>

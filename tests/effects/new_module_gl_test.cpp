@@ -66,7 +66,7 @@ TEST_CASE("An estimator is two files: a module that extends ssao/estimator, and 
     };
     CHECK(least("plane") == 1.0f);
     CHECK(least("corner") < 0.9f);
-    request.overrides = {"taps=4", "power=4"};
+    request.overrides = {"samples=4", "power=4"};
     CHECK(least("corner") < 0.8f);
     for (const char* off : {"intensity=0", "radius=0"}) {
         INFO(off);

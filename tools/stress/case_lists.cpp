@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of stress cases: its lists as one, and what they share.
+// All stress cases as one list, and what they share. A new case goes into one of cases_*.cpp.
 #include "tools/stress/case_lists.h"
 
 #include "core/base/content_hash.h"
