@@ -37,8 +37,7 @@ void checkExtent(State& state)
     report(state, Code::bad_size,
            "a size of " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
                " was asked for, and both sides must be at least 1",
-           Place{})
-        .help = "ask for a size such as 1920x1080";
+           Place{}, "ask for a size such as 1920x1080");
 }
 
 void checkRules(State& state)
@@ -48,8 +47,8 @@ void checkRules(State& state)
     for (const std::string& optimization : state.options.disable) {
         if (std::find(names.begin(), names.end(), optimization) != names.end()) continue;
         report(state, Code::bad_enum,
-               "'" + optimization + "' is no optimization that can be switched off", Place{})
-            .help = suggestName(optimization, names, "optimizations");
+               "'" + optimization + "' is no optimization that can be switched off", Place{},
+               suggestName(optimization, names, "optimizations"));
     }
 }
 
@@ -59,8 +58,7 @@ void chooseOutputs(State& state)
     const auto& wanted = state.options.outputs;
     if (outputs.empty())
         report(state, Code::no_outputs, "the config exports no output, so nothing would run",
-               state.description)
-            .help = "add: \"outputs\": {\"ao\": \"name of a target\"}";
+               state.description, "add: \"outputs\": {\"ao\": \"name of a target\"}");
     for (std::size_t i = 0; i < outputs.size(); ++i)
         if (wanted.empty() || std::count(wanted.begin(), wanted.end(), outputs[i].name))
             state.outputs.push_back(static_cast<int>(i));
@@ -69,8 +67,7 @@ void chooseOutputs(State& state)
         report(state, Code::output_missing,
                "output '" + name + "' was asked for, which '" + state.description.name +
                    "' does not export",
-               Place{})
-            .help = suggestName(name, namesOf(outputs), "outputs");
+               Place{}, suggestName(name, namesOf(outputs), "outputs"));
     }
 }
 
@@ -109,30 +106,31 @@ bool State::applies(std::string_view optimization) const
         [&](const std::string& kept) { return kept == optimization || kept == "all"; });
 }
 
-Diagnostic& report(State& state, Code code, std::string message, const Named& at)
+Diagnostic& report(State& state, Code code, std::string message, const Named& at, std::string help)
 {
-    state.diagnostics.push_back({code, std::move(message), at.place, at.pointer});
+    state.diagnostics.push_back({code, std::move(message), std::move(help), at.place, at.pointer});
     return state.diagnostics.back();
 }
 
-Diagnostic& report(State& state, Code code, std::string message, const Reference& at)
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
+                   std::string help)
 {
-    state.diagnostics.push_back({code, std::move(message), at.place, at.pointer});
+    state.diagnostics.push_back({code, std::move(message), std::move(help), at.place, at.pointer});
     for (const Place& origin : at.origins)
         state.diagnostics.back().notes.push_back({origin, "the base value was set here"});
     return state.diagnostics.back();
 }
 
-Diagnostic& report(State& state, Code code, std::string message, const Place& at)
+Diagnostic& report(State& state, Code code, std::string message, const Place& at, std::string help)
 {
-    state.diagnostics.push_back({code, std::move(message), at});
+    state.diagnostics.push_back({code, std::move(message), std::move(help), at});
     return state.diagnostics.back();
 }
 
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
-                       const Place& declared)
+                       const Place& declared, std::string help)
 {
-    Diagnostic& error = report(state, code, std::move(message), pass.desc->shader);
+    Diagnostic& error = report(state, code, std::move(message), pass.desc->shader, std::move(help));
     error.notes.insert(error.notes.begin(), {declared, "the GLSL declares it here"});
     return error;
 }

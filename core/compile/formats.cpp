@@ -220,7 +220,7 @@ void lintPrecision(State& state)
              std::string(formatInfo(format).name) + " of '" + stored.name + "'" +
                  (isDepth(format) ? " with " + cameraText(setup.traits) : "") + " " +
                  reachText(setup, stored.surface),
-             stored.place, stored.pointer});
+             "", stored.place, stored.pointer});
         state.diagnostics.back().severity = Severity::warning;
         state.diagnostics.back().help = helpFor(state, setup, stored);
     }

@@ -66,8 +66,8 @@ void reportOwnOutput(State& state, const Pass& pass, int target, const Reference
 {
     const std::string& name = state.description.targets[target].name;
     report(state, Code::reads_own_output,
-           "pass '" + pass.desc->name + "' reads target '" + name + "' and writes it", at)
-        .help = "write to another target, or read another one";
+           "pass '" + pass.desc->name + "' reads target '" + name + "' and writes it", at,
+           "write to another target, or read another one");
 }
 
 // Walks back from an undone pass until one comes up again, and tells the way round.

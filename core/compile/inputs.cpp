@@ -99,26 +99,25 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
     const std::string who = "pass '" + pass.desc->name + "': sampler '" + uniform.name + "' ";
     const bool imported = source.kind == InputKind::imported;
     if (state.caps.version < 310) {
-        reportGlsl(state, Code::sampler_version,
-                   who +
-                       "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
-                       "3.0",
-                   pass, uniform.place)
-            .help =
+        reportGlsl(
+            state, Code::sampler_version,
+            who +
+                "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
+                "3.0",
+            pass, uniform.place,
             "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and "
-            "take a module for one sample a pixel: geometry/host_depth";
+            "take a module for one sample a pixel: geometry/host_depth");
     } else if (!imported) {
         reportGlsl(state, Code::uniform_type,
                    who + "is a sampler2DMS, and what it reads has one sample a pixel", pass,
-                   uniform.place)
-            .help = "declare it as sampler2D: what has several is resolved before it is read";
+                   uniform.place,
+                   "declare it as sampler2D: what has several is resolved before it is read");
     } else if (const ImportDesc& import = state.description.imports[source.index];
                import.optional) {
         report(state, Code::uniform_type,
                who + "is a sampler2DMS, and nothing can stand in for import '" + import.name +
                    "' when it is absent",
-               import)
-            .help = "leave out its 'optional'";
+               import, "leave out its 'optional'");
     }
 }
 
@@ -132,8 +131,7 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
     if (uniform.array) {
         reportGlsl(state, Code::uniform_type,
                    who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
-                   pass, uniform.place)
-            .help = "declare one sampler2D for each texture";
+                   pass, uniform.place, "declare one sampler2D for each texture");
         return;
     }
     const InputDesc* input = inputFor(*pass.desc, uniform.name);

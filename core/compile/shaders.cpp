@@ -140,14 +140,13 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
         report(state, Code::output_mismatch,
                who + "its shader has no output at location " + std::to_string(i) + " for target '" +
                    pass.color[i].name + "'",
-               pass.color[i])
-            .help = "add: layout(location = " + std::to_string(i) + ") out ...";
+               pass.color[i], "add: layout(location = " + std::to_string(i) + ") out ...");
     }
     if (shuffled(fragment.outputs, pass.color))
         reportGlsl(state, Code::output_mismatch,
                    who + "the shader's outputs have the targets' names in another order", reader,
-                   fragment.outputs.front().place)
-            .help = "give `color` and the output locations one order";
+                   fragment.outputs.front().place,
+                   "give `color` and the output locations one order");
 }
 
 void readPass(State& state, Pass& pass)

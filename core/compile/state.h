@@ -85,15 +85,18 @@ struct State {
     bool applies(std::string_view optimization) const;
 };
 
-/// Adds an error and returns it, for notes and help. The reference is valid until the next one.
-Diagnostic& report(State& state, Code code, std::string message, const Named& at);
-Diagnostic& report(State& state, Code code, std::string message, const Reference& at);
-Diagnostic& report(State& state, Code code, std::string message, const Place& at);
+/// Adds an error and returns it, for its notes. The reference is valid until the next one.
+Diagnostic& report(State& state, Code code, std::string message, const Named& at,
+                   std::string help = {});
+Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
+                   std::string help = {});
+Diagnostic& report(State& state, Code code, std::string message, const Place& at,
+                   std::string help = {});
 
 /// Adds an error that GLSL and the config share, and returns it: at the shader that the pass names,
 /// with a note at `declared` in the GLSL.
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
-                       const Place& declared);
+                       const Place& declared, std::string help = {});
 
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);

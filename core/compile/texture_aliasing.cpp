@@ -85,8 +85,7 @@ void checkKind(State& state, const Reference& at, bool depth)
         report(state, Code::attachment_kind,
                "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
                    (depth ? "depth" : "colour") + " attachment",
-               at)
-            .help = depth ? "use depth16, depth24 or depth32f" : "use a colour format";
+               at, depth ? "use depth16, depth24 or depth32f" : "use a colour format");
         return;
     }
 }
@@ -102,8 +101,7 @@ void checkAttachments(State& state, const Pass& pass)
     report(state, Code::too_many,
            "pass '" + pass.desc->name + "' writes " + std::to_string(count) +
                " colour targets, and the device takes " + std::to_string(limit),
-           *pass.desc)
-        .help = "pack them into fewer targets, or split the pass";
+           *pass.desc, "pack them into fewer targets, or split the pass");
 }
 
 void checkSubstitute(State& state, const Reference& output, const Reference& input)
@@ -116,8 +114,7 @@ void checkSubstitute(State& state, const Reference& output, const Reference& inp
                ") cannot stand in for '" + output.name + "' (" +
                formatInfo(replaced->formats.front()).name +
                "): one holds depth and the other colour",
-           input)
-        .help = "give both targets formats of one kind";
+           input, "give both targets formats of one kind");
 }
 
 std::string listed(const std::vector<Format>& formats)
@@ -134,8 +131,7 @@ void checkFormat(State& state, const TargetDesc& desc, Format chosen)
         report(state, Code::no_format,
                "the device can render to no format of target '" + desc.name +
                    "': " + listed(desc.formats),
-               desc)
-            .help = "add a format that every device has, such as rgba8 or depth16";
+               desc, "add a format that every device has, such as rgba8 or depth16");
         return;
     }
     if (state.caps.canRender(desc.formats.front())) return;
@@ -222,8 +218,7 @@ void chooseExtents(State& state)
                "a picture of " + text(state.options.extent) +
                    " is wanted, and the device's textures end at " + std::to_string(limit) + "x" +
                    std::to_string(limit),
-               Place{})
-            .help = "ask for a smaller size";
+               Place{}, "ask for a smaller size");
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         Target& target = state.targets[i];
         const TargetDesc& desc = state.description.targets[i];
@@ -237,8 +232,7 @@ void chooseExtents(State& state)
                "target '" + desc.name + "' would be " + text(target.extent) +
                    ", and the device's textures end at " + std::to_string(limit) + "x" +
                    std::to_string(limit),
-               desc)
-            .help = "use a smaller `scale`, or ask for a smaller size";
+               desc, "use a smaller `scale`, or ask for a smaller size");
     }
     for (const Pass& pass : state.passes)
         if (pass.active) checkAttachmentSizes(state, pass);

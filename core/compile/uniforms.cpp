@@ -83,8 +83,7 @@ void checkVectors(State& state, const PassDesc& pass, const GlslStage& stage, co
     report(state, Code::too_many,
            "pass '" + pass.name + "': the " + name + " shader has " + std::to_string(vectors) +
                " uniform vectors, and the device holds " + std::to_string(limit),
-           pass)
-        .help = "ask for fewer samples or lights, or fewer uniforms";
+           pass, "ask for fewer samples or lights, or fewer uniforms");
 }
 
 template <class Test>
@@ -191,8 +190,7 @@ void checkLimits(State& state, const Pass& pass, const Shader& shader)
     report(state, Code::too_many,
            "pass '" + pass.desc->name + "' samples " + std::to_string(pass.reads.size()) +
                " textures, and the device takes " + std::to_string(caps.max_texture_units),
-           *pass.desc)
-        .help = "pack targets into fewer textures, or split the pass";
+           *pass.desc, "pack targets into fewer textures, or split the pass");
 }
 
 }  // namespace crevice::compiler

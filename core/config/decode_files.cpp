@@ -32,9 +32,6 @@ Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const
                           "the file '" + key +
                               "' has more than the 1048576 bytes (1 MiB) "
                               "that are read",
-                          {},
-                          {},
-                          {},
                           "is this GLSL?"};
     return Found{key, *found};
 }
@@ -84,10 +81,9 @@ public:
         if (!found) return refuse(found.diagnostics().front(), reference);
         const Found& file = *found;
         if (!file.source) {
-            report_
-                .at(reference, Code::file_missing,
-                    who + " names file '" + reference.name + "', which " + absenceOf(file))
-                .help = suggestFile(sources_, reference.name, ending);
+            report_.at(reference, Code::file_missing,
+                       who + " names file '" + reference.name + "', which " + absenceOf(file),
+                       suggestFile(sources_, reference.name, ending));
             report_.sameMistake("file " + file.key);
             return;
         }
@@ -124,7 +120,7 @@ private:
     // A file that is there, or may be, and is not read.
     void refuse(const Diagnostic& why, const Reference& reference)
     {
-        report_.at(reference, why.code, why.message).help = why.help;
+        report_.at(reference, why.code, why.message, why.help);
         report_.sameMistake(why.message);
     }
 

@@ -60,10 +60,9 @@ void checkCollisions(const Description& description, Report& report)
 
     for (const ParamDesc& each : description.params)
         if (findFrameValue(each.name))
-            report
-                .at(keyOf(each), Code::name_collision,
-                    "param '" + each.name + "' has the name of a uniform that each frame feeds")
-                .help = "rename the param";
+            report.at(keyOf(each), Code::name_collision,
+                      "param '" + each.name + "' has the name of a uniform that each frame feeds",
+                      "rename the param");
 }
 
 // What takes a number from a param: "generated 'kernel' takes its count", say.
@@ -88,16 +87,16 @@ void checkTaken(const Node& document, const Description& description, const Take
     if (!param) {
         if (report.errorAt("/params") || contains(strayNames(document, report), name.name)) return;
         const bool number = numberLength(name.name, 0) == name.name.size() && !name.name.empty();
-        report.at(name, Code::reference_missing, takes + "does not exist").help =
-            number ? "write it without quotes: " + name.name
-                   : suggestName(name.name, namesOf(description.params), "params");
+        report.at(name, Code::reference_missing, takes + "does not exist",
+                  number ? "write it without quotes: " + name.name
+                         : suggestName(name.name, namesOf(description.params), "params"));
         report.sameMistake("param " + name.name);
     } else if (param->type != ParamType::int_ &&
                (taker.whole || param->type != ParamType::float_)) {
         const std::string type = taker.whole ? "int" : "float";
         const std::string wanted = std::string(taker.whole ? "an " : "a ") + type;
-        report.at(name, Code::reference_missing, takes + "is not " + wanted).help =
-            "give '" + name.name + "' the type \"" + type + "\"";
+        report.at(name, Code::reference_missing, takes + "is not " + wanted,
+                  "give '" + name.name + "' the type \"" + type + "\"");
     } else if (!(param->value[0] >= taker.min && param->value[0] <= taker.max)) {
         const std::string pointer = param->pointer + "/default";
         const Node& value = *locate(document, pointer).node;
@@ -124,11 +123,10 @@ void checkCount(const Node& document, const Description& description,
     if (generated.count <= limit) return;
     const std::string pointer = generated.pointer + "/count";
     const Node& value = *locate(document, pointer).node;
-    report
-        .at({"", value.place, pointer, value.origins}, Code::out_of_range,
-            generated.name + " count " + value.text + " is outside [1, " + std::to_string(limit) +
-                "], the sides that a noise may have")
-        .help = "4 suits a 4x4 filter; larger noises need larger filters";
+    report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
+              generated.name + " count " + value.text + " is outside [1, " + std::to_string(limit) +
+                  "], the sides that a noise may have",
+              "4 suits a 4x4 filter; larger noises need larger filters");
 }
 
 void checkTaken(const Node& document, const Description& description, const TargetDesc& target,

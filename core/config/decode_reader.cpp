@@ -117,11 +117,10 @@ Place placeOf(const Cursor& object, std::string_view member)
 void checkName(Report& report, const Cursor& cursor)
 {
     if (isName(cursor.key)) return;
-    report
-        .atKey(cursor, Code::bad_name,
-               "found the name '" + cursor.key + "', wanted snake_case of at most " +
-                   std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'")
-        .help = "write '" + spellName(cursor.key) + "'";
+    report.atKey(cursor, Code::bad_name,
+                 "found the name '" + cursor.key + "', wanted snake_case of at most " +
+                     std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'",
+                 "write '" + spellName(cursor.key) + "'");
 }
 
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
@@ -148,18 +147,17 @@ void Reader::refuse(const char* key, Code code, const char* reason)
     const Member* member = find(key);
     if (!member) return;
     const Cursor value = cursor_.child(*member);
-    report_.atValue(value, code, value.label + ": " + reason).help =
-        "leave out '" + std::string(key) + "'";
+    report_.atValue(value, code, value.label + ": " + reason,
+                    "leave out '" + std::string(key) + "'");
 }
 
 void Reader::ordered(const char* min_key, double& min, const char* max_key, double& max)
 {
     if (min <= max) return;
     const Member* at = find(min_key) ? find(min_key) : find(max_key);
-    report_
-        .atValue(cursor_.child(*at), Code::bad_range,
-                 cursor_.key + ": '" + min_key + "' is above '" + max_key + "'")
-        .help = "swap them, or leave out one";
+    report_.atValue(cursor_.child(*at), Code::bad_range,
+                    cursor_.key + ": '" + min_key + "' is above '" + max_key + "'",
+                    "swap them, or leave out one");
     min = -kMaxParam;
     max = kMaxParam;
 }
@@ -187,10 +185,9 @@ void Reader::reportUnknown()
             return startsWith(help, "did you mean '" + std::string(each.key) + "'");
         };
         missing_.erase(std::remove_if(missing_.begin(), missing_.end(), meant), missing_.end());
-        report_
-            .atKey(cursor_.child(member), Code::unknown_key,
-                   "found the key '" + member.key + "', which the format does not have here")
-            .help = std::move(help);
+        report_.atKey(cursor_.child(member), Code::unknown_key,
+                      "found the key '" + member.key + "', which the format does not have here",
+                      std::move(help));
     }
 }
 
@@ -202,11 +199,11 @@ void Reader::reportMissing(const Missing& missing)
     const std::string help = std::string("add \"") + missing.key + "\": " + missing.doc;
     for (const Member& deleted : cursor_.node.deleted) {
         if (deleted.key != missing.key) continue;
-        report_.atKey(cursor_.child(deleted), Code::missing_key, message).help =
-            "give it a value instead of null, or leave it as it was";
+        report_.atKey(cursor_.child(deleted), Code::missing_key, message,
+                      "give it a value instead of null, or leave it as it was");
         return;
     }
-    report_.atKey(cursor_, Code::missing_key, message).help = help;
+    report_.atKey(cursor_, Code::missing_key, message, help);
 }
 
 const Member* Reader::find(std::string_view key) const

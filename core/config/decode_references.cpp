@@ -35,7 +35,8 @@ public:
 private:
     bool known(const Reference& reference, const Names& names) const;
     void expect(const Reference& reference, const std::string& who, const Names& names);
-    Diagnostic& atPointer(const std::string& pointer, Code code, std::string message);
+    Diagnostic& atPointer(const std::string& pointer, Code code, std::string message,
+                          std::string help);
 
     void checkPass(const PassDesc& pass);
     void checkWrites(const PassDesc& pass);
@@ -127,10 +128,12 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
     report_.sameMistake(names.what + " " + reference.name);
 }
 
-Diagnostic& Checker::atPointer(const std::string& pointer, Code code, std::string message)
+Diagnostic& Checker::atPointer(const std::string& pointer, Code code, std::string message,
+                               std::string help)
 {
     const Node& node = *locate(document_, pointer).node;
-    return report_.at({"", node.place, pointer, node.origins}, code, std::move(message));
+    return report_.at({"", node.place, pointer, node.origins}, code, std::move(message),
+                      std::move(help));
 }
 
 void Checker::checkPass(const PassDesc& pass)
@@ -168,10 +171,9 @@ void Checker::checkWrites(const PassDesc& pass)
         const auto same = [&](const Reference& each) { return each.name == target.name; };
         if (!target.pointer.empty() &&
             std::any_of(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(i), same))
-            report_
-                .at(target, Code::two_writers,
-                    "pass '" + pass.name + "' writes target '" + target.name + "' twice")
-                .help = "give each output of the shader a target of its own";
+            report_.at(target, Code::two_writers,
+                       "pass '" + pass.name + "' writes target '" + target.name + "' twice",
+                       "give each output of the shader a target of its own");
     }
 }
 
@@ -186,10 +188,9 @@ void Checker::checkAttached(const PassDesc& pass, const Reference& target, const
     const bool told = report_.errorWithin(pass.pointer + "/color") ||
                       report_.errorWithin(pass.pointer + "/depth");
     if (told || contains(written, target.name)) return;
-    report_
-        .at(target, Code::reference_missing,
-            who + " target '" + target.name + "', which it does not write")
-        .help = suggestName(target.name, written, "its targets");
+    report_.at(target, Code::reference_missing,
+               who + " target '" + target.name + "', which it does not write",
+               suggestName(target.name, written, "its targets"));
 }
 
 void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
@@ -198,11 +199,11 @@ void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
     const std::string& pointer = clear.target.pointer;
     if (clear.target.name != pass.depth.name || report_.errorAt(pointer)) return;
     if (locate(document_, pointer).node->kind == Node::Kind::array)
-        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth")
-            .help = "write 1, which is far away";
+        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth",
+                  "write 1, which is far away");
     else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
-        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]").help =
-            "write 1, which is far away";
+        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]",
+                  "write 1, which is far away");
 }
 
 // What a pass is not drawn everywhere for, and that it says what is elsewhere.
@@ -213,22 +214,20 @@ void Checker::checkUndrawn(const PassDesc& pass)
     expect(pass.cull_below_pixel, who + "culls by", params_);
     const ParamDesc* length = findNamed(description_.params, pass.cull_below_pixel.name);
     if (length && length->type != ParamType::float_ && !report_.errorWithin(length->pointer))
-        report_
-            .at(pass.cull_below_pixel, Code::reference_missing,
-                who + "culls by '" + length->name + "', which is not a float")
-            .help = "name a param of type float, in scene units";
+        report_.at(pass.cull_below_pixel, Code::reference_missing,
+                   who + "culls by '" + length->name + "', which is not a float",
+                   "name a param of type float, in scene units");
     if ((pass.mask.empty() && !pass.scissor) || report_.errorWithin(pass.pointer)) return;
     std::vector<Reference> written = pass.color;
     if (pass.scissor && !pass.depth.empty()) written.push_back(pass.depth);
     for (const Reference& target : written) {
         const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
         if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
-        report_
-            .at(target, Code::missing_key,
-                who + "is not drawn everywhere, and its `clear` does not say what '" + target.name +
-                    "' is elsewhere")
-            .help = "add to the pass: \"clear\": {\"" + target.name +
-                    "\": 1}, or what its shader writes where nothing is seen";
+        report_.at(target, Code::missing_key,
+                   who + "is not drawn everywhere, and its `clear` does not say what '" +
+                       target.name + "' is elsewhere",
+                   "add to the pass: \"clear\": {\"" + target.name +
+                       "\": 1}, or what its shader writes where nothing is seen");
         if (isModule(target.place)) report_.causedBy(ownPlace(target.place));
     }
 }
@@ -249,11 +248,11 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
         const std::string& value = term.values[i];
         if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
         const std::string item = list ? "/" + std::to_string(i) : "";
-        atPointer(term.subject.pointer + item, Code::feature_value,
-                  "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
-                      "', which it never is")
-            .help =
-            suggestName(value, allowed, "values") + (trait && trait->count ? ", or a number" : "");
+        atPointer(
+            term.subject.pointer + item, Code::feature_value,
+            "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
+                "', which it never is",
+            suggestName(value, allowed, "values") + (trait && trait->count ? ", or a number" : ""));
     }
 }
 
@@ -266,11 +265,10 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
     if (broken) return;
     if (findMaterialMap(source.name) >= 0 && !contains(inputs_.all, source.name)) {
         if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
-        report_
-            .at(source, Code::target_missing,
-                "pass '" + pass.name + "' reads the material's '" + source.name +
-                    "', which a draw pass alone has")
-            .help = "let the pass be of type \"draw\", or take this input away";
+        report_.at(source, Code::target_missing,
+                   "pass '" + pass.name + "' reads the material's '" + source.name +
+                       "', which a draw pass alone has",
+                   "let the pass be of type \"draw\", or take this input away");
         return report_.sameMistake("material maps of " + pass.pointer);
     }
     expect(source, "pass '" + pass.name + "' reads", inputs_);

@@ -65,21 +65,22 @@ bool Report::leavesOut(const Cursor& entry) const
     return patched_ && !(writer && writer->path == kOverridePath);
 }
 
-Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message)
+Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message, std::string help)
 {
-    return add({code, std::move(message), cursor.node.place, cursor.pointer,
-                notesOf(cursor.node.origins), cursor.doc});
+    return add({code, std::move(message), help.empty() ? cursor.doc : std::move(help),
+                cursor.node.place, cursor.pointer, notesOf(cursor.node.origins)});
 }
 
-Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message)
+Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message, std::string help)
 {
-    return add({code, std::move(message), cursor.key_place, cursor.pointer, {}, cursor.doc});
+    return add({code, std::move(message), help.empty() ? cursor.doc : std::move(help),
+                cursor.key_place, cursor.pointer});
 }
 
-Diagnostic& Report::at(const Reference& reference, Code code, std::string message)
+Diagnostic& Report::at(const Reference& reference, Code code, std::string message, std::string help)
 {
-    return add(
-        {code, std::move(message), reference.place, reference.pointer, notesOf(reference.origins)});
+    return add({code, std::move(message), std::move(help), reference.place, reference.pointer,
+                notesOf(reference.origins)});
 }
 
 Diagnostic& Report::add(Diagnostic diagnostic)

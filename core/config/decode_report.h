@@ -35,13 +35,15 @@ public:
     /// value may have gone with a module that was swapped.
     bool leavesOut(const Cursor& entry) const;
 
-    /// An error about a value, or about its key. The help is the table's sentence; change it in the
-    /// diagnostic that comes back, which is valid until the next call.
-    Diagnostic& atValue(const Cursor& cursor, Code code, std::string message);
-    Diagnostic& atKey(const Cursor& cursor, Code code, std::string message);
+    /// An error about a value, or about its key. Without a help of its own it has the table's
+    /// sentence. What comes back is valid until the next call.
+    Diagnostic& atValue(const Cursor& cursor, Code code, std::string message,
+                        std::string help = {});
+    Diagnostic& atKey(const Cursor& cursor, Code code, std::string message, std::string help = {});
 
     /// An error about a name that was decoded before, with a note for each place that it replaced.
-    Diagnostic& at(const Reference& reference, Code code, std::string message);
+    Diagnostic& at(const Reference& reference, Code code, std::string message,
+                   std::string help = {});
     Diagnostic& add(Diagnostic diagnostic);
 
     /// Says that the last error is about the same mistake as all others of that `mistake`: the

@@ -144,7 +144,7 @@ void UseChecker::check(const std::vector<T>& list, const char* what, const char*
         found_.push_back({Code::unused_name,
                           std::string(what) + " '" + each.name +
                               "' is used by nothing: " + readers + " names it",
-                          each.place, each.pointer});
+                          "", each.place, each.pointer});
         Diagnostic& error = found_.back();
         error.help =
             others.empty() ? "use it or leave it out" : suggestName(each.name, others, heading);

@@ -120,13 +120,12 @@ bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
 {
     if (cursor.node.number >= rule.min && cursor.node.number <= rule.max) return true;
     const bool plain = rule.unit.empty() || rule.unit == "1";
-    report
-        .atValue(cursor, Code::out_of_range,
-                 cursor.label + " " + cursor.node.text + " is outside [" + numberText(rule.min) +
-                     ", " + numberText(rule.max) + "]" +
-                     (plain ? "" : " " + std::string(rule.unit)))
-        .help = "the nearest that is allowed is " +
-                numberText(std::min(std::max(cursor.node.number, rule.min), rule.max));
+    report.atValue(cursor, Code::out_of_range,
+                   cursor.label + " " + cursor.node.text + " is outside [" + numberText(rule.min) +
+                       ", " + numberText(rule.max) + "]" +
+                       (plain ? "" : " " + std::string(rule.unit)),
+                   "the nearest that is allowed is " +
+                       numberText(std::min(std::max(cursor.node.number, rule.min), rule.max)));
     return false;
 }
 
@@ -188,11 +187,10 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
     const auto word = std::find(words.begin(), words.end(), cursor.node.text);
     index = static_cast<std::size_t>(word - words.begin());
     if (word != words.end()) return true;
-    report
-        .atValue(cursor, Code::bad_enum,
-                 cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
-                     std::to_string(words.size()) + " allowed words")
-        .help = suggestWord(cursor.node.text, words, "allowed");
+    report.atValue(cursor, Code::bad_enum,
+                   cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
+                       std::to_string(words.size()) + " allowed words",
+                   suggestWord(cursor.node.text, words, "allowed"));
     return false;
 }
 
@@ -273,10 +271,9 @@ bool read(Report& report, const Cursor& cursor, std::map<std::string, std::strin
         const Cursor child = cursor.child(member);
         if (isExtension(member.key)) continue;
         if (!isMacroName(member.key))
-            report
-                .atKey(child, Code::bad_name,
-                       "found the macro '" + member.key + "', which GLSL does not allow")
-                .help = "write letters, digits and '_', no '__' and no 'GL_' in front";
+            report.atKey(child, Code::bad_name,
+                         "found the macro '" + member.key + "', which GLSL does not allow",
+                         "write letters, digits and '_', no '__' and no 'GL_' in front");
         if (!isScalar(member.value)) wrongType(report, child, "a number, boolean or string");
         const bool boolean = member.value.kind == Node::Kind::boolean;
         out[member.key] = boolean ? (member.value.boolean ? "1" : "0") : member.value.text;
@@ -327,15 +324,14 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
         const std::string& word = out.words.emplace_back(item.node.text);
         if (item.node.kind != Node::Kind::string) return wrongType(report, item, "a word");
         if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
-            report
-                .atValue(item, Code::bad_name,
-                         item.label + ": found '" + word + "', wanted snake_case")
-                .help = "write '" + spellName(word) + "'";
+            report.atValue(item, Code::bad_name,
+                           item.label + ": found '" + word + "', wanted snake_case",
+                           "write '" + spellName(word) + "'");
             return false;
         }
         if (std::count(out.words.begin(), out.words.end(), word) == 1) return true;
-        report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice")
-            .help = "take one of them away";
+        report.atValue(item, Code::name_collision, item.label + ": '" + word + "' is there twice",
+                       "take one of them away");
         return false;
     };
     return forEachItem(report, cursor, one);

@@ -103,12 +103,8 @@ std::optional<Node> takeMember(Node& object, std::string_view key)
 
 Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
 {
-    return {Code::wrong_type,
-            "found " + brief(found) + " where " + wanted + " was wanted",
-            found.place,
-            std::move(pointer),
-            {},
-            std::move(help)};
+    return {Code::wrong_type, "found " + brief(found) + " where " + wanted + " was wanted",
+            std::move(help), found.place, std::move(pointer)};
 }
 
 // True for an override of the top key, or of something below it.
@@ -131,12 +127,9 @@ void checkVariantsGone(const Node& document, Diagnostics& errors)
 {
     for (const Member& member : document.members)
         if (member.key == "variants")
-            errors.push_back({Code::unknown_key,
-                              "found 'variants' in a variant or an override",
-                              member.key_place,
-                              "/variants",
-                              {},
-                              "write them into a file, and choose one by its name"});
+            errors.push_back({Code::unknown_key, "found 'variants' in a variant or an override",
+                              "write them into a file, and choose one by its name",
+                              member.key_place, "/variants"});
 }
 
 // A name that a file, a variant or an override deletes and nothing gives anew.
@@ -280,12 +273,9 @@ void FileLoader::checkSwaps()
 {
     for (const Swap& swap : swaps_) {
         if (swap.used) continue;
-        errors.push_back({Code::module_missing,
-                          "no config extends '" + swap.read.name + "'",
-                          swap.read.place,
-                          {},
-                          {},
-                          suggestName(swap.read.name, extends_, "modules to swap")});
+        errors.push_back({Code::module_missing, "no config extends '" + swap.read.name + "'",
+                          suggestName(swap.read.name, extends_, "modules to swap"),
+                          swap.read.place});
     }
 }
 
@@ -327,10 +317,10 @@ void FileLoader::checkClashes()
             errors.push_back({Code::module_clash,
                               "'" + read_[later].name + "' and '" + read_[first].name +
                                   "' both make " + *made + ", and neither extends the other",
+                              "keep one of the two in 'extends'",
                               read_[later].asked.place,
                               read_[later].asked.pointer,
-                              {{read_[first].asked.place, "the other one was asked for here"}},
-                              "keep one of the two in 'extends'"});
+                              {{read_[first].asked.place, "the other one was asked for here"}}});
             return;
         }
 }
@@ -344,17 +334,12 @@ bool FileLoader::mayOpen(const File& file)
     if (!chain.empty())
         errors.push_back({Code::module_cycle,
                           "'extends' leads back to itself: " + chain + file.name,
-                          asked.place,
-                          asked.pointer,
-                          {},
-                          "take this entry out of 'extends'"});
+                          "take this entry out of 'extends'", asked.place, asked.pointer});
     else if (open_.size() > kMaxExtendsDepth)
         errors.push_back({Code::module_depth,
                           "found 'extends' more than " + std::to_string(kMaxExtendsDepth) + " deep",
-                          asked.place,
-                          asked.pointer,
-                          {},
-                          "let the config name what it needs in one list"});
+                          "let the config name what it needs in one list", asked.place,
+                          asked.pointer});
     else
         return true;
     return false;
@@ -364,7 +349,7 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
 {
     const SourceText& from = *entry.place.source;
     const std::string& name = entry.text;
-    Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'",
+    Diagnostic missing{Code::module_missing, "there is no module or config '" + name + "'", "",
                        entry.place, pointer};
     if (!isRelative(name)) {
         const std::string path = name + std::string(kSuffix);
@@ -377,12 +362,8 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
     const bool shipped = !from.path.empty() && !isRelative(from.path);
     const std::string path = resolvePath(locationOf(from), name);
     if (path.empty())
-        return Diagnostic{Code::module_escape,
-                          "the path '" + name + "' leads out of the modules",
-                          entry.place,
-                          pointer,
-                          {},
-                          "name a module, such as 'ssao/hemisphere'"};
+        return Diagnostic{Code::module_escape, "the path '" + name + "' leads out of the modules",
+                          "name a module, such as 'ssao/hemisphere'", entry.place, pointer};
     Result<SourceRef> found =
         shipped ? Result<SourceRef>(sources_.find(path)) : openNamed(from, path);
     if (!found) {
@@ -458,12 +439,8 @@ void FileLoader::checkFormat(const Node& document)
 {
     const Node* format = document.find("format");
     if (format && format->integer() && format->number == 1) return;
-    Diagnostic error{Code::format_version,
-                     "found no 'format', where 1 was wanted",
-                     document.place,
-                     "/format",
-                     {},
-                     "begin the file with \"format\": 1"};
+    Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted",
+                     "begin the file with \"format\": 1", document.place, "/format"};
     if (format) {
         error.message = "found format " + brief(*format) + " where 1 was wanted";
         error.place = format->place;
@@ -493,10 +470,7 @@ void FileLoader::checkKeys(const Node& document)
         if (!near) help = "did you mean 'extends'?";
         errors.push_back({Code::unknown_key,
                           "found the key '" + member.key + "', which the format does not have here",
-                          member.key_place,
-                          memberPointer("", member.key),
-                          {},
-                          std::move(help)});
+                          std::move(help), member.key_place, memberPointer("", member.key)});
     }
 }
 
@@ -535,10 +509,8 @@ void applyVariant(Node& document, const FileLoader& files, const LoadRequest& re
     if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
     errors.push_back({Code::variant_missing,
                       "there is no variant '" + request.variant + "' of '" + request.config + "'",
-                      document.place,
-                      "/variants",
-                      {},
-                      suggestName(request.variant, std::move(names), "variants")});
+                      suggestName(request.variant, std::move(names), "variants"), document.place,
+                      "/variants"});
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void add(std::string& text, const std::string& opening, const std::string& membe
 
 Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
 {
-    return {code, param.name + " " + what, param.place, param.pointer, {}, std::move(help)};
+    return {code, param.name + " " + what, std::move(help), param.place, param.pointer};
 }
 
 std::string numberText(double value) { return significant(value, 6); }
@@ -56,10 +56,10 @@ Diagnostic dropped(const std::string& what, const Named& old, const std::string&
 {
     return {Code::value_dropped,
             what + " '" + old.name + "' is no longer what was set at run time: " + why,
-            {},
-            {},
-            {},
             "set it again, to a value that the config has now",
+            {},
+            {},
+            {},
             Severity::warning};
 }
 

@@ -63,7 +63,7 @@ bool invertible(const glm::dmat4& columns)
 
 Diagnostic bad(std::string what, std::string help)
 {
-    return {Code::bad_input, std::move(what), {}, {}, {}, std::move(help)};
+    return {Code::bad_input, std::move(what), std::move(help)};
 }
 
 std::string ownedBy(std::size_t view, const char* matrix)
@@ -89,7 +89,7 @@ Status checkCamera(const Camera& camera, std::size_t view)
 
 Diagnostic elided(std::string what, std::string help)
 {
-    return {Code::bad_input, std::move(what), {}, {}, {}, std::move(help), Severity::warning};
+    return {Code::bad_input, std::move(what), std::move(help), {}, {}, {}, Severity::warning};
 }
 
 constexpr const char* kUnknownIdHelp =

@@ -236,14 +236,14 @@ Diagnostics explainLog(const GlslStage& stage, Code code, const std::string& log
         } else if (line.continues && !diagnostics.empty()) {
             join(diagnostics.back().message, line.message);
         } else {
-            Diagnostic next{code, std::string(line.message), placeIn(stage, line)};
+            Diagnostic next{code, std::string(line.message), "", placeIn(stage, line)};
             next.help = helpFor(stage, line.message);
             next.severity = line.severity;
             if (!follows(diagnostics, next)) diagnostics.push_back(std::move(next));
         }
     }
     if (unknown.empty() && diagnostics.empty()) unknown = "the driver gave no message";
-    if (!unknown.empty()) diagnostics.push_back({code, unknown, placeIn(stage, {})});
+    if (!unknown.empty()) diagnostics.push_back({code, unknown, "", placeIn(stage, {})});
     return diagnostics;
 }
 

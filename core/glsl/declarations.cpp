@@ -55,12 +55,8 @@ private:
 
     void fail(std::string message, const GlslToken& token, std::string help)
     {
-        unit_.errors.push_back({Code::preprocessor,
-                                std::move(message),
-                                placeOf(token, unit_.files),
-                                {},
-                                {},
-                                std::move(help)});
+        unit_.errors.push_back(
+            {Code::preprocessor, std::move(message), std::move(help), placeOf(token, unit_.files)});
     }
 
     GlslUnit& unit_;

@@ -74,7 +74,7 @@ private:
 
     void fail(Code code, std::string message, const Place& place, std::string help)
     {
-        unit_.errors.push_back({code, std::move(message), place, {}, {}, std::move(help)});
+        unit_.errors.push_back({code, std::move(message), std::move(help), place});
     }
 
     void fail(std::string message, const GlslToken& token, std::string help = {})
@@ -367,10 +367,8 @@ void preprocess(const std::map<std::string, SourceRef>& files,
     if (unit.version.empty() && unit.errors.empty())
         unit.errors.push_back({Code::preprocessor,
                                "the text is empty, wanted a shader",
-                               {unit.files[0], 1, 1, 1},
-                               {},
-                               {},
-                               kVersionHelp});
+                               kVersionHelp,
+                               {unit.files[0], 1, 1, 1}});
 }
 
 Place placeOf(const GlslToken& token, const std::vector<SourceRef>& files)

@@ -24,18 +24,11 @@ Status checkReadable(const Device& device, TextureId id)
     if (info.exists && info.samples == 1) return {};
     const std::string name = "texture " + std::to_string(id.value);
     if (!info.exists)
-        return Diagnostic{Code::bad_input,
-                          name + " is none of this device",
-                          {},
-                          {},
-                          {},
+        return Diagnostic{Code::bad_input, name + " is none of this device",
                           "take an id that this device gave and that is not destroyed yet"};
     return Diagnostic{Code::bad_input,
                       name + " has " + std::to_string(info.samples) +
                           " samples a pixel, and only one can be read or written",
-                      {},
-                      {},
-                      {},
                       "resolve it to a texture of one sample"};
 }
 
@@ -48,9 +41,6 @@ Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint
                       "mesh '" + label + "' has " + std::to_string(vertices) + " vertices and " +
                           std::to_string(indices) + " indices; one mesh holds " +
                           std::to_string(kVertices) + " and " + std::to_string(kIndices),
-                      {},
-                      {},
-                      {},
                       "split the mesh"};
 }
 
@@ -64,9 +54,6 @@ Status checkMesh(const MeshDesc& mesh)
                       "mesh '" + mesh.label + "' has " + std::to_string(mesh.vertices.size()) +
                           " vertices, and index " + std::to_string(last - mesh.indices.begin()) +
                           " names vertex " + std::to_string(*last),
-                      {},
-                      {},
-                      {},
                       "vertices count from 0"};
 }
 

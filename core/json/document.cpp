@@ -141,10 +141,7 @@ bool TreeBuilder::open(Node::Kind kind)
         errors_.push_back({Code::too_deep,
                            "found more than " + std::to_string(kMaxDocumentDepth) +
                                " levels of objects and arrays",
-                           take(1),
-                           {},
-                           {},
-                           "is a closing bracket missing? no config is that deep"});
+                           "is a closing bracket missing? no config is that deep", take(1)});
         return false;
     }
     open_.push_back(add(kind, 1));
@@ -187,10 +184,10 @@ void TreeBuilder::checkKeys()
         if (fresh) continue;
         errors_.push_back({Code::duplicate_key,
                            "found the key '" + member.key + "' a second time",
+                           "keep one of them",
                            member.key_place,
                            memberPointer(pointer(), member.key),
-                           {{known->second, "the first one is here"}},
-                           "keep one of them"});
+                           {{known->second, "the first one is here"}}});
     }
 }
 
@@ -233,26 +230,17 @@ Status checkText(const SourceRef& source)
     if (text.size() > kMaxDocumentBytes)
         return Diagnostic{Code::too_large,
                           "found more than the 1048576 bytes (1 MiB) that are read",
-                          {source, 1, 1},
-                          {},
-                          {},
-                          "is this a config? the largest of them has a few thousand bytes"};
+                          "is this a config? the largest of them has a few thousand bytes",
+                          {source, 1, 1}};
     if (startsWith(text, "\xEF\xBB\xBF"))
-        return Diagnostic{Code::bad_utf8,
-                          "found a byte order mark",
-                          placeAt(source, 0, 3),
-                          {},
-                          {},
-                          "save the file as UTF-8 without a byte order mark"};
+        return Diagnostic{Code::bad_utf8, "found a byte order mark",
+                          "save the file as UTF-8 without a byte order mark",
+                          placeAt(source, 0, 3)};
     for (std::size_t at = 0, length; at < text.size(); at += length) {
         length = utf8Length(text, at);
         if (length == 0)
-            return Diagnostic{Code::bad_utf8,
-                              "found a byte that is not UTF-8",
-                              placeAt(source, at),
-                              {},
-                              {},
-                              "save the file as UTF-8"};
+            return Diagnostic{Code::bad_utf8, "found a byte that is not UTF-8",
+                              "save the file as UTF-8", placeAt(source, at)};
     }
     return {};
 }
@@ -277,12 +265,8 @@ Status blankOut(const SourceRef& source, std::string& text)
         const char c = text[at];
         const std::size_t comment = commentLength(text, at);
         if (comment == text.npos)
-            return Diagnostic{Code::syntax,
-                              "found a comment that does not end",
-                              placeAt(source, at, 2),
-                              {},
-                              {},
-                              "close it with '*/'"};
+            return Diagnostic{Code::syntax, "found a comment that does not end",
+                              "close it with '*/'", placeAt(source, at, 2)};
         for (std::size_t i = at; i < at + comment; ++i)
             if (text[i] != '\n') text[i] = ' ';
         length = comment > 0 ? comment : spaceLength(text, at);
@@ -304,10 +288,8 @@ Result<Node> parseText(const SourceRef& source)
     if (spaceLength(text, 0) == text.size())
         return Diagnostic{Code::empty_text,
                           "found nothing but white space and comments",
-                          {source, 1, 1},
-                          {},
-                          {},
-                          "begin with { \"format\": 1 }"};
+                          "begin with { \"format\": 1 }",
+                          {source, 1, 1}};
     TreeBuilder builder(source, text);
     return builder.finish(Json::sax_parse(text, &builder));
 }
@@ -329,10 +311,7 @@ Result<Node> parseDocument(const SourceRef& source)
     if (!document || document->kind == Node::Kind::object) return document;
     return Diagnostic{Code::not_an_object,
                       "found " + brief(*document) + " where an object was wanted",
-                      document->place,
-                      {},
-                      {},
-                      "a document begins with '{'"};
+                      "a document begins with '{'", document->place};
 }
 
 Result<Node> parseValue(const SourceRef& source)

@@ -24,7 +24,7 @@ Diagnostic missingKey(const Node& base, const Member& patch, std::string pointer
 {
     Diagnostic diagnostic{
         Code::merge_missing,
-        "found null for key '" + patch.key + "', which is not there to be deleted",
+        "found null for key '" + patch.key + "', which is not there to be deleted", "",
         patch.key_place};
     diagnostic.pointer = std::move(pointer);
     diagnostic.help = "leave the key out";
@@ -61,7 +61,7 @@ Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& poi
 {
     Diagnostic diagnostic{Code::merge_kind,
                           "found " + oneOf(patch) + " where " + oneOf(base) + " is to be changed",
-                          patch.place, pointer};
+                          "", patch.place, pointer};
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
     if (isObject(base))
         diagnostic.help = "write an object with the keys to change, or null to delete";

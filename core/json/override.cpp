@@ -28,12 +28,8 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
             return std::vector<std::string>{section, name, "default"};
         for (const Member& member : entries->members) names.push_back(member.key);
     }
-    return Diagnostic{Code::unknown_param,
-                      "'" + name + "' is neither a param nor a feature",
-                      place,
-                      {},
-                      {},
-                      suggestName(name, std::move(names), "params and features")};
+    return Diagnostic{Code::unknown_param, "'" + name + "' is neither a param nor a feature",
+                      suggestName(name, std::move(names), "params and features"), place};
 }
 
 // Makes the patch that sets what stands at the keys. A list is patched as a whole, so on the way
@@ -87,7 +83,7 @@ struct PatchMaker {
         for (std::size_t i = 0; i <= at; ++i) pointer = memberPointer(pointer, keys[i]);
         Diagnostic error{Code::merge_missing,
                          "found no item '" + keys[at] + "' in a list of " + std::to_string(count),
-                         place, std::move(pointer)};
+                         "", place, std::move(pointer)};
         error.help = count == 0 ? "write 0 to add an item"
                                 : "items are counted from 0 to " + std::to_string(count - 1) +
                                       "; write " + std::to_string(count) + " to add one";
@@ -110,12 +106,8 @@ Result<Override> readOverride(const std::string& text, const std::vector<std::st
                    std::make_shared<const std::vector<std::string>>(std::move(folders))});
     const Place place{source, 1, 1, static_cast<int>(std::min(equals, text.size()))};
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        return Diagnostic{Code::override_syntax,
-                          "found '" + text + "' where name=value was wanted",
-                          place,
-                          {},
-                          {},
-                          "write radius=0.8, or /passes/blur/when=null for any place"};
+        return Diagnostic{Code::override_syntax, "found '" + text + "' where name=value was wanted",
+                          "write radius=0.8, or /passes/blur/when=null for any place", place};
 
     // The name is blank while the value is read, so that columns count from the override's start.
     source->text = std::string(equals + 1, ' ') + text.substr(equals + 1);

@@ -284,8 +284,8 @@ Diagnostic explainSyntax(const SourceRef& source, const SyntaxStop& stop)
     const Wanted wanted = wantedAfter(text, stop);
     const bool at_end = wanted.offset >= text.size();
     const Fault fault = at_end ? endFault(text, stop, wanted) : faultAt(text, stop, wanted);
-    Diagnostic diagnostic{fault.code, fault.message, placeAt(source, fault.offset, fault.length)};
-    diagnostic.help = fault.help;
+    Diagnostic diagnostic{fault.code, fault.message, fault.help,
+                          placeAt(source, fault.offset, fault.length)};
     if (stop.container && (at_end || isOneOf(text[wanted.offset], "]}")))
         diagnostic.notes.push_back(
             {stop.container->place,

@@ -44,8 +44,7 @@ Diagnostic unknown(Code code, const char* what, std::string_view name,
                    std::vector<std::string> names, const char* heading)
 {
     return {code, std::string("there is no ") + what + " '" + std::string(name) + "'",
-            {},   {},
-            {},   suggestName(name, std::move(names), heading)};
+            suggestName(name, std::move(names), heading)};
 }
 
 Diagnostics together(Diagnostics first, const Diagnostics& second)
@@ -63,11 +62,11 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
     return together(status.diagnostics(),
                     {{Code::recompiled,
                       cause + ", so setting it compiled " + shaders,
+                      "set each value once while loading, since what was compiled is kept, or bind "
+                      "a param that changes often as a uniform",
                       at.place,
                       at.pointer,
                       {},
-                      "set each value once while loading, since what was compiled is kept, or bind "
-                      "a param that changes often as a uniform",
                       Severity::warning}});
 }
 

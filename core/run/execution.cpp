@@ -38,7 +38,7 @@ constexpr std::uint64_t kNeverChanges = ~std::uint64_t{0};
 
 Diagnostic refused(const ImportDesc& import, Code code, const std::string& what, const char* help)
 {
-    return {code, "the frame" + what, import.place, import.pointer, {}, help};
+    return {code, "the frame" + what, help, import.place, import.pointer};
 }
 
 Diagnostic missing(const ImportDesc& import)

@@ -298,10 +298,7 @@ Diagnostic Execution::unbound(const PlanPass& pass, const UniformInfo& active,
     return {uniform ? Code::uniform_type : Code::uniform_unbound,
             "shader '" + program.label + "' of pass '" + pass.name + "' has uniform '" +
                 active.name + "', " + why,
-            program.place,
-            program.pointer,
-            {},
-            "declare it on a line of its own, without macros"};
+            "declare it on a line of its own, without macros", program.place, program.pointer};
 }
 
 void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,

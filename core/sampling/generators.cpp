@@ -100,11 +100,7 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
     const std::vector<std::string>& names = distributionNames();
     const auto found = std::find(names.begin(), names.end(), desc.distribution);
     if (found == names.end())
-        return Diagnostic{Code::bad_enum,
-                          "there is no distribution '" + desc.distribution + "'",
-                          {},
-                          {},
-                          {},
+        return Diagnostic{Code::bad_enum, "there is no distribution '" + desc.distribution + "'",
                           suggestName(desc.distribution, names, "distributions")};
     if (desc.count < 1 || desc.count > kMaxKernelSize)
         return rangeError("count", desc.count, kMaxKernelSize);

@@ -108,8 +108,7 @@ int finishOutput(int exit_code)
     std::string message =
         "the output cannot be written";  // CLI11 prints help by itself and keeps no reason
     if (output_failure != 0) message += std::string(": ") + std::strerror(output_failure);
-    report({{Code::cannot_write, message, {}, {}, {}, "make room, or write to another place"}},
-           false);
+    report({{Code::cannot_write, message, "make room, or write to another place"}}, false);
     return kExitOutput;
 }
 

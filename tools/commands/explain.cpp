@@ -128,7 +128,7 @@ std::string misuse(const ExplainOptions& options)
 int explain(ExplainOptions& options)
 {
     if (const std::string wrong = misuse(options); !wrong.empty())
-        return report({{Code::usage, wrong, {}, {}, {}, "see crevice explain --help"}}, false);
+        return report({{Code::usage, wrong, "see crevice explain --help"}}, false);
     options.config.config = options.configs.front();
     const CheckoutSources sources(options.config.checkout, options.config.roots);
     if (!options.why.empty()) return explainValue(options, sources);

@@ -226,12 +226,9 @@ const std::vector<std::string>& builtinSceneNames()
 
 Result<Scene> builtinScene(std::string_view name)
 {
-    Result<Scene> scene = Diagnostic{Code::scene_missing,
-                                     "there is no built-in scene '" + std::string(name) + "'",
-                                     {},
-                                     {},
-                                     {},
-                                     suggestName(name, builtinSceneNames(), "built-in scenes")};
+    Result<Scene> scene =
+        Diagnostic{Code::scene_missing, "there is no built-in scene '" + std::string(name) + "'",
+                   suggestName(name, builtinSceneNames(), "built-in scenes")};
     if (name == "corner") scene = makeCornerScene();
     if (name == "plane") scene = makePlaneScene();
     if (name == "room") scene = makeRoomScene();

@@ -30,10 +30,10 @@ struct Note {
 struct Diagnostic {
     Code code = Code::internal;
     std::string message;
+    std::string help = {};  ///< The way out: the nearest valid name, the allowed set, a command.
     Place place = {};
     std::string pointer = {};  ///< RFC 6901 pointer into the merged document; empty when none.
     std::vector<Note> notes = {};
-    std::string help = {};  ///< The way out: the nearest valid name, the allowed set, a command.
     Severity severity = Severity::error;
 };
 

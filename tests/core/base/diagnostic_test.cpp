@@ -32,7 +32,7 @@ TEST_CASE("a diagnostic shows place, line, marks, pointer, notes and help")
     const SourceRef mine = textOf("{\n\n\"a\": \"ao_filterd\" }\n");
     const SourceRef base = std::make_shared<SourceText>(SourceText{"base.json", ""});
     Diagnostic diagnostic{
-        Code::target_missing, "pass 'a' reads target 'ao_filterd'", {mine, 3, 6, 12}};
+        Code::target_missing, "pass 'a' reads target 'ao_filterd'", {}, {mine, 3, 6, 12}};
     diagnostic.pointer = "/passes/a";
     diagnostic.notes.resize(2);
     diagnostic.notes[0].place = {base, 31, 21, 1};
@@ -63,28 +63,29 @@ TEST_CASE("a place whose line is unknown shows the text's name alone")
     CHECK(placeName({textOf("x"), 4, 0, 1}) == "my.json:4");
     CHECK(placeName({textOf("x"), 4, 2, 1}) == "my.json:4:2");
     CHECK(placeName({}).empty());
-    CHECK(toText(Diagnostic{Code::usage, "m", {textOf("x"), 0}}) == "my.json: error CV8001: m\n");
+    CHECK(toText(Diagnostic{Code::usage, "m", {}, {textOf("x"), 0}}) ==
+          "my.json: error CV8001: m\n");
 }
 
 TEST_CASE("a line without a column is shown without marks")
 {
-    CHECK(toText(Diagnostic{Code::usage, "m", {textOf("x y"), 1, 0, 1}}) ==
+    CHECK(toText(Diagnostic{Code::usage, "m", {}, {textOf("x y"), 1, 0, 1}}) ==
           "my.json:1: error CV8001: m\n    1 | x y\n");
 }
 
 TEST_CASE("the marks stay below the place after tabs and letters of several bytes")
 {
     const std::string text =
-        toText(Diagnostic{Code::usage, "m", {textOf("\t\xC3\xA4 bad"), 1, 5, 3}});
+        toText(Diagnostic{Code::usage, "m", {}, {textOf("\t\xC3\xA4 bad"), 1, 5, 3}});
     CHECK(shownLine(text, 1) == "    1 | \t\xC3\xA4 bad");
     CHECK(shownLine(text, 2) == "      | \t  ^~~");
 }
 
 TEST_CASE("the marks stop at the end of the line")
 {
-    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {textOf("ab\r\ncd"), 1, 2, 99}}), 2) ==
+    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {}, {textOf("ab\r\ncd"), 1, 2, 99}}), 2) ==
           "      |  ^");
-    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {textOf("ab\n"), 1, 3, 1}}), 2) ==
+    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {}, {textOf("ab\n"), 1, 3, 1}}), 2) ==
           "      |   ^");
 }
 
@@ -93,7 +94,7 @@ TEST_CASE("places outside of the text do no harm")
     for (const int line : {1, 2, 3, 1000})
         for (const int column : {1, 2, 1000}) {
             const Place place{textOf("a\n"), line, column, -7};
-            CHECK_THAT(toText(Diagnostic{Code::usage, "m", place}), Catch::Contains("^\n"));
+            CHECK_THAT(toText(Diagnostic{Code::usage, "m", "", place}), Catch::Contains("^\n"));
         }
 }
 
@@ -102,7 +103,8 @@ TEST_CASE("a long line is cut around the place")
     for (const int column : {1, 70, 200, 400, 1000}) {
         std::string line(1000, '.');
         line[column - 1] = 'X';
-        const std::string text = toText(Diagnostic{Code::usage, "m", {textOf(line), 1, column, 1}});
+        const std::string text =
+            toText(Diagnostic{Code::usage, "m", {}, {textOf(line), 1, column, 1}});
         const std::string shown = shownLine(text, 1), marks = shownLine(text, 2);
         CHECK(shown.size() < 180);
         CHECK(shown.find("...") != std::string::npos);
@@ -113,7 +115,7 @@ TEST_CASE("a long line is cut around the place")
 TEST_CASE("bytes that would upset a terminal are not shown as they are")
 {
     const std::string text =
-        toText(Diagnostic{Code::usage, "m", {textOf("\x1B[31m\xFF!"), 1, 7, 1}});
+        toText(Diagnostic{Code::usage, "m", {}, {textOf("\x1B[31m\xFF!"), 1, 7, 1}});
     CHECK(shownLine(text, 1) == "    1 | ?[31m?!");
     CHECK(shownLine(text, 2) == "      |       ^");
 }
@@ -124,6 +126,7 @@ TEST_CASE("no part of a diagnostic controls the terminal or forges a line")
     Diagnostic diagnostic{
         Code::usage,
         bad,
+        {},
         {std::make_shared<SourceText>(SourceText{bad, "\xE2\x80\xAE!\x7F"}), 1, 4, 1}};
     diagnostic.pointer = bad;
     diagnostic.notes = {{diagnostic.place, bad}};
@@ -140,7 +143,7 @@ TEST_CASE("no part of a diagnostic controls the terminal or forges a line")
 
 TEST_CASE("diagnostics as JSON have every key and can be read back")
 {
-    Diagnostic diagnostic{Code::target_missing, "quote \" and \xFF", {textOf("x"), 1, 2, 3}};
+    Diagnostic diagnostic{Code::target_missing, "quote \" and \xFF", {}, {textOf("x"), 1, 2, 3}};
     diagnostic.pointer = "/a";
     diagnostic.notes = {{{}, "note"}};
     const std::string json = "{\"list\": " + toJson({diagnostic, diagnostic}) + "}";

@@ -42,7 +42,7 @@ TEST_CASE("names and places come from the keys", "[decode]")
     REQUIRE(target);
     CHECK(target->pointer == "/targets/ao");
     REQUIRE(target->place.source);
-    CHECK(underlined({Code::internal, "", target->place}).find("ao") != std::string::npos);
+    CHECK(underlined({Code::internal, "", "", target->place}).find("ao") != std::string::npos);
     CHECK(namesOf(d.targets) == std::vector<std::string>{"depth", "ao", "ao_filtered"});
 }
 
