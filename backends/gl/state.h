@@ -2,26 +2,23 @@
 // The context's state: the host's is kept and put back, and set to known values in between.
 //
 // Kept, neutralised and put back:
-//   bindings     draw and read framebuffer, renderbuffer, program, vertex array, array buffer,
-//   pixel
-//                pack and unpack buffer, active texture unit; for each unit used: its sampler and
-//                its texture, the 2D or the multisampled one
+//   bindings     draw and read framebuffer, renderbuffer, program, vertex array, array buffer;
+//                pixel pack and unpack buffer, active texture unit; for each unit used: its sampler
+//                and its texture, the 2D or the multisampled one
 //   fragments    for each draw buffer, where the context has them apart: blending on or off, its
 //                functions and equations, colour mask; dither, scissor test, stencil test, sample
 //                alpha to coverage, sample coverage, sample mask, sample shading
 //   depth        test, function, mask, range
 //   geometry     viewport, scissor box, cull face test and mode, front face, polygon offset fill,
-//   rasterizer
-//                discard, primitive restart with fixed index
+//                rasterizer discard, primitive restart with fixed index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
 //   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes,
 //                multisampling, sample alpha to one
 //
-// Never touched: all else; scissor box, clear values and polygon offset among it. Must be at its
-// default, for nothing here changes it: clip control, polygon mode, clip distances. Must not be
-// active: transform feedback, queries that count samples, conditional rendering; nor, while the
-// device's timers run, queries that measure time. Errors that are pending when a frame begins are
-// dropped.
+// Never touched: all else; clear values and polygon offset among it. Must be at its default, for
+// nothing here changes it: clip control, polygon mode, clip distances. Must not be active:
+// transform feedback, queries that count samples, conditional rendering; nor, while the device's
+// timers run, queries that measure time. Errors that are pending when a frame begins are dropped.
 #pragma once
 
 #include "backends/gl/caps.h"

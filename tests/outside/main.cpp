@@ -3,6 +3,7 @@
 // checks its ambient occlusion. Exits with 0, 1 (wrong), or 77 (no GL on this machine).
 #include <crevice/config.h>
 #include <crevice/context.h>
+#include <crevice/effect.h>
 #include <crevice/gl_device.h>
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
@@ -16,7 +17,10 @@
 using namespace crevice;
 
 /// The example of the README.
-unsigned ao(unsigned depth_texture, const float* projection, const GlLoader& loader);
+extern std::unique_ptr<Device> device;
+extern std::unique_ptr<Effect> effect;
+Status createAo(const GlLoader& loader, Extent size);
+Status drawAo(unsigned depth, Extent size, const float* projection, unsigned& ao);
 
 namespace {
 
@@ -87,7 +91,7 @@ int judge(const Image& ao)
     return least < 0.9f && most > 0.95f ? 0 : 1;
 }
 
-int draw(Device& device)
+int draw(Device& owner)
 {
     const auto document = loadConfig(shippedSources(), {"learnopengl"});
     if (!document) return fail(document.diagnostics());
@@ -95,37 +99,41 @@ int draw(Device& device)
     if (!description) return fail(description.diagnostics());
 
     const MeshDesc desc = cubeOnFloor();
-    const auto mesh = device.createMesh(desc);
+    const auto mesh = owner.createMesh(desc);
     if (!mesh) return fail(mesh.diagnostics());
     const Frame frame = frameOf(*mesh, desc);
     CompileOptions options;
     options.extent = kExtent;
-    const auto renderer = Renderer::create(device, *description, options, traitsOf(frame));
+    const auto renderer = Renderer::create(owner, *description, options, traitsOf(frame));
     if (!renderer) return fail(renderer.diagnostics());
     const Status drawn = (*renderer)->render(frame);
     if (!drawn) return fail(drawn.diagnostics());
-    const auto ao = device.readTexture((*renderer)->output("ao"));
+    const auto ao = owner.readTexture((*renderer)->output("ao"));
     if (!ao) return fail(ao.diagnostics());
-    if (device.nativeName((*renderer)->output("ao")) == 0) {
+    if (owner.nativeName((*renderer)->output("ao")) == 0) {
         std::fputs("the output has no native name\n", stderr);
         return 1;
     }
-    device.destroy(*mesh);
+    owner.destroy(*mesh);
     return judge(*ao);
 }
 
-/// Runs the example of the README on a texture for depth.
-int drawExample(Device& device, const GlLoader& loader)
+/// Runs the example of the README on a texture for depth of `owner`.
+int drawExample(Device& owner, const GlLoader& loader)
 {
     TextureDesc desc;
     desc.format = Format::depth24;
     desc.extent = {1920, 1080};
-    const auto depth = device.createTexture(desc);
+    const auto depth = owner.createTexture(desc);
     if (!depth) return fail(depth.diagnostics());
     const glm::mat4 projection = glm::perspective(glm::radians(50.0f), 16.0f / 9.0f, 0.1f, 50.0f);
-    const unsigned name = ao(device.nativeName(*depth), &projection[0][0], loader);
-    device.destroy(*depth);
-    return name == 0 ? 1 : 0;
+    unsigned name = 0;
+    Status status = createAo(loader, desc.extent);
+    if (status) status = drawAo(owner.nativeName(*depth), desc.extent, &projection[0][0], name);
+    effect.reset();
+    device.reset();
+    owner.destroy(*depth);
+    return status && name != 0 ? 0 : fail(status.diagnostics());
 }
 
 }  // namespace
@@ -138,8 +146,8 @@ int main()
         fail(context.diagnostics());
         return kSkip;
     }
-    const auto device = makeGlDevice((*context)->loader());
-    if (!device) return fail(device.diagnostics());
-    const int drawn = draw(**device);
-    return drawn == 0 ? drawExample(**device, (*context)->loader()) : drawn;
+    const auto made = makeGlDevice((*context)->loader());
+    if (!made) return fail(made.diagnostics());
+    const int drawn = draw(**made);
+    return drawn == 0 ? drawExample(**made, (*context)->loader()) : drawn;
 }

@@ -14,16 +14,15 @@ namespace crevice {
 template <class T>
 class [[nodiscard]] Result {
 public:
-    Result(T value)
-        : value_(std::move(value)) {}  // NOLINT: implicit, so that `return value;` works
+    Result(T value) : value_(std::move(value)) {}  // NOLINT: implicit, for `return value;`
     Result(T value, Diagnostics warnings)
         : value_(std::move(value)),
           diagnostics_(std::move(warnings))
     {
     }
     Result(Diagnostic error) { diagnostics_.push_back(std::move(error)); }  // NOLINT
-    Result(Diagnostics errors) : diagnostics_(std::move(errors))
-    {  // NOLINT
+    Result(Diagnostics errors) : diagnostics_(std::move(errors))            // NOLINT
+    {
         assert(hasErrors(diagnostics_));
     }
 

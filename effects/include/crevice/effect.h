@@ -59,7 +59,7 @@ public:
     /// host's, and must have that format and size. Its content may change with every frame. Costs
     /// nothing where all is as before.
     ///
-    /// Errors: CV2101 for a name that the config does not import; those of Device::adoptTexture;
+    /// Errors: CV2102 for a name that the config does not import; those of Device::adoptTexture;
     /// the texture of before stays.
     Status setTexture(std::string_view name, std::uint32_t native_name, Format format, Extent size);
 
