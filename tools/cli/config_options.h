@@ -4,6 +4,8 @@
 
 #include <crevice/config.h>
 
+#include "tools/cli/directory_sources.h"
+
 #include <string>
 #include <vector>
 

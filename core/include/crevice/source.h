@@ -75,25 +75,6 @@ private:
     std::map<std::string, SourceRef, std::less<>> texts_;  // by path
 };
 
-/// Files below a folder, read anew at each `find`: what live editing uses. A link that leads out of
-/// the folder and of `roots` is no text.
-class DirectorySources : public SourceSet {
-public:
-    explicit DirectorySources(std::string root, std::vector<std::string> roots = {})
-        : root_(std::move(root)),
-          roots_(std::move(roots))
-    {
-        roots_.push_back(root_);
-    }
-
-    SourceRef find(std::string_view path) const override;
-    std::vector<std::string> list() const override;
-
-private:
-    std::string root_;
-    std::vector<std::string> roots_;  // with root_
-};
-
 /// Several sets seen as one; an earlier set hides a later one. The sets must outlive this.
 class LayeredSources : public SourceSet {
 public:

@@ -7,8 +7,8 @@
 namespace crevice {
 
 /// All of effects/ by path ("ssao/hemisphere.json", "ssao/shaders/hemisphere.frag") and all of
-/// configs/ under "configs/" ("configs/learnopengl.json"). To edit them while a program runs, layer
-/// DirectorySources over this set.
+/// configs/ under "configs/" ("configs/learnopengl.json"). To edit one while a program runs, layer
+/// MemorySources with your text of it over this set.
 const SourceSet& shippedSources();
 
 }  // namespace crevice

@@ -187,15 +187,6 @@ TEST_CASE("an override names files below the current folder and below the roots 
         CHECK(each.code != Code::module_escape);
 }
 
-TEST_CASE("a folder of modules gives no link out of it, but for its roots")
-{
-    const Neighbours around("roots_modules");
-    fs::create_symlink("../secret.env", around.folder.path / "mine/a.glsl");
-    CHECK_FALSE(DirectorySources((around.folder.path / "mine").string()).find("a.glsl"));
-    CHECK(DirectorySources((around.folder.path / "mine").string(), {around.folder.path.string()})
-              .find("a.glsl"));
-}
-
 TEST_CASE("what is no regular file is not opened, and nothing waits for it")
 {
     const TemporaryFolder folder("roots_irregular");
