@@ -14,8 +14,8 @@ namespace {
 // The longest text of a double: all digits before the point of the largest, and `decimals` after.
 constexpr int kMostDigits = 320;
 
-template <class... Format>
-std::string written(double value, int decimals, Format... format)
+template <class T, class... Format>
+std::string written(T value, int decimals, Format... format)
 {
     std::string text(static_cast<std::size_t>(kMostDigits + decimals), '\0');
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format...);
@@ -35,11 +35,7 @@ double beyondDouble(const std::string& text)
 
 }  // namespace
 
-std::string shortest(float value)
-{
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
+std::string shortest(float value) { return written(value, 0); }
 
 std::string shortest(double value) { return written(value, 0); }
 

@@ -15,33 +15,28 @@ unsigned char byteAt(std::string_view text, std::size_t at)
     return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
 }
 
-// The bytes that may follow a leading byte (Unicode 15, table 3-7); `length` 0 is no leading byte.
-struct Lead {
-    std::size_t length;
-    unsigned char second_min, second_max;
+struct Character {
+    std::size_t length = 0;  // bytes; 0 where there is none
+    std::uint32_t code = 0xFFFD;
 };
 
-Lead leadOf(unsigned char byte)
+// The character at `at`.
+Character characterAt(std::string_view text, std::size_t at)
 {
-    if (byte < 0xC2) return {0, 0, 0};
-    if (byte < 0xE0) return {2, 0x80, 0xBF};
-    if (byte == 0xE0) return {3, 0xA0, 0xBF};
-    if (byte == 0xED) return {3, 0x80, 0x9F};
-    if (byte < 0xF0) return {3, 0x80, 0xBF};
-    if (byte == 0xF0) return {4, 0x90, 0xBF};
-    if (byte < 0xF4) return {4, 0x80, 0xBF};
-    if (byte == 0xF4) return {4, 0x80, 0x8F};
-    return {0, 0, 0};
-}
-
-// The code point of the character at `at`; 0xFFFD where there is none.
-std::uint32_t codePoint(std::string_view text, std::size_t at)
-{
-    const std::size_t length = utf8Length(text, at);
-    if (length == 0) return 0xFFFD;
-    std::uint32_t code = byteAt(text, at) & (length == 1 ? 0x7Fu : 0xFFu >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byteAt(text, at + i) & 0x3Fu);
-    return code;
+    const unsigned char first = byteAt(text, at);
+    if (first < 0x80) return {1, first};
+    if (first < 0xC0 || first > 0xF7) return {};
+    const std::size_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    std::uint32_t code = first & (0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        const unsigned char byte = byteAt(text, at + i);
+        if ((byte & 0xC0) != 0x80) return {};
+        code = code << 6 | (byte & 0x3Fu);
+    }
+    constexpr std::uint32_t kLeast[] = {0x80, 0x800, 0x10000};  // else there is a shorter form
+    const bool surrogate = code >= 0xD800 && code < 0xE000;
+    if (code < kLeast[length - 2] || code > 0x10FFFF || surrogate) return {};
+    return {length, code};
 }
 
 // First and last: C0, DEL and C1, and what turns the direction of writing or ends a line (Unicode
@@ -65,7 +60,7 @@ void appendPrintable(std::string& out, std::string_view text, bool lines)
         if (length == 0)
             out += "\xEF\xBF\xBD";
         else if (isControl(text, at) && !kept)
-            appendEscaped(out, codePoint(text, at));
+            appendEscaped(out, characterAt(text, at).code);
         else
             out += text.substr(at, length);
         at += std::max<std::size_t>(length, 1);
@@ -99,14 +94,7 @@ bool endsWith(std::string_view text, std::string_view end)
 
 std::size_t utf8Length(std::string_view text, std::size_t at)
 {
-    const unsigned char first = byteAt(text, at);
-    if (first < 0x80) return 1;
-    const Lead lead = leadOf(first);
-    const unsigned char second = byteAt(text, at + 1);
-    if (lead.length == 0 || second < lead.second_min || second > lead.second_max) return 0;
-    for (std::size_t i = 2; i < lead.length; ++i)
-        if ((byteAt(text, at + i) & 0xC0) != 0x80) return 0;
-    return lead.length;
+    return characterAt(text, at).length;
 }
 
 std::string_view utf8Prefix(std::string_view text, std::size_t bytes)
@@ -118,7 +106,7 @@ std::string_view utf8Prefix(std::string_view text, std::size_t bytes)
 
 bool isControl(std::string_view text, std::size_t at)
 {
-    const std::uint32_t code = codePoint(text, at);
+    const std::uint32_t code = characterAt(text, at).code;
     return std::any_of(std::begin(kControls), std::end(kControls),
                        [code](const auto& range) { return code >= range[0] && code <= range[1]; });
 }
@@ -186,6 +174,11 @@ std::vector<std::string_view> split(std::string_view text, char separator)
         begin = end + 1;
     }
     return parts;
+}
+
+bool contains(const std::vector<std::string>& words, std::string_view word)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view separator)

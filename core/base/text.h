@@ -42,6 +42,8 @@ std::string lowerCase(std::string_view text);
 /// What lies between the separators, from left to right; parts may be empty.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+bool contains(const std::vector<std::string>& words, std::string_view word);
+
 /// The words with `separator` between them.
 std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 

@@ -10,24 +10,15 @@ namespace crevice {
 
 int componentCount(ParamType type)
 {
-    switch (type) {
-    case ParamType::vec2: return 2;
-    case ParamType::vec3: return 3;
-    case ParamType::vec4: return 4;
-    default: return 1;
-    }
+    constexpr int kCounts[] = {1, 1, 2, 3, 4};  // in the order of ParamType
+    return kCounts[static_cast<int>(type)];
 }
 
 GlslType glslTypeOf(ParamType type)
 {
-    switch (type) {
-    case ParamType::int_: return GlslType::int_;
-    case ParamType::vec2: return GlslType::vec2;
-    case ParamType::vec3: return GlslType::vec3;
-    case ParamType::vec4: return GlslType::vec4;
-    case ParamType::float_: break;
-    }
-    return GlslType::float_;
+    constexpr GlslType kTypes[] = {GlslType::float_, GlslType::int_, GlslType::vec2, GlslType::vec3,
+                                   GlslType::vec4};
+    return kTypes[static_cast<int>(type)];
 }
 
 Result<Description> decode(const Node& document, const SourceSet& sources)
@@ -43,8 +34,7 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
     description.unused = std::move(diagnostics);  // of what is left out
-    for (Diagnostic& each : table::unusedNames(document, description))
-        description.unused.push_back(std::move(each));
+    append(description.unused, table::unusedNames(document, description));
     return description;
 }
 

@@ -3,7 +3,6 @@
 #include "core/config/decode_steps.h"
 
 #include "core/frame/frame_values.h"
-#include "core/json/syntax.h"
 #include "core/sampling/generators.h"
 
 #include <algorithm>
@@ -34,9 +33,9 @@ void reportCollisions(const std::vector<Declared>& declared, const char* who, Re
         if (fresh) continue;
         Diagnostic& error = report.at(keyOf(*each.named), Code::name_collision,
                                       each.what + " '" + each.named->name + "' has the name of " +
-                                          first->second->what + ", and " + who + " sees both");
+                                          first->second->what + ", and " + who + " sees both",
+                                      "rename one of them");
         error.notes.push_back({first->second->named->place, first->second->what + " is here"});
-        error.help = "rename one of them";
     }
 }
 
@@ -65,7 +64,7 @@ void checkCollisions(const Description& description, Report& report)
                       "rename the param");
 }
 
-// What takes a number from a param: "generated 'kernel' takes its count", say.
+// What takes a number from a param.
 struct Taker {
     std::string what;    // "generated 'kernel'"
     std::string number;  // "count"
@@ -75,72 +74,47 @@ struct Taker {
     double max;
 };
 
-// The param must exist, fit, and start inside the limits.
+// The param must fit and start inside the limits.
 void checkTaken(const Node& document, const Description& description, const Taker& taker,
                 Report& report)
 {
-    const Reference& name = taker.name;
-    const std::string takes =
-        taker.what + " takes its " + taker.number + " from param '" + name.name + "', which ";
-    const ParamDesc* param = findNamed(description.params, name.name);
-    if (param && report.errorWithin(param->pointer)) return;
-    if (!param) {
-        if (report.errorAt("/params") || contains(strayNames(document, report), name.name)) return;
-        const bool number = numberLength(name.name, 0) == name.name.size() && !name.name.empty();
-        report.at(name, Code::reference_missing, takes + "does not exist",
-                  number ? "write it without quotes: " + name.name
-                         : suggestName(name.name, namesOf(description.params), "params"));
-        report.sameMistake("param " + name.name);
-    } else if (param->type != ParamType::int_ &&
-               (taker.whole || param->type != ParamType::float_)) {
+    const std::string& name = taker.name.name;
+    const ParamDesc* param = findNamed(description.params, name);
+    if (!param || report.errorWithin(param->pointer)) return;
+    if (param->type != ParamType::int_ && (taker.whole || param->type != ParamType::float_)) {
         const std::string type = taker.whole ? "int" : "float";
-        const std::string wanted = std::string(taker.whole ? "an " : "a ") + type;
-        report.at(name, Code::reference_missing, takes + "is not " + wanted,
-                  "give '" + name.name + "' the type \"" + type + "\"");
+        report.at(taker.name, Code::reference_missing,
+                  taker.what + " takes its " + taker.number + " from param '" + name +
+                      "', which has another type",
+                  "give '" + name + "' the type \"" + type + "\"");
     } else if (!(param->value[0] >= taker.min && param->value[0] <= taker.max)) {
         const std::string pointer = param->pointer + "/default";
         const Node& value = *locate(document, pointer).node;
         Diagnostic& error =
             report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
-                      name.name + " default " + value.text + " is outside [" +
-                          numberText(taker.min) + ", " + numberText(taker.max) + "], the " +
-                          taker.number + "s that " + taker.what + " may have");
-        error.notes.push_back({name.place, "the " + taker.number + " is taken from it here"});
-        error.help = "stay inside the range, and let '" + name.name + "' have it as min and max";
+                      name + " default " + value.text + " is outside [" + numberText(taker.min) +
+                          ", " + numberText(taker.max) + "], the " + taker.number + "s that " +
+                          taker.what + " may have",
+                      "stay inside the range, and let '" + name + "' have it as min and max");
+        error.notes.push_back({taker.name.place, "the " + taker.number + " is taken from it here"});
     }
 }
 
-void checkCount(const Node& document, const Description& description,
-                const GeneratedDesc& generated, Report& report)
+void checkTakers(const Node& document, const Description& description, Report& report)
 {
-    const bool texture = generatesTexture(generated.generator);
-    const int limit = texture ? kMaxNoiseSize : kMaxKernelSize;
-    if (!generated.count_param.pointer.empty())
-        return checkTaken(document, description,
-                          {"generated '" + generated.name + "'", "count", generated.count_param,
-                           true, 1.0, static_cast<double>(limit)},
-                          report);
-    if (generated.count <= limit) return;
-    const std::string pointer = generated.pointer + "/count";
-    const Node& value = *locate(document, pointer).node;
-    report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
-              generated.name + " count " + value.text + " is outside [1, " + std::to_string(limit) +
-                  "], the sides that a noise may have",
-              "4 suits a 4x4 filter; larger noises need larger filters");
-}
-
-void checkTaken(const Node& document, const Description& description, const TargetDesc& target,
-                Report& report)
-{
-    const SizeDesc& size = target.size;
-    const std::string what = "target '" + target.name + "'";
-    const double most = kMaxSamples;
-    if (!size.scale_param.pointer.empty())
+    for (const GeneratedDesc& each : description.generated)
         checkTaken(document, description,
-                   {what, "scale", size.scale_param, false, kSmallestScale, kLargestScale}, report);
-    if (!target.samples_param.pointer.empty())
-        checkTaken(document, description, {what, "samples", target.samples_param, true, 1.0, most},
+                   {"generated '" + each.name + "'", "count", each.count_param, true, 1.0,
+                    double(mostCount(each.generator))},
                    report);
+    for (const TargetDesc& each : description.targets) {
+        const std::string what = "target '" + each.name + "'";
+        checkTaken(document, description,
+                   {what, "scale", each.size.scale_param, false, kSmallestScale, kLargestScale},
+                   report);
+        checkTaken(document, description,
+                   {what, "samples", each.samples_param, true, 1.0, double(kMaxSamples)}, report);
+    }
 }
 
 void reportSizeCycle(std::vector<const TargetDesc*> cycle, Report& report)
@@ -149,11 +123,11 @@ void reportSizeCycle(std::vector<const TargetDesc*> cycle, Report& report)
     const TargetDesc& first = *cycle[0];
     Diagnostic& error = report.at(first.size.of, Code::cycle,
                                   "target '" + first.name + "' follows the size of '" +
-                                      first.size.of.name + "', which leads back to it");
+                                      first.size.of.name + "', which leads back to it",
+                                  "let one of them follow the output: leave out its 'of'");
     for (std::size_t i = 1; i < cycle.size(); ++i)
         error.notes.push_back({cycle[i]->size.of.place, "'" + cycle[i]->name + "' follows '" +
                                                             cycle[i]->size.of.name + "'"});
-    error.help = "let one of them follow the output: leave out its 'of'";
 }
 
 // Walks along `size.of` from each target that no walk has come by, until one is met again.
@@ -186,14 +160,10 @@ void blameBound(const Node& document, const ParamDesc& param, Report& report)
     const std::string key = value.number < param.min ? "min" : "max";
     const Node* bound = locate(document, param.pointer + "/" + key).node;
     if (!bound || bound->origins.size() <= whole.origins.size()) return;
-    const char* side = key == "min" ? "above" : "below";
     error->code = Code::bad_range;
-    error->message = param.name + ": '" + key + "' " + bound->text + " is " + side +
-                     " the default " + value.text;
-    error->place = bound->place;
     error->pointer = param.pointer + "/" + key;
-    error->notes = {{value.place, "the default is here"}};
     error->help = "change the default as well, or write " + value.text;
+    blame(*error, bound->place, "the default is here");
 }
 
 }  // namespace
@@ -201,10 +171,7 @@ void blameBound(const Node& document, const ParamDesc& param, Report& report)
 void checkNames(const Node& document, const Description& description, Report& report)
 {
     for (const ParamDesc& each : description.params) blameBound(document, each, report);
-    for (const GeneratedDesc& each : description.generated)
-        checkCount(document, description, each, report);
-    for (const TargetDesc& each : description.targets)
-        checkTaken(document, description, each, report);
+    checkTakers(document, description, report);
     checkSizeCycles(description, report);
     checkCollisions(description, report);
 }

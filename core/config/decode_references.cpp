@@ -84,8 +84,14 @@ Checker::Checker(const Node& document, const SourceSet& sources, const Descripti
 
 void Checker::run()
 {
-    for (const TargetDesc& each : description_.targets)
-        expect(each.size.of, "target '" + each.name + "' follows the size of", targets_);
+    for (const GeneratedDesc& each : description_.generated)
+        expect(each.count_param, "generated '" + each.name + "' takes its count from", params_);
+    for (const TargetDesc& each : description_.targets) {
+        const std::string who = "target '" + each.name + "' ";
+        expect(each.size.of, who + "follows the size of", targets_);
+        expect(each.size.scale_param, who + "takes its scale from", params_);
+        expect(each.samples_param, who + "takes its samples from", params_);
+    }
     for (const PassDesc& each : description_.passes) checkPass(each);
     for (const OutputDesc& each : description_.outputs)
         expect(each.target, "output '" + each.name + "' exports", targets_);
@@ -105,15 +111,14 @@ bool Checker::known(const Reference& reference, const Names& names) const
 void Checker::expect(const Reference& reference, const std::string& who, const Names& names)
 {
     if (known(reference, names)) return;
+    const bool target = names.code == Code::target_missing;
+    const std::string makers =
+        target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
     Diagnostic& error =
         report_.at(reference, names.code,
-                   who + " " + names.what + " '" + reference.name + "', which does not exist");
-    error.help = suggestName(reference.name, names.all, names.listed);
-    const bool target = names.code == Code::target_missing;
-    if (const std::string makers =
-            target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
-        !makers.empty())
-        error.help = "add a module that makes it to 'extends': " + makers;
+                   who + " " + names.what + " '" + reference.name + "', which does not exist",
+                   makers.empty() ? suggestName(reference.name, names.all, names.listed)
+                                  : "add a module that makes it to 'extends': " + makers);
     Place cause = ownPlace(reference.place);
     for (const Named& each : deletedNames(document_)) {
         for (const std::string& section : names.sections) {
@@ -311,11 +316,6 @@ std::vector<Named> deletedNames(const Node& document)
             names.push_back({each.key, each.key_place, memberPointer(pointer, each.key)});
     }
     return names;
-}
-
-bool contains(const std::vector<std::string>& names, std::string_view name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 std::vector<std::string> strayNames(const Node& document, const Report& report)

@@ -38,6 +38,4 @@ std::vector<std::string> strayNames(const Node& document, const Report& report);
 std::string modulesThatDeclare(const SourceSet& sources, std::string_view section,
                                const std::string& name);
 
-bool contains(const std::vector<std::string>& names, std::string_view name);
-
 }  // namespace crevice::table

@@ -43,8 +43,7 @@ void fields(V& v, ParamDesc& p)
     v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
     v.field("semantic", p.semantic,
             "A length, in scene units, is how far an estimator looks about: formats of depth and "
-            "positions "
-            "are chosen to resolve a tenth of it.");
+            "positions are chosen to resolve a tenth of it.");
     if (componentCount(p.type) > 1) v.refuse("semantic", Code::bad_enum, "a vector is no length");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");
@@ -85,7 +84,7 @@ void fields(V& v, GeneratedDesc& g)
             required());
     v.field("count", NumberOrName<int>{g.count, g.count_param},
             "Offsets of a kernel or pixels along a side of a noise, or the int param that says.",
-            range(1, kMaxKernelSize));
+            range(1, mostCount(g.generator)));
     v.field("distribution", OneOf{g.distribution, distributionNames()},
             "Where the offsets of a kernel lie.");
     v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
@@ -200,27 +199,25 @@ void workSaving(V& v, PassDesc& p)
     v.field("preserves_constant", p.preserves_constant,
             "Outputs that are constant, except in the background, where all that the sampler reads "
             "is.");
-    v.field("frustum_scale", NumberOrName<float>{p.frustum_scale, p.frustum_scale_param},
-            "The part of the view that a draw pass shows, in sizes of the view about its middle, "
-            "or the "
-            "param that holds it: draws whose bounds are outside are culled. 0 where the shader "
-            "moves vertices.",
-            range(0, kLargestScale));
+    v.field(
+        "frustum_scale", NumberOrName<float>{p.frustum_scale, p.frustum_scale_param},
+        "The part of the view that a draw pass shows, in sizes of the view about its middle, "
+        "or the param that holds it: draws whose bounds are outside are culled. 0 where the shader "
+        "moves vertices.",
+        range(0, kLargestScale));
     if (p.type != PassType::draw && v.has("frustum_scale"))
         v.refuse("frustum_scale", Code::bad_enum, "a fullscreen pass has no geometry");
     v.field("mask", p.mask,
             "A target in a depth format: where it is 0 the pass does not draw, and outputs keep "
-            "the value of "
-            "`clear`, which must be what the shader would write. It must have the size of the "
-            "outputs.");
+            "the value of `clear`, which must be what the shader would write. It must have the "
+            "size of the outputs.");
     if (p.type == PassType::draw)
         v.refuse("mask", Code::bad_enum, "a draw pass has a depth test of its own");
     else if (!p.depth.empty())
         v.refuse("mask", Code::bad_enum, "the pass writes depth");
     v.field("scissor", p.scissor,
             "Draws only within the bounds of the draw list on the screen; elsewhere outputs keep "
-            "the value of "
-            "`clear`. The pass must cover the view, without a guard band.");
+            "the value of `clear`. The pass must cover the view, without a guard band.");
     v.field("cull_below_pixel", p.cull_below_pixel,
             "A param in scene units: the scissor leaves out draws so far away that it is less than "
             "a pixel.");

@@ -15,22 +15,16 @@ namespace {
 std::string valueJson(const ParamDesc& param)
 {
     if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
-    const int count = componentCount(param.type);
-    std::string text;
-    for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + shortest(param.value[i]);
-    return count > 1 ? "[" + text + "]" : text;
+    std::vector<std::string> numbers;
+    for (int i = 0; i < componentCount(param.type); ++i)
+        numbers.push_back(shortest(param.value[i]));
+    return numbers.size() > 1 ? "[" + joined(numbers) + "]" : numbers[0];
 }
 
 std::string valueJson(const FeatureDesc& feature)
 {
     const std::string& word = feature.values[feature.value];
     return feature.boolean ? word : jsonString(word);
-}
-
-// One more member of an object that begins with `opening`.
-void add(std::string& text, const std::string& opening, const std::string& member)
-{
-    text += (text.empty() ? opening : ", ") + member;
 }
 
 Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
@@ -99,21 +93,16 @@ Values valuesOf(const Description& description)
 
 std::string valuesPatch(const Values& loaded, const Description& now)
 {
-    std::string params, features;
-    for (std::size_t i = 0; i < now.params.size(); ++i) {
-        const ParamDesc& param = now.params[i];
-        if (param.value != loaded.params[i])
-            add(params, "\"params\": {", jsonString(param.name) + ": " + valueJson(param));
-    }
-    for (std::size_t i = 0; i < now.features.size(); ++i) {
-        const FeatureDesc& feature = now.features[i];
-        if (feature.value != loaded.features[i])
-            add(features, "\"features\": {", jsonString(feature.name) + ": " + valueJson(feature));
-    }
-    std::string text;
-    for (const std::string& section : {params, features})
-        if (!section.empty()) add(text, "", section + "}");
-    return "{" + text + "}";
+    std::vector<std::string> params, features, sections;
+    for (std::size_t i = 0; i < now.params.size(); ++i)
+        if (const ParamDesc& param = now.params[i]; param.value != loaded.params[i])
+            params.push_back(jsonString(param.name) + ": " + valueJson(param));
+    for (std::size_t i = 0; i < now.features.size(); ++i)
+        if (const FeatureDesc& feature = now.features[i]; feature.value != loaded.features[i])
+            features.push_back(jsonString(feature.name) + ": " + valueJson(feature));
+    if (!params.empty()) sections.push_back("\"params\": {" + joined(params) + "}");
+    if (!features.empty()) sections.push_back("\"features\": {" + joined(features) + "}");
+    return "{" + joined(sections) + "}";
 }
 
 Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)

@@ -73,7 +73,10 @@ Wanted wantedAfter(std::string_view text, const SyntaxStop& stop)
     if (charAt(text, at) == ',')
         return {skip(at + 1), in_object ? "a key" : "a value", in_object ? kPairs : "", !in_object,
                 true};
-    return {at, in_object ? "',' or '}'" : "',' or ']'", "is a comma missing before it?"};
+    return {at, in_object ? "',' or '}'" : "',' or ']'",
+            isDigit(charAt(text, stop.offset - 1))
+                ? "is a comma missing before it? a number stands without a unit"
+                : "is a comma missing before it?"};
 }
 
 Fault unexpected(std::size_t offset, std::size_t length, const std::string& found,
@@ -114,47 +117,9 @@ std::string wordHelp(std::string_view word, const Wanted& wanted)
     if (lower != word && (lower == "true" || lower == "false" || lower == "null"))
         return "write it in lower case: " + lower;
     if (lower == "none" || lower == "nil" || lower == "undefined") return "write null";
-    for (const char* flag : {"yes", "no", "on", "off"})
-        if (wanted.value && lower == flag) return "write true or false";
     if (wanted.help[0] != '\0' && wanted.help != kPairs) return wanted.help;
     return "put keys and text in double quotes: \"" + std::string(utf8Prefix(word, kMaxShown)) +
            "\"";
-}
-
-// "0.5f" and "1_000" without what spoils them; empty when no number is left.
-std::string bareNumber(std::string_view token)
-{
-    std::string digits;
-    std::copy_if(token.begin(), token.end(), std::back_inserter(digits),
-                 [](char c) { return c != '_'; });
-    const std::size_t length = numberLength(digits, 0);
-    const auto letter = [](char c) { return isWordCharacter(c) && !isDigit(c); };
-    return std::all_of(digits.begin() + static_cast<std::ptrdiff_t>(length), digits.end(), letter)
-               ? digits.substr(0, length)
-               : "";
-}
-
-std::string numberHelp(std::string_view token)
-{
-    const std::string_view digits = token.substr(isOneOf(token[0], "+-") ? 1 : 0);
-    if (token[0] == '+') return "write it without '+'";
-    if (charAt(digits, 0) == '.') return "write a digit before the point";
-    if (digits.substr(0, 2) == "0x" || digits.substr(0, 2) == "0X")
-        return "JSON has decimal numbers only";
-    if (charAt(digits, 0) == '0' && isDigit(charAt(digits, 1)))
-        return "write it without leading zeros";
-    if (!digits.empty() && digits.back() == '.') return "write a digit after the point";
-    if (const std::string bare = bareNumber(token); !bare.empty())
-        return "write the number alone: " + bare;
-    return "a number looks like 12, -0.5 or 1e-3";
-}
-
-// True where a comma or bracket is wanted behind a number and blanks.
-bool afterNumber(std::string_view text, std::size_t begin, const Wanted& wanted)
-{
-    if (wanted.what[0] != '\'' || wanted.what[1] != ',') return false;
-    while (begin > 0 && text[begin - 1] == ' ') --begin;
-    return begin > 0 && isDigit(text[begin - 1]);
 }
 
 Fault wordFault(std::string_view text, const Wanted& wanted)
@@ -168,9 +133,6 @@ Fault wordFault(std::string_view text, const Wanted& wanted)
     const std::string_view token = text.substr(begin, end - begin);
     const std::size_t sign = isOneOf(token[0], "+-") ? 1 : 0;
     const char first = charAt(token, sign);
-    if (token.find_first_not_of('.') == token.npos && token.size() > 1)
-        return unexpected(begin, token.size(), quoted(token), wanted,
-                          "write out what belongs there, or take it away");
     // 0,5 and 1,000 in an object end the value at the comma.
     if (wanted.after_comma && begin > 1 && text[begin - 1] == ',' && isDigit(text[begin - 2]) &&
         isDigit(token[0]))
@@ -180,13 +142,11 @@ Fault wordFault(std::string_view text, const Wanted& wanted)
         return unexpected(begin, token.size(), quoted(token), wanted,
                           "does it belong to the text before? a quote in a text is written \\\"");
     if (!isDigit(first) && !isOneOf(first, ".+-") && token.size() > sign)
-        return unexpected(begin, token.size(), quoted(token), wanted,
-                          afterNumber(text, begin, wanted)
-                              ? "write the number alone, without a unit; or is a comma missing?"
-                              : wordHelp(token, wanted));
+        return unexpected(begin, token.size(), quoted(token), wanted, wordHelp(token, wanted));
     if (numberLength(token, 0) != token.size())
         return {begin, token.size(), "found " + quoted(token) + ", which is not a number",
-                numberHelp(token)};
+                "a number looks like 12, -0.5 or 1e-3: decimal, without '+', leading zeros or a "
+                "unit, with a digit before the point and one after the point"};
     if (wanted.value)
         return {begin, token.size(), "the number " + quoted(token) + " is too large",
                 "the largest number is about 1.8e308", Code::number_range};
@@ -215,7 +175,6 @@ std::string symbolHelp(std::string_view text, const SyntaxStop& stop, const Want
     if (c == '%') return "write a share, such as 0.5";
     if (c == '#') return "a comment begins with '//'";
     if (isOneOf(c, "/*") && after_value) return "JSON does not calculate: write the result";
-    if (isOneOf(c, "()")) return "take the parentheses away";
     return wanted.help;
 }
 
@@ -271,9 +230,8 @@ Fault endFault(std::string_view text, const SyntaxStop& stop, const Wanted& want
     const std::size_t last = text.find_last_not_of(" \t\r\n");
     if (!stop.container)
         return {last, 1, std::string("the text ends where ") + wanted.what + " was wanted", {}};
-    const bool object = stop.container->kind == Node::Kind::object;
     return {last, 1, std::string("the text ends inside an ") + kindName(stop.container->kind),
-            object ? "close it with '}'" : "close it with ']'"};
+            stop.container->kind == Node::Kind::object ? "close it with '}'" : "close it with ']'"};
 }
 
 }  // namespace

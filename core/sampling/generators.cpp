@@ -9,6 +9,8 @@
 
 #include "core/sampling/random.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,16 +18,10 @@ namespace crevice {
 
 namespace {
 
-struct Vector {
-    double x = 0, y = 0, z = 0;
-
-    double lengthSquared() const { return x * x + y * y + z * z; }
-};
-
 /// In (-1, 1): odd multiples of 2^-24, so that a float holds it exactly and none is 0.
 double signedNumber(Stream& stream) { return 2.0 * stream.number() - 1.0 + 0x1p-24; }
 
-Vector inCube(Stream& stream)
+glm::dvec3 inCube(Stream& stream)
 {
     const double x = signedNumber(stream), y = signedNumber(stream), z = signedNumber(stream);
     return {x, y, z};
@@ -33,10 +29,10 @@ Vector inCube(Stream& stream)
 
 /// Uniform in volume, by rejection. The squared length has at most 50 bits, so a double holds
 /// it exactly and every platform rejects the same points.
-Vector inBall(Stream& stream)
+glm::dvec3 inBall(Stream& stream)
 {
-    Vector point = inCube(stream);
-    while (point.lengthSquared() > 1.0) point = inCube(stream);
+    glm::dvec3 point = inCube(stream);
+    while (glm::dot(point, point) > 1.0) point = inCube(stream);
     return point;
 }
 
@@ -54,14 +50,14 @@ double lengthScale(Distribution distribution, int index, int count)
 }
 
 /// Offset `index` of `count`, in the whole cube or sphere, from independent numbers.
-Vector randomOffset(Stream& stream, Distribution distribution, int index, int count)
+glm::dvec3 randomOffset(Stream& stream, Distribution distribution, int index, int count)
 {
     if (distribution == Distribution::cube) return inCube(stream);
-    const Vector point = inBall(stream);
+    const glm::dvec3 point = inBall(stream);
     if (distribution == Distribution::uniform) return point;
     const double length = stream.number() * lengthScale(distribution, index, count);
-    const double scale = length / std::sqrt(point.lengthSquared());
-    return {point.x * scale, point.y * scale, point.z * scale};
+    const double scale = length / std::sqrt(glm::dot(point, point));
+    return point * scale;
 }
 
 Diagnostic rangeError(const char* what, int value, int most)
@@ -109,7 +105,7 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
     Stream stream(desc.seed);
     std::vector<glm::vec3> kernel;
     for (int i = 0; i < desc.count; ++i) {
-        const Vector offset = randomOffset(stream, distribution, i, desc.count);
+        const glm::dvec3 offset = randomOffset(stream, distribution, i, desc.count);
         kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
     }
     return kernel;

@@ -53,4 +53,10 @@ Result<Image> makeRotationNoise(int size, unsigned seed);
 const std::vector<std::string>& generatorNames();
 bool generatesTexture(std::string_view generator);
 
+/// The most offsets, or pixels along a side, that the generator makes.
+inline int mostCount(std::string_view generator)
+{
+    return generatesTexture(generator) ? kMaxNoiseSize : kMaxKernelSize;
+}
+
 }  // namespace crevice
