@@ -60,7 +60,7 @@ void GlDevice::noteErrors(const char* what, const char* label)
 {
     if (!check_errors_ || tellsLoss(errors_)) return;
     const Status status = takeErrors(gl_, what, label);
-    errors_.insert(errors_.end(), status.diagnostics().begin(), status.diagnostics().end());
+    append(errors_, status.diagnostics());
 }
 
 Status GlDevice::beginFrame()

@@ -100,7 +100,7 @@ Result<GlProgram> compile(GlApi& gl, const GlProgramCache& cache, const ProgramD
     Result<GlShader> fragment = compileStage(gl, GL_FRAGMENT_SHADER, desc.fragment, desc.label);
     if (!vertex || !fragment) {
         Diagnostics errors = vertex.diagnostics();
-        errors.insert(errors.end(), fragment.diagnostics().begin(), fragment.diagnostics().end());
+        append(errors, fragment.diagnostics());
         return errors;
     }
     GlProgram program(gl, gl.CreateProgram());

@@ -107,9 +107,9 @@ bool beginsAlike(std::string_view a, std::string_view b)
     return shorter > 1 && a.substr(0, shorter) == b.substr(0, shorter);
 }
 
-// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name,
-// a name with more behind it ("r8unorm" for "r8") or before it ("gl_r8"), and the last part of a
-// path ("hemisphere" or "filter/hemisphere" for "ssao/hemisphere") count as just near enough.
+// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name
+// and a name with more behind it ("r8unorm" for "r8") or before it ("gl_r8") count as just near
+// enough, the last part of a path ("hemisphere" for "ssao/hemisphere") as one letter off.
 std::size_t nameDistance(const std::string& written, const std::string& candidate,
                          std::size_t limit)
 {
@@ -117,9 +117,8 @@ std::size_t nameDistance(const std::string& written, const std::string& candidat
         candidate.size() > 1 && written.size() > candidate.size() &&
         written.compare(written.size() - candidate.size(), candidate.size(), candidate) == 0;
     const bool path = candidate.find('/') != std::string::npos;
-    const bool same_last = path && lastPart(candidate) == lastPart(written);
-    const bool just_near = beginsAlike(written, candidate) || ending || same_last;
-    const std::size_t far = just_near ? limit : limit + 1;
+    if (path && lastPart(candidate) == lastPart(written)) return std::min<std::size_t>(limit, 1);
+    const std::size_t far = beginsAlike(written, candidate) || ending ? limit : limit + 1;
     const std::size_t longer = std::max(written.size(), candidate.size());
     const std::size_t shorter = std::min(written.size(), candidate.size());
     if (longer - shorter > limit || longer > 64) return far;
@@ -175,6 +174,11 @@ bool hasErrors(const Diagnostics& diagnostics)
 {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+void append(Diagnostics& all, const Diagnostics& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
 }
 
 void blame(Diagnostic& error, const Place& place, const std::string& what)

@@ -4,13 +4,10 @@
 
 #include "core/base/text.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace crevice {
@@ -18,64 +15,6 @@ namespace crevice {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kIrregular = "it is no regular file";
-
-FileBytes failed(int error)
-{
-    if (error == ENOENT) return {{}, "it does not exist", true};
-    if (error == ENXIO) return {{}, kIrregular};  // a socket
-    return {{}, std::generic_category().message(error)};
-}
-
-// An open file, closed in the end.
-class OpenFile {
-public:
-    // A pipe without a writer must not block, a terminal not become this process's own.
-    explicit OpenFile(const std::string& path)
-        : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
-    {
-        struct stat info = {};
-        if (file_ < 0 || fstat(file_, &info) != 0)
-            opened_ = failed(errno);
-        else if (S_ISDIR(info.st_mode))
-            opened_.failure = "it is a folder";
-        else if (!S_ISREG(info.st_mode))
-            opened_.failure = kIrregular;
-        else
-            size = static_cast<std::uintmax_t>(info.st_size);
-    }
-    ~OpenFile()
-    {
-        if (file_ >= 0) close(file_);
-    }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-
-    // At most `count` bytes. The size is a hint: files of /proc have none.
-    FileBytes read(std::size_t count) const
-    {
-        FileBytes result = opened_;
-        if (!result) return result;
-        result.bytes.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, count)));
-        char buffer[1 << 14];
-        while (result.bytes.size() < count) {
-            const std::size_t wanted = std::min(sizeof(buffer), count - result.bytes.size());
-            const ssize_t got = ::read(file_, buffer, wanted);
-            if (got < 0 && errno == EINTR) continue;
-            if (got < 0) return failed(errno);
-            if (got == 0) break;
-            result.bytes.append(buffer, static_cast<std::size_t>(got));
-        }
-        return result;
-    }
-
-    std::uintmax_t size = 0;
-
-private:
-    int file_;
-    FileBytes opened_;
-};
 
 // Where a path leads. What cannot be resolved cannot be opened either.
 fs::path resolved(const std::string& path)
@@ -100,29 +39,45 @@ Diagnostic outside(const std::string& path, const std::vector<std::string>& fold
         shown.push_back("'" + resolved(folder).string() + "'");
     std::sort(shown.begin(), shown.end());
     shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
-    Diagnostic error{Code::module_escape,
-                     "the file '" + path + "' lies outside of " + joined(shown, " and ")};
-    error.help =
-        "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots in "
-        "a "
-        "program, allows another folder";
-    return error;
+    return {Code::module_escape,
+            "the file '" + path + "' lies outside of " + joined(shown, " and "),
+            "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots "
+            "in a program, allows another folder"};
 }
 
 }  // namespace
 
 FileBytes readBytes(const std::string& path, std::size_t limit)
 {
-    const OpenFile file(path);
-    FileBytes result = file.size > limit ? FileBytes{} : file.read(limit + 1);
-    if (file.size > limit || result.bytes.size() > limit)
-        return {{}, "it has more than " + std::to_string(limit) + " bytes"};
-    return result;
+    FileBytes result = readStart(path, limit + 1);
+    if (result.bytes.size() <= limit) return result;
+    return {{}, "it has more than " + std::to_string(limit) + " bytes"};
 }
 
 FileBytes readStart(const std::string& path, std::size_t count)
 {
-    return OpenFile(path).read(count);
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) return {{}, "it does not exist", true};
+    if (!fs::status_known(status)) return {{}, error.message()};
+    if (fs::is_directory(status)) return {{}, "it is a folder"};
+    if (!fs::is_regular_file(status)) return {{}, "it is no regular file"};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {{}, std::generic_category().message(errno)};
+    FileBytes result;
+    char buffer[1 << 14];
+    while (file && result.bytes.size() < count) {
+        file.read(buffer, std::min(sizeof(buffer), count - result.bytes.size()));
+        result.bytes.append(buffer, static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad()) result.failure = std::generic_category().message(errno);
+    return result;
+}
+
+std::string absenceOf(const std::string& path)
+{
+    const FileBytes file = readStart(path, 0);
+    return file.missing ? "does not exist" : "cannot be read: " + file.failure;
 }
 
 bool isBelow(const std::string& path, const std::vector<std::string>& folders)

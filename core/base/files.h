@@ -27,6 +27,9 @@ FileBytes readBytes(const std::string& path, std::size_t limit);
 /// The first `count` bytes of a regular file of any size.
 FileBytes readStart(const std::string& path, std::size_t count);
 
+/// Of what was not read: "does not exist", or "cannot be read: it is a folder".
+std::string absenceOf(const std::string& path);
+
 /// True when the file at `path` is, or would be, below one of the folders, which are seen from the
 /// current folder. A link counts as where it leads, for both.
 bool isBelow(const std::string& path, const std::vector<std::string>& folders);

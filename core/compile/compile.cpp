@@ -184,9 +184,7 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     lint(state);
     lintPrecision(state);
     dropRepeats(state);
-    if (!hasErrors(state.diagnostics))
-        state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
-                                 description.unused.end());
+    if (!hasErrors(state.diagnostics)) append(state.diagnostics, description.unused);
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     Plan plan = buildPlan(state);
     plan.reruns = !state.applies("cached");

@@ -36,28 +36,20 @@ Result<Found> findFile(const SourceSet& sources, const SourceText& writer, const
     return Found{key, *found};
 }
 
-std::vector<std::string> filesEndingIn(const SourceSet& sources, const std::string& ending)
+std::string absence(const Found& file)
 {
-    std::vector<std::string> paths;
-    for (const std::string& path : sources.list())
-        if (endsWith(path, ending)) paths.push_back(path);
-    return paths;
-}
-
-// "does not exist", or why a file that is there is none.
-std::string absenceOf(const Found& file)
-{
-    const FileBytes found = isOnDisk(file.key) ? readStart(file.key, 0) : FileBytes{{}, {}, true};
-    return found.missing ? "does not exist" : "cannot be read: " + found.failure;
+    return isOnDisk(file.key) ? absenceOf(file.key) : "does not exist";
 }
 
 // `ending` says what the file is for: ".frag", ".vert", ".glsl".
 std::string suggestFile(const SourceSet& sources, const std::string& name,
                         const std::string& ending)
 {
-    const std::string help = suggestName(name, filesEndingIn(sources, ending), "files");
-    return isRelative(name) ? "the path is seen from the folder of the file that has it; " + help
-                            : help;
+    std::vector<std::string> paths;
+    for (const std::string& path : sources.list())
+        if (endsWith(path, ending)) paths.push_back(path);
+    return (isRelative(name) ? "the path is seen from the folder of the file that has it; " : "") +
+           suggestName(name, std::move(paths), "files");
 }
 
 class FileReader {
@@ -82,7 +74,7 @@ public:
         const Found& file = *found;
         if (!file.source) {
             report_.at(reference, Code::file_missing,
-                       who + " names file '" + reference.name + "', which " + absenceOf(file),
+                       who + " names file '" + reference.name + "', which " + absence(file),
                        suggestFile(sources_, reference.name, ending));
             report_.sameMistake("file " + file.key);
             return;
@@ -112,8 +104,8 @@ private:
             else if (found->source)
                 waiting.push_back(*found);
             else
-                missing(include, pointer, "file '" + include.name + "'", absenceOf(*found)).help =
-                    suggestFile(sources_, include.name, ".glsl");
+                missing(include, pointer, "file '" + include.name + "', which " + absence(*found),
+                        suggestFile(sources_, include.name, ".glsl"));
         }
     }
 
@@ -130,18 +122,18 @@ private:
         if (contains(names, include.name) || contains(stray_, include.name)) return;
         if (report_.errorAt("/interfaces")) return;
         const std::string modules = modulesThatDeclare(sources_, "interfaces", include.name);
-        missing(include, pointer, "interface <" + include.name + ">").help =
-            "add a module that provides it to extends" + (modules.empty() ? "" : ": " + modules) +
-            "; " + suggestName(include.name, names, "interfaces");
+        missing(include, pointer, "interface <" + include.name + ">, which does not exist",
+                "add a module that provides it to extends" +
+                    (modules.empty() ? "" : ": " + modules) + "; " +
+                    suggestName(include.name, names, "interfaces"));
     }
 
-    Diagnostic& missing(const GlslInclude& include, const std::string& pointer,
-                        const std::string& what, const std::string& absence = "does not exist")
+    void missing(const GlslInclude& include, const std::string& pointer, const std::string& what,
+                 std::string help)
     {
-        Diagnostic& error = report_.at({"", include.place, pointer}, Code::include_missing,
-                                       "found an #include of " + what + ", which " + absence);
+        report_.at({"", include.place, pointer}, Code::include_missing,
+                   "found an #include of " + what, std::move(help));
         report_.sameMistake(what);
-        return error;
     }
 
     const SourceSet& sources_;

@@ -14,82 +14,7 @@ namespace {
 // One GLSL line holds it with room to spare, and the shortest limit among drivers is far longer.
 constexpr std::size_t kMaxNameBytes = 64;
 
-// What people write who know other systems, and what this format calls it.
-constexpr struct {
-    const char* written;
-    const char* meant;
-} kOtherWords[] = {
-    {"value", "default"},    {"val", "default"},       {"description", "tooltip"},
-    {"name", "label"},       {"options", "values"},    {"fmt", "format"},
-    {"width", "size"},       {"height", "size"},       {"resolution", "size"},
-    {"factor", "scale"},     {"relative", "of"},       {"msaa", "samples"},
-    {"vs", "vertex"},        {"fs", "fragment"},       {"pixel", "fragment"},
-    {"macros", "defines"},   {"program", "shader"},    {"enabled", "when"},
-    {"enable", "when"},      {"disabled", "when"},     {"condition", "when"},
-    {"if", "when"},          {"targets", "color"},     {"render_targets", "color"},
-    {"textures", "inputs"},  {"samplers", "inputs"},   {"reads", "inputs"},
-    {"source", "from"},      {"src", "from"},          {"texture", "from"},
-    {"sampling", "filter"},  {"address", "wrap"},      {"culling", "cull"},
-    {"import", "imports"},   {"parameters", "params"}, {"uniforms", "params"},
-    {"textures", "targets"}, {"presets", "variants"},  {"profiles", "variants"},
-    {"scale", "size"},       {"of", "size"},           {"sampler2D", "texture"},
-    {"image", "texture"},    {"quad", "fullscreen"},   {"screen", "fullscreen"},
-    {"mesh", "draw"},        {"scene", "draw"},        {"geometry", "draw"},
-    {"double", "float"},     {"color", "vec3"},        {"rgb", "vec3"},
-    {"rgba", "vec4"},        {"string", "enum"},       {"point", "nearest"},
-    {"off", "none"},         {"lequal", "less_equal"}, {"gequal", "greater_equal"},
-    {"d16", "depth16"},      {"d24", "depth24"},       {"d32", "depth32f"},
-    {"d32f", "depth32f"},
-};
-
-// "_comment", "x_note", "Note": no key of a format.
-bool looksOwn(std::string_view key)
-{
-    const char first = key.empty() ? ' ' : key[0];
-    return !isLower(first) || startsWith(key, "x_") || startsWith(key, "comment");
-}
-
-// "radius": 0.8 at the top of a config is meant for its section.
-std::string suggestPlace(const Node& document, const Member& member)
-{
-    for (const char* section : {"params", "features"}) {
-        const Node* entries = document.find(section);
-        if (!entries || !entries->find(member.key)) continue;
-        return std::string("write \"") + section + "\": {" + jsonString(member.key) + ": " +
-               brief(member.value) + "}; ";
-    }
-    return {};
-}
-
 }  // namespace
-
-std::string spellName(std::string_view name)
-{
-    std::string out;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const bool hump = isUpper(name[i]) && i > 0 && !isUpper(name[i - 1]);
-        const bool kept = isWord(name[i]) && name[i] != '_';
-        if ((hump || !kept) && !out.empty() && out.back() != '_') out += '_';
-        if (kept) out += name[i];
-    }
-    while (!out.empty() && out.back() == '_') out.pop_back();
-    out = lowerCase(out);
-    if (out.substr(0, 3) == "gl_") out.erase(0, 3);
-    if (out.empty()) return "name";
-    if (!isLower(out.front())) out.insert(0, "my_");
-    return out.substr(0, kMaxNameBytes);
-}
-
-std::string suggestWord(std::string_view written, const std::vector<std::string>& allowed,
-                        std::string_view what)
-{
-    std::string help = suggestName(written, allowed, what);
-    if (startsWith(help, "did you mean")) return help;
-    for (const auto& word : kOtherWords)
-        if (written == word.written && contains(allowed, word.meant))
-            return "did you mean '" + std::string(word.meant) + "'? " + help;
-    return help;
-}
 
 bool isName(std::string_view name)
 {
@@ -120,7 +45,7 @@ void checkName(Report& report, const Cursor& cursor)
     report.atKey(cursor, Code::bad_name,
                  "found the name '" + cursor.key + "', wanted snake_case of at most " +
                      std::to_string(kMaxNameBytes) + " letters, without '__' or 'gl_'",
-                 "write '" + spellName(cursor.key) + "'");
+                 "write lower-case letters, digits and '_', a letter first: ao_blur");
 }
 
 void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry)
@@ -166,29 +91,26 @@ bool Reader::finish()
 {
     if (!has_keys_) return true;
     if (!expectObject(report_, cursor_, keys_)) return false;
-    reportUnknown();
-    for (const Missing& missing : missing_) reportMissing(missing);
+    if (!reportUnknown())  // else the key that is missing was surely meant
+        for (const Missing& missing : missing_) reportMissing(missing);
     return missing_.empty();
 }
 
-// A key that must be there and that an unknown one was meant to be is no mistake of its own.
-void Reader::reportUnknown()
+// Whether there was one.
+bool Reader::reportUnknown()
 {
+    bool reported = false;
     if (cursor_.pointer.empty()) keys_.insert(keys_.end(), {"extends", "variants"});
     for (const Member& member : cursor_.node.members) {
-        const bool known = std::find(keys_.begin(), keys_.end(), member.key) != keys_.end();
-        if (known || isExtension(member.key)) continue;
-        std::string help = suggestWord(member.key, keys_, "keys");
-        if (looksOwn(member.key)) help += "; a key of your own begins with 'x-'";
-        if (cursor_.pointer.empty()) help = suggestPlace(cursor_.node, member) + help;
-        const auto meant = [&](const Missing& each) {
-            return startsWith(help, "did you mean '" + std::string(each.key) + "'");
-        };
-        missing_.erase(std::remove_if(missing_.begin(), missing_.end(), meant), missing_.end());
+        if (contains(keys_, member.key) || isExtension(member.key)) continue;
+        std::string help = suggestName(member.key, keys_, "keys");
+        if (!startsWith(help, "did you mean")) help += "; a key of your own begins with 'x-'";
+        reported = true;
         report_.atKey(cursor_.child(member), Code::unknown_key,
                       "found the key '" + member.key + "', which the format does not have here",
                       std::move(help));
     }
+    return reported;
 }
 
 // At the null of the patch that took it away, where there is one.

@@ -44,13 +44,6 @@ Place lastPlace(const Node& object);
 /// Of the member's value; of the object's own key where it has no such member.
 Place placeOf(const Cursor& object, std::string_view member);
 
-/// `name` as it should have been spelt: "AoRadius" and "ao-radius" become "ao_radius".
-std::string spellName(std::string_view name);
-
-/// The help for a key or word that is none of `allowed`, which are called `what`.
-std::string suggestWord(std::string_view written, const std::vector<std::string>& allowed,
-                        std::string_view what);
-
 /// CV3004 unless the cursor's key is a name that JSON, GLSL and C++ can share.
 void checkName(Report& report, const Cursor& cursor);
 
@@ -117,7 +110,7 @@ private:
 
     const Member* find(std::string_view key) const;
     Cursor child(const Member& member, const char* doc) const;
-    void reportUnknown();
+    bool reportUnknown();
     void reportMissing(const Missing& missing);
 
     Report& report_;

@@ -3,7 +3,6 @@
 #include "core/config/decode_reader.h"
 
 #include "core/base/text.h"
-#include "core/json/syntax.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -33,79 +32,14 @@ std::string found(const Node& node)
     }
 }
 
-// `way_out` is the help where what was meant can be told; else the table's sentence is.
+// Without a way out of its own, the help is the table's sentence.
 bool wrongType(Report& report, const Cursor& cursor, const std::string& wanted,
                std::string way_out = {})
 {
-    Diagnostic& error =
-        report.atValue(cursor, Code::wrong_type,
-                       cursor.label + ": found " + found(cursor.node) + ", wanted " + wanted);
-    if (!way_out.empty()) error.help = std::move(way_out);
+    report.atValue(cursor, Code::wrong_type,
+                   cursor.label + ": found " + found(cursor.node) + ", wanted " + wanted,
+                   std::move(way_out));
     return false;
-}
-
-bool isNumber(std::string_view text)
-{
-    return !text.empty() && numberLength(text, 0) == text.size();
-}
-
-// What to write for a value where a number is wanted.
-std::string asNumber(const Node& node, bool whole)
-{
-    if (node.kind == Node::Kind::string && isNumber(node.text))
-        return "write it without quotes: " + node.text;
-    std::string pointed = node.kind == Node::Kind::string ? node.text : "";
-    std::replace(pointed.begin(), pointed.end(), ',', '.');
-    if (isNumber(pointed)) return "write it without quotes and with a point: " + pointed;
-    if (node.kind == Node::Kind::array && node.items.size() == 1)
-        return "write it without brackets: " + brief(node.items[0]);
-    const bool fraction = node.kind == Node::Kind::number && whole;
-    return fraction ? "write " + numberText(std::round(node.number)) : "";
-}
-
-// What to write for a value where true or false is wanted.
-std::string asFlag(const Node& node)
-{
-    if (const std::string text = node.text; text == "true" || text == "false")
-        return "write it without quotes: " + text;
-    if (node.kind == Node::Kind::number && (node.number == 0 || node.number == 1))
-        return node.number == 0 ? "write false" : "write true";
-    return "write true or false";
-}
-
-// What to write for a value where a name or text is wanted.
-std::string asText(const Node& node)
-{
-    const Node* inner = nullptr;
-    if (node.items.size() == 1) inner = &node.items[0];
-    if (node.members.size() == 1) inner = &node.members[0].value;
-    return inner && inner->kind == Node::Kind::string ? "write " + brief(*inner) + " alone" : "";
-}
-
-// What to write for a value where `count` numbers are wanted.
-std::string asNumbers(const Node& node, int count)
-{
-    const bool number = node.kind == Node::Kind::number;
-    std::string list;
-    for (int i = 0; i < count; ++i) list += (i > 0 ? ", " : "") + (number ? node.text : "0.5");
-    return "write a list such as [" + list + "]";
-}
-
-// What to write for a value where an object with these keys is wanted: one that has the value under
-// the key that it was surely meant for.
-std::string asObject(const Node& node, const std::vector<std::string>& keys)
-{
-    if (keys.empty())
-        return node.kind == Node::Kind::array ? "entries have names here: {\"name\": ..., ...}"
-                                              : "write {\"name\": ..., ...}";
-    const bool string = node.kind == Node::Kind::string;
-    static const std::vector<std::string> kOfStrings = {"target", "shader", "generator",
-                                                        "format", "type",   "fragment"};
-    static const std::vector<std::string> kOfNumbers = {"default", "scale", "at", "count"};
-    for (const std::string& key : string ? kOfStrings : kOfNumbers)
-        if (isScalar(node) && std::find(keys.begin(), keys.end(), key) != keys.end())
-            return "write {\"" + key + "\": " + brief(node) + "}";
-    return "write an object with some of the keys " + joined(keys);
 }
 
 bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted)
@@ -137,7 +71,9 @@ bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, dou
     const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
     if (node.kind != Node::Kind::number || fraction)
         return wrongType(report, cursor, whole ? "a whole number" : "a number",
-                         asNumber(node, whole));
+                         node.kind == Node::Kind::string ? "a number has no quotes"
+                         : fraction                      ? "a whole number has no point: 16"
+                                                         : "");
     rule.min = std::max(rule.min, least);
     rule.max = std::min(rule.max, most);
     return checkRange(report, cursor, rule);
@@ -175,7 +111,9 @@ bool isMacroName(std::string_view name)
 bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys)
 {
     return cursor.node.kind == Node::Kind::object ||
-           wrongType(report, cursor, "an object", asObject(cursor.node, keys));
+           wrongType(report, cursor, "an object",
+                     keys.empty() ? "write {\"name\": ..., ...}"
+                                  : "write an object with some of the keys " + joined(keys));
 }
 
 bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
@@ -190,14 +128,14 @@ bool readWord(Report& report, const Cursor& cursor, const std::vector<std::strin
     report.atValue(cursor, Code::bad_enum,
                    cursor.label + ": found " + found(cursor.node) + ", wanted one of the " +
                        std::to_string(words.size()) + " allowed words",
-                   suggestWord(cursor.node.text, words, "allowed"));
+                   suggestName(cursor.node.text, words, "allowed"));
     return false;
 }
 
 bool read(Report& report, const Cursor& cursor, bool& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::boolean)
-        return wrongType(report, cursor, "true or false", asFlag(cursor.node));
+        return wrongType(report, cursor, "true or false", "write true or false, without quotes");
     out = cursor.node.boolean;
     return true;
 }
@@ -228,10 +166,8 @@ bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
 
 bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
 {
-    const std::string quoted = "put it in double quotes: \"" + brief(cursor.node) + '"';
     if (cursor.node.kind != Node::Kind::string)
-        return wrongType(report, cursor, "a string",
-                         isScalar(cursor.node) ? quoted : asText(cursor.node));
+        return wrongType(report, cursor, "a string", "put text in double quotes");
     out = cursor.node.text;
     return true;
 }
@@ -239,7 +175,7 @@ bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
 bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::string)
-        return wrongType(report, cursor, "a name", asText(cursor.node));
+        return wrongType(report, cursor, "a name", "write one name, in double quotes");
     out = cursor.reference(cursor.node.text);
     return true;
 }
@@ -293,7 +229,7 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
     if (out.count == 1) return one(cursor, out.values[0]);
     const std::string wanted = std::to_string(out.count) + " numbers";
     if (cursor.node.kind != Node::Kind::array)
-        return wrongType(report, cursor, "a list of " + wanted, asNumbers(cursor.node, out.count));
+        return wrongType(report, cursor, "a list of " + wanted);
     if (cursor.node.items.size() != static_cast<std::size_t>(out.count))
         return wrongLength(report, cursor, wanted);
     bool good = true;
@@ -326,7 +262,7 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule&)
         if (word.empty() || word.front() == '_' || !isName("x_" + word)) {
             report.atValue(item, Code::bad_name,
                            item.label + ": found '" + word + "', wanted snake_case",
-                           "write '" + spellName(word) + "'");
+                           "write lower-case letters, digits and '_'");
             return false;
         }
         if (std::count(out.words.begin(), out.words.end(), word) == 1) return true;

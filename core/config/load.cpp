@@ -23,11 +23,6 @@ namespace {
 constexpr std::string_view kSuffix = ".json";
 constexpr std::string_view kConfigs = "configs/";
 
-void append(Diagnostics& all, const Diagnostics& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 // The names that `extends` may use: modules by path, configs by name.
 std::vector<std::string> extendsNames(const SourceSet& sources)
 {
@@ -38,30 +33,6 @@ std::vector<std::string> extendsNames(const SourceSet& sources)
         names.push_back(path.substr(begin, path.size() - kSuffix.size() - begin));
     }
     return names;
-}
-
-// A help line for a name that is none of them: the one that lacks its folder, the nearest one, or
-// else those of its folder.
-std::string suggestModule(const SourceSet& sources, const std::string& name)
-{
-    const std::vector<std::string> names = extendsNames(sources);
-    for (const std::string& each : names)
-        if (endsWith(each, "/" + name)) return suggestName(each, names, "modules and configs");
-    std::string help = suggestName(name, names, "modules and configs");
-    const std::string folder = name.substr(0, name.find('/') + 1);
-    if (folder.empty() || startsWith(help, "did you mean")) return help;
-    std::vector<std::string> beside;
-    for (const std::string& each : names)
-        if (startsWith(each, folder)) beside.push_back(each);
-    if (beside.empty()) return help;
-    return suggestName(name, std::move(beside), "modules of '" + folder + "'");
-}
-
-std::string absenceOf(const std::string& path)
-{
-    const FileBytes file = readStart(path, 0);
-    return file.missing ? "there is no file '" + path + "'"
-                        : "the file '" + path + "' cannot be read: " + file.failure;
 }
 
 // The roots of all files of a request: its own, and the folder of the config.
@@ -82,20 +53,20 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     if (SourceRef source = file ? readFile(config, roots) : nullptr) return source;
     const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
     if (SourceRef source = sources.find(file ? config : shipped)) return source;
-    Diagnostic missing{Code::module_missing,
-                       file ? absenceOf(config) : "there is no config '" + config + "'"};
-    missing.help = suggestName(config, configNames(sources), "shipped configs");
-    if (!file) missing.help += "; the name of a file of your own ends in .json";
-    return missing;
+    return Diagnostic{Code::module_missing,
+                      file ? "the file '" + config + "' " + absenceOf(config)
+                           : "there is no config '" + config + "'",
+                      suggestName(config, configNames(sources), "shipped configs") +
+                          (file ? "" : "; the name of a file of your own ends in .json")};
 }
 
 // Takes the member out of the object.
 std::optional<Node> takeMember(Node& object, std::string_view key)
 {
-    if (!object.find(key)) return std::nullopt;
     std::vector<Member>& members = object.members;
     const auto at = std::find_if(members.begin(), members.end(),
                                  [&](const Member& member) { return member.key == key; });
+    if (at == members.end()) return std::nullopt;
     Node value = std::move(at->value);
     members.erase(at);
     return value;
@@ -107,14 +78,6 @@ Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer,
             std::move(help), found.place, std::move(pointer)};
 }
 
-// True for an override of the top key, or of something below it.
-bool changes(const std::string& override, const std::string& key)
-{
-    const std::size_t end = key.size() + 1;
-    return startsWith(override, "/" + key) && end < override.size() &&
-           (override[end] == '=' || override[end] == '/');
-}
-
 // True for "filter/box=filter/median", which swaps a module for another.
 bool swaps(const std::string& override)
 {
@@ -122,25 +85,15 @@ bool swaps(const std::string& override)
     return slash != 0 && slash < override.find('=');
 }
 
-// Variants are taken out of each file, so one that is still there was laid over the config.
-void checkVariantsGone(const Node& document, Diagnostics& errors)
+// Both are taken out of each file, so what is still there was laid over the config.
+void checkTaken(const Node& document, Diagnostics& errors)
 {
     for (const Member& member : document.members)
-        if (member.key == "variants")
-            errors.push_back({Code::unknown_key, "found 'variants' in a variant or an override",
-                              "write them into a file, and choose one by its name",
-                              member.key_place, "/variants"});
-}
-
-// A name that a file, a variant or an override deletes and nothing gives anew.
-void checkNamed(const Node& document, Diagnostics& errors)
-{
-    if (document.find("name")) return;
-    for (const Member& deleted : document.deleted)
-        if (deleted.key == "name")
-            errors.push_back(
-                wrongType(deleted.value, "a name", "/name",
-                          "write a name, or leave the key out to keep that of 'extends'"));
+        if (member.key == "extends" || member.key == "variants")
+            errors.push_back({Code::unknown_key,
+                              "found '" + member.key + "' in a variant or an override",
+                              "write it into a file; --set OLD=NEW swaps a module",
+                              member.key_place, memberPointer("", member.key)});
 }
 
 // Where a file was asked for: nowhere for the config itself.
@@ -168,28 +121,17 @@ public:
     Diagnostics errors;
 
 private:
-    // What a file extends, and where that is written.
-    struct Extends {
-        std::optional<Node> list;
-        std::string pointer;
-    };
     struct File {
         std::string identity;
         std::string name;
         Asked asked;
     };
 
-    struct Swap {
-        Override read;
-        bool used = false;
-    };
-
     void readSwaps();
     const Node& swapped(const Node& entry);
     bool mayOpen(const File& file);
     Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
-    Extends takeExtends(Node& document);
-    void loadExtended(const Extends& extends);
+    void loadExtended(const Node& list);
     void checkFormat(const Node& document);
     void checkKeys(const Node& document);
     void takeVariants(Node& document);
@@ -199,7 +141,7 @@ private:
     std::vector<File> open_;  // from the config to the file being read
     std::set<std::string> done_;
     std::vector<File> read_;  // in the order of `bodies`
-    std::vector<Swap> swaps_;
+    std::vector<Override> swaps_;
     std::vector<std::string> extends_;                       // all that configs name
     std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
 };
@@ -232,10 +174,10 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
         checkFormat(*document);
         checkKeys(*document);
         takeMember(*document, "$schema");  // by which editors find what checks the file
-        const Extends extends = takeExtends(*document);
+        const std::optional<Node> extends = takeMember(*document, "extends");
         takeVariants(*document);
         open_.push_back(file);
-        loadExtended(extends);
+        if (extends) loadExtended(*extends);
         open_.pop_back();
         bodies.push_back(std::move(*document));
         read_.push_back(file);
@@ -249,7 +191,7 @@ void FileLoader::readSwaps()
         if (!swaps(text)) continue;
         Result<Override> read = readOverride(text, rootsOf(request_));
         if (read)
-            swaps_.push_back({std::move(*read)});
+            swaps_.push_back(std::move(*read));
         else
             append(errors, read.diagnostics());
     }
@@ -261,22 +203,16 @@ const Node& FileLoader::swapped(const Node& entry)
     const std::string& file = entry.place.source->path;
     if (!file.empty() && !isRelative(file) && !startsWith(file, kConfigs)) return entry;
     extends_.push_back(entry.text);
-    for (Swap& swap : swaps_) {
-        if (swap.read.name != entry.text) continue;
-        swap.used = true;
-        return swap.read.value;
-    }
-    return entry;
+    const Override* swap = findNamed(swaps_, entry.text);
+    return swap ? swap->value : entry;
 }
 
 void FileLoader::checkSwaps()
 {
-    for (const Swap& swap : swaps_) {
-        if (swap.used) continue;
-        errors.push_back({Code::module_missing, "no config extends '" + swap.read.name + "'",
-                          suggestName(swap.read.name, extends_, "modules to swap"),
-                          swap.read.place});
-    }
+    for (const Override& swap : swaps_)
+        if (!contains(extends_, swap.name))
+            errors.push_back({Code::module_missing, "no config extends '" + swap.name + "'",
+                              suggestName(swap.name, extends_, "modules to swap"), swap.place});
 }
 
 // What is one thing only: the GLSL of a shader, the file behind an interface. Null when neither.
@@ -355,7 +291,7 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
         const std::string path = name + std::string(kSuffix);
         if (SourceRef source = sources_.find(path)) return source;
         if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;
-        missing.help = suggestModule(sources_, name);
+        missing.help = suggestName(name, extendsNames(sources_), "modules and configs");
         if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
         return missing;
     }
@@ -373,49 +309,21 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
         return refused;
     }
     if (*found) return found;
-    missing.message = shipped ? "there is no module '" + path + "'" : absenceOf(path);
-    missing.help = "the path is seen from the folder of '" + from.name + "'";
-    if (!endsWith(name, kSuffix))
-        missing.help = "did you mean '" + name + std::string(kSuffix) + "'? " + missing.help;
+    missing.message = shipped ? "there is no module '" + path + "'"
+                              : "the file '" + path + "' " + absenceOf(path);
+    missing.help = "the path is seen from the folder of '" + from.name + "', and ends in .json";
     return missing;
 }
 
-// The file's own list, or that of the chosen variant in the file; in the config itself with the
-// overrides of the list.
-FileLoader::Extends FileLoader::takeExtends(Node& document)
+void FileLoader::loadExtended(const Node& list)
 {
-    Extends extends = {takeMember(document, "extends"), "/extends"};
-    const Node* named = document.find("variants");
-    const Node* variant = named ? named->find(request_.variant) : nullptr;
-    if (variant && variant->find("extends")) {
-        extends.list = *variant->find("extends");
-        extends.pointer = memberPointer("/variants", request_.variant) + "/extends";
-    }
-    if (!open_.empty()) return extends;
-    Node holder;
-    holder.kind = Node::Kind::object;
-    if (extends.list) holder.members.push_back({"extends", {}, std::move(*extends.list)});
-    for (const std::string& text : request_.overrides)
-        if (changes(text, "extends"))
-            append(errors, applyOverride(holder, text, rootsOf(request_)).diagnostics());
-    extends.list = takeMember(holder, "extends");
-    return extends;
-}
-
-void FileLoader::loadExtended(const Extends& extends)
-{
-    if (!extends.list) return;
-    const Node& list = *extends.list;
     if (list.kind != Node::Kind::array) {
-        errors.push_back(wrongType(list, "a list of names", extends.pointer,
-                                   list.kind == Node::Kind::string
-                                       ? "put it in brackets: [" + jsonString(list.text) + "]"
-                                       : "write [\"folder/module\", ...]"));
+        errors.push_back(wrongType(list, "a list of names", "/extends",
+                                   "write it in brackets: [\"folder/module\", ...]"));
         return;
     }
     for (const Node& written : list.items) {
-        const std::string pointer =
-            extends.pointer + "/" + std::to_string(&written - list.items.data());
+        const std::string pointer = "/extends/" + std::to_string(&written - list.items.data());
         const Node& entry = written.kind == Node::Kind::string ? swapped(written) : written;
         if (entry.kind != Node::Kind::string) {
             errors.push_back(wrongType(entry, "a name", pointer,
@@ -438,36 +346,22 @@ void FileLoader::loadExtended(const Extends& extends)
 void FileLoader::checkFormat(const Node& document)
 {
     const Node* format = document.find("format");
-    if (format && format->integer() && format->number == 1) return;
-    Diagnostic error{Code::format_version, "found no 'format', where 1 was wanted",
-                     "begin the file with \"format\": 1", document.place, "/format"};
-    if (format) {
-        error.message = "found format " + brief(*format) + " where 1 was wanted";
-        error.place = format->place;
-        error.help = "this library reads format 1";
-        if (format->number > 1) error.help += "; update crevice";
-        if (format->number == 1 || format->text == "1") error.help = "write \"format\": 1";
-    }
-    for (const Member& member : document.members) {
-        const bool near = startsWith(suggestName(member.key, {"format"}, "keys"), "did you mean");
-        if (format || !near) continue;
-        error.place = member.key_place;
-        error.pointer = memberPointer("", member.key);
-        error.help = "did you mean 'format'? begin the file with \"format\": 1";
-    }
-    errors.push_back(std::move(error));
+    if (!format)
+        errors.push_back({Code::format_version, "found no 'format', where 1 was wanted",
+                          "begin the file with \"format\": 1", document.place, "/format"});
+    else if (!format->integer() || format->number != 1)
+        errors.push_back({Code::format_version,
+                          "found format " + brief(*format) + " where 1 was wanted",
+                          "write \"format\": 1, or update crevice to read a later one",
+                          format->place, "/format"});
 }
 
 // A key that was meant as `extends` is told before all that is not there without it.
 void FileLoader::checkKeys(const Node& document)
 {
-    static const std::set<std::string> kMeant = {"base", "include", "includes", "inherit",
-                                                 "inherits"};
     for (const Member& member : document.members) {
         std::string help = suggestName(member.key, {"extends"}, "keys");
-        const bool near = startsWith(help, "did you mean") && member.key != "extends";
-        if (!near && kMeant.count(member.key) == 0) continue;
-        if (!near) help = "did you mean 'extends'?";
+        if (member.key == "extends" || !startsWith(help, "did you mean")) continue;
         errors.push_back({Code::unknown_key,
                           "found the key '" + member.key + "', which the format does not have here",
                           std::move(help), member.key_place, memberPointer("", member.key)});
@@ -482,7 +376,6 @@ void FileLoader::takeVariants(Node& document)
         errors.push_back(wrongType(*taken, "an object of variants", "/variants",
                                    "write {\"name\": {what to change}, ...}"));
     for (Member& variant : taken->members) {
-        takeMember(variant.value, "extends");
         if (variant.value.kind == Node::Kind::object)
             variants.push_back(std::move(variant));
         else
@@ -506,7 +399,7 @@ void applyVariant(Node& document, const FileLoader& files, const LoadRequest& re
     std::vector<std::string> names = namesOf(files.variants);
     for (const Member& variant : files.variants)
         if (variant.key == request.variant) mergePatch(document, variant.value, errors);
-    if (std::find(names.begin(), names.end(), request.variant) != names.end()) return;
+    if (contains(names, request.variant)) return;
     errors.push_back({Code::variant_missing,
                       "there is no variant '" + request.variant + "' of '" + request.config + "'",
                       suggestName(request.variant, std::move(names), "variants"), document.place,
@@ -538,10 +431,9 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
         document.origins.push_back(document.place);
     if (!request.variant.empty()) applyVariant(document, files, request, errors);
     for (const std::string& text : request.overrides)
-        if (!changes(text, "extends") && !swaps(text))
+        if (!swaps(text))
             append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
-    checkVariantsGone(document, errors);
-    checkNamed(document, errors);
+    checkTaken(document, errors);
     if (!errors.empty()) return errors;
     return document;
 }

@@ -197,15 +197,11 @@ bool TreeBuilder::parse_error(std::size_t read, const std::string&, const Json::
     const bool in_string = std::strstr(cause.what(), "invalid string");
     Diagnostic error =
         explainSyntax(source_, {text_, end_, after_, container, in_string ? read - 1 : 0});
-    const auto isAt = [&error](const Place& place) {
-        return error.place.line == place.line && error.place.column == place.column;
-    };
     error.pointer = pointer();
-    if (container && !container->members.empty()) {
-        const Member& last = container->members.back();
-        const bool value = after_ == SyntaxStop::After::key && !isAt(last.key_place);
-        if (value || isAt(last.value.place)) error.pointer = memberPointer(error.pointer, last.key);
-    }
+    const Member* last = after_ == SyntaxStop::After::key ? &container->members.back() : nullptr;
+    if (last && (error.place.line != last->key_place.line ||
+                 error.place.column != last->key_place.column))  // it is not about the key itself
+        error.pointer = memberPointer(error.pointer, last->key);
     errors_.push_back(std::move(error));
     for (; !open_.empty(); open_.pop_back()) checkKeys();
     return false;

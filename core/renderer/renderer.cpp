@@ -47,27 +47,22 @@ Diagnostic unknown(Code code, const char* what, std::string_view name,
             suggestName(name, std::move(names), heading)};
 }
 
-Diagnostics together(Diagnostics first, const Diagnostics& second)
-{
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 /// The status of a new plan, with a warning where shaders had to compile for it.
 Status withCompiled(const Status& status, const Execution& execution, const std::string& cause,
                     const Reference& at)
 {
     if (!status || execution.compiled().empty()) return status;
     const std::string shaders = "'" + joined(execution.compiled(), "', '") + "'";
-    return together(status.diagnostics(),
-                    {{Code::recompiled,
-                      cause + ", so setting it compiled " + shaders,
-                      "set each value once while loading, since what was compiled is kept, or bind "
-                      "a param that changes often as a uniform",
-                      at.place,
-                      at.pointer,
-                      {},
-                      Severity::warning}});
+    Diagnostics all = status.diagnostics();
+    all.push_back({Code::recompiled,
+                   cause + ", so setting it compiled " + shaders,
+                   "set each value once while loading, since what was compiled is kept, or bind "
+                   "a param that changes often as a uniform",
+                   at.place,
+                   at.pointer,
+                   {},
+                   Severity::warning});
+    return all;
 }
 
 }  // namespace
@@ -180,7 +175,9 @@ Status Renderer::render(const Frame& frame)
 {
     const Status prepared = State::prepare(state_, frame);
     if (!prepared) return prepared;
-    return together(prepared.diagnostics(), state_->execution->run(frame).diagnostics());
+    Diagnostics all = prepared.diagnostics();
+    append(all, state_->execution->run(frame).diagnostics());
+    return all;
 }
 
 Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
@@ -188,7 +185,8 @@ Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
     const Status prepared = State::prepare(state_, frame);
     if (!prepared) return prepared.diagnostics();
     auto timed = state_->execution->runTimed(frame);
-    Diagnostics all = together(prepared.diagnostics(), timed.diagnostics());
+    Diagnostics all = prepared.diagnostics();
+    append(all, timed.diagnostics());
     if (!timed) return all;
     return {std::move(*timed), std::move(all)};
 }
@@ -252,7 +250,8 @@ Status Renderer::reload(Description description, const CompileOptions& options)
     if (!next) return next.diagnostics();
     state_ = std::move(*next);
     *loaded_ = loaded;
-    return together(std::move(all), next.diagnostics());
+    append(all, next.diagnostics());
+    return all;
 }
 
 Status Renderer::resize(Extent extent)

@@ -122,11 +122,6 @@ int report(const Diagnostics& diagnostics, bool json)
     return exitCodeOf(diagnostics);
 }
 
-void append(Diagnostics& all, const Diagnostics& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() { wipe(); }

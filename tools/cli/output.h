@@ -50,9 +50,6 @@ int finishOutput(int exit_code);
 /// for an empty list. Returns `exitCodeOf`.
 int report(const Diagnostics& diagnostics, bool json);
 
-/// Appends one list to another.
-void append(Diagnostics& all, const Diagnostics& more);
-
 /// One line on a terminal that says what long work is at; silent where stderr is no terminal. The
 /// destructor wipes the line.
 class Progress {
