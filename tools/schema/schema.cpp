@@ -227,9 +227,7 @@ std::string schemaJson(const SourceSet& sources)
         definitions[key] = value;
         keys[key] = reference(key);
     }
-    Json of_patch = keys;
-    of_patch["extends"] = extendsForm(sources);
-    definitions["patch"] = table::objectForm(of_patch);
+    definitions["patch"] = table::objectForm(keys);
     definitions["patch"]["description"] = "A patch over all else: only what differs.";
 
     Json own = fileProperties(sources);

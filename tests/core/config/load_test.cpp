@@ -128,7 +128,7 @@ TEST_CASE("a config file that is missing is told from one that cannot be read")
     std::filesystem::create_directories(folder.path / "folder.json");
     const Diagnostic missing = failure(smallCatalog(), {(folder.path / "none.json").string()});
     CHECK(missing.code == Code::module_missing);
-    CHECK_THAT(missing.message, Catch::Contains("there is no file"));
+    CHECK_THAT(missing.message, Catch::Contains("does not exist"));
     const Diagnostic unread = failure(smallCatalog(), {(folder.path / "folder.json").string()});
     CHECK(unread.code == Code::module_missing);
     CHECK_THAT(unread.message, Catch::Contains("cannot be read"));
@@ -213,19 +213,6 @@ TEST_CASE("every file says that its format is 1")
     MemorySources sources = smallCatalog();
     sources.add("filter/box.json", "{}");
     CHECK(placeName(failure(sources, {"base"}).place) == "filter/box.json:1:1");
-}
-
-TEST_CASE("a name cannot be deleted")
-{
-    const Diagnostic error = failureOf(file(R"("extends": ["base"], "name": null)"));
-    CHECK(error.code == Code::wrong_type);
-    CHECK(error.pointer == "/name");
-    CHECK(error.place.line == 1);
-    MemorySources sources = smallCatalog();
-    sources.add("configs/var.json", file(R"("name": "var", "variants": {"x": {"name": null}})"));
-    CHECK(failure(sources, {"var", "x"}).code == Code::wrong_type);
-    CHECK(failure(sources, {"base", "", {"/name=null"}}).code == Code::wrong_type);
-    CHECK(loadConfig(sources, {"base", "", {"/name=null", "/name=mine"}}));
 }
 
 TEST_CASE("the errors of all files are reported together")
