@@ -88,11 +88,10 @@ void checkTaken(const Node& document, const Description& description, const Take
                       "', which has another type",
                   "give '" + name + "' the type \"" + type + "\"");
     } else if (!(param->value[0] >= taker.min && param->value[0] <= taker.max)) {
-        const std::string pointer = param->pointer + "/default";
-        const Node& value = *locate(document, pointer).node;
+        const Reference value = referenceAt(document, param->pointer + "/default");
         Diagnostic& error =
-            report.at({"", value.place, pointer, value.origins}, Code::out_of_range,
-                      name + " default " + value.text + " is outside [" + numberText(taker.min) +
+            report.at(value, Code::out_of_range,
+                      name + " default " + value.name + " is outside [" + numberText(taker.min) +
                           ", " + numberText(taker.max) + "], the " + taker.number + "s that " +
                           taker.what + " may have",
                       "stay inside the range, and let '" + name + "' have it as min and max");

@@ -34,9 +34,8 @@ Place lastPlace(const Node& object)
 
 Place placeOf(const Cursor& object, std::string_view member)
 {
-    for (const Member& each : object.node.members)
-        if (each.key == member) return each.value.place;
-    return object.key_place;
+    const Node* value = object.node.find(member);
+    return value ? value->place : object.key_place;
 }
 
 void checkName(Report& report, const Cursor& cursor)

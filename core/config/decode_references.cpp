@@ -35,8 +35,6 @@ public:
 private:
     bool known(const Reference& reference, const Names& names) const;
     void expect(const Reference& reference, const std::string& who, const Names& names);
-    Diagnostic& atPointer(const std::string& pointer, Code code, std::string message,
-                          std::string help);
 
     void checkPass(const PassDesc& pass);
     void checkWrites(const PassDesc& pass);
@@ -133,14 +131,6 @@ void Checker::expect(const Reference& reference, const std::string& who, const N
     report_.sameMistake(names.what + " " + reference.name);
 }
 
-Diagnostic& Checker::atPointer(const std::string& pointer, Code code, std::string message,
-                               std::string help)
-{
-    const Node& node = *locate(document_, pointer).node;
-    return report_.at({"", node.place, pointer, node.origins}, code, std::move(message),
-                      std::move(help));
-}
-
 void Checker::checkPass(const PassDesc& pass)
 {
     const std::string who = "pass '" + pass.name + "' ";
@@ -204,11 +194,12 @@ void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
     const std::string& pointer = clear.target.pointer;
     if (clear.target.name != pass.depth.name || report_.errorAt(pointer)) return;
     if (locate(document_, pointer).node->kind == Node::Kind::array)
-        atPointer(pointer, Code::bad_length, "clear: found a list, wanted one number for depth",
-                  "write 1, which is far away");
+        report_.at(referenceAt(document_, pointer), Code::bad_length,
+                   "clear: found a list, wanted one number for depth",
+                   "write 1, which is far away");
     else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
-        atPointer(pointer, Code::out_of_range, "clear of depth is outside [0, 1]",
-                  "write 1, which is far away");
+        report_.at(referenceAt(document_, pointer), Code::out_of_range,
+                   "clear of depth is outside [0, 1]", "write 1, which is far away");
 }
 
 // What a pass is not drawn everywhere for, and that it says what is elsewhere.
@@ -253,8 +244,8 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
         const std::string& value = term.values[i];
         if (contains(allowed, value) || (trait && trait->count && isCount(value))) continue;
         const std::string item = list ? "/" + std::to_string(i) : "";
-        atPointer(
-            term.subject.pointer + item, Code::feature_value,
+        report_.at(
+            referenceAt(document_, term.subject.pointer + item), Code::feature_value,
             "pass '" + pass.name + "' wants '" + subject + "' to be '" + value +
                 "', which it never is",
             suggestName(value, allowed, "values") + (trait && trait->count ? ", or a number" : ""));

@@ -153,6 +153,12 @@ Located locate(const Node& document, std::string_view pointer)
     return located;
 }
 
+Reference referenceAt(const Node& document, const std::string& pointer)
+{
+    const Node& node = *locate(document, pointer).node;
+    return {node.text, node.place, pointer, node.origins};
+}
+
 bool isExtension(std::string_view key) { return key.substr(0, 2) == "x-"; }
 
 std::string numberText(double number) { return significant(number, 10); }

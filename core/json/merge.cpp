@@ -57,70 +57,65 @@ Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& poi
     return diagnostic;
 }
 
-class Merger {
-public:
-    explicit Merger(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+void merge(Node& base, const Node& patch, const std::string& pointer, Diagnostics& errors);
+Node fresh(const Node& patch, const std::string& pointer, Diagnostics& errors);
 
-    void merge(Node& base, const Node& patch, const std::string& pointer)
-    {
-        if (const std::string_view key = mainKey(pointer); !key.empty()) {
-            if (!isObject(base) && isObject(patch)) base = objectOf(key, base.place, base);
-            if (isObject(base) && !isObject(patch))
-                return merge(base, objectOf(key, patch.place, patch), pointer);
-        }
-        if (isObject(base) != isObject(patch)) {
-            diagnostics_.push_back(wrongKind(base, patch, pointer));
-        } else if (isObject(base)) {
-            // A patch names each key once, so what it adds need not be searched.
-            std::size_t searched = base.members.size();
-            for (const Member& member : patch.members)
-                mergeMember(base, member, memberPointer(pointer, member.key), searched);
-        } else {
-            std::vector<Place> origins = base.origins;
-            origins.push_back(base.place);
-            base = patch;
-            base.origins = std::move(origins);
-        }
+// Only the first `searched` members of the base may be those that the patch means.
+void mergeMember(Node& base, const Member& patch, const std::string& pointer, std::size_t& searched,
+                 Diagnostics& errors)
+{
+    std::vector<Member>& members = base.members;
+    const auto end = members.begin() + static_cast<std::ptrdiff_t>(searched);
+    const auto found =
+        std::find_if(members.begin(), end, [&](const Member& m) { return m.key == patch.key; });
+    const bool deletes = patch.value.kind == Node::Kind::null;
+    if (found == end && deletes) {
+        errors.push_back(missingKey(base, searched, patch, pointer));
+    } else if (found == end) {
+        members.push_back({patch.key, patch.key_place, fresh(patch.value, pointer, errors)});
+    } else if (deletes) {
+        members.erase(found);
+        --searched;
+        base.deleted.push_back(patch);
+    } else {
+        merge(found->value, patch.value, pointer, errors);
     }
+}
 
-private:
-    void mergeMember(Node& base, const Member& patch, const std::string& pointer,
-                     std::size_t& searched)
-    {
-        std::vector<Member>& members = base.members;
-        const auto end = members.begin() + static_cast<std::ptrdiff_t>(searched);
-        const auto found =
-            std::find_if(members.begin(), end, [&](const Member& m) { return m.key == patch.key; });
-        const bool there = found != end;
-        if (patch.value.kind != Node::Kind::null) {
-            if (there)
-                merge(found->value, patch.value, pointer);
-            else
-                members.push_back({patch.key, patch.key_place, fresh(patch.value, pointer)});
-        } else if (there) {
-            members.erase(found);
-            --searched;
-            base.deleted.push_back(patch);
-        } else {
-            diagnostics_.push_back(missingKey(base, searched, patch, pointer));
-        }
+// A copy for a place where nothing was, so that nothing can be deleted either.
+Node fresh(const Node& patch, const std::string& pointer, Diagnostics& errors)
+{
+    if (!isObject(patch)) return patch;
+    Node object;
+    object.kind = patch.kind;
+    object.place = patch.place;
+    std::size_t none = 0;
+    for (const Member& member : patch.members)
+        mergeMember(object, member, memberPointer(pointer, member.key), none, errors);
+    return object;
+}
+
+void merge(Node& base, const Node& patch, const std::string& pointer, Diagnostics& errors)
+{
+    if (const std::string_view key = mainKey(pointer); !key.empty()) {
+        if (!isObject(base) && isObject(patch)) base = objectOf(key, base.place, base);
+        if (isObject(base) && !isObject(patch))
+            return merge(base, objectOf(key, patch.place, patch), pointer, errors);
     }
-
-    // A copy for a place where nothing was, so that nothing can be deleted either.
-    Node fresh(const Node& patch, const std::string& pointer)
-    {
-        if (!isObject(patch)) return patch;
-        Node object;
-        object.kind = patch.kind;
-        object.place = patch.place;
-        std::size_t none = 0;
+    if (isObject(base) != isObject(patch)) {
+        errors.push_back(wrongKind(base, patch, pointer));
+    } else if (isObject(base)) {
+        // A patch names each key once, so what it adds need not be searched.
+        std::size_t searched = base.members.size();
         for (const Member& member : patch.members)
-            mergeMember(object, member, memberPointer(pointer, member.key), none);
-        return object;
+            mergeMember(base, member, memberPointer(pointer, member.key), searched, errors);
+    } else {
+        std::vector<Place> origins = base.origins;
+        origins.push_back(base.place);
+        base = patch;
+        base.origins = std::move(origins);
     }
-
-    Diagnostics& diagnostics_;
-};
+}
 
 }  // namespace
 
@@ -135,7 +130,7 @@ Node objectOf(std::string_view key, const Place& place, Node value)
 
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics)
 {
-    Merger(diagnostics).merge(base, patch, {});
+    merge(base, patch, {}, diagnostics);
 }
 
 }  // namespace crevice
