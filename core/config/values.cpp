@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a value may be, and values that differ, as a patch.
+// What a value may be, and what becomes of it where the config changes.
 #include "core/config/values.h"
 
 #include "core/base/numbers.h"
-#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,21 +10,6 @@
 namespace crevice {
 
 namespace {
-
-std::string valueJson(const ParamDesc& param)
-{
-    if (param.type == ParamType::int_) return std::to_string(static_cast<int>(param.value[0]));
-    std::vector<std::string> numbers;
-    for (int i = 0; i < componentCount(param.type); ++i)
-        numbers.push_back(shortest(param.value[i]));
-    return numbers.size() > 1 ? "[" + joined(numbers) + "]" : numbers[0];
-}
-
-std::string valueJson(const FeatureDesc& feature)
-{
-    const std::string& word = feature.values[feature.value];
-    return feature.boolean ? word : jsonString(word);
-}
 
 Diagnostic paramError(Code code, const ParamDesc& param, const std::string& what, std::string help)
 {
@@ -89,20 +73,6 @@ Values valuesOf(const Description& description)
     for (const FeatureDesc& feature : description.features)
         values.features.push_back(feature.value);
     return values;
-}
-
-std::string valuesPatch(const Values& loaded, const Description& now)
-{
-    std::vector<std::string> params, features, sections;
-    for (std::size_t i = 0; i < now.params.size(); ++i)
-        if (const ParamDesc& param = now.params[i]; param.value != loaded.params[i])
-            params.push_back(jsonString(param.name) + ": " + valueJson(param));
-    for (std::size_t i = 0; i < now.features.size(); ++i)
-        if (const FeatureDesc& feature = now.features[i]; feature.value != loaded.features[i])
-            features.push_back(jsonString(feature.name) + ": " + valueJson(feature));
-    if (!params.empty()) sections.push_back("\"params\": {" + joined(params) + "}");
-    if (!features.empty()) sections.push_back("\"features\": {" + joined(features) + "}");
-    return "{" + joined(sections) + "}";
 }
 
 Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The values of a description's params and features, to be compared with others of the same config.
+// The values of a description's params and features: checked, and carried over to another one.
 #pragma once
 
 #include <crevice/config.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace crevice {
@@ -24,10 +23,5 @@ Status checkValue(const ParamDesc& param, const float* values, int count);
 /// Sets in `next`, which may be of another config, what `now` has and `loaded` has not. The
 /// warnings CV4006 name what cannot be set there.
 Diagnostics carryOver(const Values& loaded, const Description& now, Description& next);
-
-/// The smallest merge patch, as JSON on one line, that gives a config whose values are `loaded`
-/// those of `now`; "{}" where they are the same. Requires values of the same config. Floats read
-/// back as they were.
-std::string valuesPatch(const Values& loaded, const Description& now);
 
 }  // namespace crevice

@@ -267,8 +267,6 @@ TextureId Renderer::output(std::string_view name, int view) const
     return state_->execution->output(name, view);
 }
 
-std::string Renderer::changes() const { return valuesPatch(*loaded_, state_->description); }
-
 const Plan& Renderer::plan() const { return state_->execution->plan(); }
 const Description& Renderer::description() const { return state_->description; }
 

@@ -93,11 +93,6 @@ public:
     /// `Device::nativeName` has the API's name of it.
     TextureId output(std::string_view name, int view = 0) const;
 
-    /// What `setParam` and `setFeature` made different from the description given to `create`, as
-    /// the smallest merge patch over its config: {"params": {"radius": 0.8}}; "{}" for
-    /// nothing. A value set back is no change.
-    std::string changes() const;
-
     const Plan& plan() const;
     const Description& description() const;
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is set at run time: which values compile shaders, and all of them as the smallest patch.
-#include <crevice/config.h>
-#include <crevice/shipped.h>
-
-#include "core/config/values.h"
-#include "core/json/merge.h"
+// What is set at run time: which values compile shaders.
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 
@@ -26,13 +21,6 @@ bool setCompiles(Rig& rig, const char* name, float value)
 {
     rig.device.clearLog();
     return compiles(rig, rig.renderer->setParam(name, value));
-}
-
-Node parsed(const std::string& text)
-{
-    auto node = parseDocument(std::make_shared<SourceText>(SourceText{"patch.json", text}));
-    REQUIRE(node.ok());
-    return *node;
 }
 
 }  // namespace
@@ -105,66 +93,4 @@ TEST_CASE("Programs that nobody needs are kept only so long")
     rig.renderer.reset();
     CHECK(rig.device.live(ObjectId::Kind::program) == 0);
     CHECK(rig.device.misuse().empty());
-}
-
-TEST_CASE("Changes are the smallest patch, and what is set back is none")
-{
-    Rig rig;
-    Renderer& renderer = *rig.renderer;
-    CHECK(renderer.changes() == "{}");
-    const float tint[3] = {0.1f, 0.5f, 0.25f};
-    REQUIRE(renderer.setParam("tint", tint, 3).ok());
-    REQUIRE(renderer.setParam("radius", 0.8f).ok());
-    REQUIRE(renderer.setParam("samples", 16.0f).ok());
-    REQUIRE(renderer.setFeature("soft", "false").ok());
-    REQUIRE(renderer.setFeature("look", "flat").ok());
-    CHECK(renderer.changes() == R"({"params": {"radius": 0.8, "samples": 16, )"
-                                R"("tint": [0.1, 0.5, 0.25]}, )"
-                                R"("features": {"soft": false, "look": "flat"}})");
-    REQUIRE(renderer.setParam("radius", 0.5f).ok());
-    REQUIRE(renderer.setParam("samples", 4.0f).ok());
-    REQUIRE(renderer.setFeature("soft", "true").ok());
-    REQUIRE(renderer.setFeature("look", "lit").ok());
-    CHECK(renderer.changes() == R"({"params": {"tint": [0.1, 0.5, 0.25]}})");
-    CHECK_FALSE(renderer.setParam("radius", -1.0f).ok());
-    CHECK(renderer.changes() == R"({"params": {"tint": [0.1, 0.5, 0.25]}})");
-}
-
-TEST_CASE("A patch of changes over the config gives back the same values")
-{
-    const Result<Node> document = loadConfig(shippedSources(), {"gtao"});
-    REQUIRE(document.ok());
-    const Result<Description> loaded = decode(*document, shippedSources());
-    REQUIRE(loaded.ok());
-    Description now = *loaded;
-    for (ParamDesc& param : now.params)
-        for (int i = 0; i < componentCount(param.type); ++i)
-            if (param.type != ParamType::int_ && param.max > 1.0)
-                param.value[i] = static_cast<float>(std::max(param.min, 0.1) + 1.0 / 3.0);
-    for (FeatureDesc& feature : now.features)
-        feature.value = static_cast<int>(feature.values.size()) - 1;
-    const std::string patch = valuesPatch(valuesOf(*loaded), now);
-    CHECK(patch.size() > 2);
-
-    Node merged = *document;
-    Diagnostics errors;
-    mergePatch(merged, parsed(patch), errors);
-    CHECK(errors.empty());
-    const Result<Description> again = decode(merged, shippedSources());
-    INFO(toText(again.diagnostics()));
-    REQUIRE(again.ok());
-    CHECK(valuesOf(*again).params == valuesOf(now).params);
-    CHECK(valuesOf(*again).features == valuesOf(now).features);
-    CHECK(valuesPatch(valuesOf(now), *again) == "{}");
-}
-
-TEST_CASE("An int of many digits is written as an int")
-{
-    Description description = describe(
-        R"({"format": 1, "name": "big", "params": {"count": {"type": "int", "default": 1}},
-            "outputs": {}})",
-        {});
-    const Values loaded = valuesOf(description);
-    description.params[0].value[0] = 1000000.0f;
-    CHECK(valuesPatch(loaded, description) == R"({"params": {"count": 1000000}})");
 }
