@@ -10,6 +10,7 @@
 #include "core/glsl/preprocessor.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 namespace crevice {
@@ -25,42 +26,6 @@ std::string_view trimmed(std::string_view text, std::string_view what)
     return text.substr(begin, text.find_last_not_of(what) - begin + 1);
 }
 
-/// What is left of a line of the log, and how to take it apart.
-struct LogReader {
-    std::string_view rest;
-
-    void skipSpaces() { rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size())); }
-
-    bool take(char sign)
-    {
-        if (rest.empty() || rest[0] != sign) return false;
-        rest.remove_prefix(1);
-        return true;
-    }
-
-    /// Takes a word in any case where no further letter follows.
-    bool takeWord(std::string_view word)
-    {
-        if (rest.size() < word.size()) return false;
-        if (lowerCase(rest.substr(0, word.size())) != word) return false;
-        const char next = rest.size() > word.size() ? rest[word.size()] : ' ';
-        if (isLower(next) || isUpper(next)) return false;
-        rest.remove_prefix(word.size());
-        return true;
-    }
-
-    bool takeNumber(int& number)
-    {
-        constexpr std::size_t kMostDigits = 9;  // what an int holds
-        std::size_t digits = 0;
-        while (digits < rest.size() && isDigit(rest[digits])) ++digits;
-        if (digits == 0 || digits > kMostDigits) return false;
-        number = std::atoi(std::string(rest.substr(0, digits)).c_str());
-        rest.remove_prefix(digits);
-        return true;
-    }
-};
-
 struct LogLine {
     bool known = false;
     bool continues = false;  ///< Mesa indents what belongs to the message before.
@@ -71,52 +36,51 @@ struct LogLine {
     std::string_view message;
 };
 
-/// "error", "warning" and Mesa's "preprocessor error", with what separates them from the message.
-bool takeSeverity(LogReader& reader, Severity& severity)
+/// Takes "error", "warning" and Mesa's "preprocessor error", with what separates them from the
+/// message, off the text.
+bool takeSeverity(std::string_view& text, Severity& severity)
 {
-    LogReader attempt = reader;
-    if (attempt.takeWord("preprocessor")) attempt.skipSpaces();
-    const bool error = attempt.takeWord("error");
-    if (!error && !attempt.takeWord("warning")) return false;
-    severity = error ? Severity::error : Severity::warning;
-    attempt.skipSpaces();
-    attempt.take(':');
-    attempt.take(' ');
-    reader = attempt;
-    return true;
+    for (const std::string_view word : {"preprocessor error", "error", "warning"}) {
+        if (lowerCase(text.substr(0, word.size())) != word) continue;
+        std::string_view rest = text.substr(word.size());
+        if (!rest.empty() && isWord(rest[0])) return false;
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        for (const char sign : {':', ' '})
+            if (!rest.empty() && rest[0] == sign) rest.remove_prefix(1);
+        severity = word == "warning" ? Severity::warning : Severity::error;
+        text = rest;
+        return true;
+    }
+    return false;
 }
 
-/// "0:5(12):", "0:5:" or "0(5) :".
-bool takePlace(LogReader& reader, LogLine& line)
+/// Takes "0:5(12):", "0:5:" or "0(5) :" off the text.
+bool takePlace(std::string_view& text, LogLine& line)
 {
-    LogReader attempt = reader;
-    int file = 0, number = 0, column = 0;
-    if (!attempt.takeNumber(file)) return false;
-    const bool colon = attempt.take(':');
-    if (!colon && !attempt.take('(')) return false;
-    if (!attempt.takeNumber(number) || (!colon && !attempt.take(')'))) return false;
-    if (colon && attempt.take('(') && !(attempt.takeNumber(column) && attempt.take(')')))
-        return false;
-    attempt.skipSpaces();
-    if (!attempt.take(':')) return false;
-    attempt.skipSpaces();
+    const std::string copy(text);
+    int file = 0, number = 0, column = 0, end = 0;  // nine digits are what an int holds
+    std::sscanf(copy.c_str(), "%9d:%9d(%9d) : %n", &file, &number, &column, &end);
+    if (end == 0) column = 0;
+    if (end == 0) std::sscanf(copy.c_str(), "%9d:%9d : %n", &file, &number, &end);
+    if (end == 0) std::sscanf(copy.c_str(), "%9d(%9d) : %n", &file, &number, &end);
+    if (end == 0 || number < 0 || column < 0) return false;
     line.file = number < kLinesPerFile ? file : number / kLinesPerFile;
     line.line = number % kLinesPerFile;
     line.column = column;
-    reader = attempt;
+    text.remove_prefix(std::size_t(end));
     return true;
 }
 
 LogLine readLine(std::string_view text)
 {
     LogLine line;
-    LogReader reader = {text};
-    const bool severity_first = takeSeverity(reader, line.severity);
-    const bool place = takePlace(reader, line);
-    if (place && !severity_first) takeSeverity(reader, line.severity);
-    line.known = place || (severity_first && !reader.rest.empty());
-    line.continues = line.known && !reader.rest.empty() && reader.rest[0] == ' ';
-    line.message = trimmed(line.known ? reader.rest : text, " \t.");
+    std::string_view rest = text;
+    const bool severity_first = takeSeverity(rest, line.severity);
+    const bool place = takePlace(rest, line);
+    if (place && !severity_first) takeSeverity(rest, line.severity);
+    line.known = place || (severity_first && !rest.empty());
+    line.continues = line.known && !rest.empty() && rest[0] == ' ';
+    line.message = trimmed(line.known ? rest : text, " \t.");
     return line;
 }
 

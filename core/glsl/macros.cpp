@@ -76,63 +76,64 @@ namespace {
 /// Deepest nesting of parentheses and prefix operators; keeps the recursion off the stack's end.
 constexpr int kMaxNesting = 64;
 
+using Int = std::int64_t;
+using Bits = std::uint64_t;
+
 /// Empty is a value that is not known; it does no harm where && or || need not look at it.
-using Value = std::optional<std::int64_t>;
+using Value = std::optional<Int>;
 
-Value wrapped(std::uint64_t bits) { return static_cast<std::int64_t>(bits); }
+Value wrapped(Bits bits) { return static_cast<Int>(bits); }
 
-Value divided(std::int64_t left, std::int64_t right, bool remainder)
+Value divided(Int left, Int right, bool remainder)
 {
     if (right == 0) return {};
-    if (right == -1) return remainder ? Value(0) : wrapped(0 - std::uint64_t(left));  // no overflow
+    if (right == -1) return remainder ? Value(0) : wrapped(0 - Bits(left));  // no overflow
     return remainder ? left % right : left / right;
 }
 
-Value shifted(std::int64_t left, std::int64_t right, bool to_left)
+/// A binary operator, and how tightly it binds.
+struct Operator {
+    std::string_view sign;
+    int level;
+    Value (*apply)(Int, Int);
+};
+
+constexpr Bits kLastBit = 63;
+
+constexpr Operator kOperators[] = {
+    {"||", 1, [](Int a, Int b) -> Value { return a || b; }},
+    {"&&", 2, [](Int a, Int b) -> Value { return a && b; }},
+    {"|", 3, [](Int a, Int b) -> Value { return a | b; }},
+    {"^", 4, [](Int a, Int b) -> Value { return a ^ b; }},
+    {"&", 5, [](Int a, Int b) -> Value { return a & b; }},
+    {"==", 6, [](Int a, Int b) -> Value { return a == b; }},
+    {"!=", 6, [](Int a, Int b) -> Value { return a != b; }},
+    {"<", 7, [](Int a, Int b) -> Value { return a < b; }},
+    {"<=", 7, [](Int a, Int b) -> Value { return a <= b; }},
+    {">", 7, [](Int a, Int b) -> Value { return a > b; }},
+    {">=", 7, [](Int a, Int b) -> Value { return a >= b; }},
+    {"<<", 8, [](Int a, Int b) { return Bits(b) > kLastBit ? Value() : wrapped(Bits(a) << b); }},
+    {">>", 8, [](Int a, Int b) { return Bits(b) > kLastBit ? Value() : Value(a >> b); }},
+    {"+", 9, [](Int a, Int b) { return wrapped(Bits(a) + Bits(b)); }},
+    {"-", 9, [](Int a, Int b) { return wrapped(Bits(a) - Bits(b)); }},
+    {"*", 10, [](Int a, Int b) { return wrapped(Bits(a) * Bits(b)); }},
+    {"/", 10, [](Int a, Int b) { return divided(a, b, false); }},
+    {"%", 10, [](Int a, Int b) { return divided(a, b, true); }},
+};
+
+const Operator* findOperator(std::string_view sign)
 {
-    if (right < 0 || right > 63) return {};
-    return to_left ? wrapped(std::uint64_t(left) << right) : Value(left >> right);
+    for (const Operator& each : kOperators)
+        if (each.sign == sign) return &each;
+    return nullptr;
 }
 
-Value arithmetic(std::string_view sign, std::int64_t left, std::int64_t right)
-{
-    if (sign == "+") return wrapped(std::uint64_t(left) + std::uint64_t(right));
-    if (sign == "-") return wrapped(std::uint64_t(left) - std::uint64_t(right));
-    if (sign == "*") return wrapped(std::uint64_t(left) * std::uint64_t(right));
-    if (sign == "/" || sign == "%") return divided(left, right, sign == "%");
-    if (sign == "<<" || sign == ">>") return shifted(left, right, sign == "<<");
-    if (sign == "==") return left == right;
-    if (sign == "!=") return left != right;
-    if (sign == "<") return left < right;
-    if (sign == "<=") return left <= right;
-    if (sign == ">") return left > right;
-    if (sign == ">=") return left >= right;
-    if (sign == "&") return left & right;
-    if (sign == "^") return left ^ right;
-    return left | right;
-}
-
-Value combined(std::string_view sign, Value left, Value right)
+Value combined(const Operator& by, Value left, Value right)
 {
     if (!left) return {};
-    const bool logical = sign == "&&" || sign == "||";
-    if (logical && (*left != 0) == (sign == "||")) return *left != 0;
-    if (!right) return {};
-    return logical ? Value(*right != 0) : arithmetic(sign, *left, *right);
-}
-
-/// How tightly a sign binds; 0 for what is no binary operator.
-int precedence(std::string_view sign)
-{
-    static constexpr struct {
-        std::string_view sign;
-        int level;
-    } kSigns[] = {{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5},  {"==", 6},
-                  {"!=", 6}, {"<", 7},  {"<=", 7}, {">", 7},  {">=", 7}, {"<<", 8},
-                  {">>", 8}, {"+", 9},  {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
-    for (const auto& known : kSigns)
-        if (known.sign == sign) return known.level;
-    return 0;
+    const bool logical = by.sign == "&&" || by.sign == "||";
+    if (logical && (*left != 0) == (by.sign == "||")) return *left != 0;
+    return right ? by.apply(*left, *right) : Value();
 }
 
 /// Reads by precedence climbing.
@@ -156,11 +157,10 @@ private:
     {
         Value left = operand();
         while (!bad_ && at_ != end_) {
-            const std::string_view sign = at_->text;
-            const int level = precedence(sign);
-            if (level < lowest || level == 0) break;
+            const Operator* by = findOperator(at_->text);
+            if (!by || by->level < lowest) break;
             ++at_;
-            left = combined(sign, left, expression(level + 1));
+            left = combined(*by, left, expression(by->level + 1));
         }
         return left;
     }
@@ -191,7 +191,7 @@ private:
         const Value value = operand();
         if (!value || sign == "+") return value;
         if (sign == "!") return *value == 0;
-        return sign == "-" ? wrapped(0 - std::uint64_t(*value)) : Value(~*value);
+        return sign == "-" ? wrapped(0 - Bits(*value)) : Value(~*value);
     }
 
     Value number(const GlslToken& token)

@@ -306,25 +306,22 @@ void Preprocessor::writeLine(int line)
 /// Finds the path of an include among the files. False, with an error, when there is none.
 bool Preprocessor::resolve(const GlslInclude& include, std::string& path)
 {
-    if (!include.interface) {
+    const auto interface = interfaces_.find(include.name);
+    if (!include.interface)
         path = resolvePath(open_paths_.back(), include.name);
-        if (files_.count(path)) return true;
-        std::vector<std::string> names;
-        for (const auto& entry : files_) names.push_back(entry.first);
-        fail(Code::include_missing, "#include names '" + include.name + "', which does not exist",
-             include.place, suggestName(include.name, std::move(names), "files"));
-        return false;
-    }
-    const auto found = interfaces_.find(include.name);
-    if (found != interfaces_.end() && files_.count(found->second)) {
-        path = found->second;
-        return true;
-    }
+    else if (interface != interfaces_.end())
+        path = interface->second;
+    if (files_.count(path)) return true;
     std::vector<std::string> names;
-    for (const auto& entry : interfaces_) names.push_back(entry.first);
+    if (include.interface)
+        for (const auto& entry : interfaces_) names.push_back(entry.first);
+    else
+        for (const auto& entry : files_) names.push_back(entry.first);
     fail(Code::include_missing,
-         "no module of the config provides the interface '" + include.name + "'", include.place,
-         suggestName(include.name, std::move(names), "interfaces"));
+         include.interface ? "no module of the config provides the interface '" + include.name + "'"
+                           : "#include names '" + include.name + "', which does not exist",
+         include.place,
+         suggestName(include.name, std::move(names), include.interface ? "interfaces" : "files"));
     return false;
 }
 
