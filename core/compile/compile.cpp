@@ -37,7 +37,7 @@ void checkExtent(State& state)
     report(state, Code::bad_size,
            "a size of " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
                " was asked for, and both sides must be at least 1",
-           Place{}, "ask for a size such as 1920x1080");
+           Named{}, "ask for a size such as 1920x1080");
 }
 
 void checkRules(State& state)
@@ -47,7 +47,7 @@ void checkRules(State& state)
     for (const std::string& optimization : state.options.disable) {
         if (std::find(names.begin(), names.end(), optimization) != names.end()) continue;
         report(state, Code::bad_enum,
-               "'" + optimization + "' is no optimization that can be switched off", Place{},
+               "'" + optimization + "' is no optimization that can be switched off", Named{},
                suggestName(optimization, names, "optimizations"));
     }
 }
@@ -67,7 +67,7 @@ void chooseOutputs(State& state)
         report(state, Code::output_missing,
                "output '" + name + "' was asked for, which '" + state.description.name +
                    "' does not export",
-               Place{}, suggestName(name, namesOf(outputs), "outputs"));
+               Named{}, suggestName(name, namesOf(outputs), "outputs"));
     }
 }
 
@@ -115,16 +115,11 @@ Diagnostic& report(State& state, Code code, std::string message, const Named& at
 Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
                    std::string help)
 {
-    state.diagnostics.push_back({code, std::move(message), std::move(help), at.place, at.pointer});
+    const Named where{at.name, at.place, at.pointer};
+    Diagnostic& error = report(state, code, std::move(message), where, std::move(help));
     for (const Place& origin : at.origins)
-        state.diagnostics.back().notes.push_back({origin, "the base value was set here"});
-    return state.diagnostics.back();
-}
-
-Diagnostic& report(State& state, Code code, std::string message, const Place& at, std::string help)
-{
-    state.diagnostics.push_back({code, std::move(message), std::move(help), at});
-    return state.diagnostics.back();
+        error.notes.push_back({origin, "the base value was set here"});
+    return error;
 }
 
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
@@ -133,6 +128,13 @@ Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass&
     Diagnostic& error = report(state, code, std::move(message), pass.desc->shader, std::move(help));
     error.notes.insert(error.notes.begin(), {declared, "the GLSL declares it here"});
     return error;
+}
+
+std::string quoted(const Pass& pass) { return "pass '" + pass.desc->name + "'"; }
+
+const std::string& nameOf(const State& state, int target)
+{
+    return state.description.targets[target].name;
 }
 
 std::vector<int> writtenBy(const Pass& pass)
@@ -148,18 +150,6 @@ const Reference& referenceTo(const Pass& pass, const std::string& target)
     for (const Reference& color : pass.desc->color)
         if (color.name == target) return color;
     return pass.desc->depth;
-}
-
-Extent extentOf(const State& state, const Pass& pass)
-{
-    const std::vector<int> written = writtenBy(pass);
-    return written.empty() ? state.options.extent : state.targets[written.front()].extent;
-}
-
-int samplesOf(const State& state, const Pass& pass)
-{
-    const std::vector<int> written = writtenBy(pass);
-    return written.empty() ? 1 : state.targets[written.front()].samples;
 }
 
 }  // namespace compiler
@@ -186,9 +176,10 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     dropRepeats(state);
     if (!hasErrors(state.diagnostics)) append(state.diagnostics, description.unused);
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
-    Plan plan = buildPlan(state);
-    plan.reruns = !state.applies("cached");
-    return {std::move(plan), std::move(state.diagnostics)};
+    state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
+                             description.unused.end());
+    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
+    return {buildPlan(state), std::move(state.diagnostics)};
 }
 
 }  // namespace crevice

@@ -25,7 +25,7 @@ std::optional<Source> readBy(const Pass& pass, const std::string& sampler)
 // `preserves_constant` when left out.
 std::optional<Source> substitute(const State& state, const Pass& pass, int target)
 {
-    const std::string& name = state.description.targets[target].name;
+    const std::string& name = nameOf(state, target);
     if (!pass.active) {
         for (const BypassDesc& bypass : pass.desc->bypass)
             if (bypass.output.name == name) return targetNamed(state, bypass.input.name);
@@ -119,8 +119,7 @@ void standBack(const State& state, Pass& pass)
 bool need(State& state, const Source& source, std::vector<int>& work, int& conflict)
 {
     const std::optional<Source> behind = resolve(state, source);
-    const bool history = behind && behind->kind == InputKind::history;
-    if (!behind || (behind->kind != InputKind::target && !history)) return true;
+    if (!behind || !behind->isTarget()) return true;
     Target& target = state.targets[behind->index];
     Pass& writer = state.passes[target.writer];
     if (writer.replaced()) {
@@ -128,7 +127,7 @@ bool need(State& state, const Source& source, std::vector<int>& work, int& confl
         return false;
     }
     target.textured = true;
-    target.remembered = target.remembered || history;
+    target.remembered = target.remembered || behind->kind == InputKind::history;
     if (!writer.live) work.push_back(target.writer);
     writer.live = true;
     return true;
@@ -143,8 +142,7 @@ int markNeeded(State& state)
     int conflict = -1;
     for (const int index : state.outputs) {
         const std::string& name = state.description.outputs[index].target.name;
-        const int target = indexOf(state.description.targets, name);
-        if (!need(state, {InputKind::target, target}, work, conflict)) return conflict;
+        if (!need(state, targetNamed(state, name), work, conflict)) return conflict;
     }
     for (const int index : state.order) {
         Pass& pass = state.passes[index];
@@ -207,10 +205,9 @@ void chooseLive(State& state)
         if (conflict < 0) break;
         standBack(state, state.passes[conflict]);
     }
-    for (Target& target : state.targets) {
-        if (target.writer < 0 || !state.passes[target.writer].live) continue;
-        if (!state.applies("dead_pass")) target.textured = true;
-    }
+    for (Target& target : state.targets)
+        if (!state.applies("dead_pass") && target.writer >= 0 && state.passes[target.writer].live)
+            target.textured = true;
     for (const Pass& pass : state.passes)
         if (pass.live && pass.depth >= 0) state.targets[pass.depth].textured = true;
 }

@@ -19,30 +19,26 @@ using Edges = std::vector<std::vector<Edge>>;  // into each pass
 // "pass 'lighting' reads target 'ao', which ..."; with the passes that would have written it.
 void reportNeverWritten(State& state, const std::string& reader, int target, const Reference& at)
 {
-    const TargetDesc& desc = state.description.targets[target];
-    std::vector<const Pass*> writers;
+    const std::string& name = nameOf(state, target);
+    Diagnostic& error = report(state, Code::never_written,
+                               reader + " reads target '" + name + "', which no pass writes", at,
+                               "name it under `color` or `depth` of the pass that makes it");
+    const Pass* first = nullptr;
     for (const Pass& pass : state.passes) {
         const std::vector<int> written = writtenBy(pass);
-        if (std::count(written.begin(), written.end(), target)) writers.push_back(&pass);
-    }
-    std::string message = reader + " reads target '" + desc.name + "', which no pass writes";
-    std::string help = "name it under `color` or `depth` of the pass that makes it";
-    if (!writers.empty()) {
-        const std::string& writer = writers.front()->desc->name;
-        message = reader + " reads target '" + desc.name + "', which pass '" + writer +
-                  "' would write, but " + writers.front()->off_reason;
-        help = "give '" + writer + "' a `bypass` for '" + desc.name +
-               "', or the reader the same `when`";
-    }
-    Diagnostic& error = report(state, Code::never_written, message, at);
-    for (const Pass* pass : writers) {
-        error.notes.push_back(
-            {pass->desc->place, "pass '" + pass->desc->name + "' would write it"});
-        for (const Condition::Term& term : pass->desc->when.terms)
+        if (!std::count(written.begin(), written.end(), target)) continue;
+        if (!first) first = &pass;
+        error.notes.push_back({pass.desc->place, quoted(pass) + " would write it"});
+        for (const Condition::Term& term : pass.desc->when.terms)
             error.notes.push_back({term.subject.place, "its condition is here"});
     }
-    error.help = help;
-    if (!writers.empty()) return;
+    if (first) {
+        error.message = reader + " reads target '" + name + "', which " + quoted(*first) +
+                        " would write, but " + first->off_reason;
+        error.help = "give '" + first->desc->name + "' a `bypass` for '" + name +
+                     "', or the reader the same `when`";
+        return;
+    }
     std::vector<Place> deletions;
     for (const Named& each : state.description.deleted) {
         if (each.pointer.compare(0, 7, "/passes") != 0) continue;
@@ -60,14 +56,6 @@ Reference placeOf(const Pass& pass, const Read& read)
     if (read.sampler.empty()) return pass.desc->mask;
     if (!read.input) return {read.sampler, pass.desc->place, pass.desc->pointer};
     return read.input->from.empty() ? read.input->sampler : read.input->from;
-}
-
-void reportOwnOutput(State& state, const Pass& pass, int target, const Reference& at)
-{
-    const std::string& name = state.description.targets[target].name;
-    report(state, Code::reads_own_output,
-           "pass '" + pass.desc->name + "' reads target '" + name + "' and writes it", at,
-           "write to another target, or read another one");
 }
 
 // Walks back from an undone pass until one comes up again, and tells the way round.
@@ -89,15 +77,13 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
         const int next = path[(i + 1) % path.size()];
         const auto ours = [&](const Edge& edge) { return edge.from == path[i]; };
         const Edge& edge = *std::find_if(edges[next].begin(), edges[next].end(), ours);
-        way += " -> " + state.passes[next].desc->name + " (" +
-               state.description.targets[edge.target].name + ")";
+        way += " -> " + state.passes[next].desc->name + " (" + nameOf(state, edge.target) + ")";
     }
     Diagnostic& error = report(state, Code::cycle, "passes wait for each other: " + way,
-                               *state.passes[path[0]].desc);
-    error.help = "let one of them read another target";
+                               *state.passes[path[0]].desc, "let one of them read another target");
     for (std::size_t i = 1; i < path.size(); ++i) {
-        const PassDesc& pass = *state.passes[path[i]].desc;
-        error.notes.push_back({pass.place, "pass '" + pass.name + "' is here"});
+        const Pass& pass = state.passes[path[i]];
+        error.notes.push_back({pass.desc->place, quoted(pass) + " is here"});
     }
     return path;
 }
@@ -115,16 +101,17 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
     const Pass& pass = state.passes[index];
     const std::optional<Source> behind = resolve(state, source);
     if (!behind) {
-        const std::string& name = state.description.targets[source.index].name;
-        if (!waiting.told[source.index] && state.unplaced.count(name) == 0)
-            reportNeverWritten(state, "pass '" + pass.desc->name + "'", source.index, at);
+        if (!waiting.told[source.index] && state.unplaced.count(nameOf(state, source.index)) == 0)
+            reportNeverWritten(state, quoted(pass), source.index, at);
         waiting.told[source.index] = true;
         return;
     }
     if (behind->kind != InputKind::target) return;
     const int writer = state.targets[behind->index].writer;
     if (writer == index)
-        reportOwnOutput(state, pass, behind->index, at);
+        report(state, Code::reads_own_output,
+               quoted(pass) + " reads target '" + nameOf(state, behind->index) + "' and writes it",
+               at, "write to another target, or read another one");
     else
         waiting.edges[index].push_back({writer, behind->index});
 }
@@ -165,14 +152,13 @@ void checkBypasses(State& state)
             const int target = indexOf(state.description.targets, bypass.output.name);
             if (target < 0 || state.targets[target].writer < 0) continue;
             const Pass& writer = state.passes[state.targets[target].writer];
-            Diagnostic& error =
-                report(state, Code::two_writers,
-                       "pass '" + pass.desc->name + "' passes on '" + bypass.output.name +
-                           "' while it is off, which pass '" + writer.desc->name + "' writes",
-                       bypass.output);
+            Diagnostic& error = report(
+                state, Code::two_writers,
+                quoted(pass) + " passes on '" + bypass.output.name + "' while it is off, which " +
+                    quoted(writer) + " writes",
+                bypass.output, "take one of the two out, or let one write a target of its own");
             error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
             blame(error, ownPlace(error.place), "it is passed on here");
-            error.help = "take one of the two out, or let one write a target of its own";
         }
     }
 }
@@ -190,17 +176,17 @@ void findWriters(State& state)
                 target.writer = static_cast<int>(i);
                 continue;
             }
-            const std::string& name = state.description.targets[index].name;
+            const std::string& name = nameOf(state, index);
             const Pass& first = state.passes[target.writer];
-            Diagnostic& error = report(state, Code::two_writers,
-                                       "pass '" + pass.desc->name + "' writes target '" + name +
-                                           "', which pass '" + first.desc->name + "' writes too",
-                                       referenceTo(pass, name));
+            Diagnostic& error = report(
+                state, Code::two_writers,
+                quoted(pass) + " writes target '" + name + "', which " + quoted(first) +
+                    " writes too",
+                referenceTo(pass, name),
+                "write to a target of its own, or give the passes conditions that exclude each "
+                "other");
             error.notes.push_back({referenceTo(first, name).place, "the first writer"});
             blame(error, ownPlace(error.place), "the second writer");
-            error.help =
-                "write to a target of its own, or give the passes conditions that exclude "
-                "each other";
         }
     }
     checkBypasses(state);

@@ -81,14 +81,14 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
     for (const GlslStage* stage :
          {&state.shaders[pass.shader].vertex, &state.shaders[pass.shader].fragment})
         for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
-    Diagnostic& error = report(state, Code::input_unused,
-                               "pass '" + pass.desc->name + "' " + what + " '" + name.name +
-                                   "', which shader '" + shader.name + "' does not have",
-                               name);
-    error.help = suggestName(name.name, names, "the shader declares");
+    std::string help = suggestName(name.name, names, "the shader declares");
     const bool same = std::count(names.begin(), names.end(), from.name) > 0;
-    if (same && error.help.find("did you mean") == std::string::npos)
-        error.help = "did you mean '" + from.name + "'? " + error.help;
+    if (same && help.find("did you mean") == std::string::npos)
+        help = "did you mean '" + from.name + "'? " + help;
+    report(state, Code::input_unused,
+           quoted(pass) + " " + what + " '" + name.name + "', which shader '" + shader.name +
+               "' does not have",
+           name, help);
 }
 
 // Samples come from the host alone: targets are resolved before anyone reads them.
@@ -96,7 +96,7 @@ void checkMultisampled(State& state, const Pass& pass, const GlslUniform& unifor
                        const Source& source)
 {
     if (uniform.type != GlslType::sampler2d_ms) return;
-    const std::string who = "pass '" + pass.desc->name + "': sampler '" + uniform.name + "' ";
+    const std::string who = quoted(pass) + ": sampler '" + uniform.name + "' ";
     const bool imported = source.kind == InputKind::imported;
     if (state.caps.version < 310) {
         reportGlsl(
@@ -127,10 +127,10 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
 {
     for (const Read& read : pass.reads)
         if (read.sampler == uniform.name) return;  // declared in both stages
-    const std::string who = "pass '" + pass.desc->name + "': ";
     if (uniform.array) {
         reportGlsl(state, Code::uniform_type,
-                   who + "'" + uniform.name + "' is an array of samplers, which nothing can fill",
+                   quoted(pass) + ": '" + uniform.name +
+                       "' is an array of samplers, which nothing can fill",
                    pass, uniform.place, "declare one sampler2D for each texture");
         return;
     }
@@ -142,13 +142,19 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
         pass.reads.push_back({uniform.name, uniform.place, input, *source});
         return;
     }
-    Diagnostic& error = reportGlsl(state, Code::uniform_unbound,
-                                   who + "sampler '" + uniform.name + "' reads '" + name +
-                                       "', which is no target, generated texture or import",
-                                   pass, uniform.place);
+    reportUnbound(state,
+                  quoted(pass) + ": sampler '" + uniform.name + "' reads '" + name +
+                      "', which is no target, generated texture or import",
+                  pass, uniform, name, suggestName(name, texturesOf(state), "textures"));
+}
+
+void reportUnbound(State& state, std::string message, const Pass& pass, const GlslUniform& uniform,
+                   const std::string& name, std::string help)
+{
+    Diagnostic& error = reportGlsl(state, Code::uniform_unbound, std::move(message), pass,
+                                   uniform.place, std::move(help));
     for (const Named& each : state.description.deleted)
         if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
-    error.help = suggestName(name, texturesOf(state), "textures");
 }
 
 void checkInputs(State& state, const Pass& pass)

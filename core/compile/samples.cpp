@@ -2,6 +2,8 @@
 // Samples: how many each pass draws a pixel with. All attachments of a pass have as many.
 #include "core/compile/steps.h"
 
+#include "core/base/text.h"
+
 namespace crevice::compiler {
 
 namespace {
@@ -16,16 +18,15 @@ bool agree(State& state, const Pass& pass, const std::vector<int>& written)
     const int asked = askedSamples(state, written.front());
     for (const int index : written) {
         if (askedSamples(state, index) == asked) continue;
-        const auto& targets = state.description.targets;
         Diagnostic& error =
             report(state, Code::attachment_samples,
-                   "pass '" + pass.desc->name + "' writes targets of different samples: '" +
-                       targets[written.front()].name + "' has " + text(asked) + " a pixel, '" +
-                       targets[index].name + "' has " + text(askedSamples(state, index)),
-                   referenceTo(pass, targets[index].name));
+                   quoted(pass) + " writes targets of different samples: '" +
+                       nameOf(state, written.front()) + "' has " + text(asked) + " a pixel, '" +
+                       nameOf(state, index) + "' has " + text(askedSamples(state, index)),
+                   referenceTo(pass, nameOf(state, index)), "give them the same `samples`");
         for (const int each : {written.front(), index})
-            error.notes.push_back({targets[each].place, "'" + targets[each].name + "' is here"});
-        error.help = "give them the same `samples`";
+            error.notes.push_back(
+                {state.description.targets[each].place, "'" + nameOf(state, each) + "' is here"});
         return false;
     }
     return true;
@@ -47,19 +48,19 @@ void choose(State& state, const Pass& pass, const std::vector<int>& written)
     const int asked = askedSamples(state, written.front());
     if (asked == 1) return;
     std::uint32_t counts = ~0u;
-    std::string formats;
+    std::vector<std::string> formats;
     for (const int index : written) {
         const Target& target = state.targets[index];
         if (!target.textured) continue;
         counts &= state.caps.sample_counts[static_cast<int>(target.format)];
-        formats += (formats.empty() ? "" : ", ") + std::string(formatInfo(target.format).name);
+        formats.push_back(formatInfo(target.format).name);
     }
     const int count = nearestCount(counts, asked);
     for (const int index : written) state.targets[index].samples = count;
     if (count >= asked || !pass.live) return;
     report(state, Code::no_samples,
-           "pass '" + pass.desc->name + "' falls back from " + text(asked) + " a pixel to " +
-               std::to_string(count) + ": the device draws no more into " + formats,
+           quoted(pass) + " falls back from " + text(asked) + " a pixel to " +
+               std::to_string(count) + ": the device draws no more into " + joined(formats),
            *pass.desc)
         .severity = Severity::warning;
 }

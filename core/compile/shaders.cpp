@@ -7,7 +7,6 @@
 #include "core/frame/frame_values.h"
 
 #include <algorithm>
-#include <set>
 
 namespace crevice::compiler {
 
@@ -102,37 +101,32 @@ const Shader& assembled(State& state, int index)
 // True when the outputs have the targets' names, but in another order: surely not meant.
 bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Reference>& color)
 {
-    std::set<std::string> written;
-    std::set<std::string> wanted;
-    bool in_order = true;
+    std::vector<std::string> written(color.size()), wanted = namesOf(color);
     for (const GlslOutput& output : outputs) {
-        written.insert(output.name);
         const auto at = static_cast<std::size_t>(output.location);
-        in_order = in_order && at < color.size() && color[at].name == output.name;
+        if (at >= written.size()) return false;  // told already
+        written[at] = output.name;
     }
-    for (const Reference& target : color) wanted.insert(target.name);
-    return !in_order && written == wanted;
+    return written != wanted && std::is_permutation(written.begin(), written.end(), wanted.begin());
 }
 
 void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
 {
     const PassDesc& pass = *reader.desc;
     const int count = static_cast<int>(pass.color.size());
-    const std::string who = "pass '" + pass.name + "': ";
+    const std::string who = quoted(reader) + ": ";
     for (const GlslOutput& output : fragment.outputs) {
         if (output.location >= 0 && output.location < count) continue;
         state.unplaced.insert(output.name);
-        Diagnostic& error =
-            reportGlsl(state, Code::output_mismatch,
-                       who + "the shader writes '" + output.name + "' at location " +
-                           std::to_string(output.location) + ", and the pass has " +
-                           std::to_string(count) + " colour target" + (count == 1 ? "" : "s"),
-                       reader, output.place);
-        if (count > 0) {
-            error.place = pass.color.back().place;
-            error.pointer = pass.color.back().pointer;
-        }
-        error.help = "add a target to `color`, or take the output out of the shader";
+        Diagnostic& error = reportGlsl(
+            state, Code::output_mismatch,
+            who + "the shader writes '" + output.name + "' at location " +
+                std::to_string(output.location) + ", and the pass has " + std::to_string(count) +
+                " colour target" + (count == 1 ? "" : "s"),
+            reader, output.place, "add a target to `color`, or take the output out of the shader");
+        if (count == 0) continue;
+        error.place = pass.color.back().place;
+        error.pointer = pass.color.back().pointer;
     }
     for (int i = 0; i < count; ++i) {
         const auto writes = [i](const GlslOutput& output) { return output.location == i; };

@@ -21,6 +21,8 @@ struct Source {
     InputKind kind = InputKind::target;
     int index = -1;      ///< Into targets, generated or imports.
     float value = 0.0f;  ///< Of a constant.
+
+    bool isTarget() const { return kind == InputKind::target || kind == InputKind::history; }
 };
 
 /// A sampler of a pass.
@@ -90,22 +92,20 @@ Diagnostic& report(State& state, Code code, std::string message, const Named& at
                    std::string help = {});
 Diagnostic& report(State& state, Code code, std::string message, const Reference& at,
                    std::string help = {});
-Diagnostic& report(State& state, Code code, std::string message, const Place& at,
-                   std::string help = {});
 
 /// Adds an error that GLSL and the config share, and returns it: at the shader that the pass names,
 /// with a note at `declared` in the GLSL.
 Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass& pass,
                        const Place& declared, std::string help = {});
 
+/// "pass 'ssao'", as messages name it.
+std::string quoted(const Pass& pass);
+const std::string& nameOf(const State& state, int target);
+
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);
 
 /// Where the pass names a target that it writes.
 const Reference& referenceTo(const Pass& pass, const std::string& target);
-
-/// The size of what the pass writes, and the samples of a pixel of it.
-Extent extentOf(const State& state, const Pass& pass);
-int samplesOf(const State& state, const Pass& pass);
 
 }  // namespace crevice::compiler

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The steps of the compiler, private to core/compile. They fill its state in this order:
 //
-//   conditions  which passes run
-//   formats     formats, which shaders take into account; at the end, where those are too coarse
-//   shaders     defines, stages, outputs; with inputs for the samplers and uniforms for the other
-//   uniforms graph       writers and order live        what is needed, and what stands in for what
-//   is not textures    sizes, formats, shared slots; with samples for multisampling lint what would
-//   draw nothing good passes      the plan itself; with costs for the bytes and what is left out
+//   conditions          which passes run
+//   formats             formats, which shaders take into account; at the end, a warning of coarse
+//   ones shaders             defines, stages, outputs; with inputs for samplers, uniforms for the
+//   rest graph               writers and order dead_passes         what is needed, and what stands
+//   in for what is not target_sizes        sizes, and whether formats fit; with samples for
+//   multisampling lint                what would draw nothing good passes              the plan
+//   itself; with texture_aliasing, and elided for what is left out
 #pragma once
 
 #include "core/compile/state.h"
@@ -18,9 +19,6 @@ void decideConditions(State& state);
 
 // formats.cpp
 void chooseFormats(State& state);
-/// Why the target has this format rather than one before it in its list; empty where it has the
-/// first that the device renders to.
-std::string formatReason(const State& state, int target);
 /// The warning CV6015.
 void lintPrecision(State& state);
 
@@ -32,6 +30,9 @@ void readShaders(State& state);
 // inputs.cpp
 void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
 void checkInputs(State& state, const Pass& pass);
+/// CV5003: nothing is called `name`, which the uniform wants.
+void reportUnbound(State& state, std::string message, const Pass& pass, const GlslUniform& uniform,
+                   const std::string& name, std::string help);
 /// As the config says, or as is usual for what the name stands for.
 SamplerDesc samplingOf(const Read& read);
 /// Whether a mask of its own says where the pass is drawn.
@@ -54,7 +55,7 @@ bool uses(const State& state, const Pass& pass, const ImportDesc& import);
 void findWriters(State& state);
 void orderPasses(State& state);
 
-// live.cpp
+// dead_passes.cpp
 void chooseLive(State& state);
 
 /// What a reader gets, with inactive passes and those that a no-op replaces looked through;
@@ -62,13 +63,11 @@ void chooseLive(State& state);
 std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
 
-// textures.cpp
+// target_sizes.cpp
 /// How large the target is, in pixels.
 Extent sizeOf(const State& state, int target);
 void chooseExtents(State& state);
 void checkFormats(State& state);
-/// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
-void shareTextures(const State& state, Plan& plan);
 
 // samples.cpp
 /// Samples of a pixel that the config asks for.
@@ -79,14 +78,12 @@ void chooseSamples(State& state);
 /// CV2211 and the warning CV2212.
 void lint(State& state);
 
-// costs.cpp
-/// Fills in the bytes of each pass and of the textures.
-void estimateBytes(Plan& plan);
+// texture_aliasing.cpp
+/// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.
+void shareTextures(const State& state, Plan& plan);
+
+// elided.cpp
 std::vector<Elided> elided(const State& state);
-/// What frames may leave out. Requires all else of the plan.
-std::vector<Elided> elidedOfFrames(const Plan& plan);
-/// Textures that targets share; saves nothing where none do. Requires the bytes of textures.
-Elided elidedBySharing(const Plan& plan);
 
 // passes.cpp
 Plan buildPlan(const State& state);

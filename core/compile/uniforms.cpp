@@ -13,47 +13,41 @@ namespace {
 
 // What may feed a uniform, and what that has to look like.
 struct Supply {
+    const char* what;
     GlslType type;
     int count;  // 0: no array
-    std::string what;
+    UniformSource source;
+    int index;
     Place place = {};  // in the config
-    UniformSource source = UniformSource::param;
-    int index = -1;
 };
+
+// It feeds a sampler alone.
+Supply texture(const char* what, const Named& named)
+{
+    return {what, GlslType::sampler2d, 0, UniformSource::param, -1, named.place};
+}
 
 std::optional<Supply> supplyOf(const Description& description, const PassDesc& pass,
                                std::string_view name)
 {
-    if (const int i = indexOf(description.params, name); i >= 0)
-        return Supply{glslTypeOf(description.params[i].type),
-                      0,
-                      "param",
-                      description.params[i].place,
-                      UniformSource::param,
-                      i};
+    if (const int i = indexOf(description.params, name); i >= 0) {
+        const ParamDesc& param = description.params[i];
+        return Supply{"param", glslTypeOf(param.type), 0, UniformSource::param, i, param.place};
+    }
     if (const int i = indexOf(description.generated, name); i >= 0) {
-        const GeneratedDesc& generated = description.generated[i];
-        if (generatesTexture(generated.generator))
-            return Supply{GlslType::sampler2d, 0, "generated texture", generated.place};
-        return Supply{GlslType::vec3,
-                      generatedCount(description, generated),
-                      "kernel",
-                      generated.place,
-                      UniformSource::kernel,
-                      i};
+        const GeneratedDesc& kernel = description.generated[i];
+        if (generatesTexture(kernel.generator)) return texture("generated texture", kernel);
+        const int count = generatedCount(description, kernel);
+        return Supply{"kernel", GlslType::vec3, count, UniformSource::kernel, i, kernel.place};
     }
     if (const TargetDesc* target = findNamed(description.targets, name))
-        return Supply{GlslType::sampler2d, 0, "target", target->place};
+        return texture("target", *target);
     const ImportDesc* import = findNamed(description.imports, name);
-    if (import && import->type == ImportType::texture)
-        return Supply{GlslType::sampler2d, 0, "texture import", import->place};
+    if (import && import->type == ImportType::texture) return texture("texture import", *import);
     const FrameValueInfo* value = findFrameValue(name);
     const bool of_draw = value && value->import == ImportType::draw_list;
     if (!value || (of_draw && pass.type != PassType::draw)) return std::nullopt;
-    return Supply{value->type,
-                  value->count > 1 ? value->count : 0,
-                  "value of the frame",
-                  {},
+    return Supply{"value of the frame", value->type, value->count > 1 ? value->count : 0,
                   of_draw ? UniformSource::draw : UniformSource::frame,
                   static_cast<int>(value - kFrameValues)};
 }
@@ -75,15 +69,15 @@ std::vector<std::string> valueNames(const Description& description, const PassDe
     return names;
 }
 
-void checkVectors(State& state, const PassDesc& pass, const GlslStage& stage, const char* name,
+void checkVectors(State& state, const Pass& pass, const GlslStage& stage, const char* name,
                   int limit)
 {
     const int vectors = vectorsOf(stage);
     if (vectors <= limit) return;
     report(state, Code::too_many,
-           "pass '" + pass.name + "': the " + name + " shader has " + std::to_string(vectors) +
+           quoted(pass) + ": the " + name + " shader has " + std::to_string(vectors) +
                " uniform vectors, and the device holds " + std::to_string(limit),
-           pass, "ask for fewer samples or lights, or fewer uniforms");
+           *pass.desc, "ask for fewer samples or lights, or fewer uniforms");
 }
 
 template <class Test>
@@ -92,32 +86,28 @@ bool anyUniform(const Pass& pass, Test&& test)
     return std::any_of(pass.uniforms.begin(), pass.uniforms.end(), test);
 }
 
-void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform)
+void reportUnsupplied(State& state, const Pass& pass, const GlslUniform& uniform)
 {
     const bool draws_only = findFrameValue(uniform.name) != nullptr;
-    Diagnostic& error =
-        reportGlsl(state, Code::uniform_unbound,
-                   "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' " +
-                       (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
-                   pass, uniform.place);
-    for (const Named& each : state.description.deleted)
-        if (each.name == uniform.name) error.notes.push_back({each.place, "it was deleted here"});
-    error.help =
-        draws_only ? "make the pass a draw, or drop the uniform"
-                   : suggestName(uniform.name, valueNames(state.description, *pass.desc), "values");
+    reportUnbound(state,
+                  quoted(pass) + ": uniform '" + uniform.name + "' " +
+                      (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
+                  pass, uniform, uniform.name,
+                  draws_only ? "make the pass a draw, or drop the uniform"
+                             : suggestName(uniform.name, valueNames(state.description, *pass.desc),
+                                           "values"));
 }
 
 void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, const Supply& supply)
 {
     const std::string wanted = spell(supply.type, uniform.name, supply.count);
-    Diagnostic& error = reportGlsl(
-        state, Code::uniform_type,
-        "pass '" + pass.desc->name + "': uniform '" + uniform.name + "' is declared as " +
-            spell(uniform.type, uniform.name, uniform.array ? uniform.count : 0) + ", and the " +
-            supply.what + " is " + wanted,
-        pass, uniform.place);
+    Diagnostic& error =
+        reportGlsl(state, Code::uniform_type,
+                   quoted(pass) + ": uniform '" + uniform.name + "' is declared as " +
+                       spell(uniform.type, uniform.name, uniform.array ? uniform.count : 0) +
+                       ", and the " + supply.what + " is " + wanted,
+                   pass, uniform.place, "declare: uniform " + wanted + ";");
     if (supply.place.source) error.notes.push_back({supply.place, "the config declares it here"});
-    error.help = "declare: uniform " + wanted + ";";
 }
 
 bool reads(const State& state, const Pass& pass, InputKind kind, int index)
@@ -172,7 +162,7 @@ bool uses(const State& state, const Pass& pass, const ImportDesc& import)
 void bindUniform(State& state, Pass& pass, const GlslUniform& uniform)
 {
     const std::optional<Supply> supply = supplyOf(state.description, *pass.desc, uniform.name);
-    if (!supply) return reportUnbound(state, pass, uniform);
+    if (!supply) return reportUnsupplied(state, pass, uniform);
     const int count = uniform.array ? uniform.count : 0;
     if (supply->type != uniform.type || supply->count != count)
         return reportShape(state, pass, uniform, *supply);
@@ -184,11 +174,11 @@ void bindUniform(State& state, Pass& pass, const GlslUniform& uniform)
 void checkLimits(State& state, const Pass& pass, const Shader& shader)
 {
     const DeviceCaps& caps = state.caps;
-    checkVectors(state, *pass.desc, shader.vertex, "vertex", caps.max_vertex_uniform_vectors);
-    checkVectors(state, *pass.desc, shader.fragment, "fragment", caps.max_fragment_uniform_vectors);
+    checkVectors(state, pass, shader.vertex, "vertex", caps.max_vertex_uniform_vectors);
+    checkVectors(state, pass, shader.fragment, "fragment", caps.max_fragment_uniform_vectors);
     if (static_cast<int>(pass.reads.size()) <= caps.max_texture_units) return;
     report(state, Code::too_many,
-           "pass '" + pass.desc->name + "' samples " + std::to_string(pass.reads.size()) +
+           quoted(pass) + " samples " + std::to_string(pass.reads.size()) +
                " textures, and the device takes " + std::to_string(caps.max_texture_units),
            *pass.desc, "pack targets into fewer textures, or split the pass");
 }

@@ -41,21 +41,6 @@ Diagnostic refused(const ImportDesc& import, Code code, const std::string& what,
     return {code, "the frame" + what, help, import.place, import.pointer};
 }
 
-Diagnostic missing(const ImportDesc& import)
-{
-    return refused(import, Code::missing_import, " has no texture for import '" + import.name + "'",
-                   "add one of that name to Frame::textures, or make the import optional");
-}
-
-Diagnostic unknownTexture(const ImportDesc& import, TextureId id)
-{
-    return refused(
-        import, Code::bad_input,
-        "'s texture '" + import.name + "' is texture " + std::to_string(id.value) +
-            ", which is none of this device",
-        "take an id that adoptTexture or createTexture gave and that is not destroyed yet");
-}
-
 Diagnostic otherSamples(const ImportDesc& import, const std::string& pass, int samples)
 {
     const bool one = samples == 1;
@@ -75,7 +60,9 @@ Status Execution::checkImports(const Frame& frame) const
     for (const ImportDesc& import : plan_.imports)
         if (import.type == ImportType::texture && !import.optional &&
             !findTexture(frame.textures, import.name))
-            return missing(import);
+            return refused(import, Code::missing_import,
+                           " has no texture for import '" + import.name + "'",
+                           "add one of that name to Frame::textures, or make the import optional");
     for (std::size_t view = 0; view < views_.size(); ++view) {
         for (const PreparedPass& pass : views_[view].passes) {
             for (const TextureBinding& binding : pass.textures) {
@@ -83,7 +70,13 @@ Status Execution::checkImports(const Frame& frame) const
                 const ImportDesc& import = plan_.imports[binding.import];
                 const ImportedTexture* found = findTexture(frame, view, import.name);
                 const ObjectInfo info = device_.info(found ? found->texture : black_.id());
-                if (!info.exists) return unknownTexture(import, found->texture);
+                if (!info.exists)
+                    return refused(import, Code::bad_input,
+                                   "'s texture '" + import.name + "' is texture " +
+                                       std::to_string(found->texture.value) +
+                                       ", which is none of this device",
+                                   "take an id that adoptTexture or createTexture gave and that "
+                                   "is not destroyed yet");
                 if (binding.multisampled != (info.samples > 1))
                     return otherSamples(import, pass.info.label, info.samples);
             }

@@ -5,6 +5,7 @@
 #include <crevice/renderer.h>
 
 #include "tests/support/shipped_subjects.h"
+#include "tools/plan/costs.h"
 #include "tools/schema/form.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -105,7 +106,7 @@ Run runOf(const Description& description, std::vector<std::string> outputs, cons
     const auto renderer = need(Renderer::create(device, description, options, traitsOf(frame)));
     need(renderer->render(frame));
     need(renderer->render(frame));
-    return {device.log(), renderer->plan().elided};
+    return {device.log(), allElided(renderer->plan())};
 }
 
 /// Whether the optimization changes what a device is told, and the plan says so: of the config as

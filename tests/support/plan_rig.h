@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "tests/support/test_config.h"
+#include "tools/plan/costs.h"
 #include "tools/plan/print.h"
 
 #include <map>

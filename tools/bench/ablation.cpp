@@ -9,6 +9,7 @@
 #include "tools/bench/views.h"
 #include "tools/cli/output.h"
 #include "tools/measure/line_file.h"
+#include "tools/plan/costs.h"
 #include "tools/render/scene_upload.h"
 
 #include <nlohmann/json.hpp>
@@ -177,7 +178,7 @@ AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation&
     row.ms = timeFigures(contender.turns);
     row.factor = ratioFigures(contender.turns, with_all.turns);
     row.texture_bytes = plan.texture_bytes;
-    row.elided = static_cast<int>(plan.elided.size());
+    row.elided = static_cast<int>(allElided(plan).size());
     row.repeats = static_cast<int>(contender.turns.size());
     row.version = task.point.version;
     return row;

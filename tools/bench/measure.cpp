@@ -5,6 +5,7 @@
 #include "tools/bench/times.h"
 #include "tools/image/image_file.h"
 #include "tools/image/image_metrics.h"
+#include "tools/plan/costs.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
@@ -208,12 +209,10 @@ Result<BenchPoint> BenchMeter::measure(const BenchTask& task)
     if (const Status known = measureErrors(task, *ao, point); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, point); !kept) return kept.diagnostics();
 
-    const Plan& plan = (*renderer)->plan();
-    point.texture_bytes = plan.texture_bytes;
-    for (const PlanPass& pass : plan.passes) {
-        point.bytes_read += pass.bytes_read;
-        point.bytes_written += pass.bytes_written;
-    }
+    const MovedBytes bytes = movedBytes((*renderer)->plan());
+    point.texture_bytes = (*renderer)->plan().texture_bytes;
+    point.bytes_read = bytes.read;
+    point.bytes_written = bytes.written;
     return point;
 }
 

@@ -2,6 +2,7 @@
 // Two plans as lists of facts, and what differs between the lists.
 #include "tools/plan/diff.h"
 
+#include "tools/plan/costs.h"
 #include "tools/plan/names.h"
 
 #include "core/base/numbers.h"
@@ -90,11 +91,12 @@ Part partOf(const Plan& plan, const PlanPass& pass)
         facts.push_back({"writes " + color.name, attachmentText(color)});
     if (pass.has_depth && !isMasked(pass))
         facts.push_back({"writes " + pass.depth.name, attachmentText(pass.depth)});
+    const MovedBytes bytes = movedBytes(plan, pass);
     facts.insert(facts.end(), {{"depth_test", table::word(pass.state.depth_test)},
                                {"depth_write", yesNo(pass.state.depth_write)},
                                {"cull", table::word(pass.state.cull)},
-                               {"read", bytesText(pass.bytes_read)},
-                               {"written", bytesText(pass.bytes_written)}});
+                               {"read", bytesText(bytes.read)},
+                               {"written", bytesText(bytes.written)}});
     return {"passes", pass.name, std::move(facts)};
 }
 
@@ -124,7 +126,7 @@ std::vector<Part> partsOf(const Plan& plan)
     for (const PlanPass& each : plan.passes) parts.push_back(partOf(plan, each));
     for (const PlanTarget& each : plan.targets) parts.push_back(partOf(plan, each));
     for (const PlanOutput& each : plan.outputs) parts.push_back(partOf(plan, each));
-    for (const Elided& each : plan.elided)
+    for (const Elided& each : allElided(plan))
         parts.push_back({"left out", each.what, {{each.optimization, each.reason}}});
     return parts;
 }
@@ -183,13 +185,6 @@ double textureCount(const Plan& plan)
     double count = 0;
     for (const PlanTexture& texture : plan.textures) count += texture.copies;
     return count;
-}
-
-double sum(const Plan& plan, double PlanPass::*bytes)
-{
-    double total = 0;
-    for (const PlanPass& pass : plan.passes) total += pass.*bytes;
-    return total;
 }
 
 bool isBytes(const PlanTotal& total) { return total.name.find("bytes") != std::string::npos; }
@@ -259,9 +254,9 @@ PlanDiff diffPlans(const Plan& before, const Plan& after)
           static_cast<double>(after.passes.size()));
     total("textures", textureCount(before), textureCount(after));
     total("texture_bytes", before.texture_bytes, after.texture_bytes);
-    total("bytes_read", sum(before, &PlanPass::bytes_read), sum(after, &PlanPass::bytes_read));
-    total("bytes_written", sum(before, &PlanPass::bytes_written),
-          sum(after, &PlanPass::bytes_written));
+    const MovedBytes from = movedBytes(before), to = movedBytes(after);
+    total("bytes_read", from.read, to.read);
+    total("bytes_written", from.written, to.written);
     return diff;
 }
 

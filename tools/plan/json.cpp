@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plans as JSON for programs: the same facts as the text, and the keys of the programs.
+#include "tools/plan/costs.h"
 #include "tools/plan/names.h"
 #include "tools/plan/print.h"
 
@@ -53,8 +54,7 @@ std::string attachmentJson(const Plan& plan, const PlanAttachment& attachment)
     return "{\"target\": " + json(attachment.name) +
            ", \"texture\": " + indexJson(textured ? plan.targets[attachment.target].texture : -1) +
            ", \"load\": " + json(nameOf(attachment.load)) +
-           ", \"store\": " + json(nameOf(attachment.store)) + ", \"clear\": [" + clear +
-           "], \"reason\": " + json(attachment.reason) + "}";
+           ", \"store\": " + json(nameOf(attachment.store)) + ", \"clear\": [" + clear + "]}";
 }
 
 std::string inputJson(const Plan& plan, const PlanInput& input)
@@ -81,12 +81,13 @@ std::string stateJson(const StateDesc& state)
 std::string passJson(const Plan& plan, const PlanPass& pass)
 {
     const std::string indent = "        ";
+    const MovedBytes bytes = movedBytes(plan, pass);
     const auto attachment = [&](const PlanAttachment& each) { return attachmentJson(plan, each); };
     const auto input = [&](const PlanInput& each) { return inputJson(plan, each); };
     return "{\"name\": " + json(pass.name) + ", \"type\": " + word(pass.type) +
            ", \"program\": " + json(pass.program) + ", \"extent\": " + json(pass.extent) +
-           ", \"bytes_read\": " + bytesJson(pass.bytes_read) +
-           ", \"bytes_written\": " + bytesJson(pass.bytes_written) +
+           ", \"bytes_read\": " + bytesJson(bytes.read) +
+           ", \"bytes_written\": " + bytesJson(bytes.written) +
            ",\n      \"masked\": " + json(isMasked(pass)) + ", \"scissor\": " + json(pass.scissor) +
            ", \"cull_below_pixel\": " +
            (pass.cull_below_pixel < 0 ? "null" : json(plan.params[pass.cull_below_pixel].name)) +
@@ -103,8 +104,7 @@ std::string targetJson(const PlanTarget& target)
            ", \"drawn_texture\": " + json(target.drawn_texture) +
            ", \"first_pass\": " + json(target.first_pass) +
            ", \"last_pass\": " + json(target.last_pass) +
-           ", \"history_texture\": " + indexJson(target.history_texture) +
-           ", \"format_reason\": " + json(target.format_reason) + "}";
+           ", \"history_texture\": " + indexJson(target.history_texture) + "}";
 }
 
 std::string textureJson(const PlanTexture& texture)
@@ -120,11 +120,7 @@ std::string textureJson(const PlanTexture& texture)
 
 std::string programJson(const PlanProgram& program)
 {
-    const auto name = [](const std::string& each) { return json(each); };
-    return "{\"label\": " + json(program.label) + ", \"key\": " + json(program.key) +
-           ", \"varies_with\": " + list(program.varies_with, name) +
-           ", \"variants\": " + bytesJson(program.variants) +
-           ", \"fractions\": " + list(program.fractions, name) + "}";
+    return "{\"label\": " + json(program.label) + ", \"key\": " + json(program.key) + "}";
 }
 
 std::string generatedJson(const GeneratorDesc& each)
@@ -151,9 +147,7 @@ std::string outputJson(const Plan& plan, const PlanOutput& output)
 std::string elidedJson(const Elided& each)
 {
     return "{\"what\": " + json(each.what) + ", \"optimization\": " + json(each.optimization) +
-           ", \"reason\": " + json(each.reason) + ", \"bytes\": " + bytesJson(each.bytes) +
-           ", \"texture_bytes\": " + bytesJson(each.texture_bytes) +
-           ", \"by_frame\": " + json(each.by_frame) + "}";
+           ", \"reason\": " + json(each.reason) + "}";
 }
 
 }  // namespace
@@ -172,7 +166,7 @@ std::string toJson(const Plan& plan)
            ",\n  \"generated\": " + list(plan.generated, generatedJson) +
            ",\n  \"imports\": " + list(plan.imports, importJson) +
            ",\n  \"outputs\": " + list(plan.outputs, output) +
-           ",\n  \"elided\": " + list(plan.elided, elidedJson) + "\n}\n";
+           ",\n  \"elided\": " + list(allElided(plan), elidedJson) + "\n}\n";
 }
 
 }  // namespace crevice

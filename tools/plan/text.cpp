@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Plans as text for people. Nothing in it changes with the wording of a shader, so that tests can
 // keep it.
+#include "tools/plan/costs.h"
 #include "tools/plan/names.h"
 #include "tools/plan/print.h"
 
 #include "core/base/numbers.h"
-
 #include "core/base/text.h"
 #include "core/config/field_types.h"
 
@@ -134,7 +134,7 @@ std::string clearText(const PlanAttachment& attachment, bool depth)
 std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool depth)
 {
     std::string text = "    writes  " + attachment.name;
-    if (attachment.target < 0) return text + ": no texture, " + attachment.reason + "\n";
+    if (attachment.target < 0) return text + ": no texture, nobody reads it\n";
     const PlanTarget& target = plan.targets[attachment.target];
     text += ": " + std::string(formatInfo(textureOf(plan, attachment.target).format).name) +
             " texture " + std::to_string(target.texture);
@@ -142,15 +142,16 @@ std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool d
         text += " resolved from " + std::to_string(target.drawn_texture);
     const std::string load =
         attachment.load == LoadOp::clear ? clearText(attachment, depth) : nameOf(attachment.load);
-    return text + ", " + load + ", " + nameOf(attachment.store) + " (" + attachment.reason + ")\n";
+    return text + ", " + load + ", " + nameOf(attachment.store) + "\n";
 }
 
 std::string passText(const Plan& plan, const PlanPass& pass)
 {
+    const MovedBytes bytes = movedBytes(plan, pass);
     std::string text = "  " + pass.name + ": " + table::word(pass.type) + " " +
                        sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
-                       plan.programs[pass.program].label + ", " + bytesText(pass.bytes_read) +
-                       " read, " + bytesText(pass.bytes_written) + " written\n";
+                       plan.programs[pass.program].label + ", " + bytesText(bytes.read) +
+                       " read, " + bytesText(bytes.written) + " written\n";
     for (const PlanInput& input : pass.inputs) text += readText(plan, input);
     if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
     for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
@@ -173,27 +174,6 @@ std::string textureText(const Plan& plan, std::size_t index)
     return text + "\n";
 }
 
-std::string programText(const PlanProgram& program)
-{
-    std::string text = "  " + program.label + ": 1 of " +
-                       counted(static_cast<std::size_t>(program.variants), "variant");
-    if (!program.fractions.empty()) text += " for each " + joined(program.fractions);
-    if (!program.varies_with.empty()) text += ", by " + joined(program.varies_with);
-    return text + "\n";
-}
-
-std::string elidedText(const Elided& each)
-{
-    std::string text = "  " + each.what + " (" + each.optimization + "): " + each.reason;
-    if (each.by_frame) return text + "\n";
-    const bool stored = each.texture_bytes > 0;
-    text += "; saves ";
-    if (each.bytes > 0 || !stored)
-        text += bytesText(each.bytes) + " a frame" + (stored ? ", " : "");
-    if (stored) text += bytesText(each.texture_bytes) + " of textures";
-    return text + "\n";
-}
-
 std::string outputText(const Plan& plan, const PlanOutput& output)
 {
     const bool constant = output.constant >= 0;
@@ -213,15 +193,8 @@ std::string toText(const Plan& plan)
                        ", " + counted(textureCount(plan), "texture") + ", " +
                        bytesText(plan.texture_bytes) + "\npasses\n";
     for (const PlanPass& pass : plan.passes) text += passText(plan, pass);
-    text += "programs\n";
-    for (const PlanProgram& program : plan.programs) text += programText(program);
     text += "textures\n";
     for (std::size_t i = 0; i < plan.textures.size(); ++i) text += textureText(plan, i);
-    std::string formats;
-    for (const PlanTarget& target : plan.targets)
-        if (!target.format_reason.empty())
-            formats += "  " + target.name + ": " + target.format_reason + "\n";
-    if (!formats.empty()) text += "formats\n" + formats;
     text += "outputs\n";
     for (const PlanOutput& output : plan.outputs) text += outputText(plan, output);
     if (!plan.generated.empty()) text += "generated\n";
@@ -231,8 +204,10 @@ std::string toText(const Plan& plan)
     for (const ImportDesc& each : plan.imports)
         text += "  " + each.name + ": " + table::word(each.type) +
                 (each.optional ? ", optional\n" : "\n");
-    if (!plan.elided.empty()) text += "left out\n";
-    for (const Elided& each : plan.elided) text += elidedText(each);
+    const std::vector<Elided> elided = allElided(plan);
+    if (!elided.empty()) text += "left out\n";
+    for (const Elided& each : elided)
+        text += "  " + each.what + " (" + each.optimization + "): " + each.reason + "\n";
     return text;
 }
 

@@ -52,7 +52,6 @@ struct PlanTarget {
     /// What it held last frame, where someone reads that; the two textures change places before
     /// each frame.
     int history_texture = -1;
-    std::string format_reason = {};  ///< Why its format is not the list's first; mostly empty.
 };
 
 /// Where a sampler's texture comes from. `history` is what a target held in the last frame.
@@ -71,7 +70,6 @@ struct PlanAttachment {
     LoadOp load = LoadOp::discard;
     StoreOp store = StoreOp::store;
     std::array<float, 4> clear = {0, 0, 0, 0};
-    std::string reason;  ///< Why this load and store.
 };
 
 /// A value that may change from frame to frame without another plan.
@@ -110,8 +108,6 @@ struct PlanPass {
     int cull_below_pixel = -1;
     std::vector<PlanInput> inputs;
     std::vector<PlanUniform> uniforms;
-    double bytes_read = 0;     ///< An estimate a frame: one texel of each input a pixel and view.
-    double bytes_written = 0;  ///< An estimate a frame.
 };
 
 /// Whether the pass is tested against a mask (`mask`): its depth attachment is read, not written.
@@ -125,12 +121,6 @@ struct PlanProgram {
     GlslStage fragment;
     Place place;  ///< Of the shader in the config.
     std::string pointer;
-    /// Features, traits and whole-number defines in its text.
-    std::vector<std::string> varies_with = {};
-    /// How many texts their values make, for each value ...
-    double variants = 1;
-    /// ... of these defines, which are no whole numbers.
-    std::vector<std::string> fractions = {};
 };
 
 /// One thing that the plan does not do.
@@ -138,10 +128,7 @@ struct Elided {
     std::string what;  ///< "pass filter_x", "attachment albedo"
     /// Of kOptimizations; or "condition", which is meaning and cannot be switched off.
     std::string optimization;
-    std::string reason;        ///< One sentence.
-    double bytes = 0;          ///< Estimated bytes a frame that are not moved.
-    double texture_bytes = 0;  ///< Of textures that are not there.
-    bool by_frame = false;     ///< What is left out, and what that saves, depends on the frame.
+    std::string reason;  ///< One sentence.
 };
 
 struct PlanConstant {

@@ -289,8 +289,8 @@ TEST_CASE("Views share what ends with them, and each keeps its outputs and histo
     for (const char* name : {"y", "kept", "w"}) CHECK(textureOf(two, name).copies == 2);
     CHECK(two.textures[findNamed(two.targets, "kept")->history_texture].copies == 2);
     CHECK(two.texture_bytes == one.texture_bytes + 64 * 32 * (1 + 2 + 4));  // y, kept twice, w
-    CHECK(two.passes[1].bytes_read == 2 * one.passes[1].bytes_read);
-    CHECK(two.passes[1].bytes_written == 2 * one.passes[1].bytes_written);
+    CHECK(movedBytes(two).read == 2 * movedBytes(one).read);
+    CHECK(movedBytes(two).written == 2 * movedBytes(one).written);
 }
 
 TEST_CASE("A plan says how many views it has and which textures each of them holds")

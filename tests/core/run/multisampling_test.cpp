@@ -61,14 +61,11 @@ TEST_CASE("A plan draws several samples into a texture apart and resolves what i
           R"(plan sketch 64x32: 2 passes, 4 textures, 74.0 KiB
 passes
   paint: draw 64x32, 4 samples, program paint, 32.0 KiB read, 40.0 KiB written
-    writes  color: rgba8 texture 1 resolved from 0, clear to 0, store (a draw does not cover every pixel; read by grade)
-    writes  d: depth24 texture 2, clear to 1, discard (a draw does not cover every pixel; nobody reads it after this pass)
+    writes  color: rgba8 texture 1 resolved from 0, clear to 0, store
+    writes  d: depth24 texture 2, clear to 1, discard
   grade: fullscreen 64x32, program grade, 8.0 KiB read, 2.0 KiB written
     reads   color (nearest, clamp)
-    writes  graded: r8 texture 3, discard, store (every pixel is overwritten; read by output out)
-programs
-  paint: 1 of 1 variant
-  grade: 1 of 1 variant
+    writes  graded: r8 texture 3, discard, store
 textures
   0: rgba8 64x32, 4 samples, 32.0 KiB: color
   1: rgba8 64x32, 8.0 KiB: color

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Sizes of targets, and whether the device and the passes can do with their formats.
+#include "core/compile/steps.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice::compiler {
+
+namespace {
+
+std::string text(const Extent& extent)
+{
+    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
+}
+
+// In float on purpose: 0.1f is a little above 0.1, and in double 1000 * 0.1f would round up to 101.
+int scaled(int size, float scale)
+{
+    constexpr float kLargest = 1e9f;  // fits an int; far over what any device takes
+    const float product = static_cast<float>(size) * scale;
+    return static_cast<int>(std::max(1.0f, std::ceil(std::min(product, kLargest))));
+}
+
+bool within(const Extent& extent, int limit)
+{
+    return extent.width <= limit && extent.height <= limit;
+}
+
+// Sizes do not follow each other in a circle: decode sees to that.
+Extent followedExtent(const State& state, const SizeDesc& size)
+{
+    const TargetDesc* followed = findNamed(state.description.targets, size.of.name);
+    const Extent extent = followed ? followedExtent(state, followed->size) : state.options.extent;
+    const ParamDesc* param = findNamed(state.description.params, size.scale_param.name);
+    const float scale = param ? param->value[0] : size.scale;
+    return {scaled(extent.width, scale), scaled(extent.height, scale)};
+}
+
+void checkAttachmentSizes(State& state, const Pass& pass)
+{
+    const std::vector<int> written = writtenBy(pass);
+    for (const int index : written) {
+        const Extent& first = state.targets[written.front()].extent;
+        const Extent& other = state.targets[index].extent;
+        if (first == other) continue;
+        Diagnostic& error =
+            report(state, Code::attachment_size,
+                   quoted(pass) + " writes targets of different sizes: '" +
+                       nameOf(state, written.front()) + "' is " + text(first) + ", '" +
+                       nameOf(state, index) + "' is " + text(other),
+                   referenceTo(pass, nameOf(state, index)), "give them the same `size`");
+        for (const int each : {written.front(), index}) {
+            const TargetDesc& desc = state.description.targets[each];
+            error.notes.push_back({desc.size.place.source ? desc.size.place : desc.place,
+                                   "'" + desc.name + "' has its size here"});
+        }
+        return;
+    }
+}
+
+void checkKind(State& state, const Reference& at, bool depth)
+{
+    const TargetDesc* target = findNamed(state.description.targets, at.name);
+    if (!target) return;
+    for (const Format format : target->formats) {
+        const FormatInfo& info = formatInfo(format);
+        if ((info.format_class == FormatClass::depth) == depth) continue;
+        report(state, Code::attachment_kind,
+               "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
+                   (depth ? "depth" : "colour") + " attachment",
+               at, depth ? "use depth16, depth24 or depth32f" : "use a colour format");
+        return;
+    }
+}
+
+void checkAttachments(State& state, const Pass& pass)
+{
+    for (const Reference& color : pass.desc->color) checkKind(state, color, false);
+    if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
+    if (!pass.desc->mask.empty()) checkKind(state, pass.desc->mask, true);
+    const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
+    const int count = static_cast<int>(pass.desc->color.size());
+    if (count <= limit) return;
+    report(state, Code::too_many,
+           quoted(pass) + " writes " + std::to_string(count) +
+               " colour targets, and the device takes " + std::to_string(limit),
+           *pass.desc, "pack them into fewer targets, or split the pass");
+}
+
+void checkSubstitute(State& state, const Reference& output, const Reference& input)
+{
+    const TargetDesc* replaced = findNamed(state.description.targets, output.name);
+    const TargetDesc* by = findNamed(state.description.targets, input.name);
+    if (!replaced || !by) return;
+    const FormatInfo& wanted = formatInfo(replaced->formats.front());
+    const FormatInfo& given = formatInfo(by->formats.front());
+    if ((wanted.format_class == FormatClass::depth) == (given.format_class == FormatClass::depth))
+        return;
+    report(state, Code::bypass_class,
+           "'" + input.name + "' (" + given.name + ") cannot stand in for '" + output.name + "' (" +
+               wanted.name + "): one holds depth and the other colour",
+           input, "give both targets formats of one kind");
+}
+
+void checkFormat(State& state, const TargetDesc& desc, Format chosen)
+{
+    if (state.caps.canRender(desc.formats.front())) return;
+    if (!state.caps.canRender(chosen)) {
+        std::vector<std::string> names;
+        for (const Format format : desc.formats) names.push_back(formatInfo(format).name);
+        report(state, Code::no_format,
+               "the device can render to no format of target '" + desc.name + "': " + joined(names),
+               desc, "add a format that every device has, such as rgba8 or depth16");
+        return;
+    }
+    report(state, Code::no_format,
+           "target '" + desc.name + "' falls back from " + formatInfo(desc.formats.front()).name +
+               " to " + formatInfo(chosen).name +
+               ": the device does not render to the first choice",
+           desc)
+        .severity = Severity::warning;
+}
+
+}  // namespace
+
+Extent sizeOf(const State& state, int target)
+{
+    return followedExtent(state, state.description.targets[target].size);
+}
+
+void chooseExtents(State& state)
+{
+    const int limit = state.caps.max_texture_size;
+    const bool fits = within(state.options.extent, limit);
+    if (!fits)
+        report(state, Code::too_big_for_device,
+               "a picture of " + text(state.options.extent) +
+                   " is wanted, and the device's textures end at " + std::to_string(limit) + "x" +
+                   std::to_string(limit),
+               Named{}, "ask for a smaller size");
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        Target& target = state.targets[i];
+        const TargetDesc& desc = state.description.targets[i];
+        target.extent = sizeOf(state, static_cast<int>(i));
+        if (!fits || !target.textured || within(target.extent, limit)) continue;
+        const int followed = indexOf(state.description.targets, desc.size.of.name);
+        const bool told = followed >= 0 && state.targets[followed].textured &&
+                          !within(sizeOf(state, followed), limit);
+        if (told) continue;
+        report(state, Code::too_big_for_device,
+               "target '" + desc.name + "' would be " + text(target.extent) +
+                   ", and the device's textures end at " + std::to_string(limit) + "x" +
+                   std::to_string(limit),
+               desc, "use a smaller `scale`, or ask for a smaller size");
+    }
+    for (const Pass& pass : state.passes)
+        if (pass.active) checkAttachmentSizes(state, pass);
+}
+
+void checkFormats(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        if (pass.active) checkAttachments(state, pass);
+        for (const BypassDesc& bypass : pass.desc->bypass)
+            checkSubstitute(state, bypass.output, bypass.input);
+    }
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        const Target& target = state.targets[i];
+        if (target.textured) checkFormat(state, state.description.targets[i], target.format);
+    }
+}
+
+}  // namespace crevice::compiler
