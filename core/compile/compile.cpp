@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace crevice {
 
@@ -79,20 +80,14 @@ void dropRepeats(State& state)
         return std::any_of(files.begin(), files.end(),
                            [&](const auto& file) { return file.second == place.source; });
     };
-    const auto glslPlace = [&](const Diagnostic& each) {
-        const bool noted = !each.notes.empty() && in_glsl(each.notes.front().place);
-        return noted ? each.notes.front().place : each.place;
-    };
+    std::set<std::tuple<Code, SourceRef, int, int>> told;
     Diagnostics kept;
     for (Diagnostic& each : state.diagnostics) {
-        const Place place = glslPlace(each);
-        const auto repeats = [&](const Diagnostic& other) {
-            const Place there = glslPlace(other);
-            return each.code == other.code && place.source == there.source &&
-                   place.line == there.line && place.column == there.column;
-        };
-        if (in_glsl(place) && std::any_of(kept.begin(), kept.end(), repeats)) continue;
-        kept.push_back(std::move(each));
+        const bool noted = !each.notes.empty() && in_glsl(each.notes.front().place);
+        const Place& place = noted ? each.notes.front().place : each.place;
+        if (!in_glsl(place) ||
+            told.insert({each.code, place.source, place.line, place.column}).second)
+            kept.push_back(std::move(each));
     }
     state.diagnostics = std::move(kept);
 }
@@ -175,9 +170,6 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     lintPrecision(state);
     dropRepeats(state);
     if (!hasErrors(state.diagnostics)) append(state.diagnostics, description.unused);
-    if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
-    state.diagnostics.insert(state.diagnostics.end(), description.unused.begin(),
-                             description.unused.end());
     if (hasErrors(state.diagnostics)) return std::move(state.diagnostics);
     return {buildPlan(state), std::move(state.diagnostics)};
 }

@@ -2,6 +2,8 @@
 // Dead passes are culled: those that no output needs. What stands in for them is chosen here too.
 #include "core/compile/steps.h"
 
+#include "core/config/values.h"
+
 #include <algorithm>
 
 namespace crevice::compiler {
@@ -47,10 +49,7 @@ std::optional<Source> substitute(const State& state, const Pass& pass, int targe
 bool holds(const Description& description, const NoOpDesc& no_op)
 {
     const ParamDesc* param = findNamed(description.params, no_op.param.name);
-    if (!param) return false;
-    const auto first = param->value.begin();
-    return std::all_of(first, first + componentCount(param->type),
-                       [&](float value) { return value == no_op.at; });
+    return param && isAll(param->value, param->type, no_op.at);
 }
 
 // Whether a texture of `by` reads as one of `replaced` would that a pass has copied it into.
@@ -103,15 +102,6 @@ void chooseConstant(State& state)
         pass.preserves_constant =
             !pass.no_op && !pass.indispensable && preservesConstant(state, pass);
     }
-}
-
-// Takes back what stands in for the pass, and takes what may do instead, if anything.
-void standBack(const State& state, Pass& pass)
-{
-    if (pass.no_op)
-        pass.no_op = nextNoOp(state, pass);
-    else
-        pass.indispensable = true;
 }
 
 // Marks the target behind `source` and its writer. False when that writer has been replaced by what
@@ -203,7 +193,11 @@ void chooseLive(State& state)
         if (state.applies("no_op")) chooseConstant(state);
         const int conflict = markNeeded(state);
         if (conflict < 0) break;
-        standBack(state, state.passes[conflict]);
+        Pass& pass = state.passes[conflict];
+        if (pass.no_op)
+            pass.no_op = nextNoOp(state, pass);
+        else
+            pass.indispensable = true;
     }
     for (Target& target : state.targets)
         if (!state.applies("dead_pass") && target.writer >= 0 && state.passes[target.writer].live)

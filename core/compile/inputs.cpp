@@ -139,7 +139,7 @@ void readSampler(State& state, Pass& pass, const GlslUniform& uniform)
     const auto source = sourceNamed(state, *pass.desc, name);
     if (source) {
         checkMultisampled(state, pass, uniform, *source);
-        pass.reads.push_back({uniform.name, uniform.place, input, *source});
+        pass.reads.push_back({uniform.name, input, *source});
         return;
     }
     reportUnbound(state,

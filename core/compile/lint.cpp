@@ -27,13 +27,6 @@ void checkSampling(State& state, const Pass& pass)
     }
 }
 
-void warnUnread(State& state, const Pass& pass)
-{
-    report(state, Code::dead_pass, quoted(pass) + " does not run: no output needs what it writes",
-           *pass.desc, "read what it writes, export it under `outputs`, or leave out the module")
-        .severity = Severity::warning;
-}
-
 }  // namespace
 
 void lint(State& state)
@@ -45,7 +38,11 @@ void lint(State& state)
                                      [](const Pass& pass) { return pass.replaced(); });
     if (reduced || !state.options.outputs.empty() || hasErrors(state.diagnostics)) return;
     for (const Pass& pass : state.passes)
-        if (pass.active && !pass.live) warnUnread(state, pass);
+        if (pass.active && !pass.live)
+            report(state, Code::dead_pass,
+                   quoted(pass) + " does not run: no output needs what it writes", *pass.desc,
+                   "read what it writes, export it under `outputs`, or leave out the module")
+                .severity = Severity::warning;
 }
 
 }  // namespace crevice::compiler

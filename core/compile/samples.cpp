@@ -13,25 +13,6 @@ std::string text(int samples)
     return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
 }
 
-bool agree(State& state, const Pass& pass, const std::vector<int>& written)
-{
-    const int asked = askedSamples(state, written.front());
-    for (const int index : written) {
-        if (askedSamples(state, index) == asked) continue;
-        Diagnostic& error =
-            report(state, Code::attachment_samples,
-                   quoted(pass) + " writes targets of different samples: '" +
-                       nameOf(state, written.front()) + "' has " + text(asked) + " a pixel, '" +
-                       nameOf(state, index) + "' has " + text(askedSamples(state, index)),
-                   referenceTo(pass, nameOf(state, index)), "give them the same `samples`");
-        for (const int each : {written.front(), index})
-            error.notes.push_back(
-                {state.description.targets[each].place, "'" + nameOf(state, each) + "' is here"});
-        return false;
-    }
-    return true;
-}
-
 // The least count that is no less than was asked for, or else the most.
 int nearestCount(std::uint32_t counts, int asked)
 {
@@ -79,7 +60,11 @@ void chooseSamples(State& state)
     for (const Pass& pass : state.passes) {
         const std::vector<int> written = writtenBy(pass);
         if (!pass.active || written.empty()) continue;
-        if (agree(state, pass, written)) choose(state, pass, written);
+        const auto asked = [&](int target) {
+            return "has " + text(askedSamples(state, target)) + " a pixel";
+        };
+        if (attachmentsAgree(state, pass, Code::attachment_samples, "samples", asked))
+            choose(state, pass, written);
     }
 }
 

@@ -170,7 +170,7 @@ void readMask(State& state, Pass& pass)
                       askedSamples(state, mask) == 1 && askedSamples(state, own.front()) == 1;
     const auto draws_it = [&](const Pass& each) { return each.active && each.depth == mask; };
     if (fits && std::any_of(state.passes.begin(), state.passes.end(), draws_it))
-        pass.reads.push_back({{}, {}, nullptr, {InputKind::target, mask}});
+        pass.reads.push_back({"", nullptr, {InputKind::target, mask}});
 }
 
 }  // namespace

@@ -28,7 +28,6 @@ struct Source {
 /// A sampler of a pass.
 struct Read {
     std::string sampler;               ///< Empty for what `mask` names.
-    Place declared = {};               ///< In the GLSL.
     const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
     Source named = {};                 ///< What the name stands for before passes are left out.
 };

@@ -12,6 +12,8 @@
 
 #include "core/compile/state.h"
 
+#include <functional>
+
 namespace crevice::compiler {
 
 // conditions.cpp
@@ -42,9 +44,6 @@ bool readsMask(const Pass& pass);
 /// Finds what feeds the uniform, and adds that to the pass.
 void bindUniform(State& state, Pass& pass, const GlslUniform& uniform);
 void checkLimits(State& state, const Pass& pass, const Shader& shader);
-/// Uniform vectors that a stage takes: one for each scalar, vector, array element and column of a
-/// matrix.
-int vectorsOf(const GlslStage& stage);
 /// Offsets or pixels, from the param where one is named.
 int generatedCount(const Description& description, const GeneratedDesc& generated);
 /// Whether the pass, as it will run, uses this.
@@ -68,6 +67,10 @@ std::optional<Source> resolveTarget(const State& state, int target);
 Extent sizeOf(const State& state, int target);
 void chooseExtents(State& state);
 void checkFormats(State& state);
+/// Whether `fact` is the same of all that the pass writes. Else it tells the first that differs,
+/// with the target's key that makes it do so.
+bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
+                      const std::function<std::string(int)>& fact);
 
 // samples.cpp
 /// Samples of a pixel that the config asks for.

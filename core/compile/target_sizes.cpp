@@ -39,28 +39,6 @@ Extent followedExtent(const State& state, const SizeDesc& size)
     return {scaled(extent.width, scale), scaled(extent.height, scale)};
 }
 
-void checkAttachmentSizes(State& state, const Pass& pass)
-{
-    const std::vector<int> written = writtenBy(pass);
-    for (const int index : written) {
-        const Extent& first = state.targets[written.front()].extent;
-        const Extent& other = state.targets[index].extent;
-        if (first == other) continue;
-        Diagnostic& error =
-            report(state, Code::attachment_size,
-                   quoted(pass) + " writes targets of different sizes: '" +
-                       nameOf(state, written.front()) + "' is " + text(first) + ", '" +
-                       nameOf(state, index) + "' is " + text(other),
-                   referenceTo(pass, nameOf(state, index)), "give them the same `size`");
-        for (const int each : {written.front(), index}) {
-            const TargetDesc& desc = state.description.targets[each];
-            error.notes.push_back({desc.size.place.source ? desc.size.place : desc.place,
-                                   "'" + desc.name + "' has its size here"});
-        }
-        return;
-    }
-}
-
 void checkKind(State& state, const Reference& at, bool depth)
 {
     const TargetDesc* target = findNamed(state.description.targets, at.name);
@@ -156,8 +134,32 @@ void chooseExtents(State& state)
                    std::to_string(limit),
                desc, "use a smaller `scale`, or ask for a smaller size");
     }
+    const auto size = [&](int target) { return "is " + text(state.targets[target].extent); };
     for (const Pass& pass : state.passes)
-        if (pass.active) checkAttachmentSizes(state, pass);
+        if (pass.active) attachmentsAgree(state, pass, Code::attachment_size, "size", size);
+}
+
+bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
+                      const std::function<std::string(int)>& fact)
+{
+    const std::vector<int> written = writtenBy(pass);
+    for (const int index : written) {
+        const int first = written.front();
+        if (fact(index) == fact(first)) continue;
+        Diagnostic& error = report(
+            state, code,
+            quoted(pass) + " writes targets that differ in " + key + ": '" + nameOf(state, first) +
+                "' " + fact(first) + ", '" + nameOf(state, index) + "' " + fact(index),
+            referenceTo(pass, nameOf(state, index)), "give them the same `" + key + "`");
+        for (const int each : {first, index}) {
+            const TargetDesc& desc = state.description.targets[each];
+            const bool sized = key == "size" && desc.size.place.source;
+            error.notes.push_back(
+                {sized ? desc.size.place : desc.place, "'" + desc.name + "' is here"});
+        }
+        return false;
+    }
+    return true;
 }
 
 void checkFormats(State& state)

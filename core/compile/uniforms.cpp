@@ -69,6 +69,19 @@ std::vector<std::string> valueNames(const Description& description, const PassDe
     return names;
 }
 
+// One for each scalar, vector, array element and column of a matrix.
+int vectorsOf(const GlslStage& stage)
+{
+    int vectors = 0;
+    for (const GlslUniform& uniform : stage.uniforms) {
+        if (isSampler(uniform.type)) continue;
+        const GlslType type = uniform.type;
+        const int each = type == GlslType::mat4 ? 4 : type == GlslType::mat3 ? 3 : 1;
+        vectors += each * uniform.count;
+    }
+    return vectors;
+}
+
 void checkVectors(State& state, const Pass& pass, const GlslStage& stage, const char* name,
                   int limit)
 {
@@ -119,18 +132,6 @@ bool reads(const State& state, const Pass& pass, InputKind kind, int index)
 }
 
 }  // namespace
-
-int vectorsOf(const GlslStage& stage)
-{
-    int vectors = 0;
-    for (const GlslUniform& uniform : stage.uniforms) {
-        if (isSampler(uniform.type)) continue;
-        const GlslType type = uniform.type;
-        const int each = type == GlslType::mat4 ? 4 : type == GlslType::mat3 ? 3 : 1;
-        vectors += each * uniform.count;
-    }
-    return vectors;
-}
 
 int generatedCount(const Description& description, const GeneratedDesc& generated)
 {

@@ -66,6 +66,12 @@ Status checkValue(const ParamDesc& param, const float* values, int count)
     return {};
 }
 
+bool isAll(const std::array<float, 4>& values, ParamType type, float value)
+{
+    return std::all_of(values.begin(), values.begin() + componentCount(type),
+                       [&](float each) { return each == value; });
+}
+
 Values valuesOf(const Description& description)
 {
     Values values;

@@ -15,6 +15,9 @@ struct Values {
     std::vector<int> features = {};
 };
 
+/// Whether all components are `value`: where a no-op holds.
+bool isAll(const std::array<float, 4>& values, ParamType type, float value);
+
 Values valuesOf(const Description& description);
 
 /// Whether the param may have that value. Errors: CV4001, CV4003, CV3006.

@@ -137,39 +137,6 @@ std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, cons
     return materialFault(frame, item, device);
 }
 
-}  // namespace
-
-CameraMatrices cameraMatrices(const Camera& camera)
-{
-    const glm::dmat4 clip_from_view(camera.clip_from_view);
-    return {clip_from_view, glm::inverse(clip_from_view), camera.view_from_world,
-            glm::inverse(camera.view_from_world)};
-}
-
-glm::mat3 normalMatrix(const glm::dmat4& matrix)
-{
-    const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
-    glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-    const double size =
-        std::sqrt((glm::dot(cofactors[0], cofactors[0]) + glm::dot(cofactors[1], cofactors[1]) +
-                   glm::dot(cofactors[2], cofactors[2])) /
-                  3.0);
-    if (!(size > 0.0)) return glm::mat3(1.0f);
-    const double sign = glm::dot(x, cofactors[0]) < 0.0 ? -1.0 : 1.0;  // of the determinant
-    return glm::mat3(cofactors * (sign / size));
-}
-
-bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
-{
-    const glm::dmat4& clip = camera.clip_from_view;
-    const double upright = clip[0][0] * clip[1][1] - clip[0][1] * clip[1][0];
-    const bool item_mirrors = glm::determinant(glm::dmat3(item.world_from_model)) < 0.0;
-    const bool view_mirrors = glm::determinant(glm::dmat3(camera.view_from_world)) < 0.0;
-    return (item_mirrors != view_mirrors) != (upright < 0.0);
-}
-
-namespace {
-
 struct Sphere {
     glm::dvec3 center;
     double radius;
@@ -233,6 +200,35 @@ ViewArea areaOf(const Sphere& sphere, const glm::dmat4& clip_from_view)
 }
 
 }  // namespace
+
+CameraMatrices cameraMatrices(const Camera& camera)
+{
+    const glm::dmat4 clip_from_view(camera.clip_from_view);
+    return {clip_from_view, glm::inverse(clip_from_view), camera.view_from_world,
+            glm::inverse(camera.view_from_world)};
+}
+
+glm::mat3 normalMatrix(const glm::dmat4& matrix)
+{
+    const glm::dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
+    glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    const double size =
+        std::sqrt((glm::dot(cofactors[0], cofactors[0]) + glm::dot(cofactors[1], cofactors[1]) +
+                   glm::dot(cofactors[2], cofactors[2])) /
+                  3.0);
+    if (!(size > 0.0)) return glm::mat3(1.0f);
+    const double sign = glm::dot(x, cofactors[0]) < 0.0 ? -1.0 : 1.0;  // of the determinant
+    return glm::mat3(cofactors * (sign / size));
+}
+
+bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
+{
+    const glm::dmat4& clip = camera.clip_from_view;
+    const double upright = clip[0][0] * clip[1][1] - clip[0][1] * clip[1][0];
+    const bool item_mirrors = glm::determinant(glm::dmat3(item.world_from_model)) < 0.0;
+    const bool view_mirrors = glm::determinant(glm::dmat3(camera.view_from_world)) < 0.0;
+    return (item_mirrors != view_mirrors) != (upright < 0.0);
+}
 
 bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
 {

@@ -17,6 +17,12 @@ constexpr std::string_view kQualifiers[] = {
     "invariant", "precise",   "sample", "patch",  "highp",    "mediump",  "lowp",
     "readonly",  "writeonly", "shared", "buffer", "coherent", "volatile", "restrict"};
 
+// Whether the word stands before a type.
+bool isQualifier(std::string_view word)
+{
+    return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);
+}
+
 struct Qualifiers {
     bool uniform = false;
     bool output = false;
@@ -205,11 +211,6 @@ std::optional<OutputLine> outputLine(std::string_view line, std::string_view nam
 }
 
 }  // namespace
-
-bool isQualifier(std::string_view word)
-{
-    return std::find(std::begin(kQualifiers), std::end(kQualifiers), word) != std::end(kQualifiers);
-}
 
 void dropOutput(GlslStage& stage, const std::string& name)
 {

@@ -10,7 +10,4 @@ namespace crevice {
 /// `unit.errors`: blocks, array sizes and locations that cannot be read.
 void scanDeclarations(GlslUnit& unit, GlslStage& stage);
 
-/// Whether the word stands before a type: "uniform", "highp", "const".
-bool isQualifier(std::string_view word);
-
 }  // namespace crevice

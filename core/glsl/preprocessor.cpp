@@ -61,12 +61,9 @@ private:
     bool isDefined(const GlslLine& line);
     void spentSteps(const GlslToken& token);
 
-    // Most names come many times: finding one costs no allocation.
     void mention(const GlslToken& token)
     {
-        if (token.kind != GlslToken::Kind::identifier) return;
-        if (unit_.mentioned.find(token.text) == unit_.mentioned.end())
-            unit_.mentioned.emplace(token.text);
+        if (token.kind == GlslToken::Kind::identifier) unit_.mentioned.insert(token.text);
     }
 
     bool active() const { return branches_.empty() || branches_.back().active; }

@@ -25,10 +25,10 @@ struct GlslUnit {
     std::string text;              ///< All that follows the #version line, without comments.
     std::vector<SourceRef> files;  ///< By source-string number.
     GlslTokens tokens;             ///< What is active, macros expanded.
-    std::set<std::string, std::less<>> mentioned;  ///< Every name outside comments.
-    GlslMacros macros;                             ///< As they stand at the end.
+    std::set<std::string_view> mentioned;  ///< Every name outside comments.
+    GlslMacros macros;                     ///< As they stand at the end.
     Diagnostics errors;
-    std::deque<std::string> blanked;  ///< What the tokens point into; a deque never moves it.
+    std::deque<std::string> blanked;  ///< What tokens and names point into; a deque never moves it.
 };
 
 /// Fills `unit` from the stage that begins in `files.at(path)`; `defines` must outlive it. The

@@ -68,7 +68,7 @@ std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit&
         tokenize(found->second, -1, 0, tokens);
         for (const GlslToken& token : tokens) self(self, token.text);
     };
-    for (const std::string& name : unit.mentioned) reach(reach, name);
+    for (const std::string_view name : unit.mentioned) reach(reach, name);
     return {used.begin(), used.end()};
 }
 

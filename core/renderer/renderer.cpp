@@ -13,13 +13,6 @@
 namespace crevice {
 namespace {
 
-/// Whether all components are `value`: where a no-op holds.
-bool isAll(const std::array<float, 4>& values, ParamType type, float value)
-{
-    return std::all_of(values.begin(), values.begin() + componentCount(type),
-                       [&](float each) { return each == value; });
-}
-
 /// Whether a plan made with the param's present value does not hold for `next`.
 bool changesPlan(const Description& description, const ParamDesc& param,
                  const std::array<float, 4>& next)
@@ -53,15 +46,13 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
 {
     if (!status || execution.compiled().empty()) return status;
     const std::string shaders = "'" + joined(execution.compiled(), "', '") + "'";
+    Diagnostic warning{Code::recompiled, cause + ", so setting it compiled " + shaders,
+                       "set each value once while loading, since what was compiled is kept, or "
+                       "bind a param that changes often as a uniform",
+                       at.place, at.pointer};
+    warning.severity = Severity::warning;
     Diagnostics all = status.diagnostics();
-    all.push_back({Code::recompiled,
-                   cause + ", so setting it compiled " + shaders,
-                   "set each value once while loading, since what was compiled is kept, or bind "
-                   "a param that changes often as a uniform",
-                   at.place,
-                   at.pointer,
-                   {},
-                   Severity::warning});
+    all.push_back(std::move(warning));
     return all;
 }
 
@@ -82,9 +73,6 @@ struct Renderer::State {
     /// Whether the plan's formats are those that would be chosen for such a scene. Allocates
     /// nothing.
     bool formatsHold(const SceneTraits& scene) const;
-
-    /// Whether its plan holds for a camera of another range, whose histories then go on.
-    bool holdsFor(const SceneTraits& other) const;
 
     /// Makes `state` fit the frame's traits and textures, or leaves it where that fails. The
     /// warnings of a new plan come back.
@@ -109,13 +97,6 @@ auto Renderer::State::make(Device& device, Description description, const Compil
     return {std::move(state), plan.diagnostics()};
 }
 
-bool Renderer::State::holdsFor(const SceneTraits& other) const
-{
-    SceneTraits same = traits;
-    same.camera = other.camera;
-    return same == other && formatsHold(other);
-}
-
 bool Renderer::State::formatsHold(const SceneTraits& scene) const
 {
     const PrecisionNeed need = precisionNeed(description, scene, options.extent.height);
@@ -132,7 +113,9 @@ Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& fram
     if (Status status = checkFrame(frame); !status) return status;
     const SceneTraits traits = traitsOf(frame);
     if (traits == state->traits) return state->execution->setImports(frame);
-    if (state->holdsFor(traits)) {
+    SceneTraits moved = state->traits;
+    moved.camera = traits.camera;
+    if (moved == traits && state->formatsHold(traits)) {  // histories go on
         if (Status status = state->execution->setImports(frame); !status) return status;
         state->traits = traits;
         return compile(state->description, traits, state->device.caps(), state->options)
@@ -245,12 +228,10 @@ Status Renderer::reload(Description description, const CompileOptions& options)
 {
     const Values loaded = valuesOf(description);
     Diagnostics all = carryOver(*loaded_, state_->description, description);
-    auto next =
-        State::make(state_->device, std::move(description), options, state_->traits, state_.get());
-    if (!next) return next.diagnostics();
-    state_ = std::move(*next);
+    const Status status = State::replan(state_, std::move(description), options);
+    if (!status) return status;
     *loaded_ = loaded;
-    append(all, next.diagnostics());
+    append(all, status.diagnostics());
     return all;
 }
 

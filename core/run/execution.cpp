@@ -147,9 +147,13 @@ const std::vector<char>& Execution::begin(const Frame& frame)
     return cache_.choose(changed_);
 }
 
+// Before the first frame histories hold whatever the memory held: not even a shader that multiplies
+// by `history_valid` could read that, for it may be no number.
 void Execution::clearNewHistories()
 {
-    if (!remembers_) clearHistories();
+    for (const PreparedView& view : views_)
+        for (const PreparedPass& pass : view.passes)
+            if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
     remembers_ = true;
 }
 
@@ -245,15 +249,6 @@ void Execution::swapHistories()
                 pass.info.framebuffer = (swapped_ ? pass.odd_frame : pass.framebuffer).id();
         }
     }
-}
-
-// Before the first frame histories hold whatever the memory held: not even a shader that multiplies
-// by `history_valid` could read that, for it may be no number.
-void Execution::clearHistories()
-{
-    for (const PreparedView& view : views_)
-        for (const PreparedPass& pass : view.passes)
-            if (pass.odd_frame.id()) clearHistory(pass);
 }
 
 void Execution::clearHistory(const PreparedPass& pass)

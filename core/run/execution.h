@@ -148,7 +148,6 @@ private:
     bool updateDraws(const Frame& frame);
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
-    void clearHistories();
     void clearHistory(const PreparedPass& pass);
     Status checkImports(const Frame& frame) const;
     void runPass(const PreparedPass& pass, const CameraMatrices& camera);
