@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The steps of the compiler, private to core/compile. They fill its state in this order:
 //
-//   conditions          which passes run
-//   formats             formats, which shaders take into account; at the end, a warning of coarse
-//   ones shaders             defines, stages, outputs; with inputs for samplers, uniforms for the
-//   rest graph               writers and order dead_passes         what is needed, and what stands
-//   in for what is not target_sizes        sizes, and whether formats fit; with samples for
-//   multisampling lint                what would draw nothing good passes              the plan
-//   itself; with texture_aliasing, and elided for what is left out
+//   conditions    which passes run
+//   formats       formats, which shaders allow for; at the end a warning of those too coarse
+//   shaders       defines, stages, outputs; with inputs for samplers, uniforms for all others
+//   graph         writers and order
+//   dead_passes   what is needed, and what stands in for what is not
+//   target_sizes  sizes, and whether formats fit; with samples for multisampling
+//   lint          what would draw nothing good
+//   passes        the plan itself; with texture_aliasing, and elided for what is left out
 #pragma once
 
 #include "core/compile/state.h"
