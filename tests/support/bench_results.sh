@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Bench results for shell tests; they source it.
 
-# bench_point KEY CONFIG SAMPLES MS RMSE [FAILURE]: one line of results.
-bench_point() {
+# bench_sample KEY CONFIG SAMPLES MS RMSE [FAILURE]: one line of results.
+bench_sample() {
     local key=$1 config=$2 samples=$3 ms=$4 rmse=$5 failure=${6:-}
     printf '{"key":"%s","failure":"%s","config":"%s","overrides":["samples=%s"],"family":"%s",' \
         "$key" "$failure" "$config" "$samples" "$config"
@@ -15,22 +15,22 @@ bench_point() {
     printf '"cost":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
     printf '"passes":[{"name":"ao","ms":{"median":%s,"q1":%s,"q3":%s}}],' "$ms" "$ms" "$ms"
     printf '"ratio_copy":%s,"ratio_learnopengl":1,"texture_bytes":1e6,"bytes_read":2e6,' "$ms"
-    printf '"bytes_written":1e6,"ao_picture":"%s.png","truth_picture":"truth.png",' "$key"
+    printf '"bytes_written":1e6,"ao_picture":"%s.png","ground_truth_picture":"ground_truth.png",' "$key"
     printf '"difference_picture":"%s.png"}\n' "$key"
 }
 
 # A sweep of two configs and a failure in results.jsonl, with pictures of one pixel beside it.
 write_results() {
     {
-        bench_point a4 quick 4 1.0 0.10
-        bench_point a16 quick 16 2.0 0.09
-        bench_point b4 fine 4 3.0 0.05
-        bench_point b16 fine 16 6.0 0.04
-        bench_point c4 '<b>slow</b>' 4 7.0 0.06
-        bench_point d4 broken 4 0 0 'the shader does not link'
+        bench_sample a4 quick 4 1.0 0.10
+        bench_sample a16 quick 16 2.0 0.09
+        bench_sample b4 fine 4 3.0 0.05
+        bench_sample b16 fine 16 6.0 0.04
+        bench_sample c4 '<b>slow</b>' 4 7.0 0.06
+        bench_sample d4 broken 4 0 0 'the shader does not link'
     } >results.jsonl
     local name
-    for name in a4 a16 b4 b16 c4 d4 truth; do
+    for name in a4 a16 b4 b16 c4 d4 ground_truth; do
         base64 -d >"$name.png" <<<'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTwmiQAAAABJRU5ErkJggg=='
     done
 }

@@ -158,7 +158,7 @@ Status takeTurns(Device& device, const Situation& situation, Frame& frame, int r
 }
 
 /// What says the same of the same thing on the same device.
-std::string noOpOf(const AblationRow& row)
+std::string identityOf(const AblationRow& row)
 {
     return row.config + '\n' + row.scene + '\n' + row.camera + '\n' + extentName(row.extent) +
            '\n' + row.situation + '\n' + row.optimization + '\n' + row.device;
@@ -169,9 +169,9 @@ AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation&
 {
     const Plan& plan = contender.renderer->plan();
     AblationRow row;
-    row.config = pointLabel(task.point);
-    row.scene = task.point.scene;
-    row.camera = task.point.camera;
+    row.config = sampleLabel(task.sample);
+    row.scene = task.sample.scene;
+    row.camera = task.sample.camera;
     row.extent = view.extent;
     row.situation = situation.name;
     row.optimization = contender.optimization;
@@ -180,7 +180,7 @@ AblationRow rowOf(const BenchTask& task, const BenchView& view, const Situation&
     row.texture_bytes = plan.texture_bytes;
     row.elided = static_cast<int>(allElided(plan).size());
     row.repeats = static_cast<int>(contender.turns.size());
-    row.version = task.point.version;
+    row.version = task.sample.version;
     return row;
 }
 
@@ -217,7 +217,7 @@ Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& pa
         append(diagnostics,
                readLines(file, {"row of an ablation", "crevice bench --ablate"}, [&](json&& line) {
                    AblationRow row = line.get<AblationRow>();
-                   const auto [at, fresh] = known.insert({noOpOf(row), rows.size()});
+                   const auto [at, fresh] = known.insert({identityOf(row), rows.size()});
                    if (fresh)
                        rows.push_back(std::move(row));
                    else
@@ -247,7 +247,7 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task,
         for (const Contender& each : *all) {
             rows.push_back(rowOf(task, view, situation, each, all->front()));
             rows.back().device = device.caps().name;
-            rows.back().key = keyOnDevice(task.point.key, device.caps().name);
+            rows.back().key = keyOnDevice(task.sample.key, device.caps().name);
         }
     }
     return rows;
@@ -260,8 +260,8 @@ MeasureJob ablationJob(Device& device, const BenchPlan& plan, const std::vector<
     for (const AblationRow& row : known)
         if (isLast(row)) job.done.insert(row.key);
     for (const BenchTask& task : plan.tasks)
-        job.tasks.push_back({keyOnDevice(task.point.key, device.caps().name),
-                             pointTitle(task.point), task.point.failure});
+        job.tasks.push_back({keyOnDevice(task.sample.key, device.caps().name),
+                             sampleTitle(task.sample), task.sample.failure});
     job.measure = [&device, &plan, repeats, interrupted](std::size_t index) -> Result<Measured> {
         const BenchTask& task = plan.tasks[index];
         const auto rows = ablate(device, task, plan.views[task.view], repeats, interrupted);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A bench: which points are to be measured, and the file they go to.
+// A bench: which samples are to be measured, and the file they go to.
 //
 // Planning needs no GL, so that each machine of a cluster finds the same list and takes its share.
-// What measures a point is in tools/bench/measure.h.
+// What measures a sample is in tools/bench/measure.h.
 #pragma once
 
 #include "tools/bench/sample.h"
@@ -33,7 +33,7 @@ struct BenchOptions {
     std::string version = {};  ///< Of crevice; part of each key.
 };
 
-/// What several points look at.
+/// What several samples look at.
 struct BenchView {
     std::shared_ptr<const Scene> scene;
     Bounds bounds;
@@ -43,20 +43,20 @@ struct BenchView {
     Camera matrices() const;
 };
 
-/// One point that is to be measured.
+/// One sample that is to be measured.
 struct BenchTask {
-    BenchPoint point;       ///< What is known beforehand, or why it cannot be measured.
+    BenchSample sample;     ///< What is known beforehand, or why it cannot be measured.
     std::size_t view = 0;   ///< Into BenchPlan::views; means nothing where there is a failure.
-    std::string reference;  ///< Key of the truth, see tools/reference/reference_cache.h.
+    std::string reference;  ///< Key of the ground truth, see tools/reference/reference_cache.h.
     Description description = {};
 };
 
 struct BenchPlan {
     std::vector<BenchView> views;
-    /// In an order in which neighbours share scene, size and truth; where no configs were named,
-    /// the presets of all scenes come first.
+    /// In an order in which neighbours share scene, size and ground truth; where no configs were
+    /// named, the presets of all scenes come first.
     std::vector<BenchTask> tasks;
-    PlannedBench planned;     ///< All shards' points; the device is the runner's to fill in.
+    PlannedBench planned;     ///< All shards' samples; the device is the runner's to fill in.
     Diagnostics diagnostics;  ///< Unusable scenes (errors), values that do not fit (warnings).
 };
 
@@ -68,7 +68,7 @@ struct BenchPlan {
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);
 
 /// "learnopengl samples=16, room, 960x540, radius 0.5".
-std::string pointTitle(const BenchPoint& point);
+std::string sampleTitle(const BenchSample& sample);
 
 /// The results file of a bench, with the keys of what it has figures of.
 struct BenchFile {
@@ -83,6 +83,6 @@ Result<BenchFile> openBench(const std::string& folder, const PlannedBench& plann
 
 /// What the engine needs to measure the tasks on a device. The plan must outlive it.
 MeasureJob benchJob(const BenchPlan& plan, const std::string& device, std::set<std::string> done,
-                    std::function<Result<BenchPoint>(const BenchTask&)> measure);
+                    std::function<Result<BenchSample>(const BenchTask&)> measure);
 
 }  // namespace crevice

@@ -20,11 +20,11 @@ Diagnostic scopeError(std::string message, std::string help)
     return error;
 }
 
-Result<std::string> chooseDevice(const std::vector<BenchPoint>& points, const std::string& part)
+Result<std::string> chooseDevice(const std::vector<BenchSample>& samples, const std::string& part)
 {
-    std::vector<std::string> devices = benchDevices(points);
+    std::vector<std::string> devices = benchDevices(samples);
     if (devices.empty())
-        return Diagnostic{Code::results_broken, "no point of these results has figures"};
+        return Diagnostic{Code::results_broken, "no bench sample of these results has figures"};
     const std::string all = "the results hold: " + joined(devices, "; ");
     devices.erase(std::remove_if(devices.begin(), devices.end(),
                                  [&part](const std::string& device) {
@@ -57,13 +57,13 @@ struct Gathered {
 
 class Gatherer {
 public:
-    explicit Gatherer(const std::vector<BenchPoint>& points) : points_(points) {}
+    explicit Gatherer(const std::vector<BenchSample>& samples) : samples_(samples) {}
 
     void add(const ResultView& view)
     {
-        for (const std::size_t i : view.points) {
-            without_ao_ = std::max(without_ao_, points_[i].error_without_ao);
-            addPoint(view.name, i, points_[i]);
+        for (const std::size_t i : view.samples) {
+            without_ao_ = std::max(without_ao_, samples_[i].error_without_ao);
+            addSample(view.name, i, samples_[i]);
         }
     }
 
@@ -88,46 +88,46 @@ public:
     }
 
 private:
-    void addPoint(const std::string& view, std::size_t index, const BenchPoint& point)
+    void addSample(const std::string& view, std::size_t index, const BenchSample& sample)
     {
-        const auto [place, is_new] = places_.emplace(pointLabel(point), gathered_.size());
+        const auto [place, is_new] = places_.emplace(sampleLabel(sample), gathered_.size());
         if (is_new) {
             Gathered gathered;
             gathered.candidate.label = place->first;
-            gathered.candidate.point = index;
+            gathered.candidate.sample = index;
             gathered_.push_back(std::move(gathered));
         }
         Gathered& gathered = gathered_[place->second];
         Candidate& candidate = gathered.candidate;
-        if (gathered.views.empty() || point.cost.median > candidate.ms) {
-            candidate.ms = point.cost.median;
+        if (gathered.views.empty() || sample.cost.median > candidate.ms) {
+            candidate.ms = sample.cost.median;
             candidate.slowest_view = view;
         }
-        if (gathered.views.empty() || point.error.rmse > candidate.error) {
-            candidate.error = point.error.rmse;
+        if (gathered.views.empty() || sample.error.rmse > candidate.error) {
+            candidate.error = sample.error.rmse;
             candidate.worst_view = view;
         }
-        candidate.ratio = std::max(candidate.ratio, point.ratio_copy);
-        gathered.harmful = gathered.harmful || point.error.rmse >= point.error_without_ao;
+        candidate.ratio = std::max(candidate.ratio, sample.ratio_copy);
+        gathered.harmful = gathered.harmful || sample.error.rmse >= sample.error_without_ao;
         gathered.views.push_back(view);
     }
 
-    const std::vector<BenchPoint>& points_;
+    const std::vector<BenchSample>& samples_;
     std::vector<Gathered> gathered_;
     std::map<std::string, std::size_t> places_;
     double without_ao_ = 0;
 };
 
-/// Tells of what was measured in the scope, but with another radius or size than the rest.
-void addOtherwiseMeasured(const std::vector<BenchPoint>& points,
+/// Notes what was measured in the scope, but with another radius or size than the rest.
+void addOtherwiseMeasured(const std::vector<BenchSample>& samples,
                           const std::vector<ResultView>& in_scope, Candidates& candidates)
 {
     std::set<std::string> known;
     for (const ResultView& view : candidates.views)
-        for (const std::size_t i : view.points) known.insert(pointLabel(points[i]));
+        for (const std::size_t i : view.samples) known.insert(sampleLabel(samples[i]));
     for (const ResultView& view : in_scope)
-        for (const std::size_t i : view.points) {
-            const std::string label = pointLabel(points[i]);
+        for (const std::size_t i : view.samples) {
+            const std::string label = sampleLabel(samples[i]);
             if (known.insert(label).second)
                 candidates.elided.push_back(label + ": measured at " + extentName(view.extent) +
                                             " and radius " + significant(view.radius, 6) +
@@ -143,11 +143,11 @@ double meritOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 
 }  // namespace
 
-Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const ChoiceScope& scope)
+Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const ChoiceScope& scope)
 {
-    const Result<std::string> device = chooseDevice(points, scope.device);
+    const Result<std::string> device = chooseDevice(samples, scope.device);
     if (!device) return device.diagnostics();
-    const std::vector<ResultView> all = benchViews(points);
+    const std::vector<ResultView> all = benchViews(samples);
     std::vector<ResultView> in_scope;
     for (const ResultView& view : all)
         if (view.device == *device && (scope.scene.empty() || view.scene == scope.scene))
@@ -161,10 +161,10 @@ Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const C
         const std::string size = scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
         return scopeError("there are no results" + scene + size, missingScope(all));
     }
-    Gatherer gatherer(points);
+    Gatherer gatherer(samples);
     for (const ResultView& view : candidates.views) gatherer.add(view);
     gatherer.finish(candidates);
-    addOtherwiseMeasured(points, in_scope, candidates);
+    addOtherwiseMeasured(samples, in_scope, candidates);
     return candidates;
 }
 
@@ -196,7 +196,7 @@ std::string limitText(ChoiceLimit limit)
     const std::string most = significant(limit.most, 6);
     switch (limit.kind) {
     case ChoiceLimit::Kind::time_ms: return "at most " + most + " ms";
-    case ChoiceLimit::Kind::copy_ratio: return "at most " + most + " times the floor";
+    case ChoiceLimit::Kind::copy_ratio: return "at most " + most + " times the copy cost";
     case ChoiceLimit::Kind::error: break;
     }
     return "an error of at most " + most;
@@ -224,7 +224,7 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
         if (!beyond.empty())
             error.help = "the nearest is " + list[beyond[0]].label + ": " +
                          significant(list[beyond[0]].ms, 3) + " ms, " +
-                         significant(list[beyond[0]].ratio, 3) + " times the floor, " + "error " +
+                         significant(list[beyond[0]].ratio, 3) + " times the copy cost, error " +
                          fixed(list[beyond[0]].error, 4);
         return error;
     }

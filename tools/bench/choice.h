@@ -16,17 +16,17 @@ namespace crevice {
 struct ChoiceScope {
     std::string device;  ///< Part of a device's name; may stay empty where there is one device.
     std::string scene;   ///< Empty: all scenes.
-    Extent extent;       ///< 0x0: the one with the most points.
+    Extent extent;       ///< 0x0: the one with the most samples.
 };
 
 /// A config with its sample count and overrides, over all scenes of a scope. In each of them it is
 /// less wrong than no ambient occlusion at all.
 struct Candidate {
-    std::string label;      ///< As pointLabel has it.
-    std::size_t point = 0;  ///< One of its points, for what is the same in all scenes.
-    double ms = 0;          ///< BenchPoint::cost: what it adds to a host that has a G-buffer.
-    double ratio = 0;       ///< Of that over the floor.
-    double error = 0;       ///< rmse.
+    std::string label;       ///< As sampleLabel has it.
+    std::size_t sample = 0;  ///< One of its samples, for what is the same in all scenes.
+    double ms = 0;           ///< BenchSample::cost: what it adds to a host that has a G-buffer.
+    double ratio = 0;        ///< Of that over the copy cost.
+    double error = 0;        ///< rmse.
     std::string slowest_view;
     std::string worst_view;
 };
@@ -42,8 +42,9 @@ struct Candidates {
 
 /// Everything that can be chosen.
 /// Errors: CV8001 for a scope that names no device, scene or size of the results, or for several
-/// devices where none was named; CV7009 where no point has figures.
-Result<Candidates> findCandidates(const std::vector<BenchPoint>& points, const ChoiceScope& scope);
+/// devices where none was named; CV7009 where no sample has figures.
+Result<Candidates> findCandidates(const std::vector<BenchSample>& samples,
+                                  const ChoiceScope& scope);
 
 /// What is asked of a choice.
 struct ChoiceLimit {
@@ -52,7 +53,8 @@ struct ChoiceLimit {
     double most = 0;
 };
 
-/// Reads "2ms", "500us", plain milliseconds, or "3x" for a multiple of the floor. Errors: CV8001.
+/// Reads "2ms", "500us", plain milliseconds, or "3x" for a multiple of the copy cost. Errors:
+/// CV8001.
 Result<ChoiceLimit> parseBudget(const std::string& text);
 
 /// What a candidate spends of a limit.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares two benches point by point.
+// Compares two benches sample by sample.
 #include "tools/bench/compare.h"
 
 #include "tools/bench/views.h"
@@ -9,34 +9,34 @@
 namespace crevice {
 namespace {
 
-/// The same point in other results; null when there is none.
-const BenchPoint* findSame(const std::vector<BenchPoint>& points, const BenchPoint& wanted)
+/// The same sample in other results; null when there is none.
+const BenchSample* findSame(const std::vector<BenchSample>& samples, const BenchSample& wanted)
 {
-    const std::string no_op = noOpOf(wanted);
-    const BenchPoint* found = nullptr;
-    for (const BenchPoint& point : points) {
-        if (noOpOf(point) != no_op) continue;
-        if (point.device == wanted.device) return &point;
-        if (!found) found = &point;
+    const std::string no_op = identityOf(wanted);
+    const BenchSample* found = nullptr;
+    for (const BenchSample& sample : samples) {
+        if (identityOf(sample) != no_op) continue;
+        if (sample.device == wanted.device) return &sample;
+        if (!found) found = &sample;
     }
     return found;
 }
 
-std::string nameOf(const BenchPoint& point)
+std::string nameOf(const BenchSample& sample)
 {
-    return pointLabel(point) + ", " + viewName(point.scene, point.camera) + ", " +
-           extentName(point.extent);
+    return sampleLabel(sample) + ", " + viewName(sample.scene, sample.camera) + ", " +
+           extentName(sample.extent);
 }
 
 class Comparer {
 public:
     explicit Comparer(const BenchLimits& limits) : limits_(limits) {}
 
-    void compare(const BenchPoint& before, const BenchPoint& now)
+    void compare(const BenchSample& before, const BenchSample& now)
     {
-        point_ = nameOf(before);
+        sample_ = nameOf(before);
         if (!now.failure.empty()) {
-            result.failed.push_back(point_ + ": " + now.failure);
+            result.failed.push_back(sample_ + ": " + now.failure);
             return;
         }
         ++result.compared;
@@ -62,9 +62,9 @@ private:
     void compareError(const char* figure, double before, double now)
     {
         if (now > before + most_error_)
-            result.worse.push_back({point_, figure, before, now, before + most_error_});
+            result.worse.push_back({sample_, figure, before, now, before + most_error_});
         else if (now < before - most_error_)
-            result.better.push_back({point_, figure, before, now, before + most_error_});
+            result.better.push_back({sample_, figure, before, now, before + most_error_});
     }
 
     void compareRatio(const char* figure, double before, double now)
@@ -72,28 +72,28 @@ private:
         if (!(before > 0.0) || !(now > 0.0)) return;  // one of the runs had nothing to divide by
         const double most = 1.0 + limits_.ratio;
         if (now > before * most)
-            result.worse.push_back({point_, figure, before, now, before * most});
+            result.worse.push_back({sample_, figure, before, now, before * most});
         else if (now * most < before)
-            result.better.push_back({point_, figure, before, now, before * most});
+            result.better.push_back({sample_, figure, before, now, before * most});
     }
 
     BenchLimits limits_;
     double most_error_ = 0;
-    std::string point_;
+    std::string sample_;
 };
 
 }  // namespace
 
-BenchComparison compareBenches(const std::vector<BenchPoint>& before,
-                               const std::vector<BenchPoint>& now, const BenchLimits& limits)
+BenchComparison compareBenches(const std::vector<BenchSample>& before,
+                               const std::vector<BenchSample>& now, const BenchLimits& limits)
 {
     Comparer comparer(limits);
-    for (const BenchPoint& point : before) {
-        if (!point.failure.empty()) continue;
-        if (const BenchPoint* same = findSame(now, point))
-            comparer.compare(point, *same);
+    for (const BenchSample& sample : before) {
+        if (!sample.failure.empty()) continue;
+        if (const BenchSample* same = findSame(now, sample))
+            comparer.compare(sample, *same);
         else
-            comparer.result.missing.push_back(nameOf(point));
+            comparer.result.missing.push_back(nameOf(sample));
     }
     return std::move(comparer.result);
 }

@@ -20,9 +20,9 @@ struct BenchLimits {
     bool errors_only = false;  ///< Compares no ratios: for machines that are never quiet.
 };
 
-/// One figure of one point that is not what it was.
+/// One figure of one sample that is not what it was.
 struct BenchChange {
-    std::string point;   ///< "learnopengl samples=16, room, 960x540".
+    std::string sample;  ///< "learnopengl samples=16, room, 960x540".
     std::string figure;  ///< "rmse"
     double before = 0;
     double now = 0;
@@ -32,18 +32,18 @@ struct BenchChange {
 struct BenchComparison {
     std::vector<BenchChange> worse;
     std::vector<BenchChange> better;
-    std::vector<std::string> failed;   ///< Had figures, and now fail: point and reason.
+    std::vector<std::string> failed;   ///< Had figures, and now fail: sample and reason.
     std::vector<std::string> missing;  ///< Had figures, and are not measured now.
-    int compared = 0;                  ///< Points in both.
+    int compared = 0;                  ///< Samples in both.
     int without_ratios = 0;            ///< Of those, measured on another device.
 
     bool isWorse() const { return !worse.empty() || !failed.empty() || !missing.empty(); }
 };
 
-/// Points are the same where noOpOf() is, whatever became of their shaders; one from the same
+/// Samples are the same where identityOf() is, whatever became of their shaders; one from the same
 /// device goes before one from another. Errors are compared always, cost ratios on one device
 /// alone.
-BenchComparison compareBenches(const std::vector<BenchPoint>& before,
-                               const std::vector<BenchPoint>& now, const BenchLimits& limits = {});
+BenchComparison compareBenches(const std::vector<BenchSample>& before,
+                               const std::vector<BenchSample>& now, const BenchLimits& limits = {});
 
 }  // namespace crevice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scaling curves of bench points.
+// Scaling curves of bench samples.
 #include "tools/bench/curves.h"
 
 #include <algorithm>
@@ -7,23 +7,26 @@
 namespace crevice {
 namespace {
 
-using Figure = double (*)(const BenchPoint&);
+using Figure = double (*)(const BenchSample&);
 
-double samplesOf(const BenchPoint& point) { return point.samples; }
-double pixelsOf(const BenchPoint& point) { return 1.0 * point.extent.width * point.extent.height; }
-double radiusOf(const BenchPoint& point) { return point.radius_px; }
-double trianglesOf(const BenchPoint& point) { return static_cast<double>(point.triangles); }
-double costOf(const BenchPoint& point) { return point.cost.median; }
-double totalOf(const BenchPoint& point) { return point.total.median; }
-double errorOf(const BenchPoint& point) { return point.error.rmse; }
-double samplingOf(const BenchPoint& point) { return point.budget.sampling; }
-double noiseOf(const BenchPoint& point) { return point.budget.noise; }
+double samplesOf(const BenchSample& sample) { return sample.samples; }
+double pixelsOf(const BenchSample& sample)
+{
+    return 1.0 * sample.extent.width * sample.extent.height;
+}
+double radiusOf(const BenchSample& sample) { return sample.radius_px; }
+double trianglesOf(const BenchSample& sample) { return static_cast<double>(sample.triangles); }
+double costOf(const BenchSample& sample) { return sample.cost.median; }
+double totalOf(const BenchSample& sample) { return sample.total.median; }
+double errorOf(const BenchSample& sample) { return sample.error.rmse; }
+double samplingOf(const BenchSample& sample) { return sample.budget.sampling; }
+double noiseOf(const BenchSample& sample) { return sample.budget.noise; }
 
-std::string familyOf(const BenchPoint& point) { return point.family; }
+std::string familyOf(const BenchSample& sample) { return sample.family; }
 
 struct Axes {
     const char* kind;
-    std::string (*label)(const BenchPoint&);
+    std::string (*label)(const BenchSample&);
     Figure x;
     Figure y;
 };
@@ -32,19 +35,19 @@ constexpr Axes kErrorSamples{"error_samples", familyOf, samplesOf, errorOf};
 constexpr Axes kSamplingSamples{"sampling_samples", familyOf, samplesOf, samplingOf};
 constexpr Axes kNoiseSamples{"noise_samples", familyOf, samplesOf, noiseOf};
 constexpr Axes kCostSamples{"cost_samples", familyOf, samplesOf, costOf};
-constexpr Axes kCostPixels{"cost_pixels", pointLabel, pixelsOf, costOf};
-constexpr Axes kCostRadius{"cost_radius", pointLabel, radiusOf, costOf};
-constexpr Axes kCostTriangles{"cost_triangles", pointLabel, trianglesOf, totalOf};
+constexpr Axes kCostPixels{"cost_pixels", sampleLabel, pixelsOf, costOf};
+constexpr Axes kCostRadius{"cost_radius", sampleLabel, radiusOf, costOf};
+constexpr Axes kCostTriangles{"cost_triangles", sampleLabel, trianglesOf, totalOf};
 
-void addPoint(std::vector<Curve>& curves, const Axes& axes, const BenchPoint& point)
+void addSample(std::vector<Curve>& curves, const Axes& axes, const BenchSample& sample)
 {
-    const XY at{axes.x(point), axes.y(point)};
+    const XY at{axes.x(sample), axes.y(sample)};
     if (!(at.x > 0.0) || !(at.y > 0.0)) return;  // a log scale has no place for it
-    const std::string label = axes.label(point);
+    const std::string label = axes.label(sample);
     auto curve = std::find_if(curves.begin(), curves.end(),
                               [&label](const Curve& c) { return c.label == label; });
     if (curve == curves.end())
-        curve = curves.insert(curves.end(), {axes.kind, label, point.family, {}, {}});
+        curve = curves.insert(curves.end(), {axes.kind, label, sample.family, {}, {}});
     curve->points.push_back(at);
 }
 
@@ -60,23 +63,23 @@ void finish(std::vector<Curve> curves, std::vector<Curve>& all)
     }
 }
 
-void addCurves(const std::vector<BenchPoint>& points, const std::vector<std::size_t>& which,
+void addCurves(const std::vector<BenchSample>& samples, const std::vector<std::size_t>& which,
                const Axes& axes, std::vector<Curve>& all)
 {
     std::vector<Curve> curves;
-    for (const std::size_t i : which) addPoint(curves, axes, points[i]);
+    for (const std::size_t i : which) addSample(curves, axes, samples[i]);
     finish(std::move(curves), all);
 }
 
 template <class Condition>
-std::vector<std::size_t> pointsAlong(const std::vector<BenchPoint>& points, const ResultView& view,
-                                     Condition condition)
+std::vector<std::size_t> samplesAlong(const std::vector<BenchSample>& samples,
+                                      const ResultView& view, Condition condition)
 {
     std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const BenchPoint& point = points[i];
-        if (point.failure.empty() && point.device == view.device && point.scene == view.scene &&
-            point.camera == view.camera && condition(point))
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const BenchSample& sample = samples[i];
+        if (sample.failure.empty() && sample.device == view.device && sample.scene == view.scene &&
+            sample.camera == view.camera && condition(sample))
             which.push_back(i);
     }
     return which;
@@ -84,26 +87,26 @@ std::vector<std::size_t> pointsAlong(const std::vector<BenchPoint>& points, cons
 
 }  // namespace
 
-std::vector<Curve> curvesOf(const std::vector<BenchPoint>& points, const ResultView& view)
+std::vector<Curve> curvesOf(const std::vector<BenchSample>& samples, const ResultView& view)
 {
     std::vector<Curve> curves;
     for (const Axes& axes : {kErrorSamples, kSamplingSamples, kNoiseSamples, kCostSamples})
-        addCurves(points, view.points, axes, curves);
-    const auto same_radius = [&view](const BenchPoint& p) { return p.radius == view.radius; };
-    const auto same_extent = [&view](const BenchPoint& p) { return p.extent == view.extent; };
-    addCurves(points, pointsAlong(points, view, same_radius), kCostPixels, curves);
-    addCurves(points, pointsAlong(points, view, same_extent), kCostRadius, curves);
+        addCurves(samples, view.samples, axes, curves);
+    const auto same_radius = [&view](const BenchSample& p) { return p.radius == view.radius; };
+    const auto same_extent = [&view](const BenchSample& p) { return p.extent == view.extent; };
+    addCurves(samples, samplesAlong(samples, view, same_radius), kCostPixels, curves);
+    addCurves(samples, samplesAlong(samples, view, same_extent), kCostRadius, curves);
     return curves;
 }
 
-std::vector<Curve> curvesAcross(const std::vector<BenchPoint>& points,
+std::vector<Curve> curvesAcross(const std::vector<BenchSample>& samples,
                                 const std::vector<ResultView>& main_views)
 {
     std::vector<std::size_t> which;
     for (const ResultView& view : main_views)
-        which.insert(which.end(), view.points.begin(), view.points.end());
+        which.insert(which.end(), view.samples.begin(), view.samples.end());
     std::vector<Curve> curves;
-    addCurves(points, which, kCostTriangles, curves);
+    addCurves(samples, which, kCostTriangles, curves);
     return curves;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How error and cost grow: bench points joined to curves, with a power law fitted to each.
+// How error and cost grow: bench samples joined to curves, with a power law fitted to each.
 #pragma once
 
 #include "tools/bench/pareto.h"
@@ -19,17 +19,17 @@ namespace crevice {
 ///                                                 cost_triangles  ms of a frame over triangles
 struct Curve {
     std::string kind;
-    std::string label;  ///< The family for curves over samples, else the point's label.
+    std::string label;  ///< The family for curves over sample counts, else the sample's label.
     std::string family;
     std::vector<XY> points;  ///< By rising x, at least two different.
     std::optional<PowerLaw> law;
 };
 
 /// Over samples within one view; over pixels and radius on screen of its device, scene and camera.
-std::vector<Curve> curvesOf(const std::vector<BenchPoint>& points, const ResultView& view);
+std::vector<Curve> curvesOf(const std::vector<BenchSample>& samples, const ResultView& view);
 
 /// Cost over triangles, across the main views of one device.
-std::vector<Curve> curvesAcross(const std::vector<BenchPoint>& points,
+std::vector<Curve> curvesAcross(const std::vector<BenchSample>& samples,
                                 const std::vector<ResultView>& main_views);
 
 }  // namespace crevice

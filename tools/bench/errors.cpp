@@ -17,18 +17,18 @@ namespace {
 const char* const kOutput = "ao";
 const char* const kRawOutput = "target.ao";
 
-/// 1 where the truth is known.
-Image seenMask(const Image& truth)
+/// 1 where the ground truth is known.
+Image seenMask(const Image& ground_truth)
 {
-    Image mask(truth.extent, 1);
+    Image mask(ground_truth.extent, 1);
     for (std::size_t k = 0; k < mask.pixels.size(); ++k)
-        mask.pixels[k] = std::isfinite(truth.pixels[k]) ? 1.0f : 0.0f;
+        mask.pixels[k] = std::isfinite(ground_truth.pixels[k]) ? 1.0f : 0.0f;
     return mask;
 }
 
-double rmseWhere(const Image& mask, const Image& test, const Image& truth)
+double rmseWhere(const Image& mask, const Image& test, const Image& ground_truth)
 {
-    const Result<ImageDifference> figures = compareImages(test, truth, &mask);
+    const Result<ImageDifference> figures = compareImages(test, ground_truth, &mask);
     return figures ? figures->rmse : -1.0;
 }
 
@@ -179,11 +179,11 @@ Result<Image> preciseOcclusion(const Stage& stage, const Description& descriptio
 
 ErrorBudget budgetOf(const BudgetPictures& pictures)
 {
-    const Image mask = seenMask(pictures.truth);
+    const Image mask = seenMask(pictures.ground_truth);
     ErrorBudget budget;
     budget.sampling = rmseWhere(mask, pictures.unfiltered, pictures.converged);
     budget.noise = rmseWhere(mask, pictures.ao, pictures.converged);
-    budget.model = rmseWhere(mask, pictures.converged, pictures.truth);
+    budget.model = rmseWhere(mask, pictures.converged, pictures.ground_truth);
     budget.precision = rmseWhere(mask, pictures.ao, pictures.precise);
     return budget;
 }

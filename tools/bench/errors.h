@@ -49,13 +49,13 @@ Result<Image> preciseOcclusion(const Stage& stage, const Description& descriptio
 /// size, leaves its part at -1.
 struct BudgetPictures {
     const Image& ao;
-    const Image& truth;
+    const Image& ground_truth;
     const Image& converged;
     const Image& unfiltered;
     const Image& precise;
 };
 
-/// The parts over the pixels where the truth is finite.
+/// The parts over the pixels where the ground truth is finite.
 ErrorBudget budgetOf(const BudgetPictures& pictures);
 
 }  // namespace crevice

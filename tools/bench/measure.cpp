@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One point of a bench, from its description to its figures.
+// One sample of a bench, from its description to its figures.
 #include "tools/bench/measure.h"
 
 #include "tools/bench/times.h"
@@ -28,33 +28,33 @@ constexpr int kMostPatience = 4;
 
 const char* const kYardstick = "learnopengl";
 
-Image withOpenBackground(Image truth)
+Image withOpenBackground(Image ground_truth)
 {
-    for (float& value : truth.pixels)
+    for (float& value : ground_truth.pixels)
         if (std::isnan(value)) value = 1.0f;
-    return truth;
+    return ground_truth;
 }
 
-/// Puts the frames' times into the point, in all and pass by pass.
-void describeFrames(const std::vector<FrameTimes>& frames, const Plan& plan, BenchPoint& point)
+/// Puts the frames' times into the sample, in all and pass by pass.
+void describeFrames(const std::vector<FrameTimes>& frames, const Plan& plan, BenchSample& sample)
 {
-    point.clock = frames[0].method == TimingMethod::gpu_timer ? "query" : "wall";
-    point.repeats = static_cast<int>(frames.size());
+    sample.clock = frames[0].method == TimingMethod::gpu_timer ? "query" : "wall";
+    sample.repeats = static_cast<int>(frames.size());
     std::vector<double> times(frames.size());
     const auto figuresOf = [&frames, &times](auto time) {
         std::transform(frames.begin(), frames.end(), times.begin(), time);
         return timeFigures(times);
     };
-    point.total = figuresOf([](const FrameTimes& frame) { return frame.total_ms; });
+    sample.total = figuresOf([](const FrameTimes& frame) { return frame.total_ms; });
     for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
-        point.passes.push_back({plan.passes[pass].name, figuresOf([pass](const FrameTimes& frame) {
-                                    return frame.pass_ms[pass];
-                                })});
+        sample.passes.push_back({plan.passes[pass].name, figuresOf([pass](const FrameTimes& frame) {
+                                     return frame.pass_ms[pass];
+                                 })});
 }
 
 }  // namespace
 
-/// What tasks of one view and one truth share.
+/// What tasks of one view and one ground truth share.
 struct BenchMeter::Setting {
     Setting(const BenchView& seen, UploadedScene uploaded)
         : view(seen),
@@ -63,13 +63,13 @@ struct BenchMeter::Setting {
     {
     }
 
-    /// Draws the depth and takes from it what every point needs: the floor and the radius on
-    /// screen.
-    Status makeFloor(Device& device, const SourceSet& sources, double radius);
+    /// Draws the depth, and sets up what every sample needs from it: the copy pass and the radius
+    /// on screen.
+    Status makeCopy(Device& device, const SourceSet& sources, double radius);
 
     void makeYardstick(Device& device, const SourceSet& sources, double radius);
 
-    /// Warms up, then so many turns, for the first point to have something to go by.
+    /// Warms up, then so many turns, for the first sample to have something to go by.
     Status beginTurns(int count);
 
     Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
@@ -79,10 +79,10 @@ struct BenchMeter::Setting {
                                 {view.extent, std::move(outputs), {}}, traitsOf(frame));
     }
 
-    /// A turn of the floor and one of the yardstick.
+    /// Times the copy pass once, and the yardstick once.
     Status takeTurns();
 
-    /// Of what costs are put in relation to turn by turn: the yardstick, else the floor.
+    /// The costs that a ratio is taken against turn by turn: the yardstick's, else the copy's.
     const std::vector<double>& unitCosts() const
     {
         return (yardstick_turns ? yardstick_turns : copy_turns)->costs();
@@ -93,10 +93,10 @@ struct BenchMeter::Setting {
     std::string reference;
     UploadedScene scene;
     Frame frame;
-    Result<Image> truth = Image();  ///< Or why there is none.
+    Result<Image> ground_truth = Image();  ///< Or why there is none.
     double radius_px = 0;
     std::unique_ptr<Renderer> depth;
-    std::unique_ptr<Renderer> floor;
+    std::unique_ptr<Renderer> copy;
     Frame copy_frame;
     std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
     std::optional<TurnTaker> copy_turns;
@@ -104,7 +104,7 @@ struct BenchMeter::Setting {
     std::map<std::string, Result<Image>> converged;  ///< By family.
 };
 
-Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, double radius)
+Status BenchMeter::Setting::makeCopy(Device& device, const SourceSet& sources, double radius)
 {
     const Result<Description> drawn = loadDescription({kDepthModule, {}, {}, {}}, sources);
     if (!drawn) return drawn.diagnostics();
@@ -120,10 +120,10 @@ Status BenchMeter::Setting::makeFloor(Device& device, const SourceSet& sources, 
     const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
     if (!copied) return copied.diagnostics();
     copy_frame.textures = {{"depth", depth->output("depth")}};
-    auto copy = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
-    if (!copy) return copy.diagnostics();
-    floor = std::move(*copy);
-    copy_turns.emplace(*floor, copy_frame);
+    auto made = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
+    if (!made) return made.diagnostics();
+    copy = std::move(*made);
+    copy_turns.emplace(*copy, copy_frame);
     return {};
 }
 
@@ -170,7 +170,8 @@ Status BenchMeter::enter(const BenchTask& task)
 {
     const BenchView& view = plan_.views[task.view];
     if (setting_ && setting_->reference == task.reference && &setting_->view == &view)
-        return setting_->truth.ok() ? Status() : Status(setting_->truth.diagnostics());
+        return setting_->ground_truth.ok() ? Status()
+                                           : Status(setting_->ground_truth.diagnostics());
     setting_.reset();
     Result<UploadedScene> scene = UploadedScene::upload(device_, *view.scene);
     if (!scene) return scene.diagnostics();
@@ -178,45 +179,45 @@ Status BenchMeter::enter(const BenchTask& task)
     setting->reference = task.reference;
 
     TraceOptions trace;
-    trace.radius = task.point.radius;
+    trace.radius = task.sample.radius;
     trace.rays = options_.rays;
     trace.progress = options_.tracing;
-    setting->truth =
+    setting->ground_truth =
         cachedReference(*view.scene, view.matrices(), view.extent, trace, options_.cache_folder);
 
-    if (const Status made = setting->makeFloor(device_, sources_, task.point.radius); !made)
+    if (const Status made = setting->makeCopy(device_, sources_, task.sample.radius); !made)
         return made;
 
-    setting->makeYardstick(device_, sources_, task.point.radius);
+    setting->makeYardstick(device_, sources_, task.sample.radius);
     if (const Status timed = setting->beginTurns(options_.repeats); !timed) return timed;
     setting_ = std::move(setting);
-    return setting_->truth.ok() ? Status() : Status(setting_->truth.diagnostics());
+    return setting_->ground_truth.ok() ? Status() : Status(setting_->ground_truth.diagnostics());
 }
 
-Result<BenchPoint> BenchMeter::measure(const BenchTask& task)
+Result<BenchSample> BenchMeter::measure(const BenchTask& task)
 {
     if (const Status ready = enter(task); !ready) return ready.diagnostics();
-    BenchPoint point = task.point;
-    point.radius_px = setting_->radius_px;
-    point.device = device_.caps().name;
-    point.software = device_.caps().software;
+    BenchSample sample = task.sample;
+    sample.radius_px = setting_->radius_px;
+    sample.device = device_.caps().name;
+    sample.software = device_.caps().software;
 
     const auto renderer = setting_->makeRenderer(device_, task.description, {"ao"});
     if (!renderer) return renderer.diagnostics();
     const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, "ao");
     if (!ao) return ao.diagnostics();
-    if (const Status timed = measureTimes(**renderer, point); !timed) return timed.diagnostics();
-    if (const Status known = measureErrors(task, *ao, point); !known) return known.diagnostics();
-    if (const Status kept = writePictures(task, *ao, point); !kept) return kept.diagnostics();
+    if (const Status timed = measureTimes(**renderer, sample); !timed) return timed.diagnostics();
+    if (const Status known = measureErrors(task, *ao, sample); !known) return known.diagnostics();
+    if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();
 
     const MovedBytes bytes = movedBytes((*renderer)->plan());
-    point.texture_bytes = (*renderer)->plan().texture_bytes;
-    point.bytes_read = bytes.read;
-    point.bytes_written = bytes.written;
-    return point;
+    sample.texture_bytes = (*renderer)->plan().texture_bytes;
+    sample.bytes_read = bytes.read;
+    sample.bytes_written = bytes.written;
+    return sample;
 }
 
-Status BenchMeter::measureTimes(Renderer& renderer, BenchPoint& point)
+Status BenchMeter::measureTimes(Renderer& renderer, BenchSample& sample)
 {
     TurnTaker taker(renderer, setting_->frame);
     if (const Status warm = taker.takeTurn(); !warm) return warm;
@@ -229,71 +230,71 @@ Status BenchMeter::measureTimes(Renderer& renderer, BenchPoint& point)
         ratio = ratioFigures(taker.costs(), setting_->unitCosts());
         if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
     }
-    if (setting_->yardstick) point.ratio_learnopengl = ratio.median;
-    point.ratio_copy = ratio.median * setting_->unitOverCopy();
-    point.cost = timeFigures(taker.costs());
-    describeFrames(taker.frames(), renderer.plan(), point);
+    if (setting_->yardstick) sample.ratio_learnopengl = ratio.median;
+    sample.ratio_copy = ratio.median * setting_->unitOverCopy();
+    sample.cost = timeFigures(taker.costs());
+    describeFrames(taker.frames(), renderer.plan(), sample);
     return {};
 }
 
-Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchPoint& point)
+Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample)
 {
-    const Result<ImageDifference> figures = compareImages(ao, *setting_->truth);
+    const Result<ImageDifference> figures = compareImages(ao, *setting_->ground_truth);
     if (!figures) return figures.diagnostics();
     if (figures->non_finite > 0)
         return Diagnostic{Code::not_finite, "the occlusion is not a number in " +
                                                 std::to_string(figures->non_finite) + " pixels"};
-    point.error = {figures->rmse,     figures->bias,      figures->p99,
-                   figures->rmse_fit, figures->power_fit, figures->pixels};
+    sample.error = {figures->rmse,     figures->bias,      figures->p99,
+                    figures->rmse_fit, figures->power_fit, figures->pixels};
     const Image open(ao.extent, 1, 1.0f);
-    if (const auto without = compareImages(open, *setting_->truth))
-        point.error_without_ao = without->rmse;
-    if (options_.budget) measureBudget(task, ao, point);
+    if (const auto without = compareImages(open, *setting_->ground_truth))
+        sample.error_without_ao = without->rmse;
+    if (options_.budget) measureBudget(task, ao, sample);
     return {};
 }
 
-void BenchMeter::measureBudget(const BenchTask& task, const Image& ao, BenchPoint& point)
+void BenchMeter::measureBudget(const BenchTask& task, const Image& ao, BenchSample& sample)
 {
     const Image none;
-    const auto taken = [&none, &point](const Result<Image>& image) -> const Image& {
+    const auto taken = [&none, &sample](const Result<Image>& image) -> const Image& {
         if (image) return *image;
-        point.budget_failure = image.diagnostics().front().message;
+        sample.budget_failure = image.diagnostics().front().message;
         return none;
     };
     const Stage stage = {device_, setting_->frame, setting_->view.extent};
     const Result<Image> unfiltered = unfilteredOcclusion(stage, task.description);
     const Result<Image> precise = preciseOcclusion(stage, task.description);
-    point.budget =
-        budgetOf({ao, *setting_->truth, taken(converged(task)), taken(unfiltered), taken(precise)});
+    sample.budget = budgetOf(
+        {ao, *setting_->ground_truth, taken(converged(task)), taken(unfiltered), taken(precise)});
 }
 
 /// Kept, since all sample counts of a config converge to it.
 const Result<Image>& BenchMeter::converged(const BenchTask& task)
 {
-    const auto known = setting_->converged.find(task.point.family);
+    const auto known = setting_->converged.find(task.sample.family);
     if (known != setting_->converged.end()) return known->second;
     const Stage stage = {device_, setting_->frame, setting_->view.extent};
     Result<Image> image = convergedOcclusion(stage, task.description, options_.interrupted);
-    return setting_->converged.emplace(task.point.family, std::move(image)).first->second;
+    return setting_->converged.emplace(task.sample.family, std::move(image)).first->second;
 }
 
-Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchPoint& point)
+Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchSample& sample)
 {
     if (options_.out_folder.empty()) return {};
-    const Result<Image> difference = differencePicture(ao, *setting_->truth);
+    const Result<Image> difference = differencePicture(ao, *setting_->ground_truth);
     if (!difference) return difference.diagnostics();
     std::error_code ignored;  // the first file tells
     fs::create_directories(options_.out_folder + "/pictures", ignored);
-    const std::string key = keyOnDevice(task.point.key, device_.caps().name);
+    const std::string key = keyOnDevice(task.sample.key, device_.caps().name);
     const auto write = [this](std::string& name, const std::string& file, const Image& image) {
         name = "pictures/" + file + ".png";
         return writePng(options_.out_folder + "/" + name, image);
     };
-    if (const Status s = write(point.ao_picture, key + "_ao", ao); !s) return s;
-    if (const Status s = write(point.difference_picture, key + "_difference", *difference); !s)
+    if (const Status s = write(sample.ao_picture, key + "_ao", ao); !s) return s;
+    if (const Status s = write(sample.difference_picture, key + "_difference", *difference); !s)
         return s;
-    return write(point.truth_picture, "truth_" + task.reference,
-                 withOpenBackground(*setting_->truth));
+    return write(sample.ground_truth_picture, "ground_truth_" + task.reference,
+                 withOpenBackground(*setting_->ground_truth));
 }
 
 }  // namespace crevice

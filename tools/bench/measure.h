@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measuring one point of a bench on a device: its error, the parts of it, its time, its pictures.
+// Measuring one sample of a bench on a device: its error, the parts of it, its time, its pictures.
 //
 // What is timed are the passes that the output `ao` needs. The config, a plain copy of the depth
 // texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius take turns (see
@@ -15,14 +15,14 @@
 namespace crevice {
 
 struct MeasureOptions {
-    int rays = 256;  ///< A pixel of the truth.
+    int rays = 256;  ///< Per pixel of the ground truth.
     /// Timed turns, at least; up to four times as many where ratios do not settle.
     int repeats = 7;
     bool budget = true;        ///< Measure the error budget.
-    std::string cache_folder;  ///< For truths; empty for none.
+    std::string cache_folder;  ///< For ground truths; empty for none.
     std::string out_folder;    ///< Pictures go to its pictures/; empty for none.
     std::function<bool()> interrupted = [] { return false; };
-    std::function<void(double done)> tracing = {};  ///< How far a truth is.
+    std::function<void(double done)> tracing = {};  ///< How far a ground truth is.
 };
 
 /// The device, the plan and the sources must outlive it.
@@ -32,20 +32,20 @@ public:
                MeasureOptions options);
     ~BenchMeter();
 
-    /// The task's point with its figures. What the next task shares with this one is kept.
+    /// The task's sample with its figures. What the next task shares with this one is kept.
     ///
-    /// Errors: CV7007 for pictures; whatever keeps the truth or the config from being drawn, CV4003
-    /// for an occlusion that is not a number somewhere.
-    Result<BenchPoint> measure(const BenchTask& task);
+    /// Errors: CV7007 for pictures; whatever keeps the ground truth or the config from being drawn,
+    /// CV4003 for an occlusion that is not a number somewhere.
+    Result<BenchSample> measure(const BenchTask& task);
 
 private:
     struct Setting;
 
     Status enter(const BenchTask& task);
-    Status measureErrors(const BenchTask& task, const Image& ao, BenchPoint& point);
-    Status measureTimes(Renderer& renderer, BenchPoint& point);
-    Status writePictures(const BenchTask& task, const Image& ao, BenchPoint& point);
-    void measureBudget(const BenchTask& task, const Image& ao, BenchPoint& point);
+    Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
+    Status measureTimes(Renderer& renderer, BenchSample& sample);
+    Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
+    void measureBudget(const BenchTask& task, const Image& ao, BenchSample& sample);
     const Result<Image>& converged(const BenchTask& task);
 
     Device& device_;

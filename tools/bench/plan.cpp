@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points a bench measures: the product of its lists, their keys and their shards.
+// Which samples a bench measures: the product of its lists, their keys and their shards.
 #include "tools/bench/bench.h"
 
 #include "tools/measure/taps.h"
@@ -24,7 +24,7 @@ constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "hi
 
 bool isPreset(const BenchTask& task)
 {
-    return std::find(std::begin(kPresets), std::end(kPresets), task.point.config) !=
+    return std::find(std::begin(kPresets), std::end(kPresets), task.sample.config) !=
            std::end(kPresets);
 }
 
@@ -46,19 +46,19 @@ std::string commandHash(const BenchOptions& options)
     return hash.hex();
 }
 
-/// Over all that decides a point's figures on a device.
+/// Over all that decides a sample's figures on a device.
 ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
                   const std::string& content)
 {
-    const BenchPoint& point = task.point;
+    const BenchSample& sample = task.sample;
     ContentHash hash;
-    hash.addText(point.version);
-    hash.addText(point.config);
+    hash.addText(sample.version);
+    hash.addText(sample.config);
     for (const std::string& text : overrides) hash.addText(text);
-    hash.addText(point.scene);
-    hash.addText(point.camera);
-    hash.add(point.extent.width);
-    hash.add(point.extent.height);
+    hash.addText(sample.scene);
+    hash.addText(sample.camera);
+    hash.add(sample.extent.width);
+    hash.add(sample.extent.height);
     hash.add(radius);
     hash.addText(task.reference);
     hash.addText(content);
@@ -168,7 +168,8 @@ void Planner::addConfig(const Place& place, const std::string& config)
         if (findNamed(description.params, "radius"))
             overrides.push_back("radius=" + shortest(place.radius));
         else
-            note("'" + config + "' has no param 'radius': --radius sets that of the truth alone");
+            note("'" + config +
+                 "' has no param 'radius': --radius sets that of the ground truth alone");
     }
     for (const std::vector<std::string>& samples : sampleOverrides(config, description)) {
         std::vector<std::string> all = overrides;
@@ -199,7 +200,8 @@ std::vector<std::vector<std::string>> Planner::sampleOverrides(const std::string
     return all;
 }
 
-/// The truth's key for the newest view. Hashing a large scene is slow, so once a radius must do.
+/// The ground truth's key for the newest view. Hashing a large scene is slow, so once a radius must
+/// do.
 const std::string& Planner::referenceOf(double radius)
 {
     std::string& key = references_[{plan.views.size(), radius}];
@@ -211,16 +213,17 @@ const std::string& Planner::referenceOf(double radius)
     return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
 }
 
-/// What the loaded config says about the point.
+/// What the loaded config says about the sample.
 Status Planner::describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
 {
     const ParamDesc* radius = findNamed(loaded.description.params, "radius");
-    task.point.samples = samplesOf(loaded.description);
-    task.point.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
+    task.sample.samples = samplesOf(loaded.description);
+    task.sample.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
     if (place.radius <= 0.0 && !radius)
-        return Diagnostic{Code::unknown_param,
-                          "the config has no param 'radius', so --radius must give the truth's"};
-    if (place.failure.empty()) task.reference = referenceOf(task.point.radius);
+        return Diagnostic{
+            Code::unknown_param,
+            "the config has no param 'radius', so --radius must give the ground truth's"};
+    if (place.failure.empty()) task.reference = referenceOf(task.sample.radius);
     task.description = loaded.description;
     return {};
 }
@@ -229,34 +232,34 @@ void Planner::addTask(const Place& place, const std::string& config,
                       std::vector<std::string> overrides)
 {
     BenchTask task;
-    BenchPoint& point = task.point;
-    point.config = config;
-    point.family = config;
-    for (const std::string& text : options_.overrides) point.family += " " + text;
-    point.scene = place.scene;
-    point.camera = options_.camera;
-    point.extent = place.extent;
-    point.rays = options_.rays;
-    point.version = options_.version;
-    point.failure = place.failure;
+    BenchSample& sample = task.sample;
+    sample.config = config;
+    sample.family = config;
+    for (const std::string& text : options_.overrides) sample.family += " " + text;
+    sample.scene = place.scene;
+    sample.camera = options_.camera;
+    sample.extent = place.extent;
+    sample.rays = options_.rays;
+    sample.version = options_.version;
+    sample.failure = place.failure;
     if (place.failure.empty()) {
         const BenchView& view = plan.views.back();
         task.view = plan.views.size() - 1;
-        if (point.camera.empty()) point.camera = view.camera.name;
-        point.triangles = triangleCount(*view.scene);
+        if (sample.camera.empty()) sample.camera = view.camera.name;
+        sample.triangles = triangleCount(*view.scene);
     }
 
     const Result<LoadedConfig> loaded =
         loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
-    if (!known && point.failure.empty()) point.failure = failureText(known.diagnostics());
+    if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
 
     const ContentHash hash =
         keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string());
-    point.key = hash.hex();
-    point.overrides = std::move(overrides);
-    if (!keys_.insert(point.key).second) return;
-    plan.planned.points.push_back(plannedId(point));
+    sample.key = hash.hex();
+    sample.overrides = std::move(overrides);
+    if (!keys_.insert(sample.key).second) return;
+    plan.planned.bench_samples.push_back(plannedId(sample));
     if (options_.shard.has(hash.value())) plan.tasks.push_back(std::move(task));
 }
 
@@ -267,12 +270,12 @@ Camera BenchView::matrices() const
     return {camera.view_from_world, clipFromView(camera, extent, bounds)};
 }
 
-std::string pointTitle(const BenchPoint& point)
+std::string sampleTitle(const BenchSample& sample)
 {
-    std::string title = point.config;
-    for (const std::string& text : point.overrides) title += " " + text;
-    return title + ", " + point.scene + ", " + std::to_string(point.extent.width) + "x" +
-           std::to_string(point.extent.height);
+    std::string title = sample.config;
+    for (const std::string& text : sample.overrides) title += " " + text;
+    return title + ", " + sample.scene + ", " + std::to_string(sample.extent.width) + "x" +
+           std::to_string(sample.extent.height);
 }
 
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)

@@ -10,10 +10,10 @@
 namespace crevice {
 namespace {
 
-std::string figuresText(const BenchPoint& point)
+std::string figuresText(const BenchSample& sample)
 {
-    return "rmse " + fixed(point.error.rmse, 4) + ", " + fixed(point.total.median, 2) + " ms, " +
-           fixed(point.ratio_copy, 2) + " x floor";
+    return "rmse " + fixed(sample.error.rmse, 4) + ", " + fixed(sample.total.median, 2) + " ms, " +
+           fixed(sample.ratio_copy, 2) + " x copy";
 }
 
 }  // namespace
@@ -25,8 +25,8 @@ Result<BenchFile> openBench(const std::string& folder, const PlannedBench& plann
     const Result<BenchResults> known = readBenchResults({lines->path()});
     if (!known) return known.diagnostics();
     BenchFile file{std::move(*lines), {}};
-    for (const BenchPoint& point : known->points)
-        if (point.failure.empty()) file.done.insert(point.key);
+    for (const BenchSample& sample : known->samples)
+        if (sample.failure.empty()) file.done.insert(sample.key);
     const std::string line = toJsonLine(planned);
     const auto same = [&line](const PlannedBench& each) { return toJsonLine(each) == line; };
     if (std::any_of(known->planned.begin(), known->planned.end(), same)) return file;
@@ -35,29 +35,29 @@ Result<BenchFile> openBench(const std::string& folder, const PlannedBench& plann
 }
 
 MeasureJob benchJob(const BenchPlan& plan, const std::string& device, std::set<std::string> done,
-                    std::function<Result<BenchPoint>(const BenchTask&)> measure)
+                    std::function<Result<BenchSample>(const BenchTask&)> measure)
 {
     MeasureJob job;
     job.done = std::move(done);
     for (const BenchTask& task : plan.tasks)
         job.tasks.push_back(
-            {keyOnDevice(task.point.key, device), pointTitle(task.point), task.point.failure});
-    const auto lineOf = [&plan, device](BenchPoint point, std::size_t task) {
-        point.key = keyOnDevice(plan.tasks[task].point.key, device);
-        point.device = device;
-        return toJsonLine(point);
+            {keyOnDevice(task.sample.key, device), sampleTitle(task.sample), task.sample.failure});
+    const auto lineOf = [&plan, device](BenchSample sample, std::size_t task) {
+        sample.key = keyOnDevice(plan.tasks[task].sample.key, device);
+        sample.device = device;
+        return toJsonLine(sample);
     };
     job.measure = [&plan, lineOf,
                    measure = std::move(measure)](std::size_t task) -> Result<Measured> {
-        const Result<BenchPoint> point = measure(plan.tasks[task]);
-        if (!point) return point.diagnostics();
-        return {Measured{lineOf(*point, task), figuresText(*point)}, point.diagnostics()};
+        const Result<BenchSample> sample = measure(plan.tasks[task]);
+        if (!sample) return sample.diagnostics();
+        return {Measured{lineOf(*sample, task), figuresText(*sample)}, sample.diagnostics()};
     };
     job.failure_line = [&plan, lineOf](std::size_t task, const std::string& failure) {
-        BenchPoint point =
-            plan.tasks[task].point;  // with its device, so that figures can take its place
-        point.failure = failure;
-        return lineOf(std::move(point), task);
+        BenchSample sample =
+            plan.tasks[task].sample;  // with its device, so that figures can take its place
+        sample.failure = failure;
+        return lineOf(std::move(sample), task);
     };
     return job;
 }

@@ -21,17 +21,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchPoint, key, failure, config, overrides, family, scene,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, family, scene,
                                    camera, extent, radius, rays, radius_px, samples, triangles,
                                    device, software, version, error, error_without_ao, budget,
                                    budget_failure, clock, repeats, total, cost, passes, ratio_copy,
                                    ratio_learnopengl, texture_bytes, bytes_read, bytes_written,
-                                   ao_picture, truth_picture, difference_picture)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, points)
+                                   ao_picture, ground_truth_picture, difference_picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, bench_samples)
 
 namespace {
 
-/// The key of a line that is no point but what is planned.
+/// The key of a line that is no sample but what is planned.
 const char* const kPlanned = "planned";
 
 /// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
@@ -47,19 +47,19 @@ bool replaceNulls(nlohmann::json& json)
     return found;
 }
 
-BenchPoint parsePoint(nlohmann::json json)
+BenchSample parseSample(nlohmann::json json)
 {
     const bool not_finite = replaceNulls(json);
-    BenchPoint point = json.get<BenchPoint>();
-    if (not_finite && point.failure.empty()) point.failure = "a figure is not finite";
-    return point;
+    BenchSample sample = json.get<BenchSample>();
+    if (not_finite && sample.failure.empty()) sample.failure = "a figure is not finite";
+    return sample;
 }
 
 /// Pictures are named relative to their results file; afterwards, relative to the working folder.
-void resolvePictures(BenchPoint& point, const std::filesystem::path& folder)
+void resolvePictures(BenchSample& sample, const std::filesystem::path& folder)
 {
     for (std::string* picture :
-         {&point.ao_picture, &point.truth_picture, &point.difference_picture})
+         {&sample.ao_picture, &sample.ground_truth_picture, &sample.difference_picture})
         if (!picture->empty()) *picture = (folder / *picture).string();
 }
 
@@ -76,20 +76,20 @@ public:
     {
         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
         append(diagnostics_,
-               readLines(path, {"bench point", "crevice bench"}, [&](nlohmann::json&& json) {
+               readLines(path, {"bench sample", "crevice bench"}, [&](nlohmann::json&& json) {
                    if (json.is_object() && json.contains(kPlanned))
                        return add(json[kPlanned].get<PlannedBench>());
-                   BenchPoint point = parsePoint(std::move(json));
-                   point.folder = folder.string();
-                   resolvePictures(point, folder);
-                   add(std::move(point));
+                   BenchSample sample = parseSample(std::move(json));
+                   sample.folder = folder.string();
+                   resolvePictures(sample, folder);
+                   add(std::move(sample));
                }));
     }
 
     Result<BenchResults> take()
     {
         if (hasErrors(diagnostics_)) return std::move(diagnostics_);
-        return {{std::move(points_), std::move(planned_)}, std::move(diagnostics_)};
+        return {{std::move(samples_), std::move(planned_)}, std::move(diagnostics_)};
     }
 
 private:
@@ -105,19 +105,20 @@ private:
             *known = std::move(planned);
     }
 
-    void add(BenchPoint point)
+    void add(BenchSample sample)
     {
-        const auto [place, is_new] = places_.emplace(point.device + noOpOf(point), points_.size());
+        const auto [place, is_new] =
+            places_.emplace(sample.device + identityOf(sample), samples_.size());
         if (is_new) {
-            points_.push_back(std::move(point));
+            samples_.push_back(std::move(sample));
             return;
         }
-        BenchPoint& known = points_[place->second];
-        const bool hides_figures = !point.failure.empty() && known.failure.empty();
-        if (!hides_figures || point.key != known.key) known = std::move(point);
+        BenchSample& known = samples_[place->second];
+        const bool hides_figures = !sample.failure.empty() && known.failure.empty();
+        if (!hides_figures || sample.key != known.key) known = std::move(sample);
     }
 
-    std::vector<BenchPoint> points_;
+    std::vector<BenchSample> samples_;
     std::vector<PlannedBench> planned_;
     std::unordered_map<std::string, std::size_t> places_;
     Diagnostics diagnostics_;
@@ -125,20 +126,20 @@ private:
 
 }  // namespace
 
-std::string noOpOf(const BenchPoint& point)
+std::string identityOf(const BenchSample& sample)
 {
-    return jsonLine({point.config, point.overrides, point.scene, point.camera, point.extent,
-                     point.radius, point.rays});
+    return jsonLine({sample.config, sample.overrides, sample.scene, sample.camera, sample.extent,
+                     sample.radius, sample.rays});
 }
 
-std::string plannedId(const BenchPoint& point)
+std::string plannedId(const BenchSample& sample)
 {
     ContentHash hash;
-    hash.addText(noOpOf(point));
+    hash.addText(identityOf(sample));
     return hash.hex();
 }
 
-std::string toJsonLine(const BenchPoint& point) { return jsonLine(point); }
+std::string toJsonLine(const BenchSample& sample) { return jsonLine(sample); }
 
 std::string toJsonLine(const PlannedBench& planned)
 {
@@ -151,16 +152,16 @@ BenchCoverage coverageOf(const BenchResults& results)
 {
     BenchCoverage coverage;
     std::set<std::pair<std::string, std::string>> all;
-    for (const BenchPoint& point : results.points) {
-        all.insert({point.device, plannedId(point)});
-        ++(point.failure.empty() ? coverage.measured : coverage.failed);
+    for (const BenchSample& sample : results.samples) {
+        all.insert({sample.device, plannedId(sample)});
+        ++(sample.failure.empty() ? coverage.measured : coverage.failed);
         std::vector<std::string>& configs = coverage.configs;
-        if (point.failure.empty() &&
-            std::find(configs.begin(), configs.end(), point.config) == configs.end())
-            configs.push_back(point.config);
+        if (sample.failure.empty() &&
+            std::find(configs.begin(), configs.end(), sample.config) == configs.end())
+            configs.push_back(sample.config);
     }
     for (const PlannedBench& planned : results.planned)
-        for (const std::string& id : planned.points) all.insert({planned.device, id});
+        for (const std::string& id : planned.bench_samples) all.insert({planned.device, id});
     coverage.planned = all.size();
     return coverage;
 }
@@ -172,18 +173,18 @@ std::string coverageText(const BenchCoverage& coverage)
     const std::vector<std::string>& all = coverage.configs;
     const std::size_t named = std::min(all.size(), kMostNamed);
     std::string text = std::to_string(coverage.measured) + " of " +
-                       std::to_string(coverage.planned) + " points measured";
+                       std::to_string(coverage.planned) + " bench samples measured";
     if (coverage.failed > 0) text += ", " + std::to_string(coverage.failed) + " failed";
     if (named > 0) text += ": " + joined({all.begin(), all.begin() + static_cast<long>(named)});
     if (named < all.size()) text += " and " + std::to_string(all.size() - named) + " more configs";
     return text + "; what to take may change with the rest";
 }
 
-Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths)
+Result<std::vector<BenchSample>> readBenchSamples(const std::vector<std::string>& paths)
 {
     Result<BenchResults> results = readBenchResults(paths);
     if (!results) return results.diagnostics();
-    return {std::move(results->points), results.diagnostics()};
+    return {std::move(results->samples), results.diagnostics()};
 }
 
 Result<BenchResults> readBenchResults(const std::vector<std::string>& paths)

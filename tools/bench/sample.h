@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// One measured point of a bench: what was drawn, how wrong it was and what it cost.
+// One measured sample of a bench, which is a config in one view at one size: what was drawn, its
+// error and its cost.
 //
-// Results are JSON Lines, one point a line, appended as they are measured. A line's key is a hash
-// over everything that decides its figures, so a run that was interrupted goes on where it stopped,
-// and shards from several machines merge by putting their files one after the other. A line before
-// them has what the run is to measure, so that a part of a bench is not taken for the whole.
+// Results are JSON Lines, one bench sample a line, appended as they are measured. A line's key is a
+// hash over everything that decides its figures, so a run that was interrupted goes on where it
+// stopped, and shards from several machines merge by putting their files one after the other. A
+// line before them has what the run is to measure, so that a part of a bench is not taken for the
+// whole.
 #pragma once
 
 #include <crevice/image.h>
@@ -27,7 +29,7 @@ struct PassTime {
     TimeFigures ms;
 };
 
-/// Against the ray-traced truth; see tools/image/image_metrics.h.
+/// Against the ray-traced ground truth; see tools/image/image_metrics.h.
 struct ErrorFigures {
     double rmse = 0;
     double bias = 0;
@@ -39,24 +41,24 @@ struct ErrorFigures {
 
 /// The parts of the error, each an rmse; -1 where it was not measured.
 struct ErrorBudget {
-    double sampling = -1;   ///< As noise, but before any filter: what its samples alone leave.
-    double noise = -1;      ///< Config against itself converged: what more samples would buy.
-    double model = -1;      ///< Converged against the truth: what another estimator would buy.
+    double sampling = -1;  ///< As noise, but before any filter: what its samples alone leave.
+    double noise = -1;     ///< Config against itself converged: what more samples would buy.
+    double model = -1;  ///< Converged against the ground truth: what another estimator would buy.
     double precision = -1;  ///< Config against itself with 32-bit float targets: wider formats.
 };
 
-struct BenchPoint {
+struct BenchSample {
     std::string key;      ///< 16 hex digits.
     std::string failure;  ///< Why there are no figures; empty when there are.
 
     std::string config;
     std::vector<std::string> overrides;  ///< As --set has them.
-    std::string family;  ///< Points that differ in samples alone share it: "learnopengl".
+    std::string family;  ///< Bench samples that differ only in `samples` share it: "learnopengl".
     std::string scene;
     std::string camera;
     Extent extent;
     double radius = 0;     ///< Scene units.
-    int rays = 0;          ///< A pixel of the truth.
+    int rays = 0;          ///< Per pixel of the ground truth.
     double radius_px = 0;  ///< On screen, at the median depth of what is seen.
     int samples = 0;       ///< Depth taps a pixel; 0 for a config without such a param.
     long long triangles = 0;
@@ -84,7 +86,7 @@ struct BenchPoint {
 
     /// Pictures beside the results file, relative to it; empty when none were kept.
     std::string ao_picture;
-    std::string truth_picture;
+    std::string ground_truth_picture;
     std::string difference_picture;
     std::string folder;  ///< Of the results file; empty for the working folder. Not written.
 };
@@ -92,31 +94,31 @@ struct BenchPoint {
 /// What a command was to measure on a device, all shards together.
 struct PlannedBench {
     std::string device;
-    std::string command;              ///< 16 hex digits over what was asked for.
-    std::vector<std::string> points;  ///< plannedId of each.
+    std::string command;                     ///< 16 hex digits over what was asked for.
+    std::vector<std::string> bench_samples;  ///< plannedId of each.
 };
 
 /// One line, without the line feed.
-std::string toJsonLine(const BenchPoint& point);
+std::string toJsonLine(const BenchSample& sample);
 std::string toJsonLine(const PlannedBench& planned);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
 /// size, radius and rays. A key says more: it changes with a shader's text, a driver or a version.
-std::string noOpOf(const BenchPoint& point);
+std::string identityOf(const BenchSample& sample);
 
 /// A hash of that, 16 hex digits.
-std::string plannedId(const BenchPoint& point);
+std::string plannedId(const BenchSample& sample);
 
 struct BenchResults {
-    std::vector<BenchPoint> points;
+    std::vector<BenchSample> samples;
     std::vector<PlannedBench> planned;  ///< Of one device and command the last.
 };
 
 /// How much of a bench its results hold.
 struct BenchCoverage {
-    std::size_t measured = 0;  ///< Points with figures.
+    std::size_t measured = 0;  ///< Samples with figures.
     std::size_t failed = 0;
-    std::size_t planned = 0;                ///< These two, and points that nobody began.
+    std::size_t planned = 0;                ///< These two, and samples that nobody began.
     std::vector<std::string> configs = {};  ///< That have figures, each once.
 
     bool whole() const { return measured + failed == planned; }
@@ -124,19 +126,19 @@ struct BenchCoverage {
 
 BenchCoverage coverageOf(const BenchResults& results);
 
-/// "3 of 78 points measured: mobile, balanced, high; what to take may change with the rest". Empty
-/// of a whole bench.
+/// "3 of 78 bench samples measured: mobile, balanced, high; what to take may change with the rest".
+/// Empty of a whole bench.
 std::string coverageText(const BenchCoverage& coverage);
 
-/// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one point
+/// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one sample
 /// on one device the later one holds, but a failure never hides figures of its own key. A line that
 /// an interrupt cut short is left out with a warning. Pictures come back relative to the working
-/// folder. A figure that was not finite makes its point a failure.
+/// folder. A figure that was not finite makes its sample a failure.
 ///
-/// Errors: CV7009 for a file that cannot be read or a line that is no point.
+/// Errors: CV7009 for a file that cannot be read or a line that is no sample.
 Result<BenchResults> readBenchResults(const std::vector<std::string>& paths);
 
-/// The points alone. Errors: those of readBenchResults.
-Result<std::vector<BenchPoint>> readBenchPoints(const std::vector<std::string>& paths);
+/// The samples alone. Errors: those of readBenchResults.
+Result<std::vector<BenchSample>> readBenchSamples(const std::vector<std::string>& paths);
 
 }  // namespace crevice

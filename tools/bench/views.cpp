@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups bench points by what they show.
+// Groups bench samples by what they show.
 #include "tools/bench/views.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 
 auto placeOf(const ResultView& view) { return std::tie(view.device, view.scene, view.camera); }
 
-bool shows(const ResultView& view, const BenchPoint& point)
+bool shows(const ResultView& view, const BenchSample& sample)
 {
-    return view.device == point.device && view.scene == point.scene &&
-           view.camera == point.camera && view.extent == point.extent &&
-           view.radius == point.radius;
+    return view.device == sample.device && view.scene == sample.scene &&
+           view.camera == sample.camera && view.extent == sample.extent &&
+           view.radius == sample.radius;
 }
 
 void nameViews(std::vector<ResultView>& views)
@@ -29,13 +29,13 @@ void nameViews(std::vector<ResultView>& views)
 
 long long pixelCount(Extent extent) { return 1LL * extent.width * extent.height; }
 
-/// The extent with the most points on the device; of equals, the one with more pixels.
+/// The extent with the most samples on the device; of equals, the one with more pixels.
 Extent commonExtent(const std::vector<ResultView>& views, const std::string& device)
 {
     std::map<std::pair<int, int>, std::size_t> counts;
     for (const ResultView& view : views)
         if (view.device == device)
-            counts[{view.extent.width, view.extent.height}] += view.points.size();
+            counts[{view.extent.width, view.extent.height}] += view.samples.size();
     Extent best;
     std::size_t best_count = 0;
     for (const auto& [size, count] : counts) {
@@ -50,23 +50,23 @@ Extent commonExtent(const std::vector<ResultView>& views, const std::string& dev
 
 }  // namespace
 
-std::vector<ResultView> benchViews(const std::vector<BenchPoint>& points)
+std::vector<ResultView> benchViews(const std::vector<BenchSample>& samples)
 {
     std::vector<ResultView> views;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const BenchPoint& point = points[i];
-        if (!point.failure.empty()) continue;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const BenchSample& sample = samples[i];
+        if (!sample.failure.empty()) continue;
         auto view = std::find_if(views.begin(), views.end(),
-                                 [&point](const ResultView& v) { return shows(v, point); });
+                                 [&sample](const ResultView& v) { return shows(v, sample); });
         if (view == views.end())
             view = views.insert(
                 views.end(),
-                {point.device, point.scene, point.camera, point.extent, point.radius, {}, {}});
-        view->points.push_back(i);
+                {sample.device, sample.scene, sample.camera, sample.extent, sample.radius, {}, {}});
+        view->samples.push_back(i);
     }
     std::stable_sort(views.begin(), views.end(), [](const ResultView& a, const ResultView& b) {
         if (placeOf(a) != placeOf(b)) return placeOf(a) < placeOf(b);
-        return a.points.size() > b.points.size();
+        return a.samples.size() > b.samples.size();
     });
     nameViews(views);
     return views;
@@ -84,13 +84,13 @@ std::vector<ResultView> mainViews(const std::vector<ResultView>& views, const st
     return chosen;
 }
 
-std::vector<std::string> benchDevices(const std::vector<BenchPoint>& points)
+std::vector<std::string> benchDevices(const std::vector<BenchSample>& samples)
 {
     std::vector<std::string> devices;
-    for (const BenchPoint& point : points)
-        if (point.failure.empty() &&
-            std::find(devices.begin(), devices.end(), point.device) == devices.end())
-            devices.push_back(point.device);
+    for (const BenchSample& sample : samples)
+        if (sample.failure.empty() &&
+            std::find(devices.begin(), devices.end(), sample.device) == devices.end())
+            devices.push_back(sample.device);
     return devices;
 }
 
@@ -99,10 +99,10 @@ std::string viewName(const std::string& scene, const std::string& camera)
     return camera.empty() ? scene : scene + " from " + camera;
 }
 
-std::string pointLabel(const BenchPoint& point)
+std::string sampleLabel(const BenchSample& sample)
 {
-    std::string label = point.config;
-    for (const std::string& value : point.overrides)
+    std::string label = sample.config;
+    for (const std::string& value : sample.overrides)
         if (value.rfind("radius=", 0) != 0) label += " " + value;
     return label;
 }

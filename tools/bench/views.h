@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bench points can be held against each other: those that show the same thing on one device.
+// Which bench samples can be held against each other: those that show the same thing on one device.
 #pragma once
 
 #include "tools/bench/sample.h"
@@ -10,36 +10,37 @@
 
 namespace crevice {
 
-/// Points with the same truth and the same clockwork. Failed points are in no view.
+/// Samples with the same ground truth and the same clockwork. Failed samples are in no view.
 struct ResultView {
     std::string device;
     std::string scene;
     std::string camera;
     Extent extent;
     double radius = 0;
-    std::vector<std::size_t> points;  ///< Indexes, in the order of the results.
+    std::vector<std::size_t> samples;  ///< Indexes, in the order of the results.
     /// The scene; with its camera where it was seen from several.
     std::string name;
 };
 
-/// Sorted by device, scene and camera; of one scene and camera the view with the most points first.
-std::vector<ResultView> benchViews(const std::vector<BenchPoint>& points);
+/// Sorted by device, scene and camera; of one scene and camera the view with the most samples
+/// first.
+std::vector<ResultView> benchViews(const std::vector<BenchSample>& samples);
 
-/// One view of each scene and camera on a device: at the extent that most points share, then the
-/// radius that most points share. Sweeps of size and radius are thus kept out of a choice
+/// One view of each scene and camera on a device: at the extent that most samples share, then the
+/// radius that most samples share. Sweeps of size and radius are thus kept out of a choice
 /// between configs. An extent that is not 0x0 is the one to take.
 std::vector<ResultView> mainViews(const std::vector<ResultView>& views, const std::string& device,
                                   Extent extent = {});
 
-/// The devices in the order of their first points.
-std::vector<std::string> benchDevices(const std::vector<BenchPoint>& points);
+/// The devices in the order of their first samples.
+std::vector<std::string> benchDevices(const std::vector<BenchSample>& samples);
 
 /// "room from above", or "room" where the camera has no name.
 std::string viewName(const std::string& scene, const std::string& camera);
 
 /// "bitmask samples=16": the config and what was set in it, but for the radius, which is part of
 /// the question and not of the answer.
-std::string pointLabel(const BenchPoint& point);
+std::string sampleLabel(const BenchSample& sample);
 
 /// "960x540".
 std::string extentName(Extent extent);

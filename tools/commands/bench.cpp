@@ -35,8 +35,8 @@ struct BenchCommand {
 int listTasks(const BenchPlan& plan)
 {
     for (const BenchTask& task : plan.tasks)
-        print("%s  %s%s%s\n", task.point.key.c_str(), pointTitle(task.point).c_str(),
-              task.point.failure.empty() ? "" : ": ", task.point.failure.c_str());
+        print("%s  %s%s%s\n", task.sample.key.c_str(), sampleTitle(task.sample).c_str(),
+              task.sample.failure.empty() ? "" : ": ", task.sample.failure.c_str());
     return exitCodeOf(plan.diagnostics);
 }
 
@@ -112,13 +112,13 @@ int bench(BenchCommand command)
     report(plan->diagnostics, false);
     if (command.list) return listTasks(*plan);
     if (plan->tasks.empty()) {
-        printMessage("there is no point to measure\n");
+        printMessage("there is nothing to measure\n");
         return exitCodeOf(plan->diagnostics);
     }
     return measurePlan(command, *plan, sources, limits->time_budget_s);
 }
 
-void addPointOptions(CLI::App& app, BenchCommand& command)
+void addSampleOptions(CLI::App& app, BenchCommand& command)
 {
     BenchOptions& bench = command.bench;
     app.add_option("--config", bench.configs,
@@ -136,13 +136,14 @@ void addPointOptions(CLI::App& app, BenchCommand& command)
         ->capture_default_str();
     app.add_option(
            "--radius", bench.radii,
-           "Radius of the configs and of the truth, scene units; several as 0.5,1. Default: "
+           "Radius of the configs and of the ground truth, scene units; several as 0.5,1. Default: "
            "each config's own")
         ->type_name("R,...")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
-    app.add_option("--samples", bench.samples,
-                   "Sample counts, such as 4,8,16,32,64. Default: each config's own")
+    app.add_option(
+           "--samples", bench.samples,
+           "Samples (depth taps) per pixel, such as 4,8,16,32,64. Default: each config's own")
         ->type_name("N,...")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
@@ -151,7 +152,8 @@ void addPointOptions(CLI::App& app, BenchCommand& command)
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     app.add_option("--camera", bench.camera, "As for crevice render");
-    app.add_option("--rays", bench.rays, "Rays a pixel of the truth")->capture_default_str();
+    app.add_option("--rays", bench.rays, "Rays per pixel of the ground truth")
+        ->capture_default_str();
 }
 
 }  // namespace
@@ -161,24 +163,25 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     CLI::App* command = app.add_subcommand("bench", "Measure error against run time");
     auto options = std::make_shared<BenchCommand>();
     options->bench.version = CREVICE_VERSION;
-    addPointOptions(*command, *options);
+    addSampleOptions(*command, *options);
     command
         ->add_option("--repeats", options->measure.repeats,
-                     "Timed turns a point, at least; more while ratios are restless")
+                     "Least number of timed repeats of each bench sample; more are taken while its "
+                     "cost ratios vary")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
-                      "Leave out noise, model error and precision error: much quicker");
-    addRunOptions(*command, options->run, "point", "results.jsonl and pictures");
+                      "Do not measure noise, model error and precision error: much quicker");
+    addRunOptions(*command, options->run, "bench sample", "results.jsonl and pictures");
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
     addCheckoutOption(*command, options->checkout);
     addRootOption(*command, options->bench.roots);
-    command->add_flag(
-        "--ablate", options->ablate,
-        "Time frames with all optimizations that leave things out, without each and without "
-        "any, into ablation.jsonl");
-    command->add_flag("--list", options->list, "Print the points and stop");
+    command->add_flag("--ablate", options->ablate,
+                      "Time frames with all optimizations, without each one and without any, into "
+                      "ablation.jsonl");
+    command->add_flag("--list", options->list,
+                      "Print the bench samples, each a config in one view, and measure nothing");
     command->footer(
         "Examples:\n"
         "  crevice bench --config learnopengl --config thesis --samples 4,16,64\n"

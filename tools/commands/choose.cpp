@@ -15,7 +15,7 @@
 namespace crevice {
 namespace {
 
-/// As many as are told of the others on either side of the limit.
+/// How many other configs are printed on either side of the limit.
 constexpr std::size_t kOthersShown = 4;
 
 struct ChooseOptions {
@@ -29,7 +29,7 @@ struct ChooseOptions {
 
 /// A question that was answered.
 struct Answer {
-    std::vector<BenchPoint> points;
+    std::vector<BenchSample> samples;
     Candidates candidates;
     ChoiceLimit limit;
     Choice choice;
@@ -57,8 +57,8 @@ Result<Answer> answerFor(ChooseOptions options)
     if (!results) return results.diagnostics();
     answer.warnings = results.diagnostics();
     answer.coverage = coverageOf(*results);
-    answer.points = std::move(results->points);
-    Result<Candidates> candidates = findCandidates(answer.points, options.scope);
+    answer.samples = std::move(results->samples);
+    Result<Candidates> candidates = findCandidates(answer.samples, options.scope);
     if (!candidates) return candidates.diagnostics();
     answer.candidates = std::move(*candidates);
     Result<Choice> choice = choose(answer.candidates, answer.limit);
@@ -68,12 +68,12 @@ Result<Answer> answerFor(ChooseOptions options)
 }
 
 /// What to type to see it.
-std::string renderCommand(const BenchPoint& point)
+std::string renderCommand(const BenchSample& sample)
 {
-    std::string command = "crevice render " + point.config;
-    for (const std::string& value : point.overrides)
+    std::string command = "crevice render " + sample.config;
+    for (const std::string& value : sample.overrides)
         if (value.rfind("radius=", 0) != 0) command += " --set " + value;
-    return command + " --scene " + point.scene;
+    return command + " --scene " + sample.scene;
 }
 
 void printOthers(const Answer& answer, const char* title, const std::vector<std::size_t>& others)
@@ -82,7 +82,7 @@ void printOthers(const Answer& answer, const char* title, const std::vector<std:
     print("%s\n", title);
     for (std::size_t i = 0; i < others.size() && i < kOthersShown; ++i) {
         const Candidate& other = answer.candidates.list[others[i]];
-        print("  %-44s error %s   %8s ms  %7s x floor\n", other.label.c_str(),
+        print("  %-44s error %s   %8s ms  %7s x copy\n", other.label.c_str(),
               fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
               fixed(other.ratio, 1).c_str());
     }
@@ -103,24 +103,24 @@ void printAnswer(const Answer& answer)
     print("  %s%zu %s at %s on %s\n", all.views.size() > 1 ? "the worst of " : "", all.views.size(),
           all.views.size() > 1 ? "scenes" : "scene", extentName(all.views[0].extent).c_str(),
           all.device.c_str());
-    print("why: of %zu configs, %zu have %s; this one is the %s of those\n", all.list.size(),
+    print("why: of %zu configs, %zu have %s; this one %s of those\n", all.list.size(),
           answer.choice.also.size() + 1, limitText(answer.limit).c_str(),
-          by_error ? "fastest" : "least wrong");
-    printOthers(
-        answer,
-        by_error ? "within the error too, but slower:" : "within the time too, but more wrong:",
-        answer.choice.also);
-    printOthers(answer, by_error ? "too wrong:" : "too slow:", answer.choice.beyond);
+          by_error ? "is the fastest" : "has the lowest error");
+    printOthers(answer,
+                by_error ? "also within the error, but slower:"
+                         : "also within the time, but with a larger error:",
+                answer.choice.also);
+    printOthers(answer, by_error ? "error too large:" : "too slow:", answer.choice.beyond);
     for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
     for (const std::string& label : all.harmful)
         print("left out: %s: no better than no ambient occlusion\n", label.c_str());
-    print("see it: %s\n", renderCommand(answer.points[best.point]).c_str());
+    print("see it: %s\n", renderCommand(answer.samples[best.sample]).c_str());
 }
 
-nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchPoint>& points)
+nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchSample>& samples)
 {
-    const BenchPoint& point = points[candidate.point];
-    return {{"config", point.config},  {"overrides", point.overrides},  {"samples", point.samples},
+    const BenchSample& sample = samples[candidate.sample];
+    return {{"config", sample.config}, {"overrides", sample.overrides}, {"samples", sample.samples},
             {"cost_ms", candidate.ms}, {"ratio_copy", candidate.ratio}, {"rmse", candidate.error}};
 }
 
@@ -129,16 +129,16 @@ void printJson(const Answer& answer)
     const auto list = [&answer](const std::vector<std::size_t>& others) {
         nlohmann::json json = nlohmann::json::array();
         for (const std::size_t i : others)
-            json.push_back(toJson(answer.candidates.list[i], answer.points));
+            json.push_back(toJson(answer.candidates.list[i], answer.samples));
         return json;
     };
     const nlohmann::json json = {{"limit", limitText(answer.limit)},
                                  {"device", answer.candidates.device},
-                                 {"points",
+                                 {"bench_samples",
                                   {{"measured", answer.coverage.measured},
                                    {"failed", answer.coverage.failed},
                                    {"planned", answer.coverage.planned}}},
-                                 {"best", toJson(answer.best(), answer.points)},
+                                 {"best", toJson(answer.best(), answer.samples)},
                                  {"also_within", list(answer.choice.also)},
                                  {"beyond", list(answer.choice.beyond)},
                                  {"elided", answer.candidates.elided},
@@ -168,15 +168,19 @@ void addChooseCommand(CLI::App& app, int& exit_code)
         ->required();
     CLI::Option_group* limit = command->add_option_group("Limit");
     limit->add_option("--budget", options->budget,
-                      "The least wrong that adds no more to a frame: 2ms, 500us, or 10x for ten "
-                      "times a copy of the depth texture");
-    limit->add_option("--error", options->error, "The cheapest whose rmse is not larger")
+                      "Name the config with the lowest error that adds at most this time to a "
+                      "frame: 2ms, 500us, or 10x for ten times a copy of the depth texture");
+    limit
+        ->add_option("--error", options->error,
+                     "Name the fastest config whose rmse is at most this, such as 0.06")
         ->check(CLI::PositiveNumber);
     limit->require_option(1);
-    command->add_option("--scene", options->scope.scene,
-                        "Only this scene; otherwise each config's worst scene counts");
-    command->add_option("--size", options->size, "Only points of this size, such as 1920x1080");
-    command->add_option("--device", options->scope.device, "Part of the name of the device");
+    command->add_option(
+        "--scene", options->scope.scene,
+        "Only results of this scene; otherwise each config counts with its worst scene");
+    command->add_option("--size", options->size, "Only results of this size, such as 1920x1080");
+    command->add_option("--device", options->scope.device,
+                        "Only results of this device: a part of its name, such as llvmpipe");
     command->add_flag("--json", options->json, "Print the answer as JSON");
     command->footer(
         "Examples:\n"

@@ -20,7 +20,7 @@ constexpr double kNoLimit = -1.0;
 
 struct CompareOptions {
     std::string test;
-    std::string truth;
+    std::string ground_truth;
     std::string mask;
     std::string difference;
     std::string max_abs;
@@ -31,7 +31,7 @@ struct CompareOptions {
 
 /// The three images of a comparison; `mask` is empty when none was given.
 struct Images {
-    Image test, truth, mask;
+    Image test, ground_truth, mask;
 
     const Image* maskOrNull() const { return mask.pixels.empty() ? nullptr : &mask; }
 };
@@ -46,7 +46,7 @@ Result<Images> readImages(const CompareOptions& options)
         if (result) image = std::move(*result);
     };
     read(options.test, images.test);
-    read(options.truth, images.truth);
+    read(options.ground_truth, images.ground_truth);
     if (!options.mask.empty()) read(options.mask, images.mask);
     if (hasErrors(errors)) return errors;
     return {std::move(images), std::move(errors)};
@@ -140,14 +140,15 @@ Status checkCompared(const ImageDifference& figures)
     Diagnostic error{Code::image_broken,
                      "no pixel is left to compare: " + std::to_string(figures.masked) +
                          " are masked, " + std::to_string(figures.non_finite) + " are not finite"};
-    error.help = "masked is where the truth is not finite or the --mask is 0";
+    error.help = "masked is where the ground truth is not finite or the --mask is 0";
     return error;
 }
 
 Status writeDifference(const CompareOptions& options, const Images& images)
 {
     if (options.difference.empty()) return {};
-    const Result<Image> picture = differencePicture(images.test, images.truth, images.maskOrNull());
+    const Result<Image> picture =
+        differencePicture(images.test, images.ground_truth, images.maskOrNull());
     if (!picture) return picture.diagnostics();
     return writeImage(options.difference, *picture);
 }
@@ -163,7 +164,7 @@ int compareFiles(const CompareOptions& options)
     const Result<Images> images = readImages(options);
     if (!images) return report(images.diagnostics(), options.json);
     const Result<ImageDifference> figures =
-        compareImages(images->test, images->truth, images->maskOrNull(), *threshold);
+        compareImages(images->test, images->ground_truth, images->maskOrNull(), *threshold);
     if (!figures) return report(figures.diagnostics(), options.json);
     const Status compared = checkCompared(*figures);
     if (!compared) return report(compared.diagnostics(), options.json);
@@ -182,7 +183,8 @@ void addCompareCommand(CLI::App& app, int& exit_code)
     CLI::App* command = app.add_subcommand("compare", "Measure one image against another");
     auto options = std::make_shared<CompareOptions>();
     command->add_option("TEST", options->test, "The image to judge, PNG or PFM")->required();
-    command->add_option("TRUTH", options->truth, "The image to judge it by")->required();
+    command->add_option("GROUND_TRUTH", options->ground_truth, "The image to judge it by")
+        ->required();
     command->add_option("--mask", options->mask, "Only pixels where this image is above 0 count")
         ->type_name("FILE");
     command->add_option("--max-rmse", options->max_rmse, "Fail (5) where the rmse is larger")
@@ -202,7 +204,7 @@ void addCompareCommand(CLI::App& app, int& exit_code)
     command->add_flag("--json", options->json, "Print the figures as JSON");
     command->footer(
         "Examples:\n"
-        "  crevice compare ao.pfm truth.pfm --max-rmse 0.13 --diff diff.png\n"
+        "  crevice compare ao.pfm ground_truth.pfm --max-rmse 0.13 --diff diff.png\n"
         "  crevice compare egl.png osmesa.png --max-abs 2/255 --max-bad-fraction 0.001");
     command->callback([options, &exit_code] { exit_code = compareFiles(*options); });
 }

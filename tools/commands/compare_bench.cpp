@@ -24,8 +24,8 @@ struct CompareBenchOptions {
 void printChanges(const char* title, const std::vector<BenchChange>& changes)
 {
     for (const BenchChange& change : changes)
-        print("%s: %s: %s was %s and is %s (at most %s is the same)\n", title, change.point.c_str(),
-              change.figure.c_str(), significant(change.before, 7).c_str(),
+        print("%s: %s: %s was %s and is %s (at most %s is the same)\n", title,
+              change.sample.c_str(), change.figure.c_str(), significant(change.before, 7).c_str(),
               significant(change.now, 7).c_str(), significant(change.limit, 7).c_str());
 }
 
@@ -33,12 +33,12 @@ int printComparison(const BenchComparison& comparison)
 {
     printChanges("better", comparison.better);
     printChanges("worse", comparison.worse);
-    for (const std::string& point : comparison.missing) print("missing now: %s\n", point.c_str());
+    for (const std::string& sample : comparison.missing) print("missing now: %s\n", sample.c_str());
     for (const std::string& failure : comparison.failed) print("fails now: %s\n", failure.c_str());
     if (comparison.without_ratios > 0)
-        print("%d of %d points were measured on another device: cost ratios not compared\n",
+        print("%d of %d bench samples were measured on another device: cost ratios not compared\n",
               comparison.without_ratios, comparison.compared);
-    print("%d points compared: %zu figures worse, %zu better; %zu points fail, %zu missing\n",
+    print("%d bench samples compared: %zu figures worse, %zu better; %zu fail, %zu missing\n",
           comparison.compared, comparison.worse.size(), comparison.better.size(),
           comparison.failed.size(), comparison.missing.size());
     return comparison.isWorse() ? kExitDiffers : kExitOk;
@@ -46,8 +46,8 @@ int printComparison(const BenchComparison& comparison)
 
 int compareBenchFiles(const CompareBenchOptions& options)
 {
-    const Result<std::vector<BenchPoint>> before = readBenchPoints({options.before});
-    const Result<std::vector<BenchPoint>> now = readBenchPoints({options.now});
+    const Result<std::vector<BenchSample>> before = readBenchSamples({options.before});
+    const Result<std::vector<BenchSample>> now = readBenchSamples({options.now});
     report(before.diagnostics(), false);
     report(now.diagnostics(), false);
     if (!before || !now) return kExitBadInput;
@@ -55,8 +55,8 @@ int compareBenchFiles(const CompareBenchOptions& options)
     if (options.max_error) limits.error = limits.other_error = *options.max_error;
     const BenchComparison comparison = compareBenches(*before, *now, limits);
     if (comparison.compared == 0 && comparison.failed.empty()) {
-        Diagnostic error{Code::results_broken,
-                         "no point is in both '" + options.before + "' and '" + options.now + "'"};
+        Diagnostic error{Code::results_broken, "no bench sample is in both '" + options.before +
+                                                   "' and '" + options.now + "'"};
         error.help = "give 'crevice bench' the configs, scenes, sizes and radii of the older run";
         return report({error}, false);
     }
@@ -85,7 +85,7 @@ void addCompareBenchCommand(CLI::App& app, int& exit_code)
         ->check(CLI::NonNegativeNumber);
     command->add_flag("--errors-only", options->limits.errors_only, "Compare no cost ratios");
     command->footer(
-        "Absolute times are never compared. A point that fails or is missing is worse.\n"
+        "Absolute times are never compared. A bench sample that fails or is missing is worse.\n"
         "Example:\n"
         "  crevice compare-bench docs/bench fresh");
     command->callback([options, &exit_code] { exit_code = compareBenchFiles(*options); });

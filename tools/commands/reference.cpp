@@ -38,13 +38,13 @@ int reference(const ReferenceOptions& options)
     trace.progress = [&progress](double done) { progress.update(done); };
     const Camera camera = {view->camera.view_from_world,
                            clipFromView(view->camera, view->extent, view->bounds)};
-    const Result<Image> truth =
+    const Result<Image> ground_truth =
         cachedReference(view->scene, camera, view->extent, trace, options.cache.path());
     progress.wipe();
-    report(truth.diagnostics(), false);
-    if (!truth) return exitCodeOf(truth.diagnostics());
+    report(ground_truth.diagnostics(), false);
+    if (!ground_truth) return exitCodeOf(ground_truth.diagnostics());
 
-    const Status written = writeImage(options.file, *truth);
+    const Status written = writeImage(options.file, *ground_truth);
     report(written.diagnostics(), false);
     if (written) printMessage("wrote %s\n", printableLine(options.file).c_str());
     return exitCodeOf(written.diagnostics());
@@ -68,9 +68,9 @@ void addReferenceCommand(CLI::App& app, int& exit_code)
         ->required();
     command->footer(
         "Examples:\n"
-        "  crevice reference --radius 1 --rays 256 --out truth.pfm\n"
+        "  crevice reference --radius 1 --rays 256 --out ground_truth.pfm\n"
         "  crevice render learnopengl --set radius=1 --out ao=ao.pfm\n"
-        "  crevice compare ao.pfm truth.pfm");
+        "  crevice compare ao.pfm ground_truth.pfm");
     command->callback([options, &exit_code] { exit_code = reference(*options); });
 }
 

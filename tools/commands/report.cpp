@@ -23,16 +23,16 @@ struct ReportOptions {
     bool no_pictures = false;
 };
 
-Status writeReport(const ReportOptions& options, const std::vector<BenchPoint>& points,
+Status writeReport(const ReportOptions& options, const std::vector<BenchSample>& samples,
                    const std::vector<AblationRow>& ablation, const BenchCoverage& coverage,
                    const std::string& page)
 {
     std::filesystem::path path = options.out;
     Status written = writeFile(path.string(), page);
-    if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(points));
+    if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(samples));
     if (written)
         written = writeFile(path.replace_extension(".json").string(),
-                            reportJson(points, ablation, coverage));
+                            reportJson(samples, ablation, coverage));
     return written;
 }
 
@@ -48,16 +48,16 @@ int makeReport(const ReportOptions& options)
     const Result<BenchResults> results = readBenchResults(options.results);
     report(results.diagnostics(), false);
     if (!results) return exitCodeOf(results.diagnostics());
-    const std::vector<BenchPoint>& points = results->points;
+    const std::vector<BenchSample>& samples = results->samples;
     const BenchCoverage coverage = coverageOf(*results);
     const Result<std::vector<AblationRow>> ablation = readAblation(options.results);
     if (!ablation) return report(ablation.diagnostics(), false);
-    const Result<std::string> page = reportHtml(points, !options.no_pictures, *ablation, coverage);
+    const Result<std::string> page = reportHtml(samples, !options.no_pictures, *ablation, coverage);
     report(page.diagnostics(), false);
-    const Status written = writeReport(options, points, *ablation, coverage, *page);
+    const Status written = writeReport(options, samples, *ablation, coverage, *page);
     if (!written) return report(written.diagnostics(), false);
-    print("wrote %s (%zu points, %s MB), and a .csv and a .json beside it\n",
-          printableLine(options.out).c_str(), points.size(),
+    print("wrote %s (%zu bench samples, %s MB), and a .csv and a .json beside it\n",
+          printableLine(options.out).c_str(), samples.size(),
           fixed(static_cast<double>(page->size()) / 1e6, 1).c_str());
     if (!coverage.whole()) print("%s\n", coverageText(coverage).c_str());
     return kExitOk;

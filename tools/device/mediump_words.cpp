@@ -320,9 +320,9 @@ Id MediumpRounder::roundingFunction(Id type)
 void MediumpRounder::writeRoundingFunction(Id type, Id function)
 {
     const SpirvShape shape = out_.shapeOf(type);
-    const Id truth = out_.makeType(spv::OpTypeBool, {});
-    const Id truths =
-        shape.count == 1 ? truth : out_.makeType(spv::OpTypeVector, {truth, shape.count});
+    const Id boolean = out_.makeType(spv::OpTypeBool, {});
+    const Id booleans =
+        shape.count == 1 ? boolean : out_.makeType(spv::OpTypeVector, {boolean, shape.count});
     out_.append({spv::OpFunction,
                  type,
                  function,
@@ -331,7 +331,7 @@ void MediumpRounder::writeRoundingFunction(Id type, Id function)
     out_.append({spv::OpLabel, 0, out_.newId(), {}});
     const Id size = out_.emitExtended(GLSLstd450FAbs, type, {value});
     const Id small =
-        out_.emit(spv::OpFOrdLessThan, truths, {size, out_.constant(type, kSmallestHalf)});
+        out_.emit(spv::OpFOrdLessThan, booleans, {size, out_.constant(type, kSmallestHalf)});
     const Id half = out_.emit(spv::OpQuantizeToF16, type, {value});
     const Id kept = out_.emit(spv::OpSelect, type, {small, out_.constant(type, 0.0f), half});
     out_.append({spv::OpReturnValue, 0, 0, {kept}});

@@ -18,7 +18,7 @@ constexpr double kPowerTolerance = 1e-4;  // of log(power): far below what an ey
 // Values that count, side by side.
 struct Pairs {
     std::vector<float> test;
-    std::vector<float> truth;
+    std::vector<float> ground_truth;
 };
 
 std::string sizeName(const Image& image)
@@ -26,16 +26,16 @@ std::string sizeName(const Image& image)
     return std::to_string(image.extent.width) + "x" + std::to_string(image.extent.height);
 }
 
-Status checkSizes(const Image& test, const Image& truth, const Image* mask)
+Status checkSizes(const Image& test, const Image& ground_truth, const Image* mask)
 {
-    if (test.pixels.empty() || truth.pixels.empty() || (mask && mask->pixels.empty()))
+    if (test.pixels.empty() || ground_truth.pixels.empty() || (mask && mask->pixels.empty()))
         return Diagnostic{Code::image_broken, "an image to compare has no pixels"};
-    const Image* odd = test.extent != truth.extent            ? &test
-                       : mask && mask->extent != truth.extent ? mask
-                                                              : nullptr;
+    const Image* odd = test.extent != ground_truth.extent            ? &test
+                       : mask && mask->extent != ground_truth.extent ? mask
+                                                                     : nullptr;
     if (!odd) return {};
-    Diagnostic error = {Code::image_size,
-                        "the images differ in size: " + sizeName(*odd) + " and " + sizeName(truth)};
+    Diagnostic error = {Code::image_size, "the images differ in size: " + sizeName(*odd) + " and " +
+                                              sizeName(ground_truth)};
     error.help = "render both at the same --size";
     return error;
 }
@@ -49,11 +49,11 @@ bool admits(const Image& mask, int x, int y)
     return false;
 }
 
-bool masked(const Image& truth, const Image* mask, int x, int y, int channels)
+bool masked(const Image& ground_truth, const Image* mask, int x, int y, int channels)
 {
     if (mask && !admits(*mask, x, y)) return true;
     for (int channel = 0; channel < channels; ++channel)
-        if (!std::isfinite(truth.at(x, y, channel))) return true;
+        if (!std::isfinite(ground_truth.at(x, y, channel))) return true;
     return false;
 }
 
@@ -64,14 +64,14 @@ bool finitePixel(const Image& image, int x, int y, int channels)
     return true;
 }
 
-Pairs collectPairs(const Image& test, const Image& truth, const Image* mask,
+Pairs collectPairs(const Image& test, const Image& ground_truth, const Image* mask,
                    ImageDifference& figures)
 {
     Pairs pairs;
-    const int channels = std::min(test.channels, truth.channels);
-    for (int y = 0; y < truth.extent.height; ++y) {
-        for (int x = 0; x < truth.extent.width; ++x) {
-            if (masked(truth, mask, x, y, channels))
+    const int channels = std::min(test.channels, ground_truth.channels);
+    for (int y = 0; y < ground_truth.extent.height; ++y) {
+        for (int x = 0; x < ground_truth.extent.width; ++x) {
+            if (masked(ground_truth, mask, x, y, channels))
                 ++figures.masked;
             else if (!finitePixel(test, x, y, channels))
                 ++figures.non_finite;
@@ -79,7 +79,7 @@ Pairs collectPairs(const Image& test, const Image& truth, const Image* mask,
                 ++figures.pixels;
                 for (int channel = 0; channel < channels; ++channel) {
                     pairs.test.push_back(test.at(x, y, channel));
-                    pairs.truth.push_back(truth.at(x, y, channel));
+                    pairs.ground_truth.push_back(ground_truth.at(x, y, channel));
                 }
             }
         }
@@ -91,7 +91,7 @@ double rmseOfPower(const Pairs& pairs, double power)
 {
     double sum = 0;
     for (std::size_t k = 0; k < pairs.test.size(); ++k) {
-        const double error = std::pow(std::max(pairs.test[k], 0.0f), power) - pairs.truth[k];
+        const double error = std::pow(std::max(pairs.test[k], 0.0f), power) - pairs.ground_truth[k];
         sum += error * error;
     }
     return std::sqrt(sum / static_cast<double>(pairs.test.size()));
@@ -129,7 +129,7 @@ void addErrors(const Pairs& pairs, double threshold, ImageDifference& figures)
     double sum = 0, squares = 0;
     std::size_t bad = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const double error = static_cast<double>(pairs.test[k]) - pairs.truth[k];
+        const double error = static_cast<double>(pairs.test[k]) - pairs.ground_truth[k];
         sum += error;
         squares += error * error;
         errors[k] = std::abs(error);
@@ -155,31 +155,33 @@ void setPixel(Image& image, int x, int y, float red, float green, float blue)
 
 }  // namespace
 
-Result<ImageDifference> compareImages(const Image& test, const Image& truth, const Image* mask,
-                                      double threshold)
+Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
+                                      const Image* mask, double threshold)
 {
-    if (const Status status = checkSizes(test, truth, mask); !status) return status.diagnostics();
+    if (const Status status = checkSizes(test, ground_truth, mask); !status)
+        return status.diagnostics();
     ImageDifference figures;
-    const Pairs pairs = collectPairs(test, truth, mask, figures);
+    const Pairs pairs = collectPairs(test, ground_truth, mask, figures);
     if (pairs.test.empty()) return figures;
     addErrors(pairs, threshold, figures);
     fitPower(pairs, figures);
     return figures;
 }
 
-Result<Image> differencePicture(const Image& test, const Image& truth, const Image* mask,
+Result<Image> differencePicture(const Image& test, const Image& ground_truth, const Image* mask,
                                 double range)
 {
-    if (const Status status = checkSizes(test, truth, mask); !status) return status.diagnostics();
-    Image picture(truth.extent, 3, 0.5f);
-    for (int y = 0; y < truth.extent.height; ++y) {
-        for (int x = 0; x < truth.extent.width; ++x) {
-            if (masked(truth, mask, x, y, 1)) continue;
+    if (const Status status = checkSizes(test, ground_truth, mask); !status)
+        return status.diagnostics();
+    Image picture(ground_truth.extent, 3, 0.5f);
+    for (int y = 0; y < ground_truth.extent.height; ++y) {
+        for (int x = 0; x < ground_truth.extent.width; ++x) {
+            if (masked(ground_truth, mask, x, y, 1)) continue;
             if (!finitePixel(test, x, y, 1)) {
                 setPixel(picture, x, y, 1, 0, 1);
                 continue;
             }
-            const double error = static_cast<double>(test.at(x, y)) - truth.at(x, y);
+            const double error = static_cast<double>(test.at(x, y)) - ground_truth.at(x, y);
             const float fade = static_cast<float>(1.0 - std::min(std::abs(error) / range, 1.0));
             if (error > 0)
                 setPixel(picture, x, y, 1, fade, fade);

@@ -9,16 +9,16 @@ namespace crevice {
 
 /// Figures over the first channel of the pixels that count. All are 0 when no pixel does.
 struct ImageDifference {
-    double rmse = 0;           ///< Root mean square of (test - truth).
-    double bias = 0;           ///< Mean of (test - truth): above 0 is too bright.
-    double p99 = 0;            ///< 99th percentile of the absolute error.
-    double max = 0;            ///< Largest absolute error.
-    double rmse_fit = 0;       ///< Least rmse of (test^p - truth), negative tests counting as 0.
-    double power_fit = 1;      ///< That p, in [0.1, 10]: contrast, told apart from shape.
-    double psnr_db = 0;        ///< 20 log10(1 / rmse); infinite for equal images.
+    double rmse = 0;       ///< Root mean square of (test - ground truth).
+    double bias = 0;       ///< Mean of (test - ground truth): above 0 is too bright.
+    double p99 = 0;        ///< 99th percentile of the absolute error.
+    double max = 0;        ///< Largest absolute error.
+    double rmse_fit = 0;   ///< Least rmse of (test^p - ground truth), negative tests counting as 0.
+    double power_fit = 1;  ///< That p, in [0.1, 10]: contrast, told apart from shape.
+    double psnr_db = 0;    ///< 20 log10(1 / rmse); infinite for equal images.
     double bad_fraction = 0;   ///< Pixels whose absolute error is above the threshold, [0, 1].
     long long pixels = 0;      ///< Pixels that count.
-    long long masked = 0;      ///< Pixels where the truth is not finite or the mask is 0.
+    long long masked = 0;      ///< Pixels where the ground truth is not finite or the mask is 0.
     long long non_finite = 0;  ///< Further pixels where the test is not finite; always a fault.
 };
 
@@ -27,14 +27,15 @@ struct ImageDifference {
 /// above 0.
 ///
 /// Errors: CV7006 when the sizes differ, CV7005 for images without pixels.
-Result<ImageDifference> compareImages(const Image& test, const Image& truth,
+Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
                                       const Image* mask = nullptr, double threshold = 0.05);
 
-/// (test - truth) of the first channel as a picture: white is equal, blue is darker than the truth,
-/// red is brighter, full colour at `range`; masked pixels are grey, broken ones magenta.
+/// (test - ground truth) of the first channel as a picture: white is equal, blue is darker than the
+/// ground truth, red is brighter, full colour at `range`; masked pixels are grey, broken ones
+/// magenta.
 ///
 /// Errors: as `compareImages`.
-Result<Image> differencePicture(const Image& test, const Image& truth, const Image* mask = nullptr,
-                                double range = 0.25);
+Result<Image> differencePicture(const Image& test, const Image& ground_truth,
+                                const Image* mask = nullptr, double range = 0.25);
 
 }  // namespace crevice

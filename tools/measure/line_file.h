@@ -44,7 +44,7 @@ std::string jsonLine(const nlohmann::json& json);
 
 /// What messages call the lines of a file.
 struct LineKind {
-    const char* name;     ///< "bench point".
+    const char* name;     ///< "bench sample".
     const char* command;  ///< That writes them: "crevice bench".
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The truth that screen-space occlusion is measured against: ray-traced, by Embree.
+// The ground truth that screen-space occlusion is measured against: ray-traced, by Embree.
 //
 // One primary ray goes through each pixel's centre; the shading normal is the interpolated vertex
 // normal. From there `rays` cosine-weighted directions are probed (Hammersley points, rotated per

@@ -81,7 +81,7 @@ function sampleLists(labels) {
 
 function showMissing(parent) {
   const left = data.advice.flatMap(a => a.elided),
-        partly = points.filter(p => !p.failure && p.budget_failure);
+        partly = benchSamples.filter(p => !p.failure && p.budget_failure);
   if (!data.failures.length && !left.length && !partly.length) return;
   add(parent, "h2", {id: "missing"}, "What is missing");
   const list = add(parent, "ul", {class: "missing"});
@@ -94,14 +94,14 @@ function showMissing(parent) {
 // --- the page ---
 const main = document.getElementById("main"), summary = document.getElementById("summary");
 main.replaceChildren();
-const measured = points.length - data.failures.length;
-const versions = [...new Set(points.map(p => p.version))].join(", ");
+const measured = benchSamples.length - data.failures.length;
+const versions = [...new Set(benchSamples.map(p => p.version))].join(", ");
 const devices = data.advice.map(a => a.device).join("; ") || "no device";
-summary.append(`${plural(measured, "point")} measured by crevice ${versions} on ${devices}.`);
+summary.append(`${plural(measured, "bench sample")} measured by crevice ${versions} on ${devices}.`);
 if (data.failures.length) {
   summary.append(" ");
   add(summary, "a", {class: "warn", href: "#missing"},
-    `${plural(data.failures.length, "point")} failed.`);
+    `${plural(data.failures.length, "bench sample")} failed.`);
 }
 if (!data.coverage.whole)
   add(main, "p", {class: "warn part"}, `A part of a bench: ${data.coverage.text}.`);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How the report writes numbers, its charts.
 "use strict";
-const points = data.points;
+const benchSamples = data.bench_samples;
 const SHAPES = [  // around 0,0
   "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z", "M-4.6-4.6h9.2v9.2h-9.2z", "M0-6L5.6 4.4H-5.6z",
   "M0-6.4L6.4 0L0 6.4L-6.4 0z", "M0 6L5.6-4.4H-5.6z"];
-const families = [...new Set(points.filter(p => !p.failure).map(p => p.family))];
+const families = [...new Set(benchSamples.filter(p => !p.failure).map(p => p.family))];
 const colorOf = family => `var(--f${Math.max(0, families.indexOf(family)) % 8})`;
 const shapeOf = family => SHAPES[Math.max(0, families.indexOf(family)) % SHAPES.length];
 
@@ -35,7 +35,7 @@ function ticks(low, high) {
 const short = x => x >= 1e6 ? three(x / 1e6) + "M" : x >= 1e4 ? three(x / 1e3) + "k" : three(x);
 
 // series: [{family, points: [{x, y}]}]; both axes are logarithmic. `reach` are further y that must
-// have room. Returns the SVG and where things are.
+// have room. Returns the SVG and its scales.
 function chart(parent, {series, height, xlabel, ylabel, title, reach = [], room = 1.15}) {
   const width = Math.max(300, parent.clientWidth), left = 52, right = width - 14, top = 12,
         bottom = height - 44;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bench points become what a report says.
+// Bench samples become what a report says.
 #include "tools/report/bench_model.h"
 
 #include "tools/bench/choice.h"
@@ -15,7 +15,7 @@ namespace crevice {
 namespace {
 
 using nlohmann::json;
-using Points = std::vector<BenchPoint>;
+using Samples = std::vector<BenchSample>;
 
 json toJson(const std::vector<Curve>& curves)
 {
@@ -33,26 +33,26 @@ json toJson(const std::vector<Curve>& curves)
     return list;
 }
 
-double costOf(const BenchPoint& point) { return point.cost.median; }
-double ratioOf(const BenchPoint& point) { return point.ratio_copy; }
+double costOf(const BenchSample& sample) { return sample.cost.median; }
+double ratioOf(const BenchSample& sample) { return sample.ratio_copy; }
 
-/// Indexes of the points on the front; no ambient occlusion at all is free and beats some of them.
-json frontOf(const Points& points, const ResultView& view, double (*cost)(const BenchPoint&))
+/// Indexes of the samples on the front; no ambient occlusion at all is free and beats some of them.
+json frontOf(const Samples& samples, const ResultView& view, double (*cost)(const BenchSample&))
 {
     std::vector<std::size_t> which;
     std::vector<CostError> figures;
-    for (const std::size_t i : view.points) {
-        const BenchPoint& point = points[i];
-        if (!(cost(point) > 0.0) || point.error.rmse >= point.error_without_ao) continue;
+    for (const std::size_t i : view.samples) {
+        const BenchSample& sample = samples[i];
+        if (!(cost(sample) > 0.0) || sample.error.rmse >= sample.error_without_ao) continue;
         which.push_back(i);
-        figures.push_back({cost(point), point.error.rmse});
+        figures.push_back({cost(sample), sample.error.rmse});
     }
     json front = json::array();
     for (const std::size_t i : paretoFront(figures)) front.push_back(which[i]);
     return front;
 }
 
-json toJson(const Points& points, const ResultView& view, bool main)
+json toJson(const Samples& samples, const ResultView& view, bool main)
 {
     return {{"device", view.device},
             {"scene", view.scene},
@@ -61,11 +61,11 @@ json toJson(const Points& points, const ResultView& view, bool main)
             {"size", extentName(view.extent)},
             {"radius", view.radius},
             {"main", main},
-            {"points", view.points},
-            {"front_ms", frontOf(points, view, costOf)},
-            {"front_ratio", frontOf(points, view, ratioOf)},
-            {"error_without_ao", points[view.points.front()].error_without_ao},
-            {"curves", toJson(curvesOf(points, view))}};
+            {"bench_samples", view.samples},
+            {"front_ms", frontOf(samples, view, costOf)},
+            {"front_ratio", frontOf(samples, view, ratioOf)},
+            {"error_without_ao", samples[view.samples.front()].error_without_ao},
+            {"curves", toJson(curvesOf(samples, view))}};
 }
 
 /// The candidates worth taking, by rising cost, with the part each plays.
@@ -89,7 +89,7 @@ json stepsOf(const std::vector<Candidate>& list)
         if (i == balanced) roles.push_back("balanced");
         if (i == front.back()) roles.push_back("most accurate");
         steps.push_back({{"label", candidate.label},
-                         {"point", candidate.point},
+                         {"bench_sample", candidate.sample},
                          {"ms", candidate.ms},
                          {"ratio", candidate.ratio},
                          {"error", candidate.error},
@@ -100,22 +100,22 @@ json stepsOf(const std::vector<Candidate>& list)
     return steps;
 }
 
-/// Requires a device that has points with figures.
-json adviceFor(const Points& points, const std::string& device)
+/// Requires a device that has samples with figures.
+json adviceFor(const Samples& samples, const std::string& device)
 {
-    Points own;
+    Samples own;
     std::vector<std::size_t> index;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].device != device) continue;
-        own.push_back(points[i]);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i].device != device) continue;
+        own.push_back(samples[i]);
         index.push_back(i);
     }
     const Result<Candidates> candidates = findCandidates(own, {});
     json steps = stepsOf(candidates->list);
-    for (json& step : steps) step["point"] = index[step["point"].get<std::size_t>()];
+    for (json& step : steps) step["bench_sample"] = index[step["bench_sample"].get<std::size_t>()];
     json views = json::array();
     for (const ResultView& view : candidates->views) views.push_back(view.name);
-    const BenchPoint& first = own.front();
+    const BenchSample& first = own.front();
     return {{"device", device},
             {"software", first.software},
             {"clock", first.clock},
@@ -129,43 +129,43 @@ json adviceFor(const Points& points, const std::string& device)
             {"curves", toJson(curvesAcross(own, candidates->views))}};
 }
 
-json failuresOf(const Points& points)
+json failuresOf(const Samples& samples)
 {
     json failures = json::array();
-    for (const BenchPoint& point : points) {
-        if (point.failure.empty()) continue;
+    for (const BenchSample& sample : samples) {
+        if (sample.failure.empty()) continue;
         failures.push_back(
-            {{"title", pointLabel(point) + ", " + viewName(point.scene, point.camera) + ", " +
-                           extentName(point.extent)},
-             {"reason", point.failure}});
+            {{"title", sampleLabel(sample) + ", " + viewName(sample.scene, sample.camera) + ", " +
+                           extentName(sample.extent)},
+             {"reason", sample.failure}});
     }
     return failures;
 }
 
 }  // namespace
 
-json reportModel(const Points& points)
+json reportModel(const Samples& samples)
 {
-    json model = {{"points", json::array()},
+    json model = {{"bench_samples", json::array()},
                   {"views", json::array()},
                   {"advice", json::array()},
-                  {"failures", failuresOf(points)}};
-    for (const BenchPoint& point : points) {
-        json item = json::parse(toJsonLine(point));
-        item["label"] = pointLabel(point);
-        model["points"].push_back(std::move(item));
+                  {"failures", failuresOf(samples)}};
+    for (const BenchSample& sample : samples) {
+        json item = json::parse(toJsonLine(sample));
+        item["label"] = sampleLabel(sample);
+        model["bench_samples"].push_back(std::move(item));
     }
-    const std::vector<ResultView> views = benchViews(points);
+    const std::vector<ResultView> views = benchViews(samples);
     std::vector<ResultView> main_views;
-    for (const std::string& device : benchDevices(points)) {
-        model["advice"].push_back(adviceFor(points, device));
+    for (const std::string& device : benchDevices(samples)) {
+        model["advice"].push_back(adviceFor(samples, device));
         for (ResultView& view : mainViews(views, device)) main_views.push_back(std::move(view));
     }
     for (const ResultView& view : views) {
         const bool main =
             std::any_of(main_views.begin(), main_views.end(),
-                        [&view](const ResultView& other) { return other.points == view.points; });
-        model["views"].push_back(toJson(points, view, main));
+                        [&view](const ResultView& other) { return other.samples == view.samples; });
+        model["views"].push_back(toJson(samples, view, main));
     }
     return model;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One scene of the report: the plot of error against cost, and the pictures of the point chosen in
-// it.
+// One scene of the report: the plot of error against cost, and the pictures of the selected bench
+// sample.
 "use strict";
 const AXES = {
   ms: ["cost: milliseconds added to a frame", "milliseconds", p => p.cost.median],
@@ -21,7 +21,7 @@ function renderCommand(p) {
     quoted(p.scene), "--out ao=ao.png"
   ].join(" ");
 }
-// What a reader asks of a point, as [name, value].
+// The figures of a bench sample, as [name, value].
 function figures(p) {
   const {rmse, bias, rmse_fit, p99} = p.error, {median, q1, q3} = p.cost;
   const against = p.ratio_learnopengl > 0 ? `, ${times(p.ratio_learnopengl)} learnopengl` : "";
@@ -43,7 +43,7 @@ function showFigures(parent, p, count) {
 }
 function showPictures(parent, p) {
   const known = [
-    ["ao_picture", "this config"], ["truth_picture", "ray-traced truth"],
+    ["ao_picture", "this config"], ["ground_truth_picture", "ray-traced ground truth"],
     ["difference_picture", "difference: red is too bright, blue too dark"]
   ].filter(([kind]) => data.pictures && data.pictures[p[kind]]);
   if (!known.length) return add(parent, "p", {class: "soft"}, "No pictures were kept of it.");
@@ -60,14 +60,14 @@ function showPictures(parent, p) {
 function drawPlot(parent, view, taken) {
   const [xlabel, , cost] = AXES[axis], front = view["front_" + axis],
                    without = Math.max(LEAST, view.error_without_ao);
-  const shown = view.points.filter(i => cost(points[i]) > 0);
-  if (!shown.length) return add(parent, "p", {}, "No point has a time on this axis."), null;
-  const names = families.filter(f => shown.some(i => points[i].family === f));
+  const shown = view.bench_samples.filter(i => cost(benchSamples[i]) > 0);
+  if (!shown.length) return add(parent, "p", {}, "No bench sample has a time on this axis."), null;
+  const names = families.filter(f => shown.some(i => benchSamples[i].family === f));
   const series = names.map(family => ({
     family,
-    points: shown.filter(i => points[i].family === family)
-              .sort((a, b) => points[a].samples - points[b].samples)
-              .map(i => ({x: cost(points[i]), y: height(points[i])}))
+    points: shown.filter(i => benchSamples[i].family === family)
+              .sort((a, b) => benchSamples[a].samples - benchSamples[b].samples)
+              .map(i => ({x: cost(benchSamples[i]), y: height(benchSamples[i])}))
   }));
   legend(parent, names.map(family => ({family, text: brief(family)})));
   const place = chart(parent, {
@@ -85,7 +85,7 @@ function drawPlot(parent, view, taken) {
   add(svg, "line", {class: "none", x1: left, x2: right, y1: y, y2: y});
   add(svg, "text", {class: "soft-name", x: right - 4, y: y - 6, "text-anchor": "end"},
     `no AO at all: ${error(without)}`);
-  place.at = i => ({x: X(cost(points[i])), y: Y(height(points[i]))});
+  place.at = i => ({x: X(cost(benchSamples[i])), y: Y(height(benchSamples[i]))});
   const stair = front.map(place.at).map(({x, y: down}, n) => n ? `H${x}V${down}` : `M${x} ${down}`);
   add(svg, "path", {class: "front", d: stair.join("")});
   const order =
@@ -94,7 +94,7 @@ function drawPlot(parent, view, taken) {
   const steps = front.slice(1).map(
     (i, n) => [place.at(front[n]), {x: place.at(i).x, y: place.at(front[n]).y}, place.at(i)]);
   place.nameAll = () => nameMarks(
-    place, order.map(i => ({...place.at(i), strong: i === taken, text: brief(points[i].label)})), [
+    place, order.map(i => ({...place.at(i), strong: i === taken, text: brief(benchSamples[i].label)})), [
       {x0: right - 170, x1: right, y0: y - 20, y1: y},
       ...shown.map(i => boxAround(place.at(i), place.at(i), 7)),
       ...steps.flatMap(([a, b, c]) => [boxAround(a, b, 1), boxAround(b, c, 1)])
@@ -105,8 +105,8 @@ function showTip(plot, place, i) {
   plot.querySelector(".tip")?.remove();
   if (i < 0) return;
   const tip = add(plot, "div", {class: "tip"}), {x, y} = place.at(i);
-  add(tip, "strong", {}, brief(points[i].label));
-  showFigures(tip, points[i], 2);
+  add(tip, "strong", {}, brief(benchSamples[i].label));
+  showFigures(tip, benchSamples[i], 2);
   const svg = place.svg.getBoundingClientRect(), own = plot.getBoundingClientRect();
   const scale = svg.width / place.width, at = svg.left - own.left + x * scale;
   tip.style.left =
@@ -116,7 +116,7 @@ function showTip(plot, place, i) {
 
 function drawMarks(plot, place, chosen, select) {
   for (const i of place.shown) {
-    const p = points[i], {x, y} = place.at(i);
+    const p = benchSamples[i], {x, y} = place.at(i);
     const show = () => showTip(plot, place, i), hide = () => showTip(plot, place, -1);
     const node = add(place.svg, "g", {
       class: "point" + (place.front.includes(i) ? " top" : "") + (i === chosen ? " on" : ""),
@@ -163,8 +163,8 @@ function showScene(parent, views, take) {
     add(toggle, "button", {type: "button", onclick: () => turnAxis(name)}, text));
   const card = add(section, "div", {class: "card"});
   add(card, "p", {class: "soft"},
-    "Down and left is better. The thick line joins the configs that no other beats; point " +
-      "at a mark for its figures, click it for its pictures.");
+    "Down and left is better. The thick line joins the configs that no other beats. Hover over " +
+      "a mark for its figures, click it for its pictures.");
   const plot = add(card, "div", {class: "pareto"}),
         panel = add(card, "div", {class: "panel", "aria-live": "polite"});
   const rest = add(section, "div");
@@ -175,10 +175,10 @@ function showScene(parent, views, take) {
       node.classList.toggle("on", node.dataset.index === String(i));
     panel.replaceChildren();
     if (i < 0) return;
-    add(panel, "h3", {}, brief(points[i].label) + (i === taken ? " – the one to take" : ""));
-    showPictures(panel, points[i]);
-    showFigures(panel, points[i]);
-    add(panel, "code", {}, renderCommand(points[i]));
+    add(panel, "h3", {}, brief(benchSamples[i].label) + (i === taken ? " – the one to take" : ""));
+    showPictures(panel, benchSamples[i]);
+    showFigures(panel, benchSamples[i]);
+    add(panel, "code", {}, renderCommand(benchSamples[i]));
   };
   const draw = () => {
     buttons.forEach((b, i) => b.setAttribute("aria-pressed", Object.keys(AXES)[i] === axis));
@@ -190,7 +190,7 @@ function showScene(parent, views, take) {
   };
   const turnTo = to => {
     view = to;
-    taken = view.points.find(i => points[i].label === take) ?? -1;
+    taken = view.bench_samples.find(i => benchSamples[i].label === take) ?? -1;
     select(taken >= 0 ? taken : view.front_ms[0] ?? -1);
     draw();
     rest.replaceChildren();

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Reads each picture once, however many points share it.
+/// Reads each picture once, however many samples share it.
 class Pictures {
 public:
     void add(const std::string& path, const std::string& folder)
@@ -47,10 +47,10 @@ std::string dump(const json& value, int indent)
     return printable(value.dump(indent, ' ', false, json::error_handler_t::replace));
 }
 
-json modelOf(const std::vector<BenchPoint>& points, const std::vector<AblationRow>& ablation,
+json modelOf(const std::vector<BenchSample>& samples, const std::vector<AblationRow>& ablation,
              const BenchCoverage& coverage)
 {
-    json model = reportModel(points);
+    json model = reportModel(samples);
     model["coverage"] = {{"measured", coverage.measured}, {"failed", coverage.failed},
                          {"planned", coverage.planned},   {"configs", coverage.configs},
                          {"whole", coverage.whole()},     {"text", coverageText(coverage)}};
@@ -70,7 +70,7 @@ std::string quoted(const json& value)
     return safe + '"';
 }
 
-/// The columns of the CSV: what they are called, and JSON pointers into a point. The config comes
+/// The columns of the CSV: what they are called, and JSON pointers into a sample. The config comes
 /// first and free of commas, so that awk can tell the rows apart.
 constexpr const char* kColumns[][2] = {
     {"config", "/config"},
@@ -130,20 +130,20 @@ json flat(const json& value)
 
 }  // namespace
 
-std::string reportJson(const std::vector<BenchPoint>& points,
+std::string reportJson(const std::vector<BenchSample>& samples,
                        const std::vector<AblationRow>& ablation, const BenchCoverage& coverage)
 {
-    return dump(modelOf(points, ablation, coverage), 1) + "\n";
+    return dump(modelOf(samples, ablation, coverage), 1) + "\n";
 }
 
-std::string reportCsv(const std::vector<BenchPoint>& points)
+std::string reportCsv(const std::vector<BenchSample>& samples)
 {
     std::string csv;
     for (const auto& [name, pointer] : kColumns)
         csv += (csv.empty() ? "" : ",") + std::string(name);
     csv += "\r\n";
-    for (const BenchPoint& point : points) {
-        const json row = json::parse(toJsonLine(point));
+    for (const BenchSample& sample : samples) {
+        const json row = json::parse(toJsonLine(sample));
         std::string line;
         for (const auto& [name, pointer] : kColumns)
             line += quoted(flat(row.at(json::json_pointer(pointer)))) + ",";
@@ -153,18 +153,18 @@ std::string reportCsv(const std::vector<BenchPoint>& points)
     return csv;
 }
 
-Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures,
+Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures,
                                const std::vector<AblationRow>& ablation,
                                const BenchCoverage& coverage)
 {
     Pictures pictures;
     if (with_pictures) {
-        for (const BenchPoint& point : points)
+        for (const BenchSample& sample : samples)
             for (const std::string& path :
-                 {point.ao_picture, point.truth_picture, point.difference_picture})
-                pictures.add(path, point.folder);
+                 {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
+                pictures.add(path, sample.folder);
     }
-    json model = modelOf(points, ablation, coverage);
+    json model = modelOf(samples, ablation, coverage);
     model["pictures"] = pictures.take();
 
     return {pageWith(benchPage(), model), std::move(pictures.warnings)};

@@ -12,16 +12,16 @@
 namespace crevice {
 
 /// The figures with what follows from them: views, Pareto fronts, advice, curves, failures.
-std::string reportJson(const std::vector<BenchPoint>& points,
+std::string reportJson(const std::vector<BenchSample>& samples,
                        const std::vector<AblationRow>& ablation = {},
                        const BenchCoverage& coverage = {});
 
-/// One row a point, failures too; RFC 4180 with a header row.
-std::string reportCsv(const std::vector<BenchPoint>& points);
+/// One row a sample, failures too; RFC 4180 with a header row.
+std::string reportCsv(const std::vector<BenchSample>& samples);
 
-/// The page. Pictures are read from the paths in the points and become part of it; one that cannot
+/// The page. Pictures are read from the paths in the samples and become part of it; one that cannot
 /// be read is left out with a warning CV7005.
-Result<std::string> reportHtml(const std::vector<BenchPoint>& points, bool with_pictures = true,
+Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures = true,
                                const std::vector<AblationRow>& ablation = {},
                                const BenchCoverage& coverage = {});
 

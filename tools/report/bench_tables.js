@@ -14,8 +14,8 @@ const part = (p, name) => name === "all" ? p.error.rmse : p.budget[name];
 
 function showBudgets(parent, view) {
   const known =
-    view.points.filter(i => PARTS.slice(1).some(([name]) => points[i].budget[name] >= 0))
-      .sort((a, b) => points[a].error.rmse - points[b].error.rmse);
+    view.bench_samples.filter(i => PARTS.slice(1).some(([name]) => benchSamples[i].budget[name] >= 0))
+      .sort((a, b) => benchSamples[a].error.rmse - benchSamples[b].error.rmse);
   if (!known.length) return;
   add(parent, "h3", {}, "Where the error comes from");
   add(parent, "p", {class: "soft"},
@@ -32,7 +32,7 @@ function showBudgets(parent, view) {
 }
 function showParts(parent, shown) {
   if (!shown.length) return;
-  const longest = Math.max(...shown.flatMap(i => PARTS.map(([name]) => part(points[i], name))));
+  const longest = Math.max(...shown.flatMap(i => PARTS.map(([name]) => part(benchSamples[i], name))));
   const table = add(add(parent, "div", {class: "card"}), "table", {class: "budgets"});
   const head = add(add(table, "thead"), "tr");
   add(head, "th", {}, "config");
@@ -40,7 +40,7 @@ function showParts(parent, shown) {
   add(head, "th", {class: "wide"}, "what would help most");
   const body = add(table, "tbody");
   for (const i of shown) {
-    const p = points[i], row = add(body, "tr", {class: "budget"});
+    const p = benchSamples[i], row = add(body, "tr", {class: "budget"});
     add(row, "td", {class: "label"}, brief(p.label));
     for (const [name] of PARTS) bar(add(row, "td"), part(p, name), longest, name);
     const worst =
@@ -119,32 +119,32 @@ const COLUMNS = [
 ];
 function showTable(parent, view, select) {
   const details = add(parent, "details");
-  add(details, "summary", {}, `All ${view.points.length} points of ${view.name}`);
+  add(details, "summary", {}, `All ${view.bench_samples.length} bench samples of ${view.name}`);
   const table = add(add(details, "div", {class: "card scroll"}), "table");
   const head = add(add(table, "thead"), "tr");
   add(head, "th", {}, "config (★: no other beats it)");
   for (const [name] of COLUMNS) add(head, "th", {class: "num"}, name);
-  const body = add(table, "tbody", {class: "points"});
-  for (const i of [...view.points].sort((a, b) => points[a].cost.median - points[b].cost.median)) {
+  const body = add(table, "tbody", {class: "bench-samples"});
+  for (const i of [...view.bench_samples].sort((a, b) => benchSamples[a].cost.median - benchSamples[b].cost.median)) {
     const row = add(body, "tr"), star = view.front_ms.includes(i);
     const link = add(add(row, "td", {class: "label"}), "button",
       {class: "link", type: "button", onclick: () => select(i)});
-    link.append(points[i].label + (star ? " ★" : ""));
-    for (const [, text] of COLUMNS) add(row, "td", {class: "num"}, text(points[i]));
+    link.append(benchSamples[i].label + (star ? " ★" : ""));
+    for (const [, text] of COLUMNS) add(row, "td", {class: "num"}, text(benchSamples[i]));
   }
 }
 
-// What each optimization that leaves things out is worth: a table a config, scene and size.
+// What each optimization saves: a table for each config, scene and size.
 const FRAMES = {
   "moving camera": "the camera moves", "moving light": "a light moves", still: "nothing moves",
   off: "occlusion is off, the camera moves", "ao alone": "occlusion alone, the camera moves"
 };
 function showAblation(parent, rows) {
   if (!rows.length) return;
-  add(parent, "h2", {id: "optimizations"}, "What is left out, and what that is worth");
+  add(parent, "h2", {id: "optimizations"}, "What each optimization saves");
   add(parent, "p", {class: "soft"},
-    "Whole frames by the wall clock. Behind the time with all optimizations: how many times as long a " +
-      "frame takes without one of them, and without any.");
+    "Wall-clock time of whole frames. The columns after the time with all optimizations are ratios: the " +
+      "time without that optimization, or without any, over the time with all.");
   const groups = new Map();
   for (const row of rows) {
     const several = rows.some(r => r.scene === row.scene && r.camera !== row.camera);
@@ -152,9 +152,9 @@ function showAblation(parent, rows) {
     const title = `${row.config}, ${seen}, ${row.width}×${row.height}, ${row.device}`;
     groups.set(title, [...(groups.get(title) || []), row]);
   }
-  for (const [title, group] of groups) showRules(parent, title, group);
+  for (const [title, group] of groups) showOptimizations(parent, title, group);
 }
-function showRules(parent, title, rows) {
+function showOptimizations(parent, title, rows) {
   add(parent, "h3", {}, title);
   const optimizations = [...new Set(rows.map(r => r.optimization))].filter(optimization => optimization);
   const table = add(add(parent, "div", {class: "card scroll"}), "table");

@@ -133,7 +133,7 @@ const select = s => {
   add(card, "p", {class: s.state}, s.text);
   const ordinary = s.steps[caseOf(s.case).ordinary];
   if (ordinary && ordinary.rmse >= 0)
-    add(card, "p", {class: "soft"}, `Its ordinary picture is off the ray-traced truth by ${three(ordinary.rmse)} (rmse).`);
+    add(card, "p", {class: "soft"}, `Its ordinary picture is off the ray-traced ground truth by ${three(ordinary.rmse)} (rmse).`);
   if (s.state !== "absent") drawCurves(card, rowOf(s), s);
   showSteps(card, s);
   showPictures(card, s);

@@ -13,11 +13,11 @@
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
-points=(--scene room --scene spheres --size 320x180 --radius 1 --samples 8,32 --no-budget)
+bench=(--scene room --scene spheres --size 320x180 --radius 1 --samples 8,32 --no-budget)
 action=compare
 case ${1:-} in
     "") ;;
-    --errors-only) points+=(--repeats 1) ;;
+    --errors-only) bench+=(--repeats 1) ;;
     --update) action=update ;;
     *) echo "usage: tools/scripts/guard_bench.sh [--errors-only | --update]" >&2; exit 2 ;;
 esac
@@ -26,9 +26,9 @@ source tools/scripts/built_crevice.sh
 fresh=$(mktemp -d)
 trap 'rm -rf -- "$fresh"' EXIT
 
-# A point that fails (1) is for the comparison to tell; new figures need all of them.
+# The comparison reports a bench sample that fails (1); new figures need all of them.
 status=0
-"$CREVICE" bench "${points[@]}" --out "$fresh" || status=$?
+"$CREVICE" bench "${bench[@]}" --out "$fresh" || status=$?
 if ((status > 1)) || [[ $status$action == 1update ]]; then exit "$status"; fi
 
 if [[ $action == compare ]]; then
@@ -40,7 +40,7 @@ if [[ $action == compare ]]; then
 fi
 
 mkdir -p docs/bench
-sed -E 's/"(ao|truth|difference)_picture":"[^"]*"/"\1_picture":""/g' "$fresh/results.jsonl" \
+sed -E 's/"(ao|ground_truth|difference)_picture":"[^"]*"/"\1_picture":""/g' "$fresh/results.jsonl" \
     >docs/bench/results.jsonl
 "$CREVICE" report docs/bench --out "$fresh/report.html"
 device=$(sed -nE '1s/.*"device":"([^"]*)".*/\1/p' docs/bench/results.jsonl | tr -cs 'A-Za-z0-9.\n' '_')

@@ -43,7 +43,7 @@ detail() { draw "$1" 320x180 "$near" "${@:2}"; }
 made() { printf '{"format":1,"name":"%s","extends":[%s]}' "$1" "$2" >"$work/$1.json"; }
 
 quietly "$CREVICE" reference --scene room --size 480x270 --camera "$main" --radius 1 \
-    --out "$work/pictures/truth.png"
+    --out "$work/pictures/ground_truth.png"
 for config in gtao hbao hbao_plus sao; do whole "$config" ao "$config"; done
 for config in learnopengl lettier thesis; do half "hemisphere_$config" ao "$config"; done
 half sphere_ogldev45 ao ogldev45

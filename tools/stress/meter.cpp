@@ -21,8 +21,8 @@
 namespace crevice {
 namespace {
 
-constexpr float kPoison = 0.8713f;  // where a format holds no NaN
-constexpr int kTruthRays = 64;      // a pixel: an error of context needs no more
+constexpr float kPoison = 0.8713f;    // where a format holds no NaN
+constexpr int kGroundTruthRays = 64;  // a pixel: an error of context needs no more
 
 std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
 
@@ -260,7 +260,7 @@ void StressMeter::compare(const StressTask& task, Extent size, const StressShot&
         done.record.absent = "the ordinary picture cannot be drawn";
 }
 
-/// Against the truth, at the ordinary step of scenes that have one worth knowing; else -1.
+/// Against the ground truth, at the ordinary step of scenes that have one worth knowing; else -1.
 double StressMeter::errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const
 {
     const Expectation expected = task.stress->expectation;
@@ -271,11 +271,11 @@ double StressMeter::errorOf(const StressTask& task, const StressShot& shot, cons
         return -1;
     TraceOptions trace;
     trace.radius = shot.radius;
-    trace.rays = kTruthRays;
-    const Result<Image> truth =
+    trace.rays = kGroundTruthRays;
+    const Result<Image> ground_truth =
         cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
-    if (!truth) return -1;
-    const Result<ImageDifference> difference = compareImages(ao, *truth);
+    if (!ground_truth) return -1;
+    const Result<ImageDifference> difference = compareImages(ao, *ground_truth);
     return difference ? difference->rmse : -1;
 }
 

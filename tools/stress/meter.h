@@ -37,7 +37,7 @@ std::vector<std::string> surfaceFormats(const Description& description);
 /// variant and no override. The device and the sources must outlive it.
 class StressMeter {
 public:
-    /// Truths are kept in `cache_folder`; empty for nowhere.
+    /// Ground truths are kept in `cache_folder`; empty for nowhere.
     StressMeter(Device& device, const SourceSet& sources, std::string cache_folder);
     ~StressMeter();
 

@@ -45,7 +45,7 @@ struct StressRecord {
     double judged_least = 0;
     double judged_below = 0;  ///< Share of them below 0.95.
     double change = 0;        ///< Mean against the ordinary picture.
-    double rmse = -1;         ///< Against the ray-traced truth; -1: not measured.
+    double rmse = -1;         ///< Against the ray-traced ground truth; -1: not measured.
     double radius_px = 0;     ///< On screen, in the middle.
     double ms = 0;
     std::string picture;  ///< Of a failure, relative to the file.

@@ -28,9 +28,9 @@ BenchOptions smallOptions()
     return options;
 }
 
-/// Plans, measures all points into the folder and reads them back.
-std::vector<BenchPoint> bench(const BenchOptions& options, const SourceSet& sources,
-                              const TemporaryFolder& folder)
+/// Plans, measures all samples into the folder and reads them back.
+std::vector<BenchSample> bench(const BenchOptions& options, const SourceSet& sources,
+                               const TemporaryFolder& folder)
 {
     GlFixture gl;
     const BenchPlan plan = need(planBench(options, sources));
@@ -48,25 +48,25 @@ std::vector<BenchPoint> bench(const BenchOptions& options, const SourceSet& sour
     world.begin = world.say = [](const std::string&) {};
     const auto one = [&meter](const BenchTask& task) { return meter.measure(task); };
     need(measureAll(benchJob(plan, planned.device, file.done, one), file.lines, world).written);
-    return need(readBenchPoints({(folder.path / "results.jsonl").string()}));
+    return need(readBenchSamples({(folder.path / "results.jsonl").string()}));
 }
 
-void checkErrors(const BenchPoint& point)
+void checkErrors(const BenchSample& sample)
 {
-    CHECK(point.failure.empty());
-    CHECK(point.error.pixels > 0);
-    CHECK(point.error.rmse > 0.01);
-    CHECK(point.error.rmse < 0.3);
-    CHECK(point.error.rmse_fit <= point.error.rmse);
-    for (const double part :
-         {point.budget.sampling, point.budget.noise, point.budget.model, point.budget.precision}) {
+    CHECK(sample.failure.empty());
+    CHECK(sample.error.pixels > 0);
+    CHECK(sample.error.rmse > 0.01);
+    CHECK(sample.error.rmse < 0.3);
+    CHECK(sample.error.rmse_fit <= sample.error.rmse);
+    for (const double part : {sample.budget.sampling, sample.budget.noise, sample.budget.model,
+                              sample.budget.precision}) {
         CHECK(part >= 0.0);
         CHECK(part < 0.3);
     }
-    CHECK(point.budget.precision < 0.05);
-    CHECK(point.budget_failure.empty());
-    CHECK(point.error_without_ao > 0.01);
-    CHECK(point.repeats >= 3);
+    CHECK(sample.budget.precision < 0.05);
+    CHECK(sample.budget_failure.empty());
+    CHECK(sample.error_without_ao > 0.01);
+    CHECK(sample.repeats >= 3);
 }
 
 }  // namespace
@@ -114,25 +114,25 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
     const TemporaryFolder folder("bench_gl");
     BenchOptions options = smallOptions();
     options.configs = {"broken", "hemisphere_box"};
-    const std::vector<BenchPoint> points = bench(options, sources, folder);
-    REQUIRE(points.size() == 2);
-    CHECK(!points[0].failure.empty());
+    const std::vector<BenchSample> samples = bench(options, sources, folder);
+    REQUIRE(samples.size() == 2);
+    CHECK(!samples[0].failure.empty());
 
-    const BenchPoint& point = points[1];
-    checkErrors(point);
-    REQUIRE(point.passes.size() == 4);
-    CHECK(point.passes[0].name == "geometry");
-    CHECK(point.total.median > 0.0);
-    CHECK(point.total.q1 <= point.total.q3);
-    CHECK(point.cost.median > 0.0);
-    CHECK(point.cost.median < point.total.median);
-    CHECK(point.ratio_copy > 0.0);
-    CHECK(point.ratio_learnopengl > 0.0);
-    CHECK(point.radius_px > 1.0);
-    CHECK(point.bytes_read > 0.0);
-    CHECK(point.texture_bytes > 0.0);
+    const BenchSample& sample = samples[1];
+    checkErrors(sample);
+    REQUIRE(sample.passes.size() == 4);
+    CHECK(sample.passes[0].name == "geometry");
+    CHECK(sample.total.median > 0.0);
+    CHECK(sample.total.q1 <= sample.total.q3);
+    CHECK(sample.cost.median > 0.0);
+    CHECK(sample.cost.median < sample.total.median);
+    CHECK(sample.ratio_copy > 0.0);
+    CHECK(sample.ratio_learnopengl > 0.0);
+    CHECK(sample.radius_px > 1.0);
+    CHECK(sample.bytes_read > 0.0);
+    CHECK(sample.texture_bytes > 0.0);
     for (const std::string& picture :
-         {point.ao_picture, point.truth_picture, point.difference_picture})
+         {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
         CHECK(need(readImage(picture)).extent == Extent{64, 36});
 }
 
@@ -140,8 +140,8 @@ TEST_CASE("Two benches find exactly the same errors")
 {
     if (!canTrace()) return;
     const TemporaryFolder first("bench_gl_first"), second("bench_gl_second");
-    const std::vector<BenchPoint> a = bench(smallOptions(), shippedSources(), first);
-    const std::vector<BenchPoint> b = bench(smallOptions(), shippedSources(), second);
+    const std::vector<BenchSample> a = bench(smallOptions(), shippedSources(), first);
+    const std::vector<BenchSample> b = bench(smallOptions(), shippedSources(), second);
     REQUIRE(a.size() == 1);
     REQUIRE(b.size() == 1);
     CHECK(a[0].key == b[0].key);
@@ -153,15 +153,15 @@ TEST_CASE("Two benches find exactly the same errors")
     CHECK(a[0].budget.precision == b[0].budget.precision);
 }
 
-TEST_CASE("A view without a surface fails each of its points and says why")
+TEST_CASE("A view without a surface fails each of its samples and says why")
 {
     if (!canTrace()) return;
     const TemporaryFolder folder("bench_gl_nothing");
     BenchOptions options = smallOptions();
     options.camera = "eye=0,50,0;at=0,100,0;up=0,0,1";
-    const std::vector<BenchPoint> points = bench(options, shippedSources(), folder);
-    REQUIRE(points.size() == 1);
-    CHECK(points[0].failure.find("no surface") != std::string::npos);
+    const std::vector<BenchSample> samples = bench(options, shippedSources(), folder);
+    REQUIRE(samples.size() == 1);
+    CHECK(samples[0].failure.find("no surface") != std::string::npos);
 }
 
 TEST_CASE("What a config converges to does not depend on its samples or seeds")
@@ -197,7 +197,7 @@ TEST_CASE("Every shipped config converges, whatever filter follows")
     const Stage stage = {*gl.device, frame, view.extent};
     const auto at_once = [] { return true; };
     for (const BenchTask& task : plan.tasks) {
-        CAPTURE(task.point.config);
+        CAPTURE(task.sample.config);
         CHECK(need(convergedOcclusion(stage, task.description, at_once)).extent == view.extent);
         CHECK(need(unfilteredOcclusion(stage, task.description)).extent == view.extent);
     }

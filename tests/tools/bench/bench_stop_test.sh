@@ -14,10 +14,10 @@ if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
     sed 's/^/SKIPPED: /' stderr.txt
     exit 77
 fi
-check "a bench of one point succeeds" test "$got" -eq 0
+check "a bench of one sample succeeds" test "$got" -eq 0
 
-# points FOLDER: how many whole lines of points its results have.
-points() { grep -c '"key".*}$' "$1/results.jsonl"; }
+# lines_of FOLDER: how many whole lines of bench samples its results have.
+lines_of() { grep -c '"key".*}$' "$1/results.jsonl"; }
 
 # figures FOLDER: what a second run must find again: keys and errors, without times.
 figures() {
@@ -35,7 +35,7 @@ cat >broken.json <<'JSON'
 JSON
 expect 1 'failed: learnopengl, nowhere.glb, 64x36: CV7001' bench --config learnopengl \
     --config broken.json --scene nowhere.glb --scene corner "${small[@]}" --out mixed
-check "the good point was measured" grep -q '1 measured, .* 3 failed' stderr.txt
+check "the good sample was measured" grep -q '1 measured, .* 3 failed' stderr.txt
 check "the shader's place is told" grep -q 'failed: broken.json, corner.*broken.frag:1:.*CV50' stderr.txt
 "$crevice" report mixed/results.jsonl --out report.html >/dev/null
 check "the report names the scene that is missing" grep -q 'nowhere.glb' report.html
@@ -52,12 +52,12 @@ done
 check "more turns change no error" same_figures frames1 frames3
 
 # --- stopped and gone on ---
-points=(--config learnopengl --config thesis --scene corner --samples 4,8,16 "${small[@]}")
-expect 0 '6 measured' bench "${points[@]}" --out whole
+runs=(--config learnopengl --config thesis --scene corner --samples 4,8,16 "${small[@]}")
+expect 0 '6 measured' bench "${runs[@]}" --out whole
 
-# stop SIGNAL FOLDER: sends it when the first point is there.
+# stop SIGNAL FOLDER: sends it when the first sample is there.
 stop() {
-    "$crevice" bench "${points[@]}" --out "$2" 2>stderr.txt &
+    "$crevice" bench "${runs[@]}" --out "$2" 2>stderr.txt &
     local bench=$!
     for ((wait = 0; wait < 200; ++wait)); do
         ! grep -qs '"key"' "$2/results.jsonl" || break
@@ -70,38 +70,38 @@ stop() {
 stop INT interrupted
 check "an interrupt ends with 130" test "$got" -eq 130
 check "what is missing is told" grep -q '^missing: thesis samples=16' stderr.txt
-check "so is how much that is" grep -Eq '^[1-5] of 6 points measured: learnopengl' stderr.txt
-expect 0 '^[1-5] of 6 points measured: learnopengl' report interrupted --out part.html
-expect 0 '^[1-5] of 6 points measured: learnopengl' choose interrupted --error 1
+check "so is how much that is" grep -Eq '^[1-5] of 6 bench samples measured: learnopengl' stderr.txt
+expect 0 '^[1-5] of 6 bench samples measured: learnopengl' report interrupted --out part.html
+expect 0 '^[1-5] of 6 bench samples measured: learnopengl' choose interrupted --error 1
 expect 0 '"planned": 6' choose interrupted --error 1 --json
-expect 0 '0 failed, 0 not begun' bench "${points[@]}" --out interrupted
-check "nothing is measured twice" test "$(points interrupted)" -eq 6
+expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out interrupted
+check "nothing is measured twice" test "$(lines_of interrupted)" -eq 6
 "$crevice" report interrupted --out whole.html >stdout.txt
-check "the whole is not told as a part" bash -c '! grep -q "points measured" stdout.txt'
+check "the whole is not told as a part" bash -c '! grep -q "bench samples measured" stdout.txt'
 check "an interrupt changes no figure" same_figures whole interrupted
 
 stop KILL killed
 printf '{"ao_picture":"pictures/torn' >>killed/results.jsonl
-expect 0 '0 failed, 0 not begun' bench "${points[@]}" --out killed
+expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out killed
 check "a kill and a torn line change no figure" same_figures whole killed
 
 # A limit on the size of files stands in for a full disk, which takes a mount.
 got=0
-(ulimit -f 4 && "$crevice" bench "${points[@]}" --out full) 2>stderr.txt || got=$?
+(ulimit -f 4 && "$crevice" bench "${runs[@]}" --out full) 2>stderr.txt || got=$?
 check "a full disk ends with 4" test "$got" -eq 4
 check "it is told" grep -q 'CV7007: cannot write' stderr.txt
 check "only whole lines are left" test "$(grep -c '}$' full/results.jsonl)" -eq "$(wc -l <full/results.jsonl)"
-expect 0 '0 failed, 0 not begun' bench "${points[@]}" --out full
+expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out full
 check "a full disk changes no figure" same_figures whole full
 
 # --- shards ---
 mkdir all
 for share in 1 2 3; do
-    expect 0 '' bench "${points[@]}" --shard "$share/3" --out "shard$share"
+    expect 0 '' bench "${runs[@]}" --shard "$share/3" --out "shard$share"
 done
-expect 0 '^[0-5] of 6 points measured' report shard1 --out shard.html
+expect 0 '^[0-5] of 6 bench samples measured' report shard1 --out shard.html
 cat shard*/results.jsonl >all/results.jsonl
 "$crevice" report all --out all.html >stdout.txt
-check "all shards are the whole" bash -c '! grep -q "points measured" stdout.txt'
+check "all shards are the whole" bash -c '! grep -q "bench samples measured" stdout.txt'
 check "shards are together the whole" same_figures whole all
 finish

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Benches without GL: their points, keys, shards and figures.
+// Benches without GL: their samples, keys, shards and figures.
 #include "tools/bench/bench.h"
 
 #include <crevice/plan.h>
@@ -20,7 +20,7 @@ namespace {
 std::vector<std::string> keys(const BenchOptions& options)
 {
     std::vector<std::string> all;
-    for (const BenchTask& task : plan(options).tasks) all.push_back(task.point.key);
+    for (const BenchTask& task : plan(options).tasks) all.push_back(task.sample.key);
     return all;
 }
 
@@ -35,15 +35,15 @@ TEST_CASE("A bench crosses scenes, sizes, radii, configs and samples")
     const BenchPlan planned = plan(options);
     CHECK(planned.tasks.size() == 2 * 2 * 2 * 2 * 2);
     CHECK(planned.views.size() == 4);
-    const BenchPoint& point = planned.tasks[1].point;
-    CHECK(pointTitle(point) == "learnopengl radius=0.25 samples=16, plane, 64x36");
-    CHECK(point.family == "learnopengl");
-    CHECK(point.samples == 16);
-    CHECK(point.radius == 0.25);
-    CHECK(point.triangles > 0);
+    const BenchSample& sample = planned.tasks[1].sample;
+    CHECK(sampleTitle(sample) == "learnopengl radius=0.25 samples=16, plane, 64x36");
+    CHECK(sample.family == "learnopengl");
+    CHECK(sample.samples == 16);
+    CHECK(sample.radius == 0.25);
+    CHECK(sample.triangles > 0);
 }
 
-TEST_CASE("The key of a point is the same in every plan and changes with what decides its figures")
+TEST_CASE("The key of a sample is the same in every plan and changes with what decides its figures")
 {
     const BenchOptions options = smallOptions();
     const std::vector<std::string> first = keys(options);
@@ -61,7 +61,7 @@ TEST_CASE("The key of a point is the same in every plan and changes with what de
     CHECK(keys(other).front() != first.front());
 }
 
-TEST_CASE("An edited shader is another point")
+TEST_CASE("An edited shader is another sample")
 {
     const std::string text = shippedSources().find("ssao/shaders/hemisphere.frag")->text;
     MemorySources edited;
@@ -71,10 +71,10 @@ TEST_CASE("An edited shader is another point")
     options.configs = {"learnopengl"};
     const Result<BenchPlan> other = planBench(options, sources);
     REQUIRE(other.ok());
-    CHECK(other->tasks[0].point.key != keys(options)[0]);
+    CHECK(other->tasks[0].sample.key != keys(options)[0]);
 }
 
-TEST_CASE("Shards share the points out exactly, whatever their number")
+TEST_CASE("Shards share the samples out exactly, whatever their number")
 {
     BenchOptions options = smallOptions();
     const std::vector<std::string> all = keys(options);
@@ -114,11 +114,11 @@ TEST_CASE("Scenes, cameras and configs that are unusable become failures")
     CHECK(hasErrors(planned.diagnostics));
     REQUIRE(planned.tasks.size() == 9);
     const auto failureOf = [&planned](std::size_t task) {
-        return planned.tasks[task].point.failure.substr(0, 7);
+        return planned.tasks[task].sample.failure.substr(0, 7);
     };
     CHECK(failureOf(0) == "CV7001:");
     CHECK(failureOf(1) == "CV7001:");
-    CHECK(planned.tasks[1].point.samples == 4);
+    CHECK(planned.tasks[1].sample.samples == 4);
     CHECK(failureOf(3) == "CV1201:");
     CHECK(failureOf(4).empty());
     CHECK(failureOf(7) == "CV7004:");
@@ -173,14 +173,15 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(20));
 }
 
-TEST_CASE("The budget is measured where the truth is known, and -1 where a picture is missing")
+TEST_CASE(
+    "The budget is measured where the ground truth is known, and -1 where a picture is missing")
 {
-    Image truth({2, 1}, 1, 0.5f);
-    truth.at(1, 0) = std::nanf("");
+    Image ground_truth({2, 1}, 1, 0.5f);
+    ground_truth.at(1, 0) = std::nanf("");
     Image ao({2, 1}, 1, 0.75f), converged({2, 1}, 1, 0.625f);
     ao.at(1, 0) = 1.0f;
     const Image unfiltered({2, 1}, 1, 1.0f);
-    const ErrorBudget budget = budgetOf({ao, truth, converged, unfiltered, Image()});
+    const ErrorBudget budget = budgetOf({ao, ground_truth, converged, unfiltered, Image()});
     CHECK(budget.sampling == 0.375);
     CHECK(budget.noise == 0.125);
     CHECK(budget.model == 0.125);
@@ -189,7 +190,7 @@ TEST_CASE("The budget is measured where the truth is known, and -1 where a pictu
 
 TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides cancel")
 {
-    const std::vector<double> unit = {99, 10, 30, 10, 10};  // the first turn was another point's
+    const std::vector<double> unit = {99, 10, 30, 10, 10};  // the first turn was another sample's
     const TimeFigures ratio = ratioFigures({5, 15, 5, 6}, unit);
     CHECK(ratio.median == 0.5);
     CHECK(ratio.q1 == 0.5);

@@ -11,26 +11,26 @@ namespace {
 
 using Kind = ChoiceLimit::Kind;
 
-std::vector<BenchPoint> twoScenes()
+std::vector<BenchSample> twoScenes()
 {
-    return {benchPoint("fast", 4, 1, 0.10),   benchPoint("fast", 4, 1.2, 0.08, "hall"),
-            benchPoint("middle", 8, 2, 0.05), benchPoint("middle", 8, 2, 0.09, "hall"),
-            benchPoint("good", 16, 3, 0.06),  benchPoint("good", 16, 5, 0.06, "hall")};
+    return {benchSample("fast", 4, 1, 0.10),   benchSample("fast", 4, 1.2, 0.08, "hall"),
+            benchSample("middle", 8, 2, 0.05), benchSample("middle", 8, 2, 0.09, "hall"),
+            benchSample("good", 16, 3, 0.06),  benchSample("good", 16, 5, 0.06, "hall")};
 }
 
-std::string chosen(const std::vector<BenchPoint>& points, Kind kind, double most,
+std::string chosen(const std::vector<BenchSample>& samples, Kind kind, double most,
                    const ChoiceScope& scope = {})
 {
-    const auto candidates = findCandidates(points, scope);
+    const auto candidates = findCandidates(samples, scope);
     REQUIRE(candidates.ok());
     const auto choice = choose(*candidates, {kind, most});
     REQUIRE(choice.ok());
     return candidates->list[choice->best].label;
 }
 
-Code refusal(const std::vector<BenchPoint>& points, const ChoiceScope& scope)
+Code refusal(const std::vector<BenchSample>& samples, const ChoiceScope& scope)
 {
-    const auto candidates = findCandidates(points, scope);
+    const auto candidates = findCandidates(samples, scope);
     REQUIRE(!candidates.ok());
     return candidates.diagnostics().front().code;
 }
@@ -39,14 +39,14 @@ Code refusal(const std::vector<BenchPoint>& points, const ChoiceScope& scope)
 
 TEST_CASE("the worst scene decides what a config costs and how wrong it is")
 {
-    const auto points = twoScenes();
-    CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
-    CHECK(chosen(points, Kind::time_ms, 5) == "good samples=16");
-    CHECK(chosen(points, Kind::time_ms, 1.2) == "fast samples=4");
-    CHECK(chosen(points, Kind::copy_ratio, 20) == "middle samples=8");
-    CHECK(chosen(points, Kind::error, 0.09) == "middle samples=8");
-    CHECK(chosen(points, Kind::error, 0.06) == "good samples=16");
-    const auto candidates = findCandidates(points, {});
+    const auto samples = twoScenes();
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    CHECK(chosen(samples, Kind::time_ms, 5) == "good samples=16");
+    CHECK(chosen(samples, Kind::time_ms, 1.2) == "fast samples=4");
+    CHECK(chosen(samples, Kind::copy_ratio, 20) == "middle samples=8");
+    CHECK(chosen(samples, Kind::error, 0.09) == "middle samples=8");
+    CHECK(chosen(samples, Kind::error, 0.06) == "good samples=16");
+    const auto candidates = findCandidates(samples, {});
     CHECK(candidates->list[2].slowest_view == "hall");
     CHECK(candidates->list[1].worst_view == "hall");
 }
@@ -79,23 +79,23 @@ TEST_CASE("where nothing is within a limit the help names the nearest")
 
 TEST_CASE("a config that lacks a scene is left out of the choice and said so")
 {
-    auto points = twoScenes();
-    points.push_back(benchPoint("wonder", 4, 0.1, 0.001));
-    BenchPoint failed = benchPoint("wonder", 4, 0, 0, "hall");
+    auto samples = twoScenes();
+    samples.push_back(benchSample("wonder", 4, 0.1, 0.001));
+    BenchSample failed = benchSample("wonder", 4, 0, 0, "hall");
     failed.failure = "no memory";
-    points.push_back(failed);
-    CHECK(chosen(points, Kind::time_ms, 100) == "good samples=16");
-    const auto candidates = findCandidates(points, {});
+    samples.push_back(failed);
+    CHECK(chosen(samples, Kind::time_ms, 100) == "good samples=16");
+    const auto candidates = findCandidates(samples, {});
     REQUIRE(candidates->elided.size() == 1);
     CHECK(candidates->elided[0] == "wonder samples=4: no figures for hall");
 }
 
 TEST_CASE("what is no better than no ambient occlusion in one scene is no candidate")
 {
-    auto points = twoScenes();
-    points[1].error_without_ao = points[1].error.rmse;  // fast, in the hall
-    points[2].error_without_ao = 0.4;
-    const auto candidates = findCandidates(points, {});
+    auto samples = twoScenes();
+    samples[1].error_without_ao = samples[1].error.rmse;  // fast, in the hall
+    samples[2].error_without_ao = 0.4;
+    const auto candidates = findCandidates(samples, {});
     REQUIRE(candidates.ok());
     CHECK(candidates->list.size() == 2);
     CHECK(candidates->harmful == std::vector<std::string>{"fast samples=4"});
@@ -106,43 +106,43 @@ TEST_CASE("what is no better than no ambient occlusion in one scene is no candid
 
 TEST_CASE("a config without samples of its own can be chosen")
 {
-    auto points = twoScenes();
+    auto samples = twoScenes();
     for (const char* scene : {"room", "hall"}) {
-        points.push_back(benchPoint("horizons", 0, 0.5, 0.07, scene));
-        points.back().overrides = {"radius=1"};
+        samples.push_back(benchSample("horizons", 0, 0.5, 0.07, scene));
+        samples.back().overrides = {"radius=1"};
     }
-    CHECK(chosen(points, Kind::time_ms, 1) == "horizons");
+    CHECK(chosen(samples, Kind::time_ms, 1) == "horizons");
 }
 
 TEST_CASE("a time is what a config adds to a host's own geometry")
 {
-    auto points = twoScenes();
-    for (BenchPoint& point : points) point.total.median = 100;
-    CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
+    auto samples = twoScenes();
+    for (BenchSample& sample : samples) sample.total.median = 100;
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
 }
 
 TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")
 {
-    auto points = twoScenes();
-    BenchPoint small = benchPoint("fast", 4, 0.01, 0.001);
+    auto samples = twoScenes();
+    BenchSample small = benchSample("fast", 4, 0.01, 0.001);
     small.extent = {96, 54};
-    BenchPoint narrow = benchPoint("good", 16, 0.01, 0.001);
+    BenchSample narrow = benchSample("good", 16, 0.01, 0.001);
     narrow.radius = 0.1;
-    points.push_back(small);
-    points.push_back(narrow);
-    CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
-    CHECK(findCandidates(points, {})->elided.empty());
+    samples.push_back(small);
+    samples.push_back(narrow);
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    CHECK(findCandidates(samples, {})->elided.empty());
     ChoiceScope scope;
     scope.extent = {96, 54};
-    CHECK(chosen(points, Kind::time_ms, 4, scope) == "fast samples=4");
+    CHECK(chosen(samples, Kind::time_ms, 4, scope) == "fast samples=4");
 }
 
 TEST_CASE("a config that has another radius than the rest is no candidate and said so")
 {
-    auto points = twoScenes();
-    points.push_back(benchPoint("wide", 4, 0.1, 0.001));
-    points.back().radius = 1.5;
-    const auto candidates = findCandidates(points, {});
+    auto samples = twoScenes();
+    samples.push_back(benchSample("wide", 4, 0.1, 0.001));
+    samples.back().radius = 1.5;
+    const auto candidates = findCandidates(samples, {});
     CHECK(candidates->list.size() == 3);
     REQUIRE(candidates->elided.size() == 1);
     CHECK(candidates->elided[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
@@ -150,30 +150,30 @@ TEST_CASE("a config that has another radius than the rest is no candidate and sa
 
 TEST_CASE("scenes with radii of their own compare, since the radius is part of the question")
 {
-    auto points = twoScenes();
-    for (BenchPoint& point : points) {
-        if (point.scene != "hall") continue;
-        point.radius = 50;
-        point.overrides[0] = "radius=50";
+    auto samples = twoScenes();
+    for (BenchSample& sample : samples) {
+        if (sample.scene != "hall") continue;
+        sample.radius = 50;
+        sample.overrides[0] = "radius=50";
     }
-    CHECK(chosen(points, Kind::time_ms, 4) == "middle samples=8");
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
 }
 
 TEST_CASE("a choice refuses what the results do not hold")
 {
-    auto points = twoScenes();
+    auto samples = twoScenes();
     ChoiceScope scene, size, device;
     scene.scene = "cellar";
     size.extent = {1, 1};
     device.device = "B";
-    CHECK(refusal(points, scene) == Code::usage);
-    CHECK(refusal(points, size) == Code::usage);
-    CHECK(refusal(points, device) == Code::usage);
+    CHECK(refusal(samples, scene) == Code::usage);
+    CHECK(refusal(samples, size) == Code::usage);
+    CHECK(refusal(samples, device) == Code::usage);
     CHECK(refusal({}, {}) == Code::results_broken);
-    points.push_back(benchPoint("fast", 4, 1, 0.1));
-    points.back().device = "device B";
-    CHECK(refusal(points, {}) == Code::usage);
-    CHECK(findCandidates(points, device).ok());
+    samples.push_back(benchSample("fast", 4, 1, 0.1));
+    samples.back().device = "device B";
+    CHECK(refusal(samples, {}) == Code::usage);
+    CHECK(findCandidates(samples, device).ok());
 }
 
 TEST_CASE("a budget has a unit")

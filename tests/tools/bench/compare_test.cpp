@@ -9,9 +9,9 @@ using namespace crevice;
 
 namespace {
 
-const BenchPoint kBefore = benchPoint("a", 16, 2, 0.1);
+const BenchSample kBefore = benchSample("a", 16, 2, 0.1);
 
-BenchComparison compared(const BenchPoint& now, const BenchLimits& limits = {})
+BenchComparison compared(const BenchSample& now, const BenchLimits& limits = {})
 {
     return compareBenches({kBefore}, {now}, limits);
 }
@@ -20,7 +20,7 @@ BenchComparison compared(const BenchPoint& now, const BenchLimits& limits = {})
 
 TEST_CASE("a bench is no worse than itself, nor where times alone are others")
 {
-    BenchPoint now = kBefore;
+    BenchSample now = kBefore;
     now.total.median *= 10;
     now.cost.median *= 10;
     now.key = "of an edited shader";
@@ -33,13 +33,13 @@ TEST_CASE("a bench is no worse than itself, nor where times alone are others")
 
 TEST_CASE("more error than the limit is worse, less is better")
 {
-    BenchPoint now = kBefore;
+    BenchSample now = kBefore;
     now.error.rmse += 0.9e-6;
     CHECK(compared(now).worse.empty());
     now.error.rmse = kBefore.error.rmse + 0.0002;
     REQUIRE(compared(now).worse.size() == 1);
     CHECK(compared(now).worse[0].figure == "rmse");
-    CHECK(compared(now).worse[0].point == "a samples=16, room, 960x540");
+    CHECK(compared(now).worse[0].sample == "a samples=16, room, 960x540");
     BenchLimits loose;
     loose.error = 0.001;
     CHECK(compared(now, loose).worse.empty());
@@ -50,7 +50,7 @@ TEST_CASE("more error than the limit is worse, less is better")
 
 TEST_CASE("errors agree more closely on one device and version than across them")
 {
-    BenchPoint now = kBefore;
+    BenchSample now = kBefore;
     now.error.rmse += 0.9e-4;
     CHECK(compared(now).worse.size() == 1);
     now.version = "1.1";
@@ -64,7 +64,7 @@ TEST_CASE("errors agree more closely on one device and version than across them"
 
 TEST_CASE("a bias that grows is worse in either direction")
 {
-    BenchPoint now = kBefore;
+    BenchSample now = kBefore;
     now.error.bias = -kBefore.error.bias + 0.01;
     REQUIRE(compared(now).worse.size() == 1);
     now.error.bias = kBefore.error.bias - 0.01;
@@ -73,7 +73,7 @@ TEST_CASE("a bias that grows is worse in either direction")
 
 TEST_CASE("a cost ratio is worse beyond its share")
 {
-    BenchPoint now = kBefore;
+    BenchSample now = kBefore;
     now.ratio_copy *= 1.14;
     CHECK(compared(now).worse.empty());
     now.ratio_copy = kBefore.ratio_copy * 1.16;
@@ -93,7 +93,7 @@ TEST_CASE("a cost ratio is worse beyond its share")
 
 TEST_CASE("on another device errors are compared and ratios are not")
 {
-    BenchPoint now = kBefore;
+    BenchSample now = kBefore;
     now.device = "device B";
     now.ratio_copy *= 5;
     CHECK(compared(now).worse.empty());
@@ -105,17 +105,17 @@ TEST_CASE("on another device errors are compared and ratios are not")
 
 TEST_CASE("what fails or is missing now is worse, and what failed before does not count")
 {
-    BenchPoint failed = kBefore;
+    BenchSample failed = kBefore;
     failed.failure = "no memory";
     CHECK(compared(failed).failed.at(0) == "a samples=16, room, 960x540: no memory");
     CHECK(compared(failed).isWorse());
     CHECK(!compareBenches({failed}, {kBefore}).isWorse());
     CHECK(!compareBenches({failed}, {}).isWorse());
-    const BenchComparison other = compared(benchPoint("b", 16, 2, 0.1));
+    const BenchComparison other = compared(benchSample("b", 16, 2, 0.1));
     CHECK(other.compared == 0);
     CHECK(other.missing.size() == 1);
     CHECK(other.isWorse());
-    BenchPoint wide = kBefore;
+    BenchSample wide = kBefore;
     wide.radius = 2;
     CHECK(compared(wide).missing.size() == 1);
 }

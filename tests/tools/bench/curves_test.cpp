@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scaling curves: which points join, and the slopes fitted to them.
+// Scaling curves: which samples are joined, and the slopes fitted to them.
 #include "tools/bench/curves.h"
 
 #include "tests/support/catch.h"
@@ -13,26 +13,26 @@ using namespace crevice;
 namespace {
 
 /// A config whose noise falls with one slope before the filter and with another after it.
-std::vector<BenchPoint> sweep(double sampling_slope, double noise_slope)
+std::vector<BenchSample> sweep(double sampling_slope, double noise_slope)
 {
-    std::vector<BenchPoint> points;
-    for (int samples : {64, 4, 16}) {
-        points.push_back(benchPoint("a", samples, samples, 0.1));
-        points.back().budget.sampling = 0.4 * std::pow(samples, sampling_slope);
-        points.back().budget.noise = 0.2 * std::pow(samples, noise_slope);
+    std::vector<BenchSample> samples;
+    for (int taps : {64, 4, 16}) {
+        samples.push_back(benchSample("a", taps, taps, 0.1));
+        samples.back().budget.sampling = 0.4 * std::pow(taps, sampling_slope);
+        samples.back().budget.noise = 0.2 * std::pow(taps, noise_slope);
     }
-    return points;
+    return samples;
 }
 
-ResultView viewOf(const std::vector<BenchPoint>& points)
+ResultView viewOf(const std::vector<BenchSample>& samples)
 {
     ResultView view;
-    view.device = points[0].device;
-    view.scene = points[0].scene;
-    view.camera = points[0].camera;
-    view.extent = points[0].extent;
-    view.radius = points[0].radius;
-    for (std::size_t i = 0; i < points.size(); ++i) view.points.push_back(i);
+    view.device = samples[0].device;
+    view.scene = samples[0].scene;
+    view.camera = samples[0].camera;
+    view.extent = samples[0].extent;
+    view.radius = samples[0].radius;
+    for (std::size_t i = 0; i < samples.size(); ++i) view.samples.push_back(i);
     return view;
 }
 
@@ -47,8 +47,8 @@ const Curve* curveOf(const std::vector<Curve>& curves, const std::string& kind)
 
 TEST_CASE("noise before and after the filter are curves over samples, each with its own slope")
 {
-    const std::vector<BenchPoint> points = sweep(-1.0, -0.5);
-    const std::vector<Curve> curves = curvesOf(points, viewOf(points));
+    const std::vector<BenchSample> samples = sweep(-1.0, -0.5);
+    const std::vector<Curve> curves = curvesOf(samples, viewOf(samples));
     const Curve* const sampling = curveOf(curves, "sampling_samples");
     const Curve* const noise = curveOf(curves, "noise_samples");
     REQUIRE(sampling);
@@ -63,23 +63,23 @@ TEST_CASE("noise before and after the filter are curves over samples, each with 
 
 TEST_CASE("noise that was not measured is no point of a curve")
 {
-    std::vector<BenchPoint> points = sweep(-1.0, -0.5);
-    points[0].budget.sampling = -1;
-    CHECK(curveOf(curvesOf(points, viewOf(points)), "sampling_samples")->points.size() == 2);
-    points[1].budget.sampling = -1;
-    CHECK_FALSE(curveOf(curvesOf(points, viewOf(points)), "sampling_samples"));
-    CHECK(curveOf(curvesOf(points, viewOf(points)), "noise_samples"));
+    std::vector<BenchSample> samples = sweep(-1.0, -0.5);
+    samples[0].budget.sampling = -1;
+    CHECK(curveOf(curvesOf(samples, viewOf(samples)), "sampling_samples")->points.size() == 2);
+    samples[1].budget.sampling = -1;
+    CHECK_FALSE(curveOf(curvesOf(samples, viewOf(samples)), "sampling_samples"));
+    CHECK(curveOf(curvesOf(samples, viewOf(samples)), "noise_samples"));
 }
 
 TEST_CASE("kernels with another distribution are curves of their own")
 {
-    std::vector<BenchPoint> points = sweep(-0.5, -0.5);
-    for (BenchPoint& point : sweep(-1.0, -0.5)) {
-        point.family = "a /generated/kernel/distribution=linear";
-        points.push_back(point);
+    std::vector<BenchSample> samples = sweep(-0.5, -0.5);
+    for (BenchSample& sample : sweep(-1.0, -0.5)) {
+        sample.family = "a /generated/kernel/distribution=linear";
+        samples.push_back(sample);
     }
     std::vector<double> slopes;
-    for (const Curve& curve : curvesOf(points, viewOf(points)))
+    for (const Curve& curve : curvesOf(samples, viewOf(samples)))
         if (curve.kind == "sampling_samples") slopes.push_back(curve.law->slope);
     REQUIRE(slopes.size() == 2);
     CHECK(slopes[0] == Approx(-0.5));

@@ -26,7 +26,7 @@ crevice=tools/scripts/guard_bench.sh
 # measure CODE SED: the pretended bench ends with that code and has figures changed like that.
 measure() {
     echo "$1" >code
-    { bench_point a4 quick 4 1.0 0.10; bench_point a16 quick 16 2.0 0.09; bench_point b4 fine 4 3.0 0.05; } |
+    { bench_sample a4 quick 4 1.0 0.10; bench_sample a16 quick 16 2.0 0.09; bench_sample b4 fine 4 3.0 0.05; } |
         sed -E "$2" >fresh.jsonl
 }
 
@@ -39,7 +39,7 @@ check "each config has its CSV" test "$(cat docs/bench/device_A/quick.csv | wc -
 check "a CSV has one config" bash -c '! grep -q quick docs/bench/device_A/fine.csv'
 check "no pictures are named" bash -c '! grep -q png docs/bench/results.jsonl'
 
-expect 0 '3 points compared: 0 figures worse'
+expect 0 '3 bench samples compared: 0 figures worse'
 cp bench.txt all.txt
 measure 0 's/"key":"/&edited/; s/"median":[0-9.]+/"median":99/g'
 expect 0 '0 figures worse'
@@ -49,7 +49,7 @@ expect 1 'guard_bench.sh --update'
 measure 0 's/"ratio_copy":3.0/"ratio_copy":4.0/'
 expect 1 'worse: fine samples=4, room, 960x540: ratio_copy'
 expect 0 '0 figures worse' --errors-only
-check "the points are the same" grep -qF -- "$(sed 's/ --out.*//' all.txt)" bench.txt
+check "the samples are the same" grep -qF -- "$(sed 's/ --out.*//' all.txt)" bench.txt
 measure 1 's/"key":"b4","failure":""/"key":"x","failure":"no memory"/'
 expect 1 'fails now: fine samples=4, room, 960x540: no memory'
 measure 0 '/fine/d'

@@ -10,7 +10,7 @@ using namespace crevice;
 
 namespace {
 
-/// A device on which each point takes ten seconds, and one config fails.
+/// A device on which each sample takes ten seconds, and one config fails.
 struct FakeBench {
     std::string fails;
     double time_budget_s = 0;
@@ -26,12 +26,12 @@ struct FakeBench {
         world.interrupted = [] { return false; };
         world.begin = world.say = [](const std::string&) {};
         world.time_budget_s = time_budget_s;
-        const auto measure = [&](const BenchTask& task) -> Result<BenchPoint> {
+        const auto measure = [&](const BenchTask& task) -> Result<BenchSample> {
             now += 10;
-            if (task.point.config == fails) return Diagnostic{Code::gl_error, "it broke"};
-            BenchPoint point = task.point;
-            point.error.rmse = 0.125;
-            return point;
+            if (task.sample.config == fails) return Diagnostic{Code::gl_error, "it broke"};
+            BenchSample sample = task.sample;
+            sample.error.rmse = 0.125;
+            return sample;
         };
         return measureAll(benchJob(plan, planned.device, file.done, measure), file.lines, world);
     }
@@ -62,7 +62,7 @@ TEST_CASE("A stopped bench knows how much of it was measured, and a finished one
     CHECK(coverage().planned == planned.tasks.size());
     CHECK(coverageText(coverage())
               .find("3 of " + std::to_string(planned.tasks.size()) +
-                    " points measured: balanced") == 0);
+                    " bench samples measured: balanced") == 0);
     CHECK(FakeBench{"thesis"}.run(path, planned).kept == 3);
     CHECK(coverage().failed == 4);
     CHECK(coverage().whole());
@@ -72,7 +72,7 @@ TEST_CASE("A stopped bench knows how much of it was measured, and a finished one
     CHECK(coverageText(coverage()).empty());
 }
 
-TEST_CASE("Each shard knows of the points of all, and together they are the whole")
+TEST_CASE("Each shard knows of the samples of all, and together they are the whole")
 {
     BenchOptions options = smallOptions();
     const BenchPlan whole = plan(options);
@@ -81,12 +81,12 @@ TEST_CASE("Each shard knows of the points of all, and together they are the whol
         options.shard = {share, 3};
         const BenchPlan part = plan(options);
         CHECK(part.planned.command == whole.planned.command);
-        CHECK(part.planned.points.size() == whole.tasks.size());
+        CHECK(part.planned.bench_samples.size() == whole.tasks.size());
         BenchResults own{{}, {part.planned}};
-        for (const BenchTask& task : part.tasks) own.points.push_back(task.point);
+        for (const BenchTask& task : part.tasks) own.samples.push_back(task.sample);
         CHECK(coverageOf(own).planned == whole.tasks.size());
         CHECK_FALSE(coverageOf(own).whole());
-        all.points.insert(all.points.end(), own.points.begin(), own.points.end());
+        all.samples.insert(all.samples.end(), own.samples.begin(), own.samples.end());
         all.planned.push_back(part.planned);
     }
     CHECK(coverageOf(all).whole());
@@ -100,14 +100,14 @@ TEST_CASE("Presets are measured first, in all scenes, unless configs were named"
     std::set<std::string> first;
     bool others = false;
     for (const BenchTask& task : plan(options).tasks) {
-        const bool preset = presets.count(task.point.config) > 0;
+        const bool preset = presets.count(task.sample.config) > 0;
         CHECK_FALSE((preset && others));
         others = others || !preset;
-        if (preset) first.insert(task.point.config + task.point.scene);
+        if (preset) first.insert(task.sample.config + task.sample.scene);
     }
     CHECK(first.size() == 2 * presets.size());
     options.configs = {"thesis", "mobile"};
-    CHECK(plan(options).tasks[0].point.config == "thesis");
+    CHECK(plan(options).tasks[0].sample.config == "thesis");
 }
 
 TEST_CASE("A command that is run again, as its configs have changed, plans what they are now")
@@ -115,11 +115,11 @@ TEST_CASE("A command that is run again, as its configs have changed, plans what 
     const TemporaryFolder folder("bench_replan");
     PlannedBench planned{"device", "command", {"old", "kept"}};
     for (const char* changed : {"old", "new", "new"}) {
-        planned.points[0] = changed;
+        planned.bench_samples[0] = changed;
         need(openBench(folder.path.string(), planned));
     }
     const auto results = readBenchResults({folder.path.string()});
     REQUIRE(results.ok());
     REQUIRE(results->planned.size() == 1);
-    CHECK(results->planned[0].points == std::vector<std::string>{"new", "kept"});
+    CHECK(results->planned[0].bench_samples == std::vector<std::string>{"new", "kept"});
 }

@@ -12,37 +12,37 @@ using namespace crevice;
 
 namespace {
 
-std::string line(const BenchPoint& point) { return toJsonLine(point) + "\n"; }
+std::string line(const BenchSample& sample) { return toJsonLine(sample) + "\n"; }
 
 }  // namespace
 
-TEST_CASE("a bench point comes back as it was written")
+TEST_CASE("a bench sample comes back as it was written")
 {
-    const TemporaryFolder folder("bench_point");
-    BenchPoint point = benchPoint("mine \"quoted\"", 16, 1.0 / 3.0, 0.1);
-    point.camera = "above";
-    point.software = true;
-    point.texture_bytes = 1e9;
-    const auto read = readBenchPoints({folder.write("a.jsonl", line(point))});
+    const TemporaryFolder folder("bench_sample");
+    BenchSample sample = benchSample("mine \"quoted\"", 16, 1.0 / 3.0, 0.1);
+    sample.camera = "above";
+    sample.software = true;
+    sample.texture_bytes = 1e9;
+    const auto read = readBenchSamples({folder.write("a.jsonl", line(sample))});
     REQUIRE(read.ok());
     CHECK(read.diagnostics().empty());
     REQUIRE(read->size() == 1);
-    CHECK(toJsonLine(read->front()) == toJsonLine(point));
+    CHECK(toJsonLine(read->front()) == toJsonLine(sample));
     CHECK(read->front().cost.median == 1.0 / 3.0);
     CHECK(read->front().passes.at(1).name == "ao");
 }
 
-TEST_CASE("of two lines about one bench point the later one holds, whatever its key")
+TEST_CASE("of two lines about one bench sample the later one holds, whatever its key")
 {
-    const TemporaryFolder folder("bench_point");
+    const TemporaryFolder folder("bench_sample");
     const std::string first = folder.write(
-        "a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + line(benchPoint("b", 4, 1, 0.1)));
-    BenchPoint edited = benchPoint("a", 4, 1, 0.2);
+        "a.jsonl", line(benchSample("a", 4, 1, 0.1)) + line(benchSample("b", 4, 1, 0.1)));
+    BenchSample edited = benchSample("a", 4, 1, 0.2);
     edited.key = "of another shader";
-    BenchPoint elsewhere = benchPoint("b", 4, 1, 0.3);
+    BenchSample elsewhere = benchSample("b", 4, 1, 0.3);
     elsewhere.device = "device B";
     const std::string second = folder.write("b.jsonl", line(edited) + line(elsewhere));
-    const auto read = readBenchPoints({first, second});
+    const auto read = readBenchSamples({first, second});
     REQUIRE(read.ok());
     REQUIRE(read->size() == 3);
     CHECK(read->at(0).error.rmse == 0.2);
@@ -52,12 +52,12 @@ TEST_CASE("of two lines about one bench point the later one holds, whatever its 
 
 TEST_CASE("a shader that was edited and fails now hides what it was before")
 {
-    const TemporaryFolder folder("bench_point");
-    BenchPoint failed = benchPoint("a", 4, 0, 0);
+    const TemporaryFolder folder("bench_sample");
+    BenchSample failed = benchSample("a", 4, 0, 0);
     failed.key = "of another shader";
     failed.failure = "the shader does not link";
-    const auto read =
-        readBenchPoints({folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + line(failed))});
+    const auto read = readBenchSamples(
+        {folder.write("a.jsonl", line(benchSample("a", 4, 1, 0.1)) + line(failed))});
     REQUIRE(read.ok());
     REQUIRE(read->size() == 1);
     CHECK(!read->front().failure.empty());
@@ -65,21 +65,21 @@ TEST_CASE("a shader that was edited and fails now hides what it was before")
 
 TEST_CASE("a bench's folder stands for the results in it")
 {
-    const TemporaryFolder folder("bench_point");
-    folder.write("mine/results.jsonl", line(benchPoint("a", 4, 1, 0.1)));
-    const auto read = readBenchPoints({(folder.path / "mine").string()});
+    const TemporaryFolder folder("bench_sample");
+    folder.write("mine/results.jsonl", line(benchSample("a", 4, 1, 0.1)));
+    const auto read = readBenchSamples({(folder.path / "mine").string()});
     REQUIRE(read.ok());
     CHECK(read->size() == 1);
 }
 
 TEST_CASE("a bench failure never hides figures, and figures end a failure")
 {
-    const TemporaryFolder folder("bench_point");
-    const BenchPoint good = benchPoint("a", 4, 1, 0.1);
-    BenchPoint failed = good;
+    const TemporaryFolder folder("bench_sample");
+    const BenchSample good = benchSample("a", 4, 1, 0.1);
+    BenchSample failed = good;
     failed.failure = "the device has no memory left";
     for (const std::string& text : {line(good) + line(failed), line(failed) + line(good)}) {
-        const auto read = readBenchPoints({folder.write("a.jsonl", text)});
+        const auto read = readBenchSamples({folder.write("a.jsonl", text)});
         REQUIRE(read.ok());
         REQUIRE(read->size() == 1);
         CHECK(read->front().failure.empty());
@@ -88,12 +88,12 @@ TEST_CASE("a bench failure never hides figures, and figures end a failure")
 
 TEST_CASE("a bench line that was cut short costs a warning and that line alone")
 {
-    const TemporaryFolder folder("bench_point");
-    const std::string whole = line(benchPoint("a", 4, 1, 0.1));
-    const std::string cut = toJsonLine(benchPoint("b", 4, 1, 0.1)).substr(0, 200);
-    const std::string after = line(benchPoint("c", 4, 1, 0.1));
+    const TemporaryFolder folder("bench_sample");
+    const std::string whole = line(benchSample("a", 4, 1, 0.1));
+    const std::string cut = toJsonLine(benchSample("b", 4, 1, 0.1)).substr(0, 200);
+    const std::string after = line(benchSample("c", 4, 1, 0.1));
     const auto read =
-        readBenchPoints({folder.write("a.jsonl", whole + cut + "\n\n" + after + cut)});
+        readBenchSamples({folder.write("a.jsonl", whole + cut + "\n\n" + after + cut)});
     REQUIRE(read.ok());
     REQUIRE(read->size() == 2);
     CHECK(read->at(1).config == "c");
@@ -102,13 +102,13 @@ TEST_CASE("a bench line that was cut short costs a warning and that line alone")
     CHECK(placeName(read.diagnostics()[0].place) == (folder.path / "a.jsonl").string() + ":2:1");
 }
 
-TEST_CASE("a line that is no bench point is an error at its place")
+TEST_CASE("a line that is no bench sample is an error at its place")
 {
-    const TemporaryFolder folder("bench_point");
+    const TemporaryFolder folder("bench_sample");
     for (const char* text : {"{}", "[1, 2]", "no JSON", "{\"key\": 3}", "{}}"}) {
         CAPTURE(text);
-        const auto read = readBenchPoints(
-            {folder.write("a.jsonl", line(benchPoint("a", 4, 1, 0.1)) + text + "\n")});
+        const auto read = readBenchSamples(
+            {folder.write("a.jsonl", line(benchSample("a", 4, 1, 0.1)) + text + "\n")});
         REQUIRE(!read.ok());
         CHECK(read.diagnostics().front().code == Code::results_broken);
         CHECK(read.diagnostics().front().place.line == 2);
@@ -118,20 +118,20 @@ TEST_CASE("a line that is no bench point is an error at its place")
 
 TEST_CASE("bench results that cannot be read are errors, each of them")
 {
-    const TemporaryFolder folder("bench_point");
+    const TemporaryFolder folder("bench_sample");
     const auto read =
-        readBenchPoints({(folder.path / "none.jsonl").string(), folder.path.string()});
+        readBenchSamples({(folder.path / "none.jsonl").string(), folder.path.string()});
     REQUIRE(!read.ok());
     REQUIRE(read.diagnostics().size() == 2);
     CHECK(read.diagnostics()[1].code == Code::results_broken);
 }
 
-TEST_CASE("a bench figure that is not finite makes its point a failure")
+TEST_CASE("a bench figure that is not finite makes its sample a failure")
 {
-    const TemporaryFolder folder("bench_point");
-    BenchPoint point = benchPoint("a", 4, 1, 0.1);
-    point.error.rmse = std::numeric_limits<double>::quiet_NaN();
-    const auto read = readBenchPoints({folder.write("a.jsonl", line(point))});
+    const TemporaryFolder folder("bench_sample");
+    BenchSample sample = benchSample("a", 4, 1, 0.1);
+    sample.error.rmse = std::numeric_limits<double>::quiet_NaN();
+    const auto read = readBenchSamples({folder.write("a.jsonl", line(sample))});
     REQUIRE(read.ok());
     REQUIRE(read->size() == 1);
     CHECK(read->front().failure == "a figure is not finite");
@@ -139,20 +139,20 @@ TEST_CASE("a bench figure that is not finite makes its point a failure")
 
 TEST_CASE("bench pictures lie beside their results file")
 {
-    const TemporaryFolder folder("bench_point");
-    BenchPoint point = benchPoint("a", 4, 1, 0.1);
-    point.ao_picture = "pictures/a.png";
-    const auto read = readBenchPoints({folder.write("shard/a.jsonl", line(point))});
+    const TemporaryFolder folder("bench_sample");
+    BenchSample sample = benchSample("a", 4, 1, 0.1);
+    sample.ao_picture = "pictures/a.png";
+    const auto read = readBenchSamples({folder.write("shard/a.jsonl", line(sample))});
     REQUIRE(read.ok());
     CHECK(read->front().ao_picture == (folder.path / "shard/pictures/a.png").string());
-    CHECK(read->front().truth_picture.empty());
+    CHECK(read->front().ground_truth_picture.empty());
 }
 
-TEST_CASE("text that is no UTF-8 does not lose a bench point")
+TEST_CASE("text that is no UTF-8 does not lose a bench sample")
 {
-    const TemporaryFolder folder("bench_point");
+    const TemporaryFolder folder("bench_sample");
     const auto read =
-        readBenchPoints({folder.write("a.jsonl", line(benchPoint("a\xff", 4, 1, 0.1)))});
+        readBenchSamples({folder.write("a.jsonl", line(benchSample("a\xff", 4, 1, 0.1)))});
     REQUIRE(read.ok());
     CHECK(read->size() == 1);
 }

@@ -139,22 +139,22 @@ expect 0 '"another"' schema --effects checkout
 expect 2 'CV8001' schema --format yaml
 
 # --- reference and compare ---
-expect 0 'wrote' reference --scene corner --size 32x24 --radius 0.5 --rays 16 --out truth.pfm
+expect 0 'wrote' reference --scene corner --size 32x24 --radius 0.5 --rays 16 --out ground_truth.pfm
 expect 1 'CV4001' reference --scene corner --rays 0 --out never.pfm
-expect 4 'CV7007' reference --scene corner --out nowhere/truth.pfm
-expect 0 'rmse +0\.0+$' compare truth.pfm truth.pfm --max-rmse 0 --max-abs 0
+expect 4 'CV7007' reference --scene corner --out nowhere/ground_truth.pfm
+expect 0 'rmse +0\.0+$' compare ground_truth.pfm ground_truth.pfm --max-rmse 0 --max-abs 0
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 5 --rays 16 --out far.pfm
-expect 0 'rmse' compare far.pfm truth.pfm
-expect 5 'over the limit' compare far.pfm truth.pfm --max-rmse 0.001
-expect 5 'over the limit' compare far.pfm truth.pfm --max-abs 1/255
-expect 0 '"rmse"' compare far.pfm truth.pfm --json --diff diff.png
+expect 0 'rmse' compare far.pfm ground_truth.pfm
+expect 5 'over the limit' compare far.pfm ground_truth.pfm --max-rmse 0.001
+expect 5 'over the limit' compare far.pfm ground_truth.pfm --max-abs 1/255
+expect 0 '"rmse"' compare far.pfm ground_truth.pfm --json --diff diff.png
 check "compare --diff writes a picture" test -s diff.png
 expect 0 'wrote' reference --scene corner --size 16x24 --rays 1 --out small.pfm
-expect 1 'CV7006' compare small.pfm truth.pfm
-expect 1 'CV7005' compare cut.json truth.pfm
-expect 1 'CV7005' compare nothing.png truth.pfm
-expect 2 'max-rmse' compare far.pfm truth.pfm --max-rmse nan
-expect 2 'max-bad-fraction' compare far.pfm truth.pfm --max-bad-fraction nan
+expect 1 'CV7006' compare small.pfm ground_truth.pfm
+expect 1 'CV7005' compare cut.json ground_truth.pfm
+expect 1 'CV7005' compare nothing.png ground_truth.pfm
+expect 2 'max-rmse' compare far.pfm ground_truth.pfm --max-rmse nan
+expect 2 'max-bad-fraction' compare far.pfm ground_truth.pfm --max-bad-fraction nan
 printf 'Pf\n1 1\n-1\n\0\0\300\177' >nan.pfm
 printf 'Pf\n1 1\n-1\n\0\0\200\077' >one.pfm
 expect 1 'CV7005.*no pixel is left' compare one.pfm nan.pfm --max-rmse 0.1

@@ -22,9 +22,9 @@ Image ramp(int count, double power = 1.0)
     return image;
 }
 
-ImageDifference compare(const Image& test, const Image& truth, const Image* mask = nullptr)
+ImageDifference compare(const Image& test, const Image& ground_truth, const Image* mask = nullptr)
 {
-    const auto figures = compareImages(test, truth, mask);
+    const auto figures = compareImages(test, ground_truth, mask);
     REQUIRE(figures.ok());
     return *figures;
 }
@@ -83,14 +83,14 @@ TEST_CASE("the fit is never worse than no fit")
     CHECK(figures.power_fit == 1);
 }
 
-TEST_CASE("pixels without a truth or under a mask of zero do not count")
+TEST_CASE("pixels without a ground truth or under a mask of zero do not count")
 {
-    Image truth = ramp(10), test = ramp(10), mask({10, 1}, 1, 1.0f);
-    truth.at(0, 0) = kNan;
+    Image ground_truth = ramp(10), test = ramp(10), mask({10, 1}, 1, 1.0f);
+    ground_truth.at(0, 0) = kNan;
     test.at(0, 0) = kNan;
     mask.at(1, 0) = 0;
     test.at(1, 0) = 99;
-    const ImageDifference figures = compare(test, truth, &mask);
+    const ImageDifference figures = compare(test, ground_truth, &mask);
     CHECK(figures.rmse == 0);
     CHECK(figures.pixels == 8);
     CHECK(figures.masked == 2);
@@ -149,12 +149,12 @@ TEST_CASE("every channel that both images have is compared")
 
 TEST_CASE("the difference picture is blue where darker, red where brighter, white where equal")
 {
-    Image truth({5, 1}, 1, 0.5f), test = truth;
+    Image ground_truth({5, 1}, 1, 0.5f), test = ground_truth;
     test.at(1, 0) = 0.0f;
     test.at(2, 0) = 1.0f;
     test.at(3, 0) = kNan;
-    truth.at(4, 0) = kNan;
-    const auto picture = differencePicture(test, truth);
+    ground_truth.at(4, 0) = kNan;
+    const auto picture = differencePicture(test, ground_truth);
     REQUIRE(picture.ok());
     const auto color = [&](int x) {
         return std::vector<float>{picture->at(x, 0, 0), picture->at(x, 0, 1), picture->at(x, 0, 2)};

@@ -78,7 +78,7 @@ Scene cornerWithSphere()
 
 }  // namespace
 
-// A build without Embree has no truth to test.
+// A build without Embree has no ground truth to test.
 #define REQUIRE_EMBREE() \
     if (!canTrace()) { \
         WARN("built without Embree"); \

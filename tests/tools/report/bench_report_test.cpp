@@ -16,19 +16,19 @@ namespace {
 
 const std::string kPng = "\x89PNG\r\n\x1a\n";
 
-std::vector<BenchPoint> sweep()
+std::vector<BenchSample> sweep()
 {
-    std::vector<BenchPoint> points;
+    std::vector<BenchSample> samples;
     for (const int n : {4, 16, 64}) {
-        points.push_back(benchPoint("a", n, 0.1 * n, 0.2 / n));
-        points.push_back(benchPoint("b", n, 0.2 * n, 0.3));
+        samples.push_back(benchSample("a", n, 0.1 * n, 0.2 / n));
+        samples.push_back(benchSample("b", n, 0.2 * n, 0.3));
     }
-    return points;
+    return samples;
 }
 
-std::string page(const std::vector<BenchPoint>& points)
+std::string page(const std::vector<BenchSample>& samples)
 {
-    const auto html = reportHtml(points);
+    const auto html = reportHtml(samples);
     REQUIRE(html.ok());
     return *html;
 }
@@ -43,7 +43,7 @@ bool holds(const std::string& text, const std::string& part)
 TEST_CASE("a report names fronts, slopes and advice")
 {
     const auto report = nlohmann::json::parse(reportJson(sweep()));
-    CHECK(report["points"].size() == 6);
+    CHECK(report["bench_samples"].size() == 6);
     REQUIRE(report["views"].size() == 1);
     const auto& view = report["views"][0];
     CHECK(view["front_ms"] == nlohmann::json({0, 2, 4}));
@@ -61,9 +61,9 @@ TEST_CASE("a report names fronts, slopes and advice")
 
 TEST_CASE("a report puts nothing on a front that is no better than no ambient occlusion")
 {
-    auto points = sweep();
-    for (BenchPoint& point : points) point.error_without_ao = 0.04;
-    const auto report = nlohmann::json::parse(reportJson(points));
+    auto samples = sweep();
+    for (BenchSample& sample : samples) sample.error_without_ao = 0.04;
+    const auto report = nlohmann::json::parse(reportJson(samples));
     CHECK(report["views"][0]["front_ms"] == nlohmann::json({2, 4}));
     CHECK(report["views"][0]["error_without_ao"] == 0.04);
     CHECK(report["advice"][0]["steps"].size() == 2);
@@ -72,27 +72,27 @@ TEST_CASE("a report puts nothing on a front that is no better than no ambient oc
 
 TEST_CASE("a report names a scene's camera only where there are several")
 {
-    auto points = sweep();
-    for (BenchPoint& point : points) point.camera = "main";
-    CHECK(nlohmann::json::parse(reportJson(points))["views"][0]["name"] == "room");
-    points[0].camera = "door";
-    CHECK(nlohmann::json::parse(reportJson(points))["views"][0]["name"] == "room from door");
+    auto samples = sweep();
+    for (BenchSample& sample : samples) sample.camera = "main";
+    CHECK(nlohmann::json::parse(reportJson(samples))["views"][0]["name"] == "room");
+    samples[0].camera = "door";
+    CHECK(nlohmann::json::parse(reportJson(samples))["views"][0]["name"] == "room from door");
 }
 
 TEST_CASE("a report knows cost over pixels, radius and triangles")
 {
-    auto points = sweep();
+    auto samples = sweep();
     for (const double factor : {2.0, 4.0}) {
-        BenchPoint large = benchPoint("a", 4, 0.4 * factor * factor, 0.05);
+        BenchSample large = benchSample("a", 4, 0.4 * factor * factor, 0.05);
         large.extent = {static_cast<int>(960 * factor), static_cast<int>(540 * factor)};
-        BenchPoint wide = benchPoint("a", 4, 0.4 * factor, 0.05);
+        BenchSample wide = benchSample("a", 4, 0.4 * factor, 0.05);
         wide.radius = factor;
         wide.radius_px = 80 * factor;
-        BenchPoint dense = benchPoint("a", 4, 0.4, 0.05, "dense" + std::to_string(factor));
+        BenchSample dense = benchSample("a", 4, 0.4, 0.05, "dense" + std::to_string(factor));
         dense.triangles = static_cast<long long>(1000 * factor);
-        points.insert(points.end(), {large, wide, dense});
+        samples.insert(samples.end(), {large, wide, dense});
     }
-    const auto report = nlohmann::json::parse(reportJson(points));
+    const auto report = nlohmann::json::parse(reportJson(samples));
     const auto slope = [](const nlohmann::json& curves, const char* kind) {
         for (const auto& curve : curves)
             if (curve["kind"] == kind && curve["label"] == "a samples=4")
@@ -109,13 +109,13 @@ TEST_CASE("a report knows cost over pixels, radius and triangles")
 
 TEST_CASE("every device of a report has advice of its own")
 {
-    auto points = sweep();
-    points.push_back(benchPoint("c", 4, 9, 0.01));
-    points.back().device = "device B";
-    const auto report = nlohmann::json::parse(reportJson(points));
+    auto samples = sweep();
+    samples.push_back(benchSample("c", 4, 9, 0.01));
+    samples.back().device = "device B";
+    const auto report = nlohmann::json::parse(reportJson(samples));
     REQUIRE(report["advice"].size() == 2);
     CHECK(report["advice"][1]["device"] == "device B");
-    CHECK(report["advice"][1]["steps"][0]["point"] == 6);
+    CHECK(report["advice"][1]["steps"][0]["bench_sample"] == 6);
 }
 
 TEST_CASE("a report's page asks nothing of a network")
@@ -133,20 +133,20 @@ TEST_CASE("a report's page asks nothing of a network")
 
 TEST_CASE("a name cannot end the script that holds a report's figures")
 {
-    auto points = sweep();
-    points[0].config = "</script><script>alert(1)</script><!--";
-    CHECK(!holds(page(points), "<script>alert"));
+    auto samples = sweep();
+    samples[0].config = "</script><script>alert(1)</script><!--";
+    CHECK(!holds(page(samples), "<script>alert"));
 }
 
 TEST_CASE("pictures become part of the page, each once")
 {
     const TemporaryFolder folder("bench_report");
-    auto points = sweep();
-    for (BenchPoint& point : points) point.folder = folder.path.string();
-    points[0].ao_picture = points[1].ao_picture = folder.write("a.png", kPng + "Ma");
-    points[2].ao_picture = folder.write("b.png", kPng + "M");
-    points[3].ao_picture = folder.write("c/c.png", kPng + "\xff\xfe\xfd");
-    const std::string html = page(points);
+    auto samples = sweep();
+    for (BenchSample& sample : samples) sample.folder = folder.path.string();
+    samples[0].ao_picture = samples[1].ao_picture = folder.write("a.png", kPng + "Ma");
+    samples[2].ao_picture = folder.write("b.png", kPng + "M");
+    samples[3].ao_picture = folder.write("c/c.png", kPng + "\xff\xfe\xfd");
+    const std::string html = page(samples);
     const std::string once = "base64,iVBORw0KGgpNYQ==\"";
     const std::size_t first = html.find("data:image/png;" + once);
     REQUIRE(first != std::string::npos);
@@ -162,10 +162,10 @@ TEST_CASE("a report embeds nothing but PNGs below the folder of its results")
     folder.write("mine/secret.txt", "hunter2");
     std::filesystem::create_symlink("../secret.png", folder.path / "mine/link.png");
     for (const char* name : {"../secret.png", "link.png", "secret.txt"}) {
-        auto points = sweep();
-        points[0].folder = (folder.path / "mine").string();
-        points[0].ao_picture = (folder.path / "mine" / name).string();
-        const auto html = reportHtml(points);
+        auto samples = sweep();
+        samples[0].folder = (folder.path / "mine").string();
+        samples[0].ao_picture = (folder.path / "mine" / name).string();
+        const auto html = reportHtml(samples);
         INFO(name);
         REQUIRE(html.diagnostics().size() == 1);
         CHECK(html.diagnostics()[0].code == Code::image_broken);
@@ -175,29 +175,29 @@ TEST_CASE("a report embeds nothing but PNGs below the folder of its results")
 
 TEST_CASE("no name in a page turns the direction of its text")
 {
-    auto points = sweep();
-    points[0].config =
+    auto samples = sweep();
+    samples[0].config =
         "a\xE2\x80\xAE"
         "b\xC2\x9B";
-    const std::string html = page(points);
+    const std::string html = page(samples);
     CHECK(!holds(html, "\xE2\x80\xAE"));
     CHECK(holds(html, "a\\\\u202eb\\\\u009b"));
 }
 
 TEST_CASE("a picture that is gone costs a warning")
 {
-    auto points = sweep();
-    points[0].truth_picture = "/nowhere/truth.png";
-    const auto html = reportHtml(points);
+    auto samples = sweep();
+    samples[0].ground_truth_picture = "/nowhere/ground_truth.png";
+    const auto html = reportHtml(samples);
     REQUIRE(html.ok());
     REQUIRE(html.diagnostics().size() == 1);
     CHECK(html.diagnostics()[0].severity == Severity::warning);
-    CHECK(reportHtml(points, false).diagnostics().empty());
+    CHECK(reportHtml(samples, false).diagnostics().empty());
 }
 
 TEST_CASE("a report says what failed, even where everything did")
 {
-    BenchPoint failed = benchPoint("a", 4, 0, 0);
+    BenchSample failed = benchSample("a", 4, 0, 0);
     failed.failure = "the shader does not link";
     const auto report = nlohmann::json::parse(reportJson({failed}));
     CHECK(report["failures"][0]["title"] == "a samples=4, room, 960x540");
@@ -207,12 +207,12 @@ TEST_CASE("a report says what failed, even where everything did")
     CHECK(!page({}).empty());
 }
 
-TEST_CASE("the CSV has a row a point, and quotes what needs it")
+TEST_CASE("the CSV has a row a sample, and quotes what needs it")
 {
-    auto points = sweep();
-    points[0].device = "Mesa, \"llvmpipe\"";
-    points[1].failure = "no memory";
-    const std::string csv = reportCsv(points);
+    auto samples = sweep();
+    samples[0].device = "Mesa, \"llvmpipe\"";
+    samples[1].failure = "no memory";
+    const std::string csv = reportCsv(samples);
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 7);
     CHECK(csv.rfind("config,", 0) == 0);
     CHECK(holds(csv, ",\"Mesa, \"\"llvmpipe\"\"\","));

@@ -31,7 +31,7 @@ found.ratioAxis = document.querySelector(".pareto > svg").textContent.includes("
 found.stillMarks = document.querySelectorAll(".pareto .point").length;
 found.budgets = document.querySelectorAll(".budget").length;
 found.slopes = [...document.querySelectorAll(".charts .legend")].filter(l => / −?\d\.\d\d/.test(l.textContent)).length;
-found.tableRows = document.querySelectorAll("tbody.points tr").length;
+found.tableRows = document.querySelectorAll("tbody.bench-samples tr").length;
 found.missing = document.querySelector(".missing").textContent.includes("the shader does not link");
 found.background = getComputedStyle(document.body).backgroundColor;
 // No window gets as narrow as a phone, but a page does; call it with a window under 640 wide.

@@ -14,8 +14,8 @@ for command in report choose compare-bench; do
 done
 
 # --- report ---
-expect 0 'wrote report.html \(6 points' report results.jsonl
-check "there is a CSV with every point" test "$(wc -l <report.csv)" -eq 7
+expect 0 'wrote report.html \(6 samples' report results.jsonl
+check "there is a CSV with every bench sample" test "$(wc -l <report.csv)" -eq 7
 cp report.json stdout.txt
 expect_json
 expect 0 'wrote a.html' report results.jsonl --out a.html --no-pictures
@@ -29,20 +29,20 @@ expect 0 'CV7005.*a4.png|wrote report.html' report sharded/results.jsonl
 # --- a part of a bench ---
 mkdir part
 {
-    printf '{"planned":{"device":"device A","command":"c","points":["1","2","3"]}}\n'
+    printf '{"planned":{"device":"device A","command":"c","bench_samples":["1","2","3"]}}\n'
     cat results.jsonl
 } >part/results.jsonl
-expect 0 '5 of 9 points measured, 1 failed: quick, fine, <b>slow</b>; what to take may change' report part --out part.html
-check "the page says so" grep -q '"text":"5 of 9 points measured' part.html
+expect 0 '5 of 9 bench samples measured, 1 failed: quick, fine, <b>slow</b>; what to take may change' report part --out part.html
+check "the page says so" grep -q '"text":"5 of 9 bench samples measured' part.html
 check "and the JSON" grep -q '"planned": 9' part.json
-expect 0 '5 of 9 points measured' choose part --budget 3ms
+expect 0 '5 of 9 bench samples measured' choose part --budget 3ms
 expect 0 '"planned": 9' choose part --budget 3ms --json
 expect_json
-check "a whole bench is no part" bash -c '! grep -q "points measured" <(crevice=$1; "$crevice" report results.jsonl)' _ "$crevice"
+check "a whole bench is no part" bash -c '! grep -q "bench samples measured" <(crevice=$1; "$crevice" report results.jsonl)' _ "$crevice"
 
 # --- choose ---
 expect 0 '^fine samples=4$' choose results.jsonl --budget 3ms
-expect 0 'why: of 5 configs, 3 have at most 3 ms; this one is the least wrong' choose results.jsonl --budget 3ms
+expect 0 'why: of 5 configs, 3 have at most 3 ms; this one has the lowest error' choose results.jsonl --budget 3ms
 expect 0 '^quick samples=16$' choose results.jsonl --error 0.09
 expect 0 '^quick samples=4$' choose results.jsonl --budget 1.5x
 expect 0 'crevice render fine --set samples=16 --scene room' choose results.jsonl --error 0.045
@@ -57,7 +57,7 @@ expect 2 'CV8001.*cellar' choose results.jsonl --budget 2ms --scene cellar
 expect 1 'CV4005' choose results.jsonl --budget 2ms --size 3
 
 # --- compare-bench ---
-expect 0 '5 points compared: 0 figures worse' compare-bench results.jsonl results.jsonl
+expect 0 '5 bench samples compared: 0 figures worse' compare-bench results.jsonl results.jsonl
 sed 's/"rmse":0.05,/"rmse":0.06,/' results.jsonl >worse.jsonl
 expect 5 'worse: fine samples=4, room, 960x540: rmse was 0.05 and is 0.06' compare-bench results.jsonl worse.jsonl
 expect 0 'better: fine samples=4' compare-bench worse.jsonl results.jsonl
@@ -66,5 +66,5 @@ sed 's/"ratio_copy":6.0/"ratio_copy":7.0/' results.jsonl >slower.jsonl
 expect 5 'ratio_copy was 6 and is 7' compare-bench results.jsonl slower.jsonl
 expect 0 '0 figures worse' compare-bench results.jsonl slower.jsonl --max-ratio 0.2
 sed 's/"room"/"hall"/' results.jsonl >other.jsonl
-expect 1 'CV7009.*no point is in both' compare-bench results.jsonl other.jsonl
+expect 1 'CV7009.*no bench sample is in both' compare-bench results.jsonl other.jsonl
 finish
