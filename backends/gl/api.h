@@ -158,7 +158,7 @@ Status takeErrors(GlApi& gl, const char* what, const char* label = "");
 /// GL_CONTEXT_LOST.
 void abandon(GlApi& gl);
 
-/// Abandons the table where the context tells that the GPU was reset: where GL_KHR_robustness is
+/// Abandons the table where the context reports that the GPU was reset: where GL_KHR_robustness is
 /// missing, and GL_EXT_robustness alone is there, no error says so.
 void noticeReset(GlApi& gl);
 

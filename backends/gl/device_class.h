@@ -61,7 +61,7 @@ public:
 private:
     struct TextureSlot {
         GlTexture owned;              // nothing when adopted, or when several samples make it a
-        GlRenderbuffer renderbuffer;  // ... thing to draw into alone
+        GlRenderbuffer renderbuffer;  // ... drawn into but never sampled
         GLuint name;                  // whichever it is
         Format format;
         Extent extent;

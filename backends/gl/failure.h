@@ -16,7 +16,8 @@ inline Diagnostic failure(Code code, std::string message, std::string help)
     return diagnostic;
 }
 
-/// Whether the last of them says that the context is lost, so that asking on tells nothing more.
+/// Whether the last of them says that the context is lost, so that further calls report nothing
+/// more.
 inline bool tellsLoss(const Diagnostics& diagnostics)
 {
     return !diagnostics.empty() && diagnostics.back().code == Code::context_lost;

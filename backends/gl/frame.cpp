@@ -20,7 +20,7 @@ GLenum compareFunction(Compare compare)
     return GL_ALWAYS;
 }
 
-/// Tells the driver which attachments' contents are not wanted: tile memory is then neither loaded
+/// Invalidates the attachments whose contents are not needed: tile memory is then neither loaded
 /// nor stored.
 template <class Op>
 void invalidate(const GlApi& gl, const PassInfo& pass, const Op* color, Op depth, Op discard)

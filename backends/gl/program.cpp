@@ -41,7 +41,7 @@ std::string readLog(GLuint name, GetValue get_value, GetLog get_log)
 }
 
 /// The driver's words at the author's lines; never empty, though some drivers say nothing. Where it
-/// reports an error instead, memory ran out or the context is lost, and that is told.
+/// reports an error instead, which means that memory ran out or the context is lost.
 Diagnostics explain(GlApi& gl, const GlslStage& stage, Code code, const std::string& label,
                     const std::string& what, const std::string& log)
 {

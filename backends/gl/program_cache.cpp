@@ -34,7 +34,7 @@ std::string_view binaryIn(const std::vector<std::uint8_t>& kept)
             kept.size() - sizeof(Header)};
 }
 
-/// Takes the errors of this file's calls, of which no one is told; a lost context says so again.
+/// Clears the GL errors of this file's calls; a lost context will report its error again.
 bool leftErrors(GlApi& gl) { return !takeErrors(gl, "a program binary").ok(); }
 
 }  // namespace

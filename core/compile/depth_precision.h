@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How finely a format tells surfaces apart through a camera, and how far that serves a radius,
+// The depth resolution of a format through a camera, and how far that serves a radius,
 // which is the length that a config has formats resolve. What a plan chooses formats by and warns
 // of; pure figures, in scene units.
 //
@@ -58,7 +58,7 @@ PrecisionNeed precisionNeed(const Description& description, const SceneTraits& t
 /// Distance between neighbours of the format at `value` >= 0; infinite above the largest it holds.
 double formatStep(Format format, double value);
 
-/// How far apart two surfaces about `distance` must lie in view depth to be told apart; 0 where
+/// How far apart two surfaces about `distance` must lie in view depth to be distinguished; 0 where
 /// what is stored is no surface. In an orthographic view the distance counts from the near plane.
 double viewStep(const SceneTraits& traits, const StoredSurface& stored, double distance);
 

@@ -58,7 +58,7 @@ Reference placeOf(const Pass& pass, const Read& read)
     return read.input->from.empty() ? read.input->sampler : read.input->from;
 }
 
-// Walks back from an undone pass until one comes up again, and tells the way round.
+// Walks back from an undone pass until one comes up again, and reports the cycle.
 std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector<bool>& done)
 {
     std::vector<int> path;
@@ -93,7 +93,7 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
 // What passes wait for, as it grows.
 struct Waiting {
     Edges edges;
-    std::vector<bool> told;  // targets that no pass writes, each told once however many read it
+    std::vector<bool> reported;  // targets that no pass writes, each once however many read it
 };
 
 void addEdge(State& state, int index, const Source& source, const Reference& at, Waiting& waiting)
@@ -101,9 +101,9 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
     const Pass& pass = state.passes[index];
     const std::optional<Source> behind = resolve(state, source);
     if (!behind) {
-        if (!waiting.told[source.index] && state.unplaced.count(nameOf(state, source.index)) == 0)
+        if (!waiting.reported[source.index] && state.unplaced.count(nameOf(state, source.index)) == 0)
             reportNeverWritten(state, quoted(pass), source.index, at);
-        waiting.told[source.index] = true;
+        waiting.reported[source.index] = true;
         return;
     }
     if (behind->kind != InputKind::target) return;
@@ -132,14 +132,14 @@ void addEdges(State& state, int index, Waiting& waiting)
     }
 }
 
-void checkOutputs(State& state, std::vector<bool>& told)
+void checkOutputs(State& state, std::vector<bool>& reported)
 {
     for (const int index : state.outputs) {
         const OutputDesc& output = state.description.outputs[index];
         const int target = indexOf(state.description.targets, output.target.name);
-        if (told[target] || resolveTarget(state, target)) continue;
+        if (reported[target] || resolveTarget(state, target)) continue;
         reportNeverWritten(state, "output '" + output.name + "'", target, output.target);
-        told[target] = true;
+        reported[target] = true;
     }
 }
 
@@ -204,7 +204,7 @@ void orderPasses(State& state)
         ++left;
         addEdges(state, static_cast<int>(i), waiting);
     }
-    checkOutputs(state, waiting.told);
+    checkOutputs(state, waiting.reported);
 
     const auto ready = [&](std::size_t i) {
         return !done[i] && std::all_of(edges[i].begin(), edges[i].end(),

@@ -69,7 +69,7 @@ void addGeneratedAndImports(const State& state, Plan& plan)
         if (is_used(desc)) plan.imports.push_back(desc);
 }
 
-// The test that passes nearer things where they have more depth rather than less.
+// The same depth test for reversed depth, where nearer surfaces have the larger depth.
 Compare reversed(Compare test)
 {
     switch (test) {
@@ -203,8 +203,8 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
 // tell. Passes come after what they read.
 void boundPasses(const State& state, Plan& plan)
 {
-    std::vector<bool> shows_things;
-    const auto fromThings = [&](const PlanInput& input) {
+    std::vector<bool> from_draws;
+    const auto fromDraws = [&](const PlanInput& input) {
         if (input.kind == InputKind::target)
             return bool(shows_things[plan.targets[input.index].first_pass]);
         return input.kind != InputKind::imported && input.kind != InputKind::history;

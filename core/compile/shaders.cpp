@@ -37,7 +37,7 @@ void addTraits(GlslDefines& defines, const SceneTraits& traits)
         defines[trait.define] = std::to_string(trait.value(traits));
 }
 
-// How finely a format tells values apart, as GLSL.
+// The resolution of a format, as GLSL.
 std::string stepsOf(Format format)
 {
     const FormatInfo& info = formatInfo(format);
@@ -160,7 +160,7 @@ void readPass(State& state, Pass& pass)
     checkLimits(state, pass, shader);
 }
 
-// The mask of a pass is one more thing that it reads, where some pass draws it and it fits.
+// The mask of a pass is one more target that it reads, where some pass draws it and it fits.
 void readMask(State& state, Pass& pass)
 {
     const int mask = indexOf(state.description.targets, pass.desc->mask.name);

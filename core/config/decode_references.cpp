@@ -97,7 +97,7 @@ void Checker::run()
         expect(each.target, "view '" + each.name + "' shows", targets_);
 }
 
-// True too when the reference was not written, or is explained by an error already told.
+// True too when the reference was not written, or is explained by an error already reported.
 bool Checker::known(const Reference& reference, const Names& names) const
 {
     const auto broken = [&](const std::string& section) { return report_.errorAt("/" + section); };
@@ -180,9 +180,9 @@ void Checker::checkAttached(const PassDesc& pass, const Reference& target, const
     for (const Reference& each : pass.color) written.push_back(each.name);
     if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
     if (!known(target, targets_)) return expect(target, who, targets_);
-    const bool told = report_.errorWithin(pass.pointer + "/color") ||
-                      report_.errorWithin(pass.pointer + "/depth");
-    if (told || contains(written, target.name)) return;
+    const bool reported = report_.errorWithin(pass.pointer + "/color") ||
+                          report_.errorWithin(pass.pointer + "/depth");
+    if (reported || contains(written, target.name)) return;
     report_.at(target, Code::reference_missing,
                who + " target '" + target.name + "', which it does not write",
                suggestName(target.name, written, "its targets"));

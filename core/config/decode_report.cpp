@@ -123,10 +123,10 @@ Diagnostics Report::take(const Node& document)
 
     Diagnostics diagnostics;
     std::vector<Place> causes;
-    std::map<std::string, std::size_t> told;  // mistakes, and the diagnostics that tell them
+    std::map<std::string, std::size_t> reported;  // mistakes, and their diagnostics
     for (Ordered& each : ordered) {
         Entry& entry = each.second;
-        const auto [first, fresh] = told.emplace(entry.mistake, diagnostics.size());
+        const auto [first, fresh] = reported.emplace(entry.mistake, diagnostics.size());
         if (fresh || entry.mistake.empty()) {
             diagnostics.push_back(std::move(entry.diagnostic));
             causes.push_back(std::move(entry.cause));

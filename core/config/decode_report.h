@@ -21,7 +21,8 @@ struct Cursor {
     Reference keyReference() const;               ///< To what the key names.
 };
 
-/// Errors told of one document; nobody reads more, and each is searched for what it explains.
+/// Most errors reported for one document; nobody reads more, and each is searched for what it
+/// explains.
 constexpr std::size_t kMaxErrors = 1000;
 
 /// Errors in any order, to be put into that of the document. Those past kMaxErrors are counted.
@@ -47,7 +48,7 @@ public:
     Diagnostic& add(Diagnostic diagnostic);
 
     /// Says that the last error is about the same mistake as all others of that `mistake`: the
-    /// first one in the document is told, and the others become its notes.
+    /// first one in the document is reported, and the others become its notes.
     void sameMistake(std::string mistake);
 
     /// Says that the last error comes of what stands at `place`, which is its place then.

@@ -118,7 +118,7 @@ bool UseChecker::used(const FeatureDesc& feature)
     return used(Named(feature)) || inGlsl(upperCase(feature.name));
 }
 
-// A camera, draw list and lights are told by their type; a config may rest on the frame without
+// A camera, draw list and lights are known by their type; a config may rest on the frame without
 // naming them in any shader.
 bool UseChecker::used(const ImportDesc& each)
 {

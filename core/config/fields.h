@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The config format as a table: every key of every struct of a Description, once.
 //
-// `fields(visitor, target)` tells a visitor of each key in turn: its JSON spelling, the member that
-// it fills (whose type is the JSON type and whose initial value is the default), one sentence for
-// people, and what the value must satisfy. Decoding is one visitor (core/config/decode_reader.h);
-// whatever lists or documents the format is another. A visitor has
+// `fields(visitor, target)` calls a visitor for each key in turn: its JSON spelling, the member
+// that it fills (whose type is the JSON type and whose initial value is the default), one sentence
+// for people, and what the value must satisfy. Decoding is one visitor
+// (core/config/decode_reader.h); whatever lists or documents the format is another. A visitor has
 //
 //   bool field(key, member, doc, rule)      a key; false when it is there but unusable
 //   bool shorthand(key, member, doc, rule)  as field, and its value may stand for the whole object
@@ -32,18 +32,20 @@ void fields(V& v, ParamDesc& p)
     v.ordered("min", p.min, "max", p.max);
     v.field("default",
             Numbers{p.value, known ? componentCount(p.type) : 0, p.type == ParamType::int_},
-            "The value unless overridden: a number, or a list for a vector.",
+            "The initial value: a number such as 0.5, or a list for a vector, such as [1, 0, 0].",
             required(range(p.min, p.max, p.unit)));
-    v.field("soft_max", p.soft_max, "Where a slider ends; 0 means at max.",
+    v.field("soft_max", p.soft_max, "The upper end of a slider; 0 for `max`.",
             range(std::min(p.min, 0.0), p.max, p.unit));
-    v.field("step", p.step, "What a slider snaps to; 0 means it does not.", range(0, kMaxParam));
-    v.field("label", p.label, "What people see; the name when absent.");
-    v.field("tooltip", p.tooltip, "One sentence: what it does and what turning it up costs.");
-    v.field("group", p.group, "The heading in a panel.");
-    v.field("bind", p.bind, "A uniform, or a #define in upper case that a change compiles anew.");
-    v.field("semantic", p.semantic,
-            "A length, in scene units, is how far an estimator looks about: formats of depth and "
-            "positions are chosen to resolve a tenth of it.");
+    v.field("step", p.step, "The step of a slider; 0 for none.", range(0, kMaxParam));
+    v.field("label", p.label, "The name in a user interface; the key when absent.");
+    v.field("tooltip", p.tooltip, "One sentence: what it does, and what a higher value costs.");
+    v.field("group", p.group, "The heading in a user interface under which it stands.");
+    v.field("bind", p.bind,
+            "`define` for a #define in upper case: another value then compiles the shaders again.");
+    v.field(
+        "semantic", p.semantic,
+        "`length` for a distance in scene units within which an estimator takes samples: formats "
+        "of depth and positions are chosen to resolve a tenth of it.");
     if (componentCount(p.type) > 1) v.refuse("semantic", Code::bad_enum, "a vector is no length");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");
@@ -53,10 +55,11 @@ template <class V>
 void fields(V& v, FeatureDesc& f)
 {
     FeatureType type = FeatureType::bool_;
-    const bool known = v.field("type", type, "A switch, or one of several words.");
+    const bool known =
+        v.field("type", type, "`bool` for a switch, `enum` for one of several words.");
     f.boolean = known && type == FeatureType::bool_;
     const bool torn = f.boolean && v.has("values");  // its default then goes with one of the two
-    v.field("values", Words{f.values}, "Of an enum: its words, at least two.",
+    v.field("values", Words{f.values}, "The words of an enum, at least two.",
             known && !f.boolean ? required() : Rule{});
     if (f.boolean) {
         v.refuse("values", Code::unknown_key, "a bool feature has no list of values");
@@ -64,7 +67,8 @@ void fields(V& v, FeatureDesc& f)
     }
     const std::vector<std::string> anything;
     v.field("default", Choice{f.value, torn ? anything : f.values, f.boolean && !torn},
-            "The value unless overridden; false, or the first word, when absent.");
+            "The initial value: true, false, or a word of an enum. When absent: false, or the "
+            "first word.");
 }
 
 template <class V>
@@ -72,9 +76,11 @@ void fields(V& v, ImportDesc& i)
 {
     v.field("type", i.type, "What the host supplies; a texture is a sampler of this name.",
             required());
-    v.field("optional", i.optional, "The host may leave it out: zeros, no lights, nothing drawn.");
+    v.field(
+        "optional", i.optional,
+        "Whether the host may leave it out. Textures then read 0; there are no lights, no draws.");
     v.field("format", OneOf{i.format, formatNames()},
-            "Of a texture: what the host stores it in. Shaders allow for its steps.");
+            "The format of the host's texture. Shaders allow for its resolution.");
 }
 
 template <class V>
@@ -83,10 +89,11 @@ void fields(V& v, GeneratedDesc& g)
     v.field("generator", OneOf{g.generator, generatorNames()}, "What makes the numbers.",
             required());
     v.field("count", NumberOrName<int>{g.count, g.count_param},
-            "Offsets of a kernel or pixels along a side of a noise, or the int param that says.",
+            "How many offsets a kernel has, or pixels a side of the noise; or the name of an int "
+            "param.",
             range(1, mostCount(g.generator)));
     v.field("distribution", OneOf{g.distribution, distributionNames()},
-            "Where the offsets of a kernel lie.");
+            "How the offsets of a kernel are distributed.");
     v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
 }
 
@@ -95,7 +102,7 @@ void fields(V& v, SizeDesc& s)
 {
     v.field("of", s.of, "The target whose size this follows; the output's when absent.");
     v.field("scale", NumberOrName<float>{s.scale, s.scale_param},
-            "Pixels a pixel of what it follows, in each direction, or the param that says.",
+            "Factor in each direction, 0.5 for half resolution; or the name of a float param.",
             range(kSmallestScale, kLargestScale));
 }
 
@@ -103,15 +110,17 @@ template <class V>
 void fields(V& v, TargetDesc& t)
 {
     v.field("format", t.formats,
-            "Preference list: the first that the device renders to and that tells surfaces apart.",
+            "Preference list: the first that the device renders to and that resolves depth finely "
+            "enough.",
             required());
-    v.field("semantic", t.semantic,
-            "What surfaces are found by here, so that its format is chosen to resolve lengths; "
-            "depth formats hold window depth without it, or a mask.");
-    v.field("size", t.size, "How large: max(1, ceil(followed * scale)) in each direction.");
+    v.field(
+        "semantic", t.semantic,
+        "What the target holds, so that its format is chosen to resolve lengths. When absent, a "
+        "depth format holds window depth.");
+    v.field("size", t.size, "The size: max(1, ceil(followed * scale)) in each direction.");
     v.field("history", t.history, "Passes may read what it held last frame, as NAME_history.");
     v.field("samples", NumberOrName<int>{t.samples, t.samples_param},
-            "Of a pixel as its pass draws it, or the int param that says; readers see their mean.",
+            "Samples per pixel (MSAA), or the name of an int param; readers get their mean.",
             range(1, kMaxSamples));
     const bool multisampled = t.samples > 1 || !t.samples_param.empty();
     if (multisampled && t.history)
@@ -136,19 +145,20 @@ void fields(V& v, InterfaceDesc& i)
 template <class V>
 void fields(V& v, ClearDesc& c)
 {
-    v.itself(ClearColor{c.value}, "One number for all channels or for depth, or a list of four.");
+    v.itself(ClearColor{c.value},
+             "One number for all channels or for depth, or a list of four numbers.");
 }
 
 template <class V>
 void fields(V& v, Condition::Term& t)
 {
-    v.itself(Scalars{t.values}, "The value to have, or a list of which any will do.");
+    v.itself(Scalars{t.values}, "The value that it must have, or a list of allowed values.");
 }
 
 template <class V>
 void fields(V& v, BypassDesc& b)
 {
-    v.itself(b.input, "The target that stands in for this output when the pass is off.");
+    v.itself(b.input, "The input that replaces this output when the pass is off.");
 }
 
 template <class V>
@@ -160,23 +170,28 @@ void fields(V& v, PreservesConstantDesc& k)
 template <class V>
 void fields(V& v, NoOpDesc::Gives& g)
 {
-    v.itself(NumberOrName<float>{g.value, g.input}, "A constant, or the target that it equals.");
+    v.itself(NumberOrName<float>{g.value, g.input},
+             "A number, or the name of the input that the output equals.");
     g.constant = g.input.empty();
 }
 
 template <class V>
 void fields(V& v, NoOpDesc& i)
 {
-    v.field("at", i.at, "The value of the param at which the pass does nothing new.", required());
-    v.field("gives", i.gives, "What each output then is.", required());
+    v.field("at", i.at, "The value of the param at which the outputs are known.", required());
+    v.field("gives", i.gives, "What each output then is: a number or the name of an input.",
+            required());
 }
 
 template <class V>
 void fields(V& v, InputDesc& i)
 {
-    v.shorthand("from", i.from, "What the sampler reads; what has its own name when absent.");
-    v.field("filter", i.filter, "How texels mix.");
-    v.field("wrap", i.wrap, "Past the edge; repeat for a generated noise when absent.");
+    v.shorthand(
+        "from", i.from,
+        "What the sampler reads: a target, import or noise. When absent: the one of its own name.");
+    v.field("filter", i.filter, "How texels are filtered.");
+    v.field("wrap", i.wrap,
+            "Addressing past the edge. When absent: `repeat` for a generated noise, else `clamp`.");
     i.has_filter = v.has("filter");
     i.has_wrap = v.has("wrap");
 }
@@ -185,10 +200,10 @@ template <class V>
 void fields(V& v, StateDesc& s)
 {
     v.field("depth_test", s.depth_test,
-            "Less for a draw pass with depth, when absent. Less is nearer, also where a camera "
-            "reverses depth.");
-    v.field("depth_write", s.depth_write, "True for a draw pass with depth, when absent.");
-    v.field("cull", s.cull, "Which side of a triangle is left out.");
+            "When absent: `less` for a draw pass with depth. `less` is nearer, also with reversed "
+            "depth.");
+    v.field("depth_write", s.depth_write, "When absent: true for a draw pass with depth.");
+    v.field("cull", s.cull, "Which faces of triangles are culled.");
 }
 
 /// The keys by which a pass says what need not be drawn.
@@ -196,14 +211,14 @@ template <class V>
 void workSaving(V& v, PassDesc& p)
 {
     v.field("no_op", p.no_op, "Values of params at which the outputs are known without the pass.");
-    v.field("preserves_constant", p.preserves_constant,
-            "Outputs that are constant, except in the background, where all that the sampler reads "
-            "is.");
+    v.field(
+        "preserves_constant", p.preserves_constant,
+        "Filtered outputs and their samplers: where the sampler's texture is one constant, so is "
+        "the output, except in the background.");
     v.field(
         "frustum_scale", NumberOrName<float>{p.frustum_scale, p.frustum_scale_param},
-        "The part of the view that a draw pass shows, in sizes of the view about its middle, "
-        "or the param that holds it: draws whose bounds are outside are culled. 0 where the shader "
-        "moves vertices.",
+        "The view that a draw pass shows, as a multiple of the camera's, or a param: draws whose "
+        "bounds are outside are culled. 0 culls nothing: where the shader moves vertices.",
         range(0, kLargestScale));
     if (p.type != PassType::draw && v.has("frustum_scale"))
         v.refuse("frustum_scale", Code::bad_enum, "a fullscreen pass has no geometry");
@@ -230,13 +245,14 @@ void workSaving(V& v, PassDesc& p)
 template <class V>
 void fields(V& v, PassDesc& p)
 {
-    v.field("type", p.type, "Draws the draw list, or one triangle over the target.");
+    v.field("type", p.type,
+            "`draw` for the draw list, `fullscreen` for one triangle over the target.");
     v.field("shader", p.shader, "The shader that runs.", required());
     v.field("color", p.color, "Targets in the order of the shader's outputs, or just one.");
     v.field("depth", p.depth, "The target for depth.");
-    v.field("clear", p.clear, "What to clear an attachment to first.");
+    v.field("clear", p.clear, "Values that attachments are cleared to before the pass draws.");
     v.field("when", p.when.terms, "Features and traits that must hold for the pass to run.");
-    v.field("bypass", p.bypass, "Which input stands in for an output when the pass is off.");
+    v.field("bypass", p.bypass, "Which input replaces an output when the pass is off.");
     workSaving(v, p);
     v.field("inputs", p.inputs, "Samplers whose names differ from what they read.");
     if (p.type == PassType::draw && !p.depth.empty()) p.state = {Compare::less, true};
@@ -253,8 +269,8 @@ template <class V>
 void fields(V& v, ViewDesc& view)
 {
     v.field("target", view.target, "The target to look at.", required());
-    v.field("scale", view.scale, "Shown is value * scale + offset.");
-    v.field("offset", view.offset, "Shown is value * scale + offset.");
+    v.field("scale", view.scale, "The view shows value * scale + offset.");
+    v.field("offset", view.offset, "The view shows value * scale + offset.");
 }
 
 template <class V>
@@ -267,15 +283,16 @@ void fields(V& v, Description& d)
             "Continuous tunables. A bare number or list is the `default` of one that a module "
             "declares.");
     v.field("features", d.features,
-            "Finite switches; conditions see them, GLSL as #defines. A bare value is a `default` "
-            "here too.");
+            "Switches and choices: `when` tests them, GLSL has them as #defines. A bare value is a "
+            "`default` here too.");
     v.field("imports", d.imports, "What the host supplies.");
     v.field("generated", d.generated, "Arrays and small textures computed on load.");
     v.field("targets", d.targets, "Textures that passes write.");
     v.field("shaders", d.shaders, "Programs by name.");
     v.field("interfaces", d.interfaces, "GLSL that one module provides and others include.");
-    v.field("passes", d.passes, "What runs; the order follows from what reads what.");
-    v.field("outputs", d.outputs, "Exported names: what keeps passes alive.");
+    v.field("passes", d.passes, "The passes; their order follows from what they read and write.");
+    v.field("outputs", d.outputs,
+            "Exported targets by name; passes that none of them needs are left out.");
     v.field("views", d.views, "Debug views of targets.");
 }
 

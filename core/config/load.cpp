@@ -146,7 +146,8 @@ private:
     std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
 };
 
-// What tells two files apart, by whatever path they were reached. A catalog path never begins with
+// What distinguishes two files, by whatever path they were reached. A catalog path never begins
+// with
 // '/', a canonical path on disk always does.
 std::string identityOf(const SourceText& source)
 {
@@ -215,7 +216,8 @@ void FileLoader::checkSwaps()
                               suggestName(swap.name, extends_, "modules to swap"), swap.place});
 }
 
-// What is one thing only: the GLSL of a shader, the file behind an interface. Null when neither.
+// What may be given only once: the GLSL of a shader, the file behind an interface. Null when
+// neither.
 const Node* glslAt(const Node& body, const char* list, const std::string& name)
 {
     const Node* all = body.find(list);
@@ -224,7 +226,7 @@ const Node* glslAt(const Node& body, const char* list, const std::string& name)
     return file && file->kind == Node::Kind::string ? file : nullptr;
 }
 
-// The first thing that both files make, or nothing.
+// The first interface or shader that both files make, or nothing.
 std::optional<std::string> madeByBoth(const Node& one, const Node& other)
 {
     for (const char* list : {"interfaces", "shaders"}) {
@@ -241,7 +243,7 @@ std::optional<std::string> madeByBoth(const Node& one, const Node& other)
     return std::nullopt;
 }
 
-// Tells one clash, that of the files read last: those before are often what they extend.
+// Reports one clash, that of the files read last: those before are often what they extend.
 void FileLoader::checkClashes()
 {
     for (std::size_t later = read_.size(); later-- > 1;)
@@ -356,7 +358,7 @@ void FileLoader::checkFormat(const Node& document)
                           format->place, "/format"});
 }
 
-// A key that was meant as `extends` is told before all that is not there without it.
+// A key that was meant as `extends` is reported before all that is not there without it.
 void FileLoader::checkKeys(const Node& document)
 {
     for (const Member& member : document.members) {

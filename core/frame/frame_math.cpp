@@ -235,8 +235,8 @@ bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
     return item.bounds_radius >= 0.0f && isOutside(boundsInView(item, camera), camera, wider);
 }
 
-ViewArea areaOfThings(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
-                      const Extent& extent, double length)
+ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
+                     const Extent& extent, double length)
 {
     ViewArea area = {1, 1, 0, 0};
     for (const DrawItem& item : draws) {

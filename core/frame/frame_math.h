@@ -47,11 +47,11 @@ struct ViewArea {
     double left = 0, bottom = 0, right = 1, top = 1;
 };
 
-/// The part in which things can show: those at which a `length` in scene units comes to a pixel of
+/// The part in which draws can show: those at which a `length` in scene units comes to a pixel of
 /// a view of `extent`, or all where it is infinite. All of the view where that is not known,
 /// without bounds say.
-ViewArea areaOfThings(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
-                      const Extent& extent, double length);
+ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
+                     const Extent& extent, double length);
 
 /// The pixels of a picture of the view that the area touches.
 PixelArea pixelsOf(const ViewArea& area, const Extent& extent);

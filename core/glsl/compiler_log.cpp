@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Driver logs. After #line a driver tells the source-string number and the line:
+// Driver logs. After #line a driver reports the source-string number and the line:
 //
 //   Mesa                     0:5(12): error: `foo' undeclared
 //   NVIDIA                   0(5) : error C1503: undefined variable "foo"

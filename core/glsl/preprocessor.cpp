@@ -128,7 +128,7 @@ void Preprocessor::readLine(const GlslLine& line)
     }
 }
 
-/// Drops comments above #version, which must be the first thing that the driver sees.
+/// Drops comments above #version, which must be the first line that the driver sees.
 void Preprocessor::readFirstLine(const GlslLine& line)
 {
     if (line.tokens.empty()) return;
@@ -242,7 +242,8 @@ bool Preprocessor::undefinedName(const GlslTokens& condition)
     if (!evaluate(condition.data(), condition.data() + condition.size(), true)) return false;
     for (const GlslToken& token : condition) {
         if (token.kind != GlslToken::Kind::identifier) continue;
-        if (!undefined_.emplace(token.text).second) return true;  // told once for the whole stage
+        if (!undefined_.emplace(token.text).second)
+            return true;  // reported once for the whole stage
         fail("a condition has '" + std::string(token.text) + "', which is not defined", token,
              suggestName(token.text, unit_.macros.names(), "defined") +
                  "; features, traits and params with bind 'define' are, in upper case");

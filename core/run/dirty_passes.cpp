@@ -54,12 +54,12 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             const PassNode& pass = passes_[i];
-            const auto drawn_anew = [&](int target) {
+            const auto redrawn = [&](int target) {
                 return runs_[runOf(view, plan_.targets[target].first_pass)] != 0;
             };
             const int run = runOf(view, static_cast<int>(i));
             runs_[run] = changed[run] || pass.remembers ||
-                         std::any_of(pass.reads.begin(), pass.reads.end(), drawn_anew);
+                         std::any_of(pass.reads.begin(), pass.reads.end(), redrawn);
         }
     do next_slots_ = slots_;
     while (findOverwritten());

@@ -11,7 +11,7 @@
 namespace crevice {
 namespace {
 
-// The state that culls what `state` keeps, for things that are mirrored.
+// The state that culls what `state` keeps, for draws that are mirrored.
 StateDesc turned(StateDesc state)
 {
     state.cull = state.cull == Cull::back ? Cull::front : Cull::back;
@@ -137,10 +137,11 @@ const std::vector<char>& Execution::begin(const Frame& frame)
         const bool camera_changed = beginView(frame, view, cameraOf(frame, i));
         for (PreparedPass& pass : view.passes) {
             values_.setViewport(pass.info.extent);
-            const bool drawn_anew =
+            const bool geometry_changed =
                 pass.plan->type == PassType::draw && (draws_changed || camera_changed);
-            const bool sent_anew = takeUniforms(pass);
-            changed_[run++] = plan_.reruns || drawn_anew || sent_anew || pass.imports_changed;
+            const bool uniforms_changed = takeUniforms(pass);
+            changed_[run++] =
+                plan_.reruns || geometry_changed || uniforms_changed || pass.imports_changed;
             pass.imports_changed = false;
         }
     }
@@ -178,10 +179,10 @@ void Execution::setView(const Frame& frame, const PreparedView& view)
 {
     values_.setFrame(frame, view.camera);
     values_.setHistory(view.before, view.camera);
-    things_.reset();
+    draws_area_.reset();
 }
 
-/// Whether things, materials or what they hold are others than in the last frame.
+/// Whether draws, materials or their contents differ from the last frame.
 bool Execution::updateDraws(const Frame& frame)
 {
     const DrawItem no_draw;
@@ -290,10 +291,10 @@ PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& came
 {
     const Extent& extent = pass.info.extent;
     if (const int length = pass.plan->cull_below_pixel; length >= 0)
-        return pixelsOf(areaOfThings(drawn_.draws, camera, extent, values_.param(length)), extent);
+        return pixelsOf(areaOfDraws(drawn_.draws, camera, extent, values_.param(length)), extent);
     constexpr double kAny = std::numeric_limits<double>::infinity();
-    if (!things_) things_ = areaOfThings(drawn_.draws, camera, extent, kAny);
-    return pixelsOf(*things_, extent);
+    if (!draws_area_) draws_area_ = areaOfDraws(drawn_.draws, camera, extent, kAny);
+    return pixelsOf(*draws_area_, extent);
 }
 
 void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)

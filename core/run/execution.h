@@ -162,9 +162,9 @@ private:
     PassCache cache_;
     std::vector<char> changed_;  // by run, for cache_
     DrawnList drawn_;
-    std::optional<ViewArea> things_;  // of the present view, once a pass has asked
-    bool swapped_ = false;            // whether histories and their targets have changed places
-    bool remembers_ = false;          // whether histories hold anything
+    std::optional<ViewArea> draws_area_;  // of the present view, once a pass has asked
+    bool swapped_ = false;                // whether histories and their targets have changed places
+    bool remembers_ = false;              // whether histories hold anything
     std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.

@@ -16,7 +16,7 @@ highp ivec2 levelCorner(highp int level, highp ivec2 size)
 }
 
 // The texel of depth that texel `at` of a level holds: the one at its middle, turned from texel to texel, so that
-// rows of them do not miss a thin thing together.
+// rows of them do not all miss the same thin object.
 highp ivec2 levelSource(highp int level, highp ivec2 at)
 {
     highp int half_step = 1 << (level - 1);

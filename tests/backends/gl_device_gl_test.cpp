@@ -40,7 +40,7 @@ Code onlyCode(const Diagnostics& diagnostics)
 
 }  // namespace
 
-TEST_CASE_METHOD(GlFixture, "caps tell what the context is")
+TEST_CASE_METHOD(GlFixture, "caps describe the context")
 {
     const DeviceCaps& caps = device->caps();
     INFO(caps.name);

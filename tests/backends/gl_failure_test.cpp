@@ -152,7 +152,7 @@ TEST_CASE("A context that is lost at any call ends in one CV6016, and no call of
 }
 
 TEST_CASE(
-    "A context whose loss only glGetGraphicsResetStatus tells ends in CV6016 with the next step")
+    "A context whose loss only glGetGraphicsResetStatus reports ends in CV6016 with the next step")
 {
     for (std::size_t next = kMakesRenderer; next < std::size(kSteps); ++next) {
         INFO("step " << next);
@@ -184,7 +184,7 @@ TEST_CASE("A device whose context the host destroyed calls no GL, and the next o
     CHECK(findNamed((*renderer)->description().params, "samples")->value[0] == 9);
 }
 
-TEST_CASE("No GL context on the thread is told from one that is lost")
+TEST_CASE("No GL context on the thread is distinguished from one that is lost")
 {
     WatchedGl gl;
     gl.loseAt(1, Loss::by_status);  // glGetString gives nothing, and glGetError says nothing
@@ -251,7 +251,7 @@ TEST_CASE("A device that lacks memory as it is made leaves no name behind")
     CHECK(failures > 5);
 }
 
-TEST_CASE("A driver that is out of memory at any call is told so, and nothing stays behind")
+TEST_CASE("A driver that is out of memory at any call is reported, and nothing stays behind")
 {
     std::set<Code> codes;
     for (std::size_t step = 1; step < std::size(kSteps); ++step) {

@@ -60,7 +60,7 @@ TEST_CASE("Textures of a size that cannot be are refused and leave no name")
     device->destroy(need(device->createTexture({"widest", Format::r8, {limit, 1}})));
 }
 
-TEST_CASE("A uniform array as long as the device's limit links, and what is longer is told")
+TEST_CASE("A uniform array as long as the device's limit links, and a longer one is an error")
 {
     GlFixture gl;
     const int limit = gl.device->caps().max_fragment_uniform_vectors;

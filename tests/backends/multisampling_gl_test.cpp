@@ -159,7 +159,7 @@ TEST_CASE("Forward lighting with four samples smooths outlines and leaves the re
             for (int c = 0; c < 3; ++c) {
                 const auto [least, most] = around(one, x, y, c);
                 const float was = one.at(x, y, c), is = four.at(x, y, c);
-                constexpr float kSlack = 0.03f;  // what lies between two pixels of a round thing
+                constexpr float kSlack = 0.03f;  // what lies between two pixels of a round object
                 CHECK(is >= least - kSlack);
                 CHECK(is <= most + kSlack);
                 const bool edge = most - least > 0.05f;

@@ -104,7 +104,7 @@ TEST_CASE("Shipped configs compile nothing over kept programs, and draw the same
     }
 }
 
-TEST_CASE("What the driver refuses is compiled, draws the same bits, and is stored anew")
+TEST_CASE("What the driver refuses is compiled, draws the same bits, and is stored again")
 {
     GlFixture fixture;
     if (!hasBinaries(fixture.gl)) return;
@@ -146,7 +146,7 @@ TEST_CASE("A kept program has the uniforms that it had")
     CHECK((uniforms[0] == uniforms[1]));
 }
 
-TEST_CASE("A shader that is wrong is told as without kept programs, and never kept")
+TEST_CASE("A shader that is wrong is reported as without kept programs, and never kept")
 {
     const auto errors = [](const GlDeviceOptions& options, const std::string& body) {
         GlFixture gl(options);

@@ -168,7 +168,7 @@ struct Host {
 
 }  // namespace
 
-TEST_CASE("Normals rebuilt from depth are those of the mesh on flat things, edges included")
+TEST_CASE("Normals rebuilt from depth are those of the mesh on flat surfaces, edges included")
 {
     for (const char* camera : {"", "eye=3,2,4;at=0,0,0;ortho=4", "eye=0,1.5,4;at=0,0,0;fov=100"}) {
         INFO(camera);
@@ -177,7 +177,7 @@ TEST_CASE("Normals rebuilt from depth are those of the mesh on flat things, edge
     }
 }
 
-TEST_CASE("Normals rebuilt from depth follow round things")
+TEST_CASE("Normals rebuilt from depth follow round surfaces")
 {
     const Image stored = normals("depth_normal", "spheres", "", {256, 144});
     const Image rebuilt = normals("depth_only", "spheres", "", {256, 144});
@@ -201,7 +201,7 @@ TEST_CASE("The host's own depth and normals give the occlusion that ours give")
     CHECK(meanChange(host.occlusion("host_depth", {"depth"}), ours) < 0.02);
 }
 
-TEST_CASE("A host that forgets its depth is told so")
+TEST_CASE("A host that forgets its depth gets an error")
 {
     Host host;
     Frame bare;

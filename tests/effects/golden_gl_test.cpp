@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A few small pictures, held against the approved ones in tests/data/golden.
+// A few small pictures, compared with the approved ones in tests/data/golden.
 //
 // A failure writes what was drawn and the difference to the folder golden_failures below the
 // current one. tools/scripts/approve.sh takes the new pictures as the approved ones.

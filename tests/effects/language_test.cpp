@@ -71,7 +71,7 @@ Keys unusedKeys()
     return all;
 }
 
-/// Two things of which the camera shows the first, with a light.
+/// Two draws of which the camera shows the first, with a light.
 Frame frameOn(RecordingDevice& device)
 {
     Frame frame;
@@ -88,7 +88,7 @@ Frame frameOn(RecordingDevice& device)
     return frame;
 }
 
-/// What a device is told by a config in two frames that are alike, and what its plan says is left
+/// The calls that a config makes on a device in two equal frames, and what its plan says is left
 /// out.
 struct Run {
     std::string log;
@@ -109,7 +109,7 @@ Run runOf(const Description& description, std::vector<std::string> outputs, cons
     return {device.log(), allElided(renderer->plan())};
 }
 
-/// Whether the optimization changes what a device is told, and the plan says so: of the config as
+/// Whether the optimization changes the device calls, and the plan says so: of the config as
 /// it is, without occlusion, or asked for the occlusion alone.
 bool fires(const std::string& optimization, const std::string& config)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plans and frames that leave things out show, bit for bit, what those that run everything show.
+// Plans and frames that leave work out show, bit for bit, what those that run everything show.
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 
@@ -32,7 +32,7 @@ const std::function<void(Frame&, Renderer&)> kChanges[] = {
     },
     [](Frame& frame, Renderer&) {
         frame.camera.view_from_world[3][0] -= 2;
-    },  // things leave the view
+    },  // draws leave the view
 };
 
 /// A scene with its camera.
@@ -172,13 +172,14 @@ TEST_CASE("What a no-op gives is what its pass would have drawn, and so on down 
             need(full->render(frame));
             checkSame(gl, *lean, *full, namesOf(description.outputs));
             CHECK(lean->plan().passes.size() < full->plan().passes.size());
-            if (param == "intensity") CHECK(lean->plan().passes.size() <= 2);  // things and light
+            if (param == "intensity")
+                CHECK(lean->plan().passes.size() <= 2);  // geometry and lighting
         }
     }
 }
 
 TEST_CASE(
-    "Masks and bounds change no pixel: half a background, things off the middle, far away, none at "
+    "Masks and bounds change no pixel: half a background, draws off the middle, far away, none at "
     "all")
 {
     GlFixture gl;

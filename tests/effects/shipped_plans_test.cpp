@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of each shipped config, as `crevice explain NAME` prints it, held against the approved
+// The plan of each shipped config, as `crevice explain NAME` prints it, compared with the approved
 // one in tests/data/plans. tools/scripts/approve.sh takes the new plans as the approved ones.
 #include <crevice/config.h>
 #include <crevice/shipped.h>
@@ -93,7 +93,7 @@ TEST_CASE("Every approved plan is that of a shipped config")
     }
 }
 
-TEST_CASE("A plan that changed is told line by line")
+TEST_CASE("A plan that changed is reported line by line")
 {
     CHECK(difference("a\nb\nc\nd\n", "a\nx\nd\n") == "from line 2\n- b\n- c\n+ x\n");
     CHECK(difference("a\n", "a\nb\n") == "from line 2\n+ b\n");

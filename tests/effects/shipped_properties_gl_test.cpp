@@ -50,7 +50,7 @@ Scene randomScene(unsigned seed)
     }
     scene.instances.resize(scene.meshes.size());
     for (std::size_t i = 1; i < scene.meshes.size(); ++i) {
-        scene.meshes[i].label = "thing";
+        scene.meshes[i].label = "object";
         const glm::vec3 place = {between(-2, 2), 0, between(-2, 2)};
         const glm::mat4 moved = glm::translate(glm::mat4(1.0f), place);
         scene.instances[i].mesh = int(i);

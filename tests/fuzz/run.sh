@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the fuzzers and runs each for so many seconds, 30 unless told; for hours by hand. What they
+# Builds the fuzzers and runs each for so many seconds, 30 by default; for hours by hand. What they
 # learn stays in build/fuzz/corpus, so that the next run goes on from there. A text that breaks
 # something is written to build/fuzz as crash-*, slow-* or timeout-*; pass it as an argument to the
 # fuzzer to see it again, and keep it in tests/fuzz/found once it is mended: each run begins with
@@ -26,7 +26,7 @@ for file in configs/*.json effects/*/*.json tests/data/bad/*/*.json tests/fuzz/{
     if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
 done
 
-# Every word that the seeds have in quotes, for libFuzzer to put together anew.
+# Every word that the seeds have in quotes, for libFuzzer to combine.
 grep -ohE '"[a-z_.]+"' "$seeds"/*.json | sort -u | sed -E 's/"(.*)"/"\\"\1\\""/' > "$out/words.dict"
 
 for fuzzer in document config; do

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corpus of malformed configs in tests/data/bad, one mistake each, and what each must be told.
-// tests/data/bad/README.md describes expected.json, from which all of this is read.
+// The corpus of malformed configs in tests/data/bad, one mistake each, and the diagnostic that each
+// must get. tests/data/bad/README.md describes expected.json, from which all of this is read.
 #pragma once
 
 #include <crevice/config.h>
@@ -74,7 +74,7 @@ inline Diagnostics runTimeErrors(const CorpusCase& config, Renderer& renderer)
     return renderer.render({}).diagnostics();
 }
 
-/// Everything that the config is told from reading it to its first frame, on that device.
+/// All diagnostics of the config, from reading it to its first frame, on that device.
 inline Diagnostics diagnosticsOf(const CorpusCase& config, Device& device)
 {
     MemorySources mine;

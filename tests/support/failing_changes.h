@@ -35,7 +35,7 @@ int failEachObject(FailingDevice& device, const std::function<Status()>& change,
     }
 }
 
-/// What a host may change, so that all is planned anew.
+/// What a host may change, so that all is planned again.
 struct Change {
     const char* what;
     std::function<Status(Renderer&, Frame&)> make;
@@ -78,8 +78,8 @@ inline Change defining()
             }};
 }
 
-/// Makes each change, failing each of its objects. `shown` tells what the outputs hold, and `draw`
-/// what a frame of the renderer came to: in the end the same as of one that never failed.
+/// Makes each change, failing each of its objects. `shown` returns what the outputs hold, and
+/// `draw` what a frame of the renderer came to: in the end the same as of one that never failed.
 template <class FailingDevice, class Draw, class Shown>
 void checkFailingChanges(FailingDevice& device, Renderer& renderer, Frame frame,
                          const std::vector<Change>& changes, const Draw& draw, const Shown& shown)

@@ -23,7 +23,7 @@ struct Module {
     bool remembers = false;         ///< It has a history.
 };
 
-/// Inputs: all below geometry/ that tell how a surface is found, from one sample a pixel.
+/// Inputs: all below geometry/ that say how a surface is found, from one sample a pixel.
 const std::vector<Module>& shippedInputs();
 
 /// Estimators: all below ssao/ that make `ao` by shaders of their own.

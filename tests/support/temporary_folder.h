@@ -12,7 +12,7 @@ namespace crevice {
 
 class TemporaryFolder {
 public:
-    /// Processes run side by side without meeting; within one, `name` tells folders apart.
+    /// Processes run side by side without meeting; within one, `name` distinguishes folders.
     explicit TemporaryFolder(const std::string& name)
         : path(std::filesystem::temp_directory_path() /
                ("crevice_" + name + "_" + std::to_string(getpid())))

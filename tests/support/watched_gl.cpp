@@ -93,7 +93,7 @@ struct Hook<Member> {
 
 namespace {
 
-// No GL at all. Names of all kinds are told apart.
+// No GL at all. Names of all kinds are distinct.
 GLuint last_name = 0;
 GLuint last_divisor = 0;  // of one vertex array, that of the last device
 std::set<GLuint> made;    // shaders that were compiled, programs that were linked
@@ -248,8 +248,8 @@ GLenum WatchedGl::takeError()
 
 GLenum WatchedGl::takeReset()
 {
-    const bool tells = loss_ == Loss::by_status && !std::exchange(reset_told_, true);
-    return tells ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR;
+    const bool reports = loss_ == Loss::by_status && !std::exchange(reset_reported_, true);
+    return reports ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR;
 }
 
 }  // namespace crevice

@@ -72,7 +72,7 @@ private:
     int fail_in_ = 0;
     int lose_in_ = 0;
     bool lost_ = false;
-    bool reset_told_ = false;
+    bool reset_reported_ = false;
     Loss loss_ = Loss::for_ever;
     GLenum pending_ = GL_NO_ERROR;
 };

@@ -157,7 +157,7 @@ Status takeTurns(Device& device, const Situation& situation, Frame& frame, int r
     return {};
 }
 
-/// What says the same of the same thing on the same device.
+/// Equal for rows that measure the same on the same device.
 std::string identityOf(const AblationRow& row)
 {
     return row.config + '\n' + row.scene + '\n' + row.camera + '\n' + extentName(row.extent) +

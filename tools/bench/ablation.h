@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ablation: what each optimization that leaves things out is worth, by itself.
+// Ablation: what each optimization saves by itself.
 //
 // A config is drawn in situations that a host meets: a moving camera, a moving light, nothing that
 // moves, occlusion that is off, occlusion alone. In each, renderers with all optimizations, without
@@ -32,7 +32,7 @@ struct AblationRow {
     /// Over the time with all optimizations, turn by turn; 1 where `optimization` is empty.
     TimeFigures factor;
     double texture_bytes = 0;
-    int elided = 0;   ///< Things that the plan leaves out.
+    int elided = 0;   ///< Passes, attachments and textures that the plan leaves out.
     int repeats = 0;  ///< Turns.
     std::string device;
     std::string version;  ///< Of crevice.
@@ -42,7 +42,7 @@ struct AblationRow {
 std::string toJsonLine(const AblationRow& row);
 
 /// Reads FOLDER/ablation.jsonl of each folder among the paths, or beside each file; none is no
-/// error. Of two lines about one thing on one device the later one holds.
+/// error. Of two lines with one identity on one device the later one holds.
 ///
 /// Errors: those of readLines.
 Result<std::vector<AblationRow>> readAblation(const std::vector<std::string>& paths);

@@ -98,7 +98,7 @@ public:
         }
     }
 
-    /// As an rmse over the pixels. Infinite after one frame, which cannot tell.
+    /// As an rmse over the pixels. Infinite after one frame, which has no spread.
     double noise() const
     {
         if (count_ < 2) return std::numeric_limits<double>::infinity();

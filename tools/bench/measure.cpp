@@ -283,7 +283,7 @@ Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchSa
     if (options_.out_folder.empty()) return {};
     const Result<Image> difference = differencePicture(ao, *setting_->ground_truth);
     if (!difference) return difference.diagnostics();
-    std::error_code ignored;  // the first file tells
+    std::error_code ignored;  // the first file reports it
     fs::create_directories(options_.out_folder + "/pictures", ignored);
     const std::string key = keyOnDevice(task.sample.key, device_.caps().name);
     const auto write = [this](std::string& name, const std::string& file, const Image& image) {

@@ -94,7 +94,7 @@ private:
     Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task);
     const std::string& referenceOf(double radius);
     void note(const std::string& message);
-    void tell(const Diagnostics& diagnostics);
+    void collect(const Diagnostics& diagnostics);
 
     const BenchOptions& options_;
     const SourceSet& sources_;
@@ -107,11 +107,11 @@ void Planner::note(const std::string& message)
 {
     Diagnostic warning{Code::out_of_range, message};
     warning.severity = Severity::warning;
-    tell({warning});
+    collect({warning});
 }
 
 /// Once each.
-void Planner::tell(const Diagnostics& diagnostics)
+void Planner::collect(const Diagnostics& diagnostics)
 {
     for (const Diagnostic& each : diagnostics)
         if (told_.insert(toText(each)).second) plan.diagnostics.push_back(each);
@@ -120,7 +120,7 @@ void Planner::tell(const Diagnostics& diagnostics)
 void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
 {
     Result<Scene> loaded = loadScene(name, options_.import);
-    tell(loaded.diagnostics());
+    collect(loaded.diagnostics());
     std::shared_ptr<const Scene> scene;
     if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
     for (const Extent extent : extents) {
@@ -138,7 +138,7 @@ void Planner::addView(const std::shared_ptr<const Scene>& scene, Place& place)
     const Bounds bounds = scene->bounds();
     const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
     const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
-    tell(camera.diagnostics());
+    collect(camera.diagnostics());
     if (camera)
         plan.views.push_back({scene, bounds, *camera, place.extent});
     else

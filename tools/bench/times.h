@@ -3,7 +3,7 @@
 //
 // What is compared takes turns, so that a slow moment of the machine falls on all of it. A turn
 // lasts for a while and counts with the median of its frames, since a single frame of a cheap pass
-// tells little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
+// says little; a ratio is the median over the ratios turn by turn, in which slow moments cancel.
 //
 // They do not cancel against a copy of a texture: that waits for memory where the effect computes,
 // and a neighbour on the machine was seen to slow one by 60 % and the other by 3 %, for many
@@ -43,7 +43,7 @@ double quickest(std::vector<double> costs);
 /// True when the median of `count` values is known to within 3 %, at 95 % confidence.
 bool isSettled(const TimeFigures& figures, std::size_t count);
 
-/// Has frames drawn until the turn is long enough to tell something; `draw` gives the milliseconds
+/// Has frames drawn until the turn is long enough to be measured; `draw` gives the milliseconds
 /// of one. Errors: those of `draw`.
 Status drawTurn(const std::function<Result<double>()>& draw);
 
@@ -53,7 +53,7 @@ class TurnTaker {
 public:
     TurnTaker(Renderer& renderer, const Frame& frame) : renderer_(&renderer), frame_(&frame) {}
 
-    /// Draws until the turn is long enough to tell something. Errors: those of timeFrame.
+    /// Draws until the turn is long enough to be measured. Errors: those of timeFrame.
     Status takeTurn();
 
     /// Forgets all turns so far: they were to warm up.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bench samples can be held against each other: those that show the same thing on one device.
+// Which bench samples can be compared with each other: those that show the same view on one device.
 #pragma once
 
 #include "tools/bench/sample.h"

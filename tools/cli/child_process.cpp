@@ -37,7 +37,7 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-// Bytes of address space that this process has; 0 where the system does not tell.
+// Bytes of address space that this process has; 0 where the system does not report it.
 std::uint64_t addressSpace()
 {
     const FileBytes statistics = readStart("/proc/self/statm", 64);

@@ -52,7 +52,7 @@ std::string isCheckout(const std::string& folder)
 
 void addConfigOptions(CLI::App& app, ConfigOptions& options)
 {
-    app.add_option("--variant", options.variant, "A variant that the config declares");
+    app.add_option("--variant", options.variant, "Name of a variant that the config declares");
     app.add_option("--set", options.overrides,
                    "Set a param or feature (radius=0.8), or any value by its JSON pointer "
                    "(/passes/blur/when=null); may be repeated")
@@ -70,7 +70,7 @@ LoadRequest requestOf(const ConfigOptions& options)
 void addCheckoutOption(CLI::App& app, std::string& checkout)
 {
     app.add_option("--effects", checkout,
-                   "Read effects/ and configs/ below this folder before those embedded")
+                   "Folder whose effects/ and configs/ are read before the embedded ones")
         ->type_name("FOLDER")
         ->check(isCheckout);
 }

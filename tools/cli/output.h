@@ -43,7 +43,7 @@ void printAsJson(const nlohmann::json& json);
 void reserveStreams();
 
 /// Ends what was printed to stdout. Returns `exit_code`, or kExitOutput, after one message, where
-/// some of it could not be written; a reader that went away is told nothing.
+/// some of it could not be written; a closed pipe is no error.
 int finishOutput(int exit_code);
 
 /// Prints to stderr as text or, for programs, to stdout as {"diagnostics": [...]}. Prints nothing

@@ -34,7 +34,7 @@ Result<OutputSource> exposeOutput(Description& description, const std::string& n
 /// value * scale + offset in every channel.
 void applyView(Image& image, const OutputSource& source);
 
-/// Tells before any work is done that a file could not be written.
+/// Checks that a file can be written, before any work is done.
 /// Errors: CV7007 for a folder that does not exist or is not writable, and for a file that is a
 /// folder.
 Status checkWritable(const std::string& file);

@@ -130,7 +130,7 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
            "for --ablate")
         ->allow_extra_args(false);
     addImportOptions(app, bench.import);
-    app.add_option("--size", bench.sizes, "Pixels; several as 480x270,960x540")
+    app.add_option("--size", bench.sizes, "Sizes in pixels, such as 480x270,960x540")
         ->type_name("WxH,...")
         ->delimiter(',')
         ->capture_default_str();
@@ -151,7 +151,7 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
                    "Set a value in every config, as for crevice render; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
-    app.add_option("--camera", bench.camera, "As for crevice render");
+    app.add_option("--camera", bench.camera, "A camera, written as for crevice render");
     app.add_option("--rays", bench.rays, "Rays per pixel of the ground truth")
         ->capture_default_str();
 }

@@ -182,24 +182,26 @@ void addCompareCommand(CLI::App& app, int& exit_code)
 {
     CLI::App* command = app.add_subcommand("compare", "Measure one image against another");
     auto options = std::make_shared<CompareOptions>();
-    command->add_option("TEST", options->test, "The image to judge, PNG or PFM")->required();
-    command->add_option("GROUND_TRUTH", options->ground_truth, "The image to judge it by")
+    command->add_option("TEST", options->test, "The image to measure, PNG or PFM")->required();
+    command->add_option("GROUND_TRUTH", options->ground_truth, "The image to compare with")
         ->required();
-    command->add_option("--mask", options->mask, "Only pixels where this image is above 0 count")
+    command->add_option("--mask", options->mask, "Compare only pixels where this image is above 0")
         ->type_name("FILE");
-    command->add_option("--max-rmse", options->max_rmse, "Fail (5) where the rmse is larger")
+    command
+        ->add_option("--max-rmse", options->max_rmse,
+                     "Fail (5) if the rmse is above this, such as 0.05")
         ->check(checkLimit, "at least 0");
     command->add_option("--max-abs", options->max_abs,
-                        "A pixel that is off by more is bad: 0.05 (the default) or 2/255. Given "
-                        "alone: fail (5) where any pixel is bad");
+                        "A pixel that is off by more than this is bad: 0.05 (the default) or "
+                        "2/255. Given alone: fail (5) if any pixel is bad");
     command
         ->add_option("--max-bad-fraction", options->max_bad_fraction,
-                     "Fail (5) where more pixels are bad, [0, 1]")
+                     "Fail (5) if a larger share of pixels is bad, [0, 1]")
         ->check(checkLimit)
         ->check(CLI::Range(0.0, 1.0));
     command
         ->add_option("--diff", options->difference,
-                     "Write the signed difference: red is too bright, blue too dark")
+                     "Write the signed difference to this file: red is too bright, blue too dark")
         ->type_name("FILE.png");
     command->add_flag("--json", options->json, "Print the figures as JSON");
     command->footer(

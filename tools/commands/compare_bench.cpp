@@ -72,18 +72,19 @@ void addCompareBenchCommand(CLI::App& app, int& exit_code)
     auto options = std::make_shared<CompareBenchOptions>();
     command->add_option("OLD", options->before, "Folder or results file of the older bench")
         ->required();
-    command->add_option("NEW", options->now, "That of the fresh one")->required();
+    command->add_option("NEW", options->now, "Folder or results file of the new bench")->required();
     command
         ->add_option("--max-error", options->max_error,
-                     "How much more error counts as the same; default: 1e-6, and 1e-4 where the "
-                     "device, its driver or crevice's version is another")
+                     "Largest increase of an error that counts as equal. Default: 1e-6, or 1e-4 if "
+                     "the device, its driver or crevice's version differs")
         ->check(CLI::NonNegativeNumber);
     command
         ->add_option("--max-ratio", options->limits.ratio,
-                     "How much more of a cost ratio does: 0.15 is 15 %")
+                     "Largest relative increase of a cost ratio that counts as equal: 0.15 is 15 %")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);
-    command->add_flag("--errors-only", options->limits.errors_only, "Compare no cost ratios");
+    command->add_flag("--errors-only", options->limits.errors_only,
+                      "Compare errors, but no cost ratios");
     command->footer(
         "Absolute times are never compared. A bench sample that fails or is missing is worse.\n"
         "Example:\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crevice doctor: draws a frame in memory full of poison and tells the first pass that goes wrong.
+// crevice doctor: draws a frame in memory full of poison and names the first pass that goes wrong.
 #include "tools/cli/config_options.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
@@ -203,7 +203,9 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addPrecisionOption(*command, options->precision);
     addProgramCacheOption(*command, options->program_cache);
-    command->add_option("--frames", options->frames, "How many to draw before looking")
+    command
+        ->add_option("--frames", options->frames,
+                     "Number of frames to draw before the targets are checked")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print what was found as JSON");

@@ -147,10 +147,10 @@ int explain(ExplainOptions& options)
 void addPlanOptions(CLI::App& app, ExplainOptions& options)
 {
     app.add_option("--output", options.outputs,
-                   "Plan for this output, view or target alone; may be repeated")
+                   "Plan only for this output, view or target; may be repeated")
         ->allow_extra_args(false);
     addDisableOption(app, options.disable);
-    app.add_option("--views", options.views, "Plan for frames of that many views, 2 for stereo")
+    app.add_option("--views", options.views, "Number of views of a frame, 2 for stereo")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
 }
@@ -176,7 +176,7 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addPlanOptions(*command, *options);
     command->add_option("--why", options->why,
-                        "Tell which files set this value: a param's or feature's name, "
+                        "Print which files set this value: a param's or feature's name, "
                         "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");
     command->add_option("--format", options->format, "text, json or dot")
         ->check(CLI::IsMember({"text", "json", "dot"}))

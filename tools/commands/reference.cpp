@@ -54,16 +54,19 @@ int reference(const ReferenceOptions& options)
 
 void addReferenceCommand(CLI::App& app, int& exit_code)
 {
-    CLI::App* command = app.add_subcommand("reference", "Ray-trace the true ambient occlusion");
+    CLI::App* command =
+        app.add_subcommand("reference", "Ray-trace the ground truth of ambient occlusion");
     auto options = std::make_shared<ReferenceOptions>();
     addSceneOptions(*command, *options);
     command
-        ->add_option("--radius", options->trace.radius, "How far an occluder may be, scene units")
+        ->add_option("--radius", options->trace.radius,
+                     "Largest distance of an occluder, in scene units")
         ->capture_default_str();
-    command->add_option("--rays", options->trace.rays, "Rays a pixel")->capture_default_str();
+    command->add_option("--rays", options->trace.rays, "Rays per pixel")->capture_default_str();
     addCacheOptions(*command, options->cache);
     command
-        ->add_option("--out", options->file, "The picture: 1 is open; background is not a number")
+        ->add_option("--out", options->file,
+                     "Image file to write: 1 is open, the background is NaN")
         ->type_name("FILE.pfm")
         ->required();
     command->footer(

@@ -23,7 +23,7 @@
 namespace crevice {
 namespace {
 
-/// What the run tells when it is done.
+/// What the run prints when it is done.
 struct Summary {
     std::string config, scene, device;
     Extent extent;  ///< Of a view.
@@ -232,8 +232,8 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
         ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--frames", options.frames,
-                   "How many to draw before the last is written; configs that gather over "
-                   "frames need several")
+                   "Number of frames to draw; the last one is written. Configs that accumulate "
+                   "over frames need several")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     app.add_option("--save-patch", options.save_patch,

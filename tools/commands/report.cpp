@@ -69,11 +69,13 @@ void addReportCommand(CLI::App& app, int& exit_code)
 {
     CLI::App* command = app.add_subcommand("report", "Show bench results in one HTML file");
     auto options = std::make_shared<ReportOptions>();
-    command->add_option("RESULTS", options->results, "What 'crevice bench' wrote, one file or more")
+    command
+        ->add_option("RESULTS", options->results,
+                     "Folders of 'crevice bench', or the results files in them")
         ->required();
-    command->add_option("--out", options->out, "The page; report.html when not given")
+    command->add_option("--out", options->out, "HTML file to write. Default: report.html")
         ->type_name("FILE.html");
-    command->add_flag("--no-pictures", options->no_pictures, "Leave the pictures out");
+    command->add_flag("--no-pictures", options->no_pictures, "Write a page without pictures");
     command->footer(
         "Examples:\n"
         "  crevice report results.jsonl --out report.html\n"

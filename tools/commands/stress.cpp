@@ -202,7 +202,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_option("--case", options->stress.cases, "Only this case; may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    command->add_option("--size", options->size, "Pixels of most pictures")
+    command->add_option("--size", options->size, "Size of most pictures, in pixels")
         ->type_name("WxH")
         ->capture_default_str();
     command->add_flag("--quick", options->stress.quick,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A device on which mediump is what it is told to be, whatever the driver makes of it. Some compute
+// A device on which mediump has the width that is asked for, whatever the driver does. Some compute
 // it in full, some in half floats here and there, such as llvmpipe on CPUs with half-float
 // instructions.
 //

@@ -11,7 +11,7 @@ Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device>, Mediu
         "this build cannot choose a precision: glslang or SPIRV-Cross was not found"};
     error.help =
         "install them with 'apt-get install glslang-dev libspirv-cross-c-shared-dev' and "
-        "configure anew";
+        "run cmake again";
     return error;
 }
 

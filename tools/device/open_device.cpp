@@ -57,9 +57,8 @@ void addBackendOption(CLI::App& app, std::string& backend)
 void addPrecisionOption(CLI::App& app, std::string& precision)
 {
     app.add_option("--precision", precision,
-                   "What mediump is in shaders: full, 32 bits; half, 16 bits as on phones; "
-                   "default: what the "
-                   "driver makes of it")
+                   "Precision of mediump in shaders: full (32 bits) or half (16 bits, as on "
+                   "phones). Default: the driver's")
         ->type_name("PRECISION")
         ->check(CLI::IsMember({"full", "half"}));
 }
@@ -67,8 +66,8 @@ void addPrecisionOption(CLI::App& app, std::string& precision)
 void addProgramCacheOption(CLI::App& app, std::string& folder)
 {
     app.add_option("--program-cache", folder,
-                   "Keep linked programs there, so that the next run compiles none of them; "
-                   "default: nowhere")
+                   "Folder that keeps linked programs, so that the next run compiles none of them. "
+                   "Default: none")
         ->type_name("FOLDER");
 }
 

@@ -20,8 +20,11 @@ public:
     /// For a device that does not outlive this.
     ProgramCache cache();
 
-    int asked() const { return asked_; }            ///< Programs that were wanted so far.
-    int found() const { return asked_ - stored_; }  ///< Of them those not compiled and stored anew.
+    int asked() const { return asked_; }  ///< Programs that were wanted so far.
+    int found() const
+    {
+        return asked_ - stored_;
+    }  ///< Of them those not compiled and stored again.
 
     /// That a program could not be written; once, however many.
     const Diagnostics& warnings() const { return warnings_; }

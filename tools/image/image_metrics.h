@@ -14,7 +14,7 @@ struct ImageDifference {
     double p99 = 0;        ///< 99th percentile of the absolute error.
     double max = 0;        ///< Largest absolute error.
     double rmse_fit = 0;   ///< Least rmse of (test^p - ground truth), negative tests counting as 0.
-    double power_fit = 1;  ///< That p, in [0.1, 10]: contrast, told apart from shape.
+    double power_fit = 1;  ///< That p, in [0.1, 10]: contrast, distinguished from shape.
     double psnr_db = 0;    ///< 20 log10(1 / rmse); infinite for equal images.
     double bad_fraction = 0;   ///< Pixels whose absolute error is above the threshold, [0, 1].
     long long pixels = 0;      ///< Pixels that count.

@@ -67,7 +67,7 @@ private:
         if (measured) {
             if (!write(measured->lines)) return false;
             ++summary_.measured;
-            tell(place, measured->outcome);
+            printProgress(place, measured->outcome);
             return true;
         }
         Diagnostic error = firstError(measured.diagnostics());
@@ -81,7 +81,7 @@ private:
     {
         if (job_.failure_line && !write(job_.failure_line(todo_[place], failure))) return false;
         summary_.failures.push_back(job_.tasks[todo_[place]].title + ": " + failure);
-        tell(place, "failed: " + failure);
+        printProgress(place, "failed: " + failure);
         return true;
     }
 
@@ -102,7 +102,7 @@ private:
         }
     }
 
-    void tell(std::size_t place, const std::string& outcome) const
+    void printProgress(std::size_t place, const std::string& outcome) const
     {
         const std::size_t done = place + 1;
         const std::size_t left = todo_.size() - done;

@@ -15,7 +15,7 @@ struct PlanChange {
     enum class Kind { only_before, only_after, changed };
 
     /// "fragment", "define SAMPLES", "input depth", "size", ...; an empty text means that there is
-    /// no such thing on that side.
+    /// nothing of that name on that side.
     struct Property {
         std::string name;
         std::string before;

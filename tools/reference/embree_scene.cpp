@@ -155,7 +155,7 @@ bool EmbreeScene::intersect(const TraceRay& ray, TraceHit& hit) const
     return true;
 }
 
-// Anew from the triangle, in doubles: along the ray a float would be off by its distance.
+// Computed again from the triangle, in doubles: along the ray a float would be off by its distance.
 TraceHit EmbreeScene::hitFrom(const RTCRayHit& ray_hit, const glm::dvec3& direction) const
 {
     const SceneInstance& instance = source_.instances[ray_hit.hit.geomID];

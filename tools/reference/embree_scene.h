@@ -35,7 +35,7 @@ public:
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-    /// The first thing that the ray meets; false when there is none.
+    /// The first hit of the ray; false when there is none.
     bool intersect(const TraceRay& ray, TraceHit& hit) const;
 
     /// How many of the rays whose `valid` is -1 meet nothing; origins relative to center().

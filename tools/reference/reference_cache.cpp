@@ -77,7 +77,8 @@ Diagnostics keep(const std::string& folder, const std::string& file, const Image
     Diagnostics warnings = writePfm(file, image).diagnostics();
     for (Diagnostic& warning : warnings) {
         warning.severity = Severity::warning;
-        warning.help = "the reference is traced anew each time; name another folder with --cache";
+        warning.help =
+            "the reference is not kept and will be traced again; give another folder with --cache";
     }
     return warnings;
 }
@@ -110,7 +111,9 @@ void addCacheOptions(CLI::App& app, CacheOptions& options)
                                   "Where ray-traced references are kept. Default: "
                                   "$XDG_CACHE_HOME/crevice or ~/.cache/crevice")
                        ->type_name("FOLDER");
-    app.add_flag("--no-cache", options.off, "Trace anew, keep nothing")->excludes(folder);
+    app.add_flag("--no-cache", options.off,
+                 "Trace the reference even if it is cached, and do not cache it")
+        ->excludes(folder);
 }
 
 std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent,

@@ -7,7 +7,7 @@ namespace crevice {
 Result<Image> traceAmbientOcclusion(const Scene&, const Camera&, Extent, const TraceOptions&)
 {
     Diagnostic error = {Code::no_backend, "this build has no ray tracer: Embree 3 was not found"};
-    error.help = "install it with 'apt-get install libembree-dev' and configure anew";
+    error.help = "install it with 'apt-get install libembree-dev' and run cmake again";
     return error;
 }
 

@@ -11,15 +11,14 @@ namespace crevice {
 
 void addStereoOptions(CLI::App& app, StereoOptions& options)
 {
-    CLI::Option* stereo =
-        app.add_option("--stereo", options.separation,
-                       "Draw two eyes this far apart, in scene units, and write them side by side: "
-                       "left, right")
-            ->type_name("SEPARATION")
-            ->check(CLI::PositiveNumber);
-    app.add_option("--convergence", options.convergence,
-                   "Where both eyes see the same picture, in scene units from them. Default: "
-                   "infinitely far")
+    CLI::Option* stereo = app.add_option("--stereo", options.separation,
+                                         "Draw two eyes this far apart, in scene units, and write "
+                                         "them side by side, left eye first")
+                              ->type_name("SEPARATION")
+                              ->check(CLI::PositiveNumber);
+    app.add_option(
+           "--convergence", options.convergence,
+           "Distance at which both eyes see the same picture, in scene units. Default: infinite")
         ->type_name("DISTANCE")
         ->check(CLI::PositiveNumber)
         ->needs(stereo);

@@ -34,7 +34,7 @@ struct TargetHealth {
     bool bad() const { return undefined + not_numbers + infinite > 0; }
 };
 
-/// Looks at one target drawn twice, in memory that held different things before. Requires images of
+/// Looks at one target drawn twice, in memory with different contents before. Requires images of
 /// one size and number of channels.
 TargetHealth examine(const Image& drawn, const Image& redrawn);
 

@@ -26,9 +26,9 @@ std::optional<double> medianDistance(const Image& depth, const Camera& camera);
 /// Pixels that a length covers at a distance.
 double pixelsOf(double length, double distance, const Camera& camera, Extent extent);
 
-/// Why a frame of the plan shows no ambient occlusion, or none that can be told from a change of
-/// brightness: one warning with the value to take, or nothing. `distance` is the median one in
-/// view, `ao` the picture of occlusion, null where nobody asked for one.
+/// Why a frame of the plan shows no ambient occlusion, or none that can be distinguished from a
+/// change of brightness: one warning with the value to take, or nothing. `distance` is the median
+/// one in view, `ao` the picture of occlusion, null where nobody asked for one.
 ///
 /// CV7008 nothing is in view; CV9003 what the plan or the picture has is the same everywhere;
 /// CV4001 the radius covers less than two pixels at the median distance, or more than the view.

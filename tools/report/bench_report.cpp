@@ -71,7 +71,7 @@ std::string quoted(const json& value)
 }
 
 /// The columns of the CSV: what they are called, and JSON pointers into a sample. The config comes
-/// first and free of commas, so that awk can tell the rows apart.
+/// first and free of commas, so that awk can distinguish the rows.
 constexpr const char* kColumns[][2] = {
     {"config", "/config"},
     {"overrides", "/overrides"},

@@ -6,7 +6,7 @@
 
 namespace crevice {
 
-/// What a user may be told to write instead of a file that cannot be read.
+/// What a message may suggest instead of a file that cannot be read.
 extern const char* const kSceneFormats;
 
 /// Whether the file's extension is that of a format that is read unless any is asked for.

@@ -17,10 +17,10 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
 {
     app.add_flag(
         "--any-format", options.any_format,
-        "Read a scene in any format that Assimp knows; most of its readers are little tried");
-    app.add_option(
-           "--import-time", options.time_s,
-           "How long reading the scene may take. Default: 10, and 1 for each MiB of the file")
+        "Read a scene in any format that Assimp supports; most of its readers are little tested");
+    app.add_option("--import-time", options.time_s,
+                   "Time limit for reading the scene, in seconds. Default: 10, plus 1 for each MiB "
+                   "of the file")
         ->type_name("SECONDS")
         ->check(CLI::Range(1, 86400));
     addRootOption(app, options.roots);

@@ -110,7 +110,7 @@ struct ImportOptions {
 
 /// A built-in scene or a file: glTF 2.0, OBJ, PLY, STL, 3DS. A name without a
 /// folder and an extension is a built-in one. What is left out (broken triangles, textures that
-/// cannot be read, what glTF has and crevice does not draw) is told in warnings. A file without
+/// cannot be read, what glTF has and crevice does not draw) is reported in warnings. A file without
 /// lights gets one, so that it can be seen.
 ///
 /// Errors: CV7001 no such file or name, CV7002 unreadable, CV7003 no triangle in it, CV6009 no

@@ -90,7 +90,7 @@ void transfer(Pipe& pipe, Scene& scene)
     transferAll(pipe, name, meshes, instances, materials, textures, cameras, lights, ambient);
 }
 
-/// Without places and notes: what is told of a scene has none.
+/// Without places and notes: diagnostics of a scene have none.
 template <class Pipe>
 void transfer(Pipe& pipe, Diagnostic& diagnostic)
 {

@@ -70,7 +70,7 @@ SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places, bool gltf
     return camera;
 }
 
-bool isLamp(const aiLight& light)
+bool isSupported(const aiLight& light)
 {
     return light.mType == aiLightSource_POINT || light.mType == aiLightSource_SPOT ||
            light.mType == aiLightSource_DIRECTIONAL;
@@ -144,7 +144,7 @@ void importCameras(const aiScene& from, const std::string& path, const NodePlace
 void importLights(const aiScene& from, const NodePlaces& places, Scene& scene)
 {
     for (unsigned index = 0; index < from.mNumLights; ++index)
-        if (isLamp(*from.mLights[index]))
+        if (isSupported(*from.mLights[index]))
             scene.lights.push_back(lightFrom(*from.mLights[index], places));
     normalizeLights(scene.lights, scene.bounds());
 }

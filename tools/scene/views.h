@@ -16,7 +16,7 @@ using NodePlaces = std::map<std::string, glm::dmat4>;
 /// By the file's extension.
 bool isGltf(const std::string& path);
 
-/// Appends all cameras. `path` is the scene file's; its extension tells glTF.
+/// Appends all cameras. `path` is the scene file's; its extension says whether it is glTF.
 void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
                    Scene& scene);
 

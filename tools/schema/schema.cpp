@@ -163,7 +163,7 @@ Json paramTypeRules()
         param.type = static_cast<ParamType>(i);
         Json form = table::formOf(param, {}, "")["properties"]["default"];
         if (form.contains("anyOf")) form = Json(form["anyOf"].front());
-        for (const char* told : {"title", "description", "x-required"}) form.erase(told);
+        for (const char* key : {"title", "description", "x-required"}) form.erase(key);
         rules.push_back(typeRule(words[i], std::move(form)));
     }
     return rules;
@@ -201,7 +201,7 @@ void allowBareValues(Json& definitions)
     definitions["feature"]["allOf"] = featureTypeRules();
     for (const char* tunable : {"param", "feature"}) {
         Json bare = definitions[tunable]["properties"]["default"];
-        for (const char* told : {"title", "x-required"}) bare.erase(told);
+        for (const char* key : {"title", "x-required"}) bare.erase(key);
         definitions[tunable] = table::anyForm({std::move(definitions[tunable]), std::move(bare)});
     }
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Takes what is planned and drawn now, on EGL, as the approved plans and pictures in tests/data. Look at
-# the pictures and at `git diff` before you commit; OSMesa is then held against the same pictures.
+# the pictures and at `git diff` before you commit; OSMesa is then compared with the same pictures.
 #
 #   tools/scripts/approve.sh          plans and pictures
 #   tools/scripts/approve.sh plans    the plans alone, which need no GL

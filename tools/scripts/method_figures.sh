@@ -38,7 +38,7 @@ for page in README.md docs/methods/*.md; do
             if ($column["scene"] == "room") cost[name] = sprintf(ratio < 10 ? "%.2f" : "%.0f", ratio)
             next
         }
-        { $0 = $0 }  # split anew, at the bars
+        { $0 = $0 }  # split again, at the bars
         !/^\|/ { table = 0 }
         /\| room \| spheres \| cost \|$/ { table = 1 }
         { config = $2; gsub(" ", "", config) }

@@ -95,9 +95,8 @@ const std::vector<StressCase>& stressCases();
 /// Over all of a shot but what its host does to textures: 16 hex digits.
 std::string hashOf(const StressShot& shot);
 
-/// How far two values that a format tells apart lie from each other at a distance, in scene units.
-/// Of depth formats, for the camera's near and far distance; of half and single float, as a
-/// position.
+/// The step of a format at a distance, in scene units: of depth formats, for the camera's near and
+/// far distance; of half and single float, as a position.
 double formatStep(Format format, double distance, const StressShot& shot);
 
 }  // namespace crevice

@@ -128,14 +128,14 @@ StressShot planeShot(const StressView& view, Extent size, double distance, doubl
     return shot;
 }
 
-StressShot yardShot(const StressView& view, Extent size, Scene scene)
+StressShot sceneShot(const StressView& view, Extent size, Scene scene)
 {
-    constexpr double kYardDepth = 4;  // of what is seen, past the origin
+    constexpr double kSceneDepth = 4;  // of what is seen, past the origin
     StressShot shot;
     shot.scene = std::move(scene);
     shot.camera = cameraOf(view, size);
     shot.extent = size;
-    shot.farthest = view.eye.z + kYardDepth;
+    shot.farthest = view.eye.z + kSceneDepth;
     shot.near_distance = view.near_distance;
     shot.far_distance = view.far_distance;
     return shot;

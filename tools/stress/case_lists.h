@@ -31,7 +31,7 @@ StressView nearFarView(double power);
 
 /// A plane and the test scene as `view` sees them.
 StressShot planeShot(const StressView& view, Extent size, double distance, double tilt_degrees);
-StressShot yardShot(const StressView& view, Extent size, Scene scene = testScene());
+StressShot sceneShot(const StressView& view, Extent size, Scene scene = testScene());
 
 /// From where the test scene is seen.
 StressView testView();

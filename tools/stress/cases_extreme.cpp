@@ -10,9 +10,9 @@
 namespace crevice {
 namespace {
 
-StressShot yardRadius(double radius, Extent size)
+StressShot sceneRadius(double radius, Extent size)
 {
-    StressShot shot = yardShot(testView(), size);
+    StressShot shot = sceneShot(testView(), size);
     shot.radius = radius;
     return shot;
 }
@@ -21,14 +21,14 @@ StressShot cornerRadius(double radius, Extent size)
 {
     StressView view = testView();
     view.eye = {0, 1, 4};
-    StressShot shot = yardShot(view, size, cornerScene());
+    StressShot shot = sceneShot(view, size, cornerScene());
     shot.radius = radius;
     return shot;
 }
 
-StressShot yardSamples(double samples, Extent size)
+StressShot sceneSamples(double samples, Extent size)
 {
-    StressShot shot = yardShot(testView(), sizeForTaps(samples, size));
+    StressShot shot = sceneShot(testView(), sizeForTaps(samples, size));
     shot.samples = static_cast<int>(samples);
     return shot;
 }
@@ -37,7 +37,7 @@ StressShot yardSamples(double samples, Extent size)
 
 StressShot noOp(double kind, Extent size)
 {
-    StressShot shot = yardShot(testView(), size);
+    StressShot shot = sceneShot(testView(), size);
     const bool no_radius = kind >= 2;
     if (no_radius)
         shot.radius = 0;
@@ -47,14 +47,14 @@ StressShot noOp(double kind, Extent size)
     return shot;
 }
 
-StressShot yardShape(double kind, Extent) { return yardShot(testView(), shapeOf(kind)); }
+StressShot sceneShape(double kind, Extent) { return sceneShot(testView(), shapeOf(kind)); }
 
 StressShot emptyShape(double kind, Extent)
 {
     Scene nothing = testScene();
     nothing.instances.clear();
     nothing.meshes.clear();
-    return yardShot(testView(), shapeOf(kind), nothing);
+    return sceneShot(testView(), shapeOf(kind), nothing);
 }
 
 // Meshes
@@ -85,10 +85,10 @@ const char* const kMeshKinds[] = {"ordinary",
                                   "mirrored",
                                   "stretched 1e6:1",
                                   "camera within the radius",
-                                  "things behind the camera",
+                                  "objects behind the camera",
                                   "camera inside a box"};
 
-StressShot yardMeshes(double kind, Extent size)
+StressShot sceneMeshes(double kind, Extent size)
 {
     StressView view = testView();
     Scene scene = testScene();
@@ -110,7 +110,7 @@ StressShot yardMeshes(double kind, Extent size)
     case 11: view.eye = {-1.5, 0.5, -1.5}; break;
     default: break;
     }
-    StressShot shot = yardShot(view, size, std::move(scene));
+    StressShot shot = sceneShot(view, size, std::move(scene));
     shot.radius = 1;
     return shot;
 }
@@ -132,11 +132,11 @@ void putOnSurface(StressShot& shot, double distance)
     }
 }
 
-const char* const kLampKinds[] = {"ordinary",      "on the surface", "no attenuation",
-                                  "shininess 0",   "shininess 1e6",  "intensity 1e6",
-                                  "at the camera", "no direction",   "all of it"};
+const char* const kLightKinds[] = {"ordinary",      "on the surface", "no attenuation",
+                                   "shininess 0",   "shininess 1e6",  "intensity 1e6",
+                                   "at the camera", "no direction",   "all of it"};
 
-StressShot planeLamps(double value, Extent size)
+StressShot planeLights(double value, Extent size)
 {
     constexpr double kDistance = 4;
     StressShot shot = planeShot({}, size, kDistance, 0);
@@ -184,24 +184,24 @@ std::vector<StressCase> extremeCases()
          E::opens,
          0.002,
          false,
-         yardRadius},
+         sceneRadius},
         {"radius_growing", "The test scene under ever larger radii.", "scene units",
-         steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, yardRadius},
+         steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, sceneRadius},
         {"corner_radius", "An inner corner under larger radii.", "scene units",
          steps({0.05, 0.1, 0.2, 0.4, 0.8, 1.6}), 0, E::darkens, 0.002, false, cornerRadius},
         {"samples", "The test scene by few and many depth taps a pixel; -1 is the most.", "taps",
-         steps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, yardSamples},
+         steps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, sceneSamples},
         {"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
          kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0, E::one, 0,
          false, noOp},
         {"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound, 0, false,
-         yardShape},
+         sceneShape},
         {"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0, E::one, 0,
          false, emptyShape},
         {"meshes", "Broken meshes, singular matrices and a camera in the way.", "",
-         named(kMeshKinds), 0, E::sound, 0, false, yardMeshes},
+         named(kMeshKinds), 0, E::sound, 0, false, sceneMeshes},
         {"lights", "Lights on the surface, without attenuation, too bright; extreme highlights.",
-         "", named(kLampKinds), 0, E::sound, 0, false, planeLamps},
+         "", named(kLightKinds), 0, E::sound, 0, false, planeLights},
     };
 }
 

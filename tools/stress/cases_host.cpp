@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kRadius = 0.5;  // scene units; small, so that much lies beyond it
 
-/// Far enough for the radius at the nearest thing in view, and for any filter.
+/// Far enough for the radius at the nearest object in view, and for any filter.
 constexpr int kReach = 60;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 StressShot hostShot(Extent size)
 {
-    StressShot shot = yardShot(testView(), size);
+    StressShot shot = sceneShot(testView(), size);
     shot.radius = kRadius;
     shot.geometry = kHostGeometry;
     shot.host_camera = shot.camera;
@@ -162,7 +162,7 @@ StressShot hostInward(double kind, Extent size)
 
 StressShot inputs(double kind, Extent size)
 {
-    StressShot shot = yardShot(testView(), size);
+    StressShot shot = sceneShot(testView(), size);
     const char* const geometry[] = {kDepthGeometry, kPositionGeometry, kLinearGeometry};
     shot.geometry = geometry[static_cast<int>(kind)];
     return shot;

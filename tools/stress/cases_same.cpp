@@ -14,12 +14,12 @@ constexpr int kNoiseBlock = 8;  // pixels; tiles of noise are 4x4, at half the s
 
 StressShot testShot(const StressView& view, Extent size, Scene scene = testScene())
 {
-    StressShot shot = yardShot(view, size, std::move(scene));
+    StressShot shot = sceneShot(view, size, std::move(scene));
     shot.radius = kRadius;
     return shot;
 }
 
-StressShot yardScaled(double scale, Extent size, bool in_vertices)
+StressShot sceneScaled(double scale, Extent size, bool in_vertices)
 {
     StressView view = testView();
     view.eye *= scale;
@@ -32,10 +32,13 @@ StressShot yardScaled(double scale, Extent size, bool in_vertices)
     return shot;
 }
 
-StressShot yardUnits(double scale, Extent size) { return yardScaled(scale, size, false); }
-StressShot yardUnitsInVertices(double scale, Extent size) { return yardScaled(scale, size, true); }
+StressShot sceneUnits(double scale, Extent size) { return sceneScaled(scale, size, false); }
+StressShot sceneUnitsInVertices(double scale, Extent size)
+{
+    return sceneScaled(scale, size, true);
+}
 
-StressShot yardMoved(double radii, Extent size, bool in_vertices)
+StressShot sceneMoved(double radii, Extent size, bool in_vertices)
 {
     const double far = radii * kRadius;
     const glm::dvec3 offset = {far, 0, -far};
@@ -48,17 +51,20 @@ StressShot yardMoved(double radii, Extent size, bool in_vertices)
     return shot;
 }
 
-StressShot yardOffset(double radii, Extent size) { return yardMoved(radii, size, false); }
-StressShot yardOffsetInVertices(double radii, Extent size) { return yardMoved(radii, size, true); }
+StressShot sceneOffset(double radii, Extent size) { return sceneMoved(radii, size, false); }
+StressShot sceneOffsetInVertices(double radii, Extent size)
+{
+    return sceneMoved(radii, size, true);
+}
 
-StressShot yardNearFar(double power, Extent size)
+StressShot sceneNearFar(double power, Extent size)
 {
     StressView view = nearFarView(power);
     view.eye = testView().eye;
     return testShot(view, size);
 }
 
-StressShot yardProjection(double kind, Extent size)
+StressShot sceneProjection(double kind, Extent size)
 {
     StressView view = testView();
     view.reversed = kind == 1 || kind == 3;
@@ -66,7 +72,7 @@ StressShot yardProjection(double kind, Extent size)
     return testShot(view, size);
 }
 
-StressShot yardShift(double pixels, Extent size)
+StressShot sceneShift(double pixels, Extent size)
 {
     StressView view = testView();
     view.shift_px = static_cast<int>(pixels) * size.width / 256;
@@ -76,7 +82,7 @@ StressShot yardShift(double pixels, Extent size)
     return shot;
 }
 
-StressShot yardMirrored(double kind, Extent size)
+StressShot sceneMirrored(double kind, Extent size)
 {
     StressShot shot = testShot(testView(), size);
     shot.block_px = kNoiseBlock;
@@ -88,7 +94,7 @@ StressShot yardMirrored(double kind, Extent size)
 }
 
 /// From ever farther, with ever less perspective; 0 is the orthographic view.
-StressShot yardNarrow(double degrees, Extent size)
+StressShot sceneNarrow(double degrees, Extent size)
 {
     constexpr double kHalfHeight = 2;
     StressView view = testView();
@@ -110,27 +116,27 @@ std::vector<StressCase> sameCases()
     using E = Expectation;
     return {
         {"units", "The test scene in other units, by its model matrices.", "units", decades(-6, 6),
-         6, E::same, 0.002, false, yardUnits},
+         6, E::same, 0.002, false, sceneUnits},
         {"units_in_vertices", "The test scene in other units, in its vertices.", "units",
-         decades(-6, 6), 6, E::same, 0.002, false, yardUnitsInVertices},
+         decades(-6, 6), 6, E::same, 0.002, false, sceneUnitsInVertices},
         {"offset", "The test scene far from the origin, by its model matrices.", "radii",
-         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, yardOffset},
+         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, sceneOffset},
         {"offset_in_vertices", "The same in its vertices, where floats round it.", "radii",
-         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, yardOffsetInVertices},
+         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, 0.002, false, sceneOffsetInVertices},
         {"near_far", "The test scene between ever farther near and far planes.", "near:far",
-         nearFarSteps(), 1, E::same, 0.002, true, yardNearFar},
+         nearFarSteps(), 1, E::same, 0.002, true, sceneNearFar},
         {"projection", "The test scene through other projections of depth.", "",
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
-         true, yardProjection},
+         true, sceneProjection},
         {"off_centre",
          "The test scene through an off-centre frustum: means over 8x8 pixels that both show.",
-         "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, 0.01, false, yardShift},
+         "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, 0.01, false, sceneShift},
         {"mirrored", "The test scene mirrored; noise is not, so means over 8x8 pixels count.", "",
          kinds({"ordinary", "by a matrix", "in the vertices"}), 0, E::same, 0.015, false,
-         yardMirrored},
+         sceneMirrored},
         {"narrow",
          "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
-         "degrees", steps({0, 0.01, 0.03, 0.1}), 0, E::same, 0.01, false, yardNarrow},
+         "degrees", steps({0, 0.01, 0.03, 0.1}), 0, E::same, 0.01, false, sceneNarrow},
     };
 }
 

@@ -166,8 +166,8 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
 Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& frame,
                            const std::string& owner)
 {
-    const bool anew = renderer_of_ != owner || remembers(plan);
-    if (anew || !renderer_->reload(ready.description, ready.options)) {
+    const bool needs_new = renderer_of_ != owner || remembers(plan);
+    if (needs_new || !renderer_->reload(ready.description, ready.options)) {
         renderer_.reset();
         renderer_of_.clear();
         auto created =

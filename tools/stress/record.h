@@ -61,7 +61,7 @@ enum class Outcome {
     holds,
     breaks,
     beyond,   ///< Sound, but more than the format can resolve, so nothing else is asked.
-    refused,  ///< Told before the first frame.
+    refused,  ///< Reported before the first frame.
     absent,   ///< The config has no part of it.
 };
 

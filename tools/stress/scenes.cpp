@@ -18,7 +18,7 @@ constexpr float kSunk = 0.01f;  // what stands on the floor reaches that far int
 
 void add(Scene& scene, MeshDesc mesh, const glm::dmat4& placed_at = glm::dmat4(1.0))
 {
-    mesh.label = "thing";
+    mesh.label = "object";
     const glm::mat3 turn = normalMatrix(placed_at);
     for (Vertex& vertex : mesh.vertices) {
         const glm::dvec4 at(vertex.position[0], vertex.position[1], vertex.position[2], 1.0);
@@ -40,7 +40,7 @@ void add(Scene& scene, MeshDesc mesh, const glm::dmat4& placed_at = glm::dmat4(1
 }
 
 /// The matte material and the lights that all scenes have.
-Scene emptyYard()
+Scene emptyScene()
 {
     Scene scene;
     scene.materials.resize(1);
@@ -114,7 +114,7 @@ PlaneView planeView(const StressView& view, Extent size, double distance, double
 {
     const double s = std::sin(glm::radians(tilt_degrees)), c = std::cos(glm::radians(tilt_degrees));
     const PlaneReach reach = planeReach(view, size, distance, c);
-    PlaneView plane = {emptyYard(), Image(size, 1)};
+    PlaneView plane = {emptyScene(), Image(size, 1)};
     const glm::dvec3 middle = {0, 0, -distance}, up = glm::dvec3(0, c, -s) * reach.along;
     const glm::dvec3 right = {reach.across, 0, 0};
     add(plane.scene, makeQuad(middle - right - up, right * 2.0, up * 2.0));
@@ -140,7 +140,7 @@ PlaneView planeView(const StressView& view, Extent size, double distance, double
 
 Scene testScene()
 {
-    Scene scene = emptyYard();
+    Scene scene = emptyScene();
     add(scene, makeBox({-6, -0.5f, -3}, {6, 0, 6}));
     add(scene, makeBox({-6, -kSunk, -3.5f}, {6, 6, -2.5f}));
     add(scene, makeBox({-3.5f, -kSunk, -2.6f}, {-2.5f, 6, 6}));
@@ -157,7 +157,7 @@ Scene testScene()
 
 Scene cornerScene()
 {
-    Scene scene = emptyYard();
+    Scene scene = emptyScene();
     add(scene, makeQuad({-10, 0, 20}, {20, 0, 0}, {0, 0, -20}));
     add(scene, makeQuad({-10, 0, 0}, {20, 0, 0}, {0, 20, 0}));
     return scene;

@@ -35,7 +35,7 @@ using GlLoader = std::function<void*(const char* name)>;
 /// in it as code: keep it where no one else can write.
 struct ProgramCache {
     /// What was stored under the key; empty for nothing. Bytes that are not whole, or that the
-    /// driver refuses, count as nothing: the program is compiled, and stored anew.
+    /// driver refuses, are ignored: the program is compiled and stored again.
     std::function<std::vector<std::uint8_t>(const std::string& key)> load;
 
     /// Keeps the bytes, 4 to 21 KiB on Mesa's llvmpipe, in place of what is there.
@@ -67,14 +67,14 @@ struct GlDeviceOptions {
 /// make sure yourself, since it may crash in them. From then on the device calls no GL; every
 /// further call that can fail gives CV6016, and the device and all that was made on it may be
 /// destroyed at any time, whatever context is current. It asks glGetGraphicsResetStatus, which
-/// tells of a reset once: a host that asks too may hear nothing.
+/// reports a reset once: a host that asks too may hear nothing.
 ///
 /// Errors: CV6003 for a function that the context lacks, CV6004 for a context that is too old or
 /// when none is current, CV6005 and CV6009 when the driver fails, CV6016 when the context is lost.
 Result<std::unique_ptr<Device>> makeGlDevice(const GlLoader& loader,
                                              const GlDeviceOptions& options = {});
 
-/// Tells a device that its context is lost, for a host that knows before the driver says so: one
+/// Marks a device's context as lost, for a host that knows before the driver reports it: one
 /// whose window system destroyed the context. Requires a device of makeGlDevice.
 void abandonGlDevice(Device& device);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A device that draws nothing: it keeps a log of every call and watches how it is called.
 //
-// Most tests run on it. It knows what a picture-making device cannot tell: which calls came in an
+// Most tests run on it. It knows what a device that draws cannot check: which calls came in an
 // order that makes no sense, which textures were read before anything was in them, what was never
 // destroyed. It can also fail on demand, as a device without memory would.
 #pragma once

@@ -31,7 +31,7 @@ enum class Code : int {
     variant_missing = 1205,  ///< No such variant.
     override_syntax = 1206,  ///< An override that is not name=value.
     format_version = 1207,   ///< `format` is missing or newer than this library.
-    module_clash = 1208,     ///< Two modules in `extends` that are one thing twice.
+    module_clash = 1208,     ///< Two modules in `extends` that provide the same part.
 
     // references and graph
     shader_missing = 2101,      ///< A pass names a shader that is not declared.
@@ -40,7 +40,7 @@ enum class Code : int {
     file_missing = 2104,        ///< A shader names a GLSL file that does not exist.
     feature_missing = 2105,     ///< A condition names neither a feature nor a trait.
     feature_value = 2106,       ///< A condition names a value that the feature does not have.
-    name_collision = 2107,      ///< One name for two things that GLSL would see under one name.
+    name_collision = 2107,      ///< One name for two objects that GLSL would see under one name.
     unused_name = 2108,         ///< Something declared that nothing uses.
     two_writers = 2201,         ///< Two active passes write one target.
     never_written = 2202,       ///< Something reads a target that no active pass writes.

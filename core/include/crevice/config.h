@@ -3,7 +3,7 @@
 //
 // `decode` turns a document into one and reports every error in it, not the first. A description is
 // whole: it carries the text of each GLSL file that it names, so that `compile` is a pure function.
-// Every named thing keeps the place of its key, for messages that come later.
+// Every named object keeps the place of its key, for messages that come later.
 #pragma once
 
 #include <crevice/device.h>
@@ -18,7 +18,7 @@
 
 namespace crevice {
 
-/// A name that refers to another thing, with the place where it was written.
+/// A name that refers to another object, with the place where it was written.
 struct Reference {
     std::string name;
     Place place = {};
@@ -35,7 +35,8 @@ enum class Bind {
 };
 
 /// What a param means to the choice of formats. A length, in scene units, is how far an estimator
-/// looks about: formats of depth and positions are chosen to tell surfaces a tenth of it apart.
+/// looks about: formats of depth and positions are chosen to distinguish surfaces that are a tenth
+/// of it apart.
 enum class ParamSemantic { other, length };
 
 /// A tunable number or vector. All bounds hold for each component and are inclusive.
@@ -44,12 +45,12 @@ struct ParamDesc : Named {
     std::array<float, 4> value = {0, 0, 0, 0};  ///< JSON "default"; the first `components` count.
     double min = -1e30;                         ///< Hard: a value below is an error.
     double max = 1e30;                          ///< Hard: a value above is an error.
-    double soft_max = 0.0;                      ///< Where a slider ends; 0 means at `max`.
-    double step = 0.0;                          ///< What a slider snaps to; 0 means it does not.
+    double soft_max = 0.0;                      ///< Upper end of a slider; 0 for `max`.
+    double step = 0.0;                          ///< Step of a slider; 0 for none.
     std::string unit;                           ///< "scene units", "pixels", "1" ...
-    std::string label;                          ///< For people; the name when empty.
-    std::string tooltip;  ///< One sentence: what it does and what turning it up costs.
-    std::string group;    ///< Heading in a panel.
+    std::string label;                          ///< For a user interface; the name when empty.
+    std::string tooltip;  ///< One sentence: what it does, and what a higher value costs.
+    std::string group;    ///< Heading in a user interface.
     Bind bind = Bind::uniform;
     ParamSemantic semantic = ParamSemantic::other;
 };
@@ -83,12 +84,12 @@ struct SizeDesc {
     Place place = {};            ///< Of the value that was set last.
 };
 
-/// What surfaces are found by in a target of a colour format; those of a depth format hold window
-/// depth, but for masks: 0 and 1, for `mask`.
+/// What a target of a colour format holds for finding surfaces; a depth format holds window
+/// depth, or 0 and 1 with `mask`.
 enum class Semantic { other, view_position, view_depth, mask };
 
 struct TargetDesc : Named {
-    /// Preference list: the first one that the device renders to and that resolves what `holds`
+    /// Preference list: the first one that the device renders to and that resolves what `semantic`
     /// says (core/compile/depth_precision.h).
     std::vector<Format> formats;
     Place formats_place = {};
@@ -176,7 +177,7 @@ struct PassDesc : Named {
     float frustum_scale = 0.0f;          ///< View sizes; 0 is unknown.
     /// A mask: the pass is drawn where that is above 0; elsewhere stands what `clear` says.
     Reference mask = {};
-    bool scissor = false;  ///< That stands also where no thing lies on the screen ...
+    bool scissor = false;  ///< That also holds where no draw covers the screen ...
     /// ... or at which this param, a length, is below a pixel.
     Reference cull_below_pixel = {};
     std::vector<InputDesc> inputs = {};
@@ -209,7 +210,7 @@ struct Description : Named {
     std::vector<OutputDesc> outputs;
     std::vector<ViewDesc> views;
     std::vector<Named> deleted;  ///< Entries that patches deleted, for notes.
-    /// About names that nothing uses; `compile` tells them where it finds no other error, which
+    /// About names that nothing uses; `compile` reports them where it finds no other error, which
     /// might be why.
     Diagnostics unused;
     std::map<std::string, SourceRef> files;  ///< Every GLSL file, includes too, by path.

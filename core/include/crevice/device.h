@@ -115,7 +115,7 @@ struct ObjectId {
 
 /// What a device can do; read once when it is made.
 struct DeviceCaps {
-    std::string name;  ///< Renderer and version as the driver tells them.
+    std::string name;  ///< Renderer and version as the driver reports them.
     /// 300, 310 or 320; a desktop context counts as what it is compatible with.
     int version = 300;
     bool software = false;  ///< Rendered by the CPU: timer queries lie, time with finish().

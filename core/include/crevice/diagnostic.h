@@ -45,7 +45,7 @@ bool hasErrors(const Diagnostics& diagnostics);
 /// Appends one list to another.
 void append(Diagnostics& all, const Diagnostics& more);
 
-/// Tells the error at a place in another file; where it was becomes the first note, which says
+/// Reports the error at a place in another file; where it was becomes the first note, which says
 /// `what`. Nothing changes where both places are in one file.
 void blame(Diagnostic& error, const Place& place, const std::string& what);
 

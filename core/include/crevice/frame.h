@@ -48,7 +48,7 @@ enum class ImportType { camera, draw_list, lights, texture };
 struct ImportDesc : Named {
     ImportType type = ImportType::texture;
     bool optional = false;  ///< Absent is allowed: 0 for a texture, no lights, nothing drawn.
-    std::string format = "depth24";  ///< Of a texture: how finely it tells values apart.
+    std::string format = "depth24";  ///< Of a texture: the format whose resolution it has.
 };
 
 /// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
@@ -113,7 +113,7 @@ struct DrawItem {
     int material = 0;  ///< Into Frame::materials.
 
     /// A sphere around all that is drawn, in model space. Of an item that lies outside of what a
-    /// pass shows nothing is then drawn, and occlusion is worked out within what spheres cover. A
+    /// pass shows nothing is then drawn, and occlusion is computed within what spheres cover. A
     /// radius below 0 means that none is known.
     glm::vec3 bounds_center = glm::vec3(0.0f);
     float bounds_radius = -1.0f;
@@ -132,7 +132,7 @@ struct ImportedTexture {
     std::uint64_t revision = 0;
 };
 
-/// A further view of the same things.
+/// A further view of the same scene.
 struct FrameView {
     Camera camera;
     std::vector<ImportedTexture> textures;  ///< Its own, such as its depth; else the frame's.
@@ -154,16 +154,16 @@ struct Frame {
     /// To be changed when a mesh, or a material's texture, that was drawn before holds something
     /// else now: ids of what was destroyed are given out again.
     std::uint64_t revision = 0;
-    bool camera_cut = false;  ///< Nothing of the last frame holds any more: histories start anew.
+    bool camera_cut = false;  ///< The last frame no longer applies: histories are cleared.
 };
 
 /// The camera of a view: 0 is `frame.camera`. Requires 0 <= view <= other_views.size().
 const Camera& cameraOf(const Frame& frame, std::size_t view);
 
 /// How near and far a camera sees along its axis, in scene units. Two that differ by less than a
-/// factor of two in each are equal, so that no plan is made anew while a camera zooms or its planes
-/// move a little; far planes past 2^20 near ones, which a float matrix no longer tells, count as
-/// none.
+/// factor of two in each are equal, so that a frame is not planned again while a camera zooms or
+/// its planes move a little; far planes past 2^20 near ones, which a float matrix no longer
+/// resolves, count as none.
 struct CameraRange {
     double near_distance = 0;  ///< 0 of an orthographic camera,
     /// ... and this its planes' distance from each other. Infinite where there is no far plane; 0

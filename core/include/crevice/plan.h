@@ -103,7 +103,7 @@ struct PlanPass {
     int samples = 1;  ///< Of each attachment's pixels.
     StateDesc state;
     float frustum_scale = 0;  ///< Sizes of the view; what lies outside is not drawn. 0: all is.
-    bool scissor = false;     ///< It is drawn within the bounds of the frame's things alone ...
+    bool scissor = false;     ///< It is drawn within the bounds of the frame's draws alone ...
     /// ... and of those at which this of Plan::params comes to a pixel; -1: of all.
     int cull_below_pixel = -1;
     std::vector<PlanInput> inputs;
@@ -123,7 +123,7 @@ struct PlanProgram {
     std::string pointer;
 };
 
-/// One thing that the plan does not do.
+/// One part of the work that the plan leaves out.
 struct Elided {
     std::string what;  ///< "pass filter_x", "attachment albedo"
     /// Of kOptimizations; or "condition", which is meaning and cannot be switched off.

@@ -36,8 +36,8 @@ public:
 
     /// Runs those passes of the plan whose input has changed since the last frame (Frame says how
     /// that is known), and those after them. A frame with other traits than the plan was made for
-    /// is planned anew first; where that fails, the old plan and its pictures stay. The warnings of
-    /// a new plan come back with the one frame that it was made for: look at `diagnostics()` of
+    /// is planned again first; where that fails, the old plan and its pictures stay. The warnings
+    /// of a new plan come back with the one frame that it was made for: look at `diagnostics()` of
     /// what is `ok()` as well.
     ///
     /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that
@@ -60,7 +60,7 @@ public:
 
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
     /// bound as defines, those that a count or size is taken from, values at which a pass is or was
-    /// a no-op and a radius that other formats serve better: those plan anew. Only a define, or
+    /// a no-op and a radius that other formats serve better: those plan again. Only a define, or
     /// a pass that never ran, compiles a shader, which a warning CV5010 names; what was compiled is
     /// kept for when the value comes back.
     ///
@@ -68,8 +68,8 @@ public:
     Status setParam(std::string_view name, const float* values, int count);
     Status setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
 
-    /// Sets a feature ("true", "false" or an enum's word); plans anew. Warns with CV5010 where that
-    /// compiled a shader.
+    /// Sets a feature ("true", "false" or an enum's word); plans again. Warns with CV5010 where
+    /// that compiled a shader.
     ///
     /// Errors: CV2105, CV2106; the old value stays.
     Status setFeature(std::string_view name, std::string_view value);
@@ -77,12 +77,12 @@ public:
     /// Puts another description, such as an edited config, in the place of the present one. What
     /// `setParam` and `setFeature` changed stays changed; a warning CV4006 names what the new
     /// description has no place for. Programs of the same text are not compiled again, so a variant
-    /// that ran before is there within a frame. Histories start anew.
+    /// that ran before is there within a frame. Histories are cleared.
     ///
     /// Errors: those of `create`; the old description and its pictures stay.
     Status reload(Description description, const CompileOptions& options);
 
-    /// Plans anew for another size. Errors: those of `create`; the old size stays.
+    /// Plans again for another size. Errors: those of `create`; the old size stays.
     Status resize(Extent extent);
 
     /// The texture behind an output of a view, 0 up to `plan().views`: owned by the renderer, valid

@@ -10,8 +10,8 @@
 //   ao_filtered          the mean; `ao` itself where there is no earlier frame
 //   ao_depth             for the next frame
 //
-// Things that move by themselves have no history where they come to and leave none where they were, as far
-// as their depth tells; HISTORY_CLAMP keeps the rest inside what this frame sees around the pixel.
+// Objects that move by themselves have no history where they arrive and leave none behind, as far as the depth test
+// finds them; HISTORY_CLAMP clamps the rest to the range that this frame has around the pixel.
 // [Nehab et al. 2007, "Accelerating Real-Time Shading with Reverse Reprojection Caching"]
 // [Karis 2014, "High Quality Temporal Supersampling" - the clamp to the range of 3x3 pixels]
 precision highp float;  // points and depths

@@ -18,16 +18,16 @@ uniform mediump sampler2D ao_low;
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
 
-// Share of its weight on the screen that a neighbour on another surface keeps: without any, thin things would have no
+// Share of its weight on the screen that a neighbour on another surface keeps: without any, thin objects would have no
 // value at all. Ours: rmse of gtao_half in the room 0.0466, with 0 or 0.3 0.0468.
-const float kFloor = 0.03;
+const float kMinWeight = 0.03;
 
 // What the low-resolution pixel adds to the weighted sum, and its weight.
 vec2 tapAt(vec2 corner, vec2 texel, vec2 toward, vec2 share, Here here)
 {
     vec2 at = clamp((corner + toward) * texel, 0.5 * texel, 1.0 - 0.5 * texel);
     vec2 shares = mix(1.0 - share, share, toward);
-    float weight = shares.x * shares.y * (kFloor + nearnessOf(at, here));
+    float weight = shares.x * shares.y * (kMinWeight + nearnessOf(at, here));
     return weight * vec2(texture(ao_low, at).r, 1.0);
 }
 

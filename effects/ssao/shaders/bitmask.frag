@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 32
 // sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
-// passes behind thin things.
+// passes behind thin objects.
 //
 //   surface            interface: point and normal in view space
 //   depth_back         with BACK_FACES: the first back faces, which end what the surface begins
@@ -134,7 +134,7 @@ vec3 awayAt(March march, vec3 offset)
 }
 
 #if BACK_FACES
-// How deep a thing is that begins at `front`: up to its back face, or `thickness` where none was drawn.
+// Thickness of the object whose front is at `front`: up to its back face, or `thickness` where none was drawn.
 float depthOf(highp sampler2D backs, March march, vec2 at, vec3 front)
 {
     vec3 back;

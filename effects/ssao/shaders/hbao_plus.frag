@@ -4,7 +4,7 @@
 // directions and reads only its own texels.
 //
 //   depth_tiles, normal_tiles  what the pass before sorted into tiles
-//   stored_depth               tells the view's size
+//   stored_depth               has the view's size
 //   ao_tiles                   visibility in the same tiles, 1 open .. 0 blocked; 1 in the background
 //
 // [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"]

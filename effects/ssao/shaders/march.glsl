@@ -136,9 +136,9 @@ highp vec2 tapAt(March march, Slice slice, highp float sign, int i)
     return march.uv + offset / min(length(offset / march.pixel), 1.0);
 }
 
-// What the camera does not see between two neighbouring taps may be filled or open, the likelier open the
-// wider the gap. A factor in 0..2 for the widest gap that counts as filled, another for each tap, lets
-// the filter's mean tell. Ours; 9.888 is 16 x 0.618, as noise.x comes in sixteenths, and 0.618 the golden ratio less 1.
+// The hidden space between two neighbouring taps may be filled or open; the wider the gap, the likelier it is
+// open. The widest gap that counts as filled has a factor in 0..2, another one for each tap, so that the filter
+// averages over both cases. Ours; 9.888 is 16 x 0.618, as noise.x comes in sixteenths, and 0.618 the golden ratio less 1.
 // rmse of gtao in the room: 0.0439, with 1 for the factor 0.0540, without the part of `i` 0.0493, of `sign` 0.0460.
 highp float chanceOf(March march, highp float sign, int i)
 {

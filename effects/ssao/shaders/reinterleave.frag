@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Puts the pixels of 4x4 tiles back where they were.
 //
-//   stored_depth  tells the view's size
+//   stored_depth  has the view's size
 //   ao_tiles      in tiles of every fourth pixel
 //   ao            the same, pixel by pixel
 precision highp float;

@@ -47,9 +47,9 @@ highp vec2 openDirection(Side side, highp float c)
 // Cosine of the angle of what rises over the surface: `rise` is the cosine between its direction and the
 // normal, `leads` whether it lies on this side of the normal.
 //
-// A texel's centre lies somewhat off the slice, and on a surface seen at a grazing angle its angle to the
-// camera may then say that it stands high above that surface. Its rise tells that it does not. Ours: planes are open
-// at every angle. The paper takes the angle to the camera, lines 23 and 24.
+// A texel's centre lies somewhat off the slice. On a surface at a grazing angle, its angle to the camera may then
+// place it high above that surface, and its rise does not. Ours: planes are open at every angle. The paper takes the
+// angle to the camera, lines 23 and 24.
 highp float cosineOfRise(Side side, highp float rise, bool leads)
 {
     highp float up = clamp(rise / side.projected_length, 0.0, 1.0);

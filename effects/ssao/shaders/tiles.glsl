@@ -4,7 +4,7 @@
 
 #include "common/guard_band.glsl"
 
-uniform highp sampler2D stored_depth;  // as the geometry left it: what tells the view's size
+uniform highp sampler2D stored_depth;  // as the geometry pass wrote it; it has the view's size
 
 // Of the view, without its guard band.
 highp ivec2 viewPixels()

@@ -88,7 +88,7 @@ TEST_CASE("a catalog path does not climb above its root, a path on disk may")
     CHECK(fs::path(resolvePath("/a.json", "../b.frag")).lexically_normal() == "/b.frag");
 }
 
-TEST_CASE("UTF-8 characters are told from bytes that only look like them")
+TEST_CASE("UTF-8 characters are distinguished from bytes that only look like them")
 {
     for (const std::string good :
          {"a", "\xC3\xA4", "\xE2\x82\xAC", "\xF0\x9F\x99\x82", "\xED\x9F\xBF"})

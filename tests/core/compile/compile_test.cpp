@@ -67,7 +67,7 @@ TEST_CASE("A optimization that does not exist cannot be switched off")
     CHECK(error.help.find("'dead_pass'") != error.help.npos);
 }
 
-TEST_CASE("A cycle is told along the data, with the targets")
+TEST_CASE("A cycle is reported along the data, with the targets")
 {
     const Diagnostic error = onlyError(
         describe(Sketch{{"start: -> s", "a: s z -> x", "b: x -> y", "c: y -> z"}, {{"out", "z"}}}));
@@ -133,14 +133,14 @@ TEST_CASE("An output of a target that no pass writes is refused at the output")
     CHECK(error.pointer == "/outputs/out");
 }
 
-TEST_CASE("A broken pass is told even where no output needs it")
+TEST_CASE("A broken pass is reported even where no output needs it")
 {
     const Diagnostic error =
         onlyError(describe(Sketch{{"a: -> x", "b: typo -> y"}, {{"out", "x"}}}));
     CHECK(error.code == Code::uniform_unbound);
 }
 
-TEST_CASE("Mistakes of different kinds are all told in one run")
+TEST_CASE("Mistakes of different kinds are all reported in one run")
 {
     const Result<Plan> plan =
         tryCompile(describe(Sketch{{"a: typo -> x", "b: -> x", "c: q -> p", "d: p -> q"},

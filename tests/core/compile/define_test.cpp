@@ -82,7 +82,7 @@ TEST_CASE("Traits of the scene are defines")
     CHECK(defines(on, "CAMERA_ORTHOGRAPHIC 1"));
 }
 
-TEST_CASE("Shaders that ask are told how finely a texture tells values apart")
+TEST_CASE("Shaders that ask get the resolution of a texture")
 {
     const auto step = [](const std::string& format) {
         return textWith("DEPTH_STEP", R"("imports": {"depth": {"type": "texture")" + format + "}}");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How finely formats tell surfaces apart, against the projections themselves in double.
+// How finely formats distinguish surfaces, against the projections themselves in double.
 #include "core/compile/depth_precision.h"
 
 #include "tests/support/catch.h"
@@ -206,7 +206,7 @@ TEST_CASE("Ranges are equal while planes and zoom move by less than a factor of 
     CHECK_FALSE(range == through(glm::infinitePerspective(1.0, 1.5, 0.1)).camera);
     CHECK(CameraRange{} == CameraRange{});
 
-    // Where the far plane is lost in the rounding of the matrix, that makes no plan anew.
+    // Where the far plane is lost in the rounding of the matrix, that plans nothing again.
     const CameraRange endless = common(1e-3, 1e7).camera;
     for (double near_distance = 0.6e-3; near_distance < 1.9e-3; near_distance *= 1.01)
         CHECK(endless == common(near_distance, 1e7).camera);

@@ -435,7 +435,7 @@ namespace {
 Sketch masked(const std::string& mask_keys = "", const std::string& ao_keys = "")
 {
     return {
-        {R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
+        {R"(geometry: -> normal | "type": "draw", "frustum_scale": 1)",
          R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})" + mask_keys,
          R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + ao_keys, "light: ao -> lit"},
         {{"color", "lit"}},
@@ -450,7 +450,7 @@ TEST_CASE(
     "A pass that is drawn where a mask says is tested against it, and cleared to what is elsewhere")
 {
     const Plan plan = planOf(describe(masked()));
-    CHECK(passNames(plan) == "things, mask, ao, light");
+    CHECK(passNames(plan) == "geometry, mask, ao, light");
     const PlanPass& ao = plan.passes[2];
     REQUIRE(ao.has_depth);
     CHECK(ao.depth.name == "mask");
@@ -468,7 +468,7 @@ TEST_CASE(
     "A mask is left out with its optimization, where its pass is off, and where it does not fit")
 {
     const auto drawnWhole = [](const Plan& plan) {
-        return passNames(plan) == "things, ao, light" && !plan.passes[1].has_depth &&
+        return passNames(plan) == "geometry, ao, light" && !plan.passes[1].has_depth &&
                plan.passes[1].color[0].load == LoadOp::discard;
     };
     CHECK(drawnWhole(planOf(describe(masked()), {}, keeping("depth_mask"))));
@@ -486,7 +486,7 @@ TEST_CASE("A pass whose mask is a constant is drawn everywhere")
     Sketch sketch = masked(R"(, "no_op": {"fill": {"at": 0, "gives": {"mask": 1}}})");
     sketch.extra += R"(, "params": {"fill": {"default": 0}})";
     const Plan plan = planOf(describe(sketch));
-    CHECK(passNames(plan) == "things, ao, light");
+    CHECK(passNames(plan) == "geometry, ao, light");
     CHECK_FALSE(plan.passes[1].has_depth);
     CHECK(plan.passes[1].inputs.size() == 1);
 }
@@ -516,7 +516,8 @@ TEST_CASE("A mask must be a depth target of another pass")
     CHECK(onlyError(describe(color)).code == Code::attachment_kind);
 }
 
-TEST_CASE("A bounded pass is drawn within things where all that it reads comes from them")
+TEST_CASE(
+    "A bounded pass is drawn within the bounds of draws where all that it reads comes from them")
 {
     const auto bounded = [](const Sketch& sketch, const std::string& kept = "none") {
         const CompileOptions options = kept == "none" ? sized() : keeping(kept);
@@ -531,11 +532,11 @@ TEST_CASE("A bounded pass is drawn within things where all that it reads comes f
     CHECK_FALSE(bounded(sketch, "all"));
     CHECK_FALSE(bounded(masked()));
 
-    Sketch moved = sketch;  // a vertex shader may put things anywhere
-    moved.passes[0] = R"(things: -> normal | "type": "draw")";
+    Sketch moved = sketch;  // a vertex shader may put vertices anywhere
+    moved.passes[0] = R"(geometry: -> normal | "type": "draw")";
     CHECK_FALSE(bounded(moved));
     Sketch hosts = sketch;
-    hosts.passes[0] = "things: host -> normal";
+    hosts.passes[0] = "geometry: host -> normal";
     hosts.extra = R"("imports": {"host": {"type": "texture"}},
                      "features": {"soft": {"type": "bool", "default": false}})";
     CHECK_FALSE(bounded(hosts));

@@ -97,7 +97,7 @@ TEST_CASE("Ordinary cameras get no warning about formats, and the first ones")
             }
 }
 
-TEST_CASE("A near plane that leaves depth too coarse is told once, with figures and ways out")
+TEST_CASE("A near plane that leaves depth too coarse is reported once, with figures and ways out")
 {
     const Result<Plan> plan = planFor(depthIn({Format::depth16}, 0.001));
     REQUIRE(warnings(plan) == 1);
@@ -254,7 +254,7 @@ TEST_CASE("A host's logarithmic depth is kept by a camera with reversed depth")
           std::string::npos);
 }
 
-TEST_CASE("A camera whose planes and zoom move is not planned anew while formats hold")
+TEST_CASE("A camera whose planes and zoom move is not planned again while formats hold")
 {
     Rig rig;
     const auto look = [&rig](double fov, double near_distance) {
@@ -269,7 +269,7 @@ TEST_CASE("A camera whose planes and zoom move is not planned anew while formats
     CHECK_FALSE(look(1.0, 0.5));
 }
 
-TEST_CASE("A frame that is planned anew tells the new plan's warnings once")
+TEST_CASE("A frame that is planned again reports the new plan's warnings once")
 {
     RecordingDevice device;
     const Setup setup = depthIn({Format::depth16}, 1);
@@ -286,7 +286,7 @@ TEST_CASE("A frame that is planned anew tells the new plan's warnings once")
     CHECK((*renderer)->render(frame).diagnostics().empty());
 }
 
-TEST_CASE("A radius set at run time plans anew only where other formats serve it")
+TEST_CASE("A radius set at run time plans again only where other formats serve it")
 {
     RecordingDevice device;
     Frame frame;

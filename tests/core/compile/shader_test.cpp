@@ -18,8 +18,8 @@ Description onePass(const std::string& fragment, const std::string& keys = "",
         "params": {"radius": {"default": 0.5}, "taps": {"type": "int", "default": 3},
                    "tint": {"type": "vec3", "default": [1, 1, 1]},
                    "samples": {"type": "int", "default": 4, "min": 1, "bind": "define"}},
-        "imports": {"eye": {"type": "camera"}, "things": {"type": "draw_list"},
-                    "lamps": {"type": "lights", "optional": true}, "decal": {"type": "texture"}},
+        "imports": {"eye": {"type": "camera"}, "draws": {"type": "draw_list"},
+                    "lights": {"type": "lights", "optional": true}, "decal": {"type": "texture"}},
         "generated": {"kernel": {"generator": "sphere_kernel", "count": "samples"},
                       "noise": {"generator": "rotation_noise", "count": 8}},
         "targets": {"color": {"format": ["rgba8"]}, "ghost": {"format": ["r8"]}},
@@ -122,7 +122,7 @@ TEST_CASE("Uniforms of every source bind by name, and what they need is collecte
                     "uniform vec3 kernel[SAMPLES];\nuniform mat4 clip_from_view;\n"
                     "uniform vec4 light_position[MAX_LIGHTS];\n"
                     "uniform vec2 viewport_size;\n"));
-    CHECK(joined(namesOf(plan.imports)) == "eye, lamps");
+    CHECK(joined(namesOf(plan.imports)) == "eye, lights");
     CHECK(joined(namesOf(plan.generated)) == "kernel");
     CHECK(plan.generated[0].count == 4);
     CHECK(joined(namesOf(plan.params)) == "radius, taps, tint");
@@ -138,7 +138,7 @@ TEST_CASE("Uniforms of every source bind by name, and what they need is collecte
 
 TEST_CASE("A draw uses the draw list, and what is not used is not collected")
 {
-    CHECK(joined(namesOf(planOf(body("", R"("type": "draw")")).imports)) == "things");
+    CHECK(joined(namesOf(planOf(body("", R"("type": "draw")")).imports)) == "draws");
     CHECK(planOf(body("")).imports.empty());
 }
 

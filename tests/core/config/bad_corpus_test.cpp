@@ -10,29 +10,29 @@
 
 using namespace crevice;
 
-TEST_CASE("Every config of the corpus is told its one mistake, where it is, and the way out")
+TEST_CASE("Every config of the corpus gets one error, with its place and the way out")
 {
     for (const CorpusCase& config : corpusCases()) {
         if (config.expected.find("driver")) continue;  // no text shows it: bad_corpus_gl_test.cpp
         RecordingDevice device(capsOf(config));
-        Diagnostics told = diagnosticsOf(config, device);
+        Diagnostics reported = diagnosticsOf(config, device);
         const auto warning = [](const Diagnostic& each) {
             return each.severity != Severity::error;
         };
-        told.erase(std::remove_if(told.begin(), told.end(), warning), told.end());
-        INFO(config.name << "\n" << toText(told));
-        REQUIRE(told.size() == 1);
-        CHECK(codeName(told[0].code) == config.text("code"));
-        CHECK(placeInCorpus(told[0].place) == config.text("at"));
-        CHECK(told[0].pointer == config.text("pointer"));
-        CHECK_THAT(told[0].help, Catch::Contains(config.text("help")));
-        CHECK_FALSE(told[0].help.empty());
+        reported.erase(std::remove_if(reported.begin(), reported.end(), warning), reported.end());
+        INFO(config.name << "\n" << toText(reported));
+        REQUIRE(reported.size() == 1);
+        CHECK(codeName(reported[0].code) == config.text("code"));
+        CHECK(placeInCorpus(reported[0].place) == config.text("at"));
+        CHECK(reported[0].pointer == config.text("pointer"));
+        CHECK_THAT(reported[0].help, Catch::Contains(config.text("help")));
+        CHECK_FALSE(reported[0].help.empty());
         const bool needs_device = config.name.rfind("run_time/", 0) == 0;
         CHECK((needs_device || device.log().empty()));
     }
 }
 
-TEST_CASE("What shipped modules do together is told in the config, with a note in the module")
+TEST_CASE("What shipped modules do together is reported in the config, with a note in the module")
 {
     const std::map<std::string, std::string> kModules = {
         {"graph/two_modules_write", "effects/filter/bilateral.json:39:61"},
@@ -44,11 +44,11 @@ TEST_CASE("What shipped modules do together is told in the config, with a note i
         const auto module = kModules.find(config.name);
         if (module == kModules.end()) continue;
         RecordingDevice device(capsOf(config));
-        const Diagnostics told = diagnosticsOf(config, device);
-        INFO(config.name << "\n" << toText(told));
-        REQUIRE(told.size() == 1);
-        REQUIRE_FALSE(told[0].notes.empty());
-        CHECK(placeName(told[0].notes[0].place) == module->second);
+        const Diagnostics reported = diagnosticsOf(config, device);
+        INFO(config.name << "\n" << toText(reported));
+        REQUIRE(reported.size() == 1);
+        REQUIRE_FALSE(reported[0].notes.empty());
+        CHECK(placeName(reported[0].notes[0].place) == module->second);
         ++seen;
     }
     CHECK(seen == kModules.size());

@@ -230,7 +230,7 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
     }
 }
 
-TEST_CASE("a document of nothing but mistakes is told a thousand of them, and how many more",
+TEST_CASE("a document of nothing but mistakes gets a thousand errors, and the number of the rest",
           "[decode]")
 {
     std::string params = R"("samples": {"type": "int", "default": 16})";

@@ -137,7 +137,7 @@ TEST_CASE("a missing include is an error at the include", "[decode]")
     CHECK(error.help.find("did you mean 'common/view.glsl'") == 0);
 }
 
-TEST_CASE("an interface that no module provides is told once, with modules that do", "[decode]")
+TEST_CASE("an interface that no module provides is reported once, with modules that do", "[decode]")
 {
     MemorySources sources = glslSources();
     sources.add("ssao/two.frag", "#include <surface>\n");

@@ -21,7 +21,7 @@ void checkPass(const std::string& more, const std::string& errors)
 
 }  // namespace
 
-TEST_CASE("a pass that reads a missing target is told as the design says", "[decode]")
+TEST_CASE("a pass that reads a missing target is reported as the design says", "[decode]")
 {
     const std::string text = R"({ "format": 1,
   "targets": { "ao_filtered": { "format": "r8" }, "color": { "format": "rgba8" } },
@@ -53,7 +53,7 @@ TEST_CASE("a pass that writes a missing target says so", "[decode]")
 TEST_CASE("each reference of a pass is checked", "[decode]")
 {
     checkPass(R"("when": {"fats": true})", "CV2105 /passes/p/when/fats");
-    checkPass(R"("when": {"scene.lamps": true})", "CV2105 /passes/p/when/scene.lamps");
+    checkPass(R"("when": {"scene.lights": true})", "CV2105 /passes/p/when/scene.lights");
     checkPass(R"("bypass": {"ao": "ao_raw"})", "CV2103 /passes/p/bypass/ao");
     checkPass(R"("bypass": {"aoo": "depth"})", "CV2103 /passes/p/bypass/aoo");
     checkPass(R"("no_op": {"radios": {"at": 0, "gives": {"ao": 1}}})",
@@ -177,7 +177,7 @@ TEST_CASE("targets that follow each other's size are one error", "[decode]")
     });
 }
 
-TEST_CASE("one name cannot stand for two things that GLSL or an override would see", "[decode]")
+TEST_CASE("one name cannot stand for two objects that GLSL or an override would see", "[decode]")
 {
     checkEach({
         {"imports", R"({"photo": {"type": "texture"}, "depth": {"type": "texture"}})",

@@ -100,7 +100,7 @@ TEST_CASE("a feature is a bool or one of its words", "[decode]")
 TEST_CASE("an import is there for certain unless it says otherwise", "[decode]")
 {
     const Description d = decoded({{"imports", R"({"camera": {"type": "camera"},
-        "scene": {"type": "draw_list"}, "lamps": {"type": "lights", "optional": true},
+        "scene": {"type": "draw_list"}, "lights": {"type": "lights", "optional": true},
         "photo": {"type": "texture"}})"}});
     CHECK(d.imports.at(0).type == ImportType::camera);
     CHECK(d.imports.at(1).type == ImportType::draw_list);

@@ -89,7 +89,7 @@ TEST_CASE("Under a variant an unused name is a warning")
     CHECK(unused[0].message.find("target 'more'") == 0);
 }
 
-TEST_CASE("An unused name is told where nothing else is wrong, since that might be why")
+TEST_CASE("An unused name is reported where nothing else is wrong, since that might be why")
 {
     Description description = describe(
         R"({"format": 1, "targets": {"x": {"format": "r8"}},

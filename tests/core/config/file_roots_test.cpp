@@ -35,7 +35,7 @@ struct Neighbours {
     TemporaryFolder folder;
 };
 
-// All that the shader of a config in mine/ is told, for files beside it.
+// All diagnostics of a config in mine/ with this shader, for files beside it.
 Diagnostics shaderErrors(const Neighbours& around, const std::string& fragment,
                          const LoadRequest& extra = {})
 {
@@ -65,7 +65,7 @@ void checkRefused(const Diagnostic& error)
 
 }  // namespace
 
-TEST_CASE("a config extends no file outside of its folder, and is not told whether it is there")
+TEST_CASE("a config extends no file outside of its folder, and does not learn whether it is there")
 {
     const Neighbours around("roots_extends");
     for (const char* name :
@@ -204,7 +204,7 @@ TEST_CASE("what is no regular file is not opened, and nothing waits for it")
     CHECK(readBytes((folder.path / "none").string(), 10).missing);
 }
 
-TEST_CASE("a shader that is a pipe or a folder is told as what it is")
+TEST_CASE("a shader that is a pipe or a folder is reported as what it is")
 {
     const Neighbours around("roots_pipe");
     REQUIRE(mkfifo((around.folder.path / "mine/pipe.frag").c_str(), 0600) == 0);

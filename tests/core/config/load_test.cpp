@@ -122,7 +122,7 @@ TEST_CASE("a config that does not exist is an error with the nearest names")
     CHECK(failure(smallCatalog(), {"../configs/fine"}).code == Code::module_missing);
 }
 
-TEST_CASE("a config file that is missing is told from one that cannot be read")
+TEST_CASE("a config file that is missing is distinguished from one that cannot be read")
 {
     const TemporaryFolder folder("load_unreadable");
     std::filesystem::create_directories(folder.path / "folder.json");

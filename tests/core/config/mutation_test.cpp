@@ -181,26 +181,27 @@ Diagnostics errorsOf(const SourceSet& sources, const std::string& config, Record
     return renderer ? Diagnostics() : renderer.diagnostics();
 }
 
-/// True at the change, or where something is told of a name that the change concerns.
-bool concerns(const Diagnostic& told, const Mutation& mutation)
+/// True at the change, or where a diagnostic names what the change concerns.
+bool concerns(const Diagnostic& reported, const Mutation& mutation)
 {
     const auto inside = [&](const Place& place) {
         const bool whole = place.line == 1 && place.column == 1;  // something it has not at all
         return place.source && place.source->name.rfind("changed ", 0) == 0 &&
                (whole || (place.line >= mutation.first_line && place.line <= mutation.last_line));
     };
-    if (inside(told.place)) return true;
-    for (const Note& note : told.notes)
+    if (inside(reported.place)) return true;
+    for (const Note& note : reported.notes)
         if (inside(note.place)) return true;
-    const std::string text = lowered(told.message + " " + told.pointer);
+    const std::string text = lowered(reported.message + " " + reported.pointer);
     return std::any_of(mutation.names.begin(), mutation.names.end(), [&](const std::string& name) {
         return !name.empty() && text.find(lowered(name)) != std::string::npos;
     });
 }
 
-void checkTold(const Diagnostics& told, const Mutation& mutation, const RecordingDevice& device)
+void checkReported(const Diagnostics& reported, const Mutation& mutation,
+                   const RecordingDevice& device)
 {
-    for (const Diagnostic& each : told) {
+    for (const Diagnostic& each : reported) {
         CHECK(each.place.source);
         CHECK(each.place.line > 0);
         CHECK_FALSE(each.message.empty());
@@ -227,11 +228,11 @@ TEST_CASE("Every shipped config and module, changed anywhere, plans or says wher
             mine.add(path, mutation.text, "changed " + path);
             const LayeredSources sources({&mine, &shippedSources()});
             RecordingDevice device;
-            const Diagnostics told = errorsOf(sources, config, device);
-            if (told.empty()) return;
+            const Diagnostics reported = errorsOf(sources, config, device);
+            if (reported.empty()) return;
             ++broken;
-            INFO(config << ": " << path << " " << mutation.what << "\n" << toText(told));
-            checkTold(told, mutation, device);
+            INFO(config << ": " << path << " " << mutation.what << "\n" << toText(reported));
+            checkReported(reported, mutation, device);
         });
     }
     CHECK(count > 3000);

@@ -35,7 +35,7 @@ Result<Description> extended(const std::string& members,
     return decode(tunables, sources);
 }
 
-/// The only thing that is said.
+/// The only diagnostic.
 Diagnostic only(const Result<Description>& result)
 {
     INFO(toText(result.diagnostics()));

@@ -218,7 +218,7 @@ TEST_CASE("conditions are evaluated as the driver evaluates them")
     CHECK(holds("1 || 1 / 0"));
 }
 
-TEST_CASE("a name without a define is an error in a condition, told once")
+TEST_CASE("a name without a define is an error in a condition, reported once")
 {
     const Diagnostic error =
         errorOf(Texts{{"a/main.frag", kVersion + "#if SAMPELS > 4\n#elif SAMPELS > 2\n#endif\n"}},

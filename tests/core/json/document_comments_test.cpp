@@ -72,7 +72,7 @@ TEST_CASE("places are right behind comments and last commas")
     CHECK(at(node.members[1].value.place) == "4:9");
 }
 
-TEST_CASE("what is wrong beside comments and commas is told with its place")
+TEST_CASE("what is wrong beside comments and commas is reported with its place")
 {
     struct Case {
         const char* text;

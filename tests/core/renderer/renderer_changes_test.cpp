@@ -10,11 +10,12 @@ namespace {
 bool compiles(Rig& rig, const Status& status)
 {
     const bool logged = rig.device.log().find("createProgram") != std::string::npos;
-    const bool told = findDiagnostic(status.diagnostics(), Code::recompiled) != nullptr;
+    const bool reported = findDiagnostic(status.diagnostics(), Code::recompiled) != nullptr;
     CHECK(status.ok());
-    CHECK(logged == told);  // nothing compiles in silence, nothing is told that did not happen
+    CHECK(logged ==
+          reported);  // nothing compiles in silence, nothing is reported that did not happen
     rig.device.clearLog();
-    return told;
+    return reported;
 }
 
 bool setCompiles(Rig& rig, const char* name, float value)
@@ -69,7 +70,7 @@ TEST_CASE("A feature that comes back costs no compiling, and neither does a pass
     CHECK_FALSE(compiles(rig, rig.renderer->setFeature("look", "lit")));
 }
 
-TEST_CASE("A pass that never ran compiles as it comes, and that is told")
+TEST_CASE("A pass that never ran compiles as it comes, and that is reported")
 {
     Rig rig;
     Description description = rigDescription();

@@ -63,7 +63,7 @@ TEST_CASE("What was set at run time outlives a reload, and what was not follows 
     CHECK(valueOf(rig, "radius") == valueOf(Rig(), "radius"));
 }
 
-TEST_CASE("A value that the edited config has no place for is told, and the rest is kept")
+TEST_CASE("A value that the edited config has no place for is reported, and the rest is kept")
 {
     Rig rig;
     REQUIRE(rig.renderer->setParam("radius", 50.0f).ok());

@@ -130,7 +130,7 @@ TEST_CASE("A define compiles the one program that sees it, and its kernel follow
     CHECK(rig.device.misuse().empty());
 }
 
-TEST_CASE("A define that is no count, and a count that is no define, plan anew")
+TEST_CASE("A define that is no count, and a count that is no define, plan again")
 {
     Rig rig;
     rig.device.clearLog();
@@ -245,7 +245,7 @@ TEST_CASE("Resizing back and forth leaves no object behind")
     CHECK(rig.device.misuse().empty());
 }
 
-TEST_CASE("A frame with other traits is planned anew, once")
+TEST_CASE("A frame with other traits is planned again, once")
 {
     Rig rig;
     rig.draw();

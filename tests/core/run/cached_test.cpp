@@ -40,7 +40,7 @@ TEST_CASE("A moving light runs the lighting alone")
     CHECK(passesOf(rig) == "lighting");
 }
 
-TEST_CASE("A camera, a thing, a material or what they hold that is another runs all")
+TEST_CASE("Another camera, draw or material, or other contents of them, runs all")
 {
     Rig rig;
     const auto after = [&rig](const std::function<void(Frame&)>& change) {

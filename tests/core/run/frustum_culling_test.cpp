@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Things outside the view: never one of which a part could show, and most that are far from it.
+// Draws outside the view: never one of which a part could show, and most that are far from it.
 #include <crevice/renderer.h>
 
 #include "core/base/text.h"
@@ -87,7 +87,7 @@ TEST_CASE("Nothing that has a point in the view is outside, however it is placed
     CHECK(shown > 500);
 }
 
-TEST_CASE("What shows of a thing lies in the area of things, and the area of what is far is small")
+TEST_CASE("What shows of a draw lies in the area of draws, and the area of what is far is small")
 {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> around(-1.0f, 1.0f);
@@ -107,7 +107,7 @@ TEST_CASE("What shows of a thing lies in the area of things, and the area of wha
             item.bounds_radius = 0.5f * std::abs(around(random));
             item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(12.0f * vector()));
             const PixelArea area = pixelsOf(
-                areaOfThings({item}, matrices, extent, std::numeric_limits<double>::infinity()),
+                areaOfDraws({item}, matrices, extent, std::numeric_limits<double>::infinity()),
                 extent);
             const Extent all = area.extent;
             small += all.width > 0 && all.width * all.height < extent.width * extent.height / 20;
@@ -129,14 +129,14 @@ TEST_CASE("What shows of a thing lies in the area of things, and the area of wha
 }
 
 TEST_CASE(
-    "The area of things is all of the view where one has no bounds, and none where none is drawn")
+    "The area of draws is all of the view where one has no bounds, and none where none is drawn")
 {
     Camera camera;
     camera.clip_from_view = glm::perspective(0.8f, 1.0f, 0.1f, 50.0f);
     const CameraMatrices matrices = cameraMatrices(camera);
     const Extent extent = {100, 100};
     const auto pixels = [&](const std::vector<DrawItem>& draws, double length) {
-        const Extent all = pixelsOf(areaOfThings(draws, matrices, extent, length), extent).extent;
+        const Extent all = pixelsOf(areaOfDraws(draws, matrices, extent, length), extent).extent;
         return all.width * all.height;
     };
     const double any = std::numeric_limits<double>::infinity();

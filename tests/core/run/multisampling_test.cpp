@@ -113,7 +113,7 @@ TEST_CASE("A device draws the samples, resolves what is stored, and nobody sampl
     CHECK(device.misuse().empty());
 }
 
-TEST_CASE("A param gives the samples, and another value plans anew")
+TEST_CASE("A param gives the samples, and another value plans again")
 {
     const std::string msaa =
         R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 16}})";
@@ -214,7 +214,7 @@ DeviceCaps newerCaps()
     return caps;
 }
 
-/// What a frame whose texture has that many samples is told.
+/// The diagnostics of a frame whose texture has that many samples.
 Status drawnWith(int samples, const std::string& sampler)
 {
     RecordingDevice device;

@@ -116,7 +116,7 @@ TEST_CASE("Desktop contexts have program binaries from 4.1 on, or by their exten
     CHECK_FALSE(has(true, 330, {}));
 }
 
-TEST_CASE("Kept bytes that are not whole never reach the driver, and are stored anew")
+TEST_CASE("Kept bytes that are not whole never reach the driver, and are stored again")
 {
     KeptPrograms kept;
     compiledBy(kept);
@@ -153,7 +153,7 @@ TEST_CASE("Bytes of another key never reach the driver")
     CHECK(run.gl.compiles() == 2 * kOwn);
 }
 
-TEST_CASE("Programs that a driver refuses are compiled in silence, and stored anew")
+TEST_CASE("Programs that a driver refuses are compiled in silence, and stored again")
 {
     KeptPrograms kept;
     compiledBy(kept);

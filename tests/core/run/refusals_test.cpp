@@ -16,7 +16,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// What a config that extends these modules is told; empty when it can be planned.
+/// The diagnostics of a config that extends these modules; empty when it can be planned.
 Diagnostics refusal(const Names& modules, const std::string& more = "")
 {
     const GivenConfig config(modules, more);
@@ -83,13 +83,13 @@ TEST_CASE("Two filters in one config are refused, whichever they are")
 {
     forPairs(shippedFilters(), [](const Module& one, const Module& other) {
         if (related(one, other, shippedFilters())) return;
-        const Diagnostics told =
+        const Diagnostics reported =
             refusal({"geometry/depth_normal", "ssao/ssdo", one.name, other.name});
-        INFO(one.name << " " << other.name << "\n" << toText(told));
-        REQUIRE(hasErrors(told));
-        CHECK((told[0].code == Code::module_clash || told[0].code == Code::two_writers));
-        CHECK(told[0].place.line > 0);
-        CHECK_FALSE(told[0].help.empty());
+        INFO(one.name << " " << other.name << "\n" << toText(reported));
+        REQUIRE(hasErrors(reported));
+        CHECK((reported[0].code == Code::module_clash || reported[0].code == Code::two_writers));
+        CHECK(reported[0].place.line > 0);
+        CHECK_FALSE(reported[0].help.empty());
     });
 }
 

@@ -43,7 +43,7 @@ Description chain()
 
 }  // namespace
 
-TEST_CASE("An examination counts what is not finite, and tells where the first one is")
+TEST_CASE("An examination counts what is not finite, and finds the first one")
 {
     Image image = ramp();
     image.at(2, 1) = std::numeric_limits<float>::quiet_NaN();

@@ -122,7 +122,7 @@ TEST_CASE("A device's timers measure pass by pass, and are read after the frame"
           "readTimer 0\nreadTimer 1\nreadTimer 2\nreadTimer 3\n");
 }
 
-TEST_CASE("A void time makes the total void, and the next frame is measured anew")
+TEST_CASE("A void time makes the total void, and the next frame is measured again")
 {
     Rig rig;
     rig.device.setTimers({1, 2, -1, 4});

@@ -43,7 +43,7 @@ void write(const TemporaryFolder& folder, const std::vector<std::string>& lines)
 
 }  // namespace
 
-TEST_CASE("Rows come back as they were written, the later of two about one thing")
+TEST_CASE("Rows come back as they were written, the later of two with one key")
 {
     const TemporaryFolder folder("ablation");
     write(folder, {toJsonLine(row("", 2, 1)), toJsonLine(row("no_op", 3, 1.5)),

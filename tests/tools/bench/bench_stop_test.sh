@@ -36,7 +36,7 @@ JSON
 expect 1 'failed: learnopengl, nowhere.glb, 64x36: CV7001' bench --config learnopengl \
     --config broken.json --scene nowhere.glb --scene corner "${small[@]}" --out mixed
 check "the good sample was measured" grep -q '1 measured, .* 3 failed' stderr.txt
-check "the shader's place is told" grep -q 'failed: broken.json, corner.*broken.frag:1:.*CV50' stderr.txt
+check "the shader's place is reported" grep -q 'failed: broken.json, corner.*broken.frag:1:.*CV50' stderr.txt
 "$crevice" report mixed/results.jsonl --out report.html >/dev/null
 check "the report names the scene that is missing" grep -q 'nowhere.glb' report.html
 
@@ -69,7 +69,7 @@ stop() {
 }
 stop INT interrupted
 check "an interrupt ends with 130" test "$got" -eq 130
-check "what is missing is told" grep -q '^missing: thesis samples=16' stderr.txt
+check "what is missing is reported" grep -q '^missing: thesis samples=16' stderr.txt
 check "so is how much that is" grep -Eq '^[1-5] of 6 bench samples measured: learnopengl' stderr.txt
 expect 0 '^[1-5] of 6 bench samples measured: learnopengl' report interrupted --out part.html
 expect 0 '^[1-5] of 6 bench samples measured: learnopengl' choose interrupted --error 1
@@ -77,7 +77,7 @@ expect 0 '"planned": 6' choose interrupted --error 1 --json
 expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out interrupted
 check "nothing is measured twice" test "$(lines_of interrupted)" -eq 6
 "$crevice" report interrupted --out whole.html >stdout.txt
-check "the whole is not told as a part" bash -c '! grep -q "bench samples measured" stdout.txt'
+check "a whole bench is not reported as a part" bash -c '! grep -q "bench samples measured" stdout.txt'
 check "an interrupt changes no figure" same_figures whole interrupted
 
 stop KILL killed
@@ -89,7 +89,7 @@ check "a kill and a torn line change no figure" same_figures whole killed
 got=0
 (ulimit -f 4 && "$crevice" bench "${runs[@]}" --out full) 2>stderr.txt || got=$?
 check "a full disk ends with 4" test "$got" -eq 4
-check "it is told" grep -q 'CV7007: cannot write' stderr.txt
+check "it is reported" grep -q 'CV7007: cannot write' stderr.txt
 check "only whole lines are left" test "$(grep -c '}$' full/results.jsonl)" -eq "$(wc -l <full/results.jsonl)"
 expect 0 '0 failed, 0 not begun' bench "${runs[@]}" --out full
 check "a full disk changes no figure" same_figures whole full

@@ -59,7 +59,7 @@ TEST_CASE("a choice for one scene knows no other")
     CHECK(chosen(twoScenes(), Kind::error, 0.05, scope) == "middle samples=8");
 }
 
-TEST_CASE("everything within and beyond a limit is told, the nearest first")
+TEST_CASE("everything within and beyond a limit is reported, the nearest first")
 {
     const auto candidates = findCandidates(twoScenes(), {});
     const auto choice = choose(*candidates, {Kind::error, 0.09});

@@ -8,7 +8,7 @@ real=$1 script=$2
 source "$here/../../support/cli_checks.sh"
 source "$here/../../support/bench_results.sh"
 
-# A tree of its own, and a crevice whose bench gives out what `measure` was told.
+# A tree of its own, and a crevice whose bench writes what `measure` was given.
 mkdir -p tools/scripts
 cp -- "$script" "$(dirname -- "$script")/built_crevice.sh" tools/scripts/
 cat >crevice <<EOF

@@ -43,7 +43,7 @@ TEST_CASE("what a child sends arrives as it was, small and large")
     CHECK(received == numbers);
 }
 
-TEST_CASE("a child that crashes, ends or throws is told from one that is done")
+TEST_CASE("a child that crashes, ends or throws is distinguished from one that is done")
 {
     CHECK(runInChild(
               {}, [](Sender&) { std::abort(); }, kNothing) == ChildEnd::crashed);

@@ -98,7 +98,7 @@ TEST_CASE("a view scales and shifts what its target holds")
     CHECK(image.pixels == std::vector<float>{0.75f, 0.0f});
 }
 
-TEST_CASE("an unknown output is told with the names that would do")
+TEST_CASE("an unknown output is reported with the names that would do")
 {
     Description description = smallDescription();
     const auto source = exposeOutput(description, "normla");

@@ -31,7 +31,7 @@ TEST_CASE("the first error chooses the exit code, whatever warnings stand before
     CHECK(exitCodeOf({machine, input}) == kExitMachine);
 }
 
-TEST_CASE("exit codes tell input, usage, machine and output apart")
+TEST_CASE("exit codes distinguish input, usage, machine and output")
 {
     CHECK(exitCodeOf({{Code::usage, "x"}}) == kExitUsage);
     CHECK(exitCodeOf({{Code::cannot_write, "x"}}) == kExitOutput);

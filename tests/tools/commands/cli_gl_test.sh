@@ -41,7 +41,7 @@ expect 0 'CV9003: the ambient occlusion is 1 everywhere' render learnopengl "${s
 expect 0 'intensity is 0' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm --json
 expect_json
 
-# What shows no ambient occlusion is told with the radius to take, which then shows some.
+# What shows no ambient occlusion is reported with the radius to take, which then shows some.
 for scale in 0.001 1000; do
     awk -v k=$scale '{ if ($1 == "v") print "v", $2 * k, $3 * k, $4 * k; else print }' >scaled.obj <<'EOF'
 v -2 0 -2
@@ -135,7 +135,7 @@ check "written out it takes at most 110 lines" test "$(wc -l <"$whole")" -le 110
 # Live editing: a save draws again, a mistake leaves the picture, and its mending draws again.
 "$crevice" render mine.json "${small[@]}" --out ao=live.pfm --watch >watch.txt 2>&1 </dev/null &
 watcher=$!
-told() {
+reported() {
     local count=$1 text=$2
     for _ in {1..200}; do
         (($(grep -c -- "$text" watch.txt) >= count)) && return 0
@@ -143,18 +143,18 @@ told() {
     done
     return 1
 }
-check "the watch begins" told 1 'watching'
+check "the watch begins" reported 1 'watching'
 cp live.pfm before.pfm
 sed -i 's/0\.8/0.3/' mine.json
-check "a save draws again" told 1 'drawn again'
+check "a save draws again" reported 1 'drawn again'
 check "with the new value" eval '! cmp -s live.pfm before.pfm'
 cp live.pfm before.pfm
 sed -i 's/"radius"/"raduis"/' mine.json
-check "a mistake is told" told 1 'CV4004'
-check "and leaves the picture" told 1 'the last pictures stay'
+check "a mistake is reported" reported 1 'CV4004'
+check "and leaves the picture" reported 1 'the last pictures stay'
 check "as it was" cmp -s live.pfm before.pfm
 sed -i 's/"raduis"/"radius"/' mine.json
-check "its mending draws again" told 2 'drawn again'
+check "its mending draws again" reported 2 'drawn again'
 got=0
 kill -TERM "$watcher" && wait "$watcher" || got=$?
 check "an interrupt ends the watch in peace" test "$got" = 0

@@ -7,7 +7,7 @@ here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 source "$here/../../support/cli_checks.sh"
 source "$here/../../support/bench_results.sh"
 
-# never_shows TEXT: the last `expect` printed no such thing.
+# never_shows TEXT: the last `expect` did not print TEXT.
 never_shows() {
     check "nothing shows $1" bash -c '! grep -qF -- "$0" stdout.txt stderr.txt' "$1"
 }
@@ -147,6 +147,6 @@ full bench --list --config learnopengl --scene plane
 full compare results/a4.png results/a4.png
 full compare results/a4.png results/a4.png --json
 got=$( (trap '' PIPE; "$crevice" schema 2>stderr.txt; echo $? >code.txt) | head -c1)
-check "a reader that went away is told nothing" test ! -s stderr.txt
+check "a closed pipe prints no error" test ! -s stderr.txt
 check "its exit code is 4" test "$(cat code.txt)" -eq 4
 finish

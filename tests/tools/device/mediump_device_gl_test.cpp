@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// That mediump is what the device is told, and that nothing else is touched.
+// That mediump is what the device was asked for, and that nothing else changes.
 #include "tests/support/gl_fixture.h"
 #include "tools/device/mediump_device.h"
 
@@ -54,7 +54,7 @@ TEST_CASE("In half floats 2049 is 2048, 65536 is infinite and 2^-15 is 0, and hi
                    {1.0f}) == std::vector<float>({2048.0f, 2048.0f, 0.0f, 0.0f}));
 }
 
-TEST_CASE("Told to be full, mediump has 32 bits on any driver")
+TEST_CASE("Set to full, mediump has 32 bits on any driver")
 {
     if (!canRewriteMediump()) return;
     CHECK(drawAs(Mediump::full,

@@ -9,7 +9,7 @@ using namespace crevice;
 TEST_CASE("A folder of programs gives back what was stored, in another run too")
 {
     const TemporaryFolder folder("programs");
-    const std::string path = (folder.path / "made" / "anew").string();
+    const std::string path = (folder.path / "made" / "new").string();
     const std::vector<std::uint8_t> bytes = {0, 1, '\r', '\n', 255}, other = {7};
     {
         const auto programs = need(ProgramFolder::open(path));

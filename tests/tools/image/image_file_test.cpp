@@ -117,7 +117,7 @@ TEST_CASE("a PFM of either byte order is read, the bottom row first")
     CHECK(big->pixels == little->pixels);
 }
 
-TEST_CASE("an image that cannot be read is told with its name")
+TEST_CASE("an image that cannot be read is reported with its name")
 {
     const TemporaryFolder folder("image_broken");
     const std::string png = (folder.path / "whole.png").string();

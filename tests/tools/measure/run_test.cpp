@@ -107,7 +107,7 @@ TEST_CASE("A failure has a line where the job gives it one")
     CHECK(linesIn(folder) == 6);
 }
 
-TEST_CASE("No task begins after the time budget, and what is missing is told")
+TEST_CASE("No task begins after the time budget, and what is missing is reported")
 {
     const TemporaryFolder folder("measure_time");
     FakeRun run;
@@ -207,7 +207,7 @@ TEST_CASE("A task's key is another on another device, and each shard has its own
         CHECK(Shard{1, 3}.has(task) + Shard{2, 3}.has(task) + Shard{3, 3}.has(task) == 1);
 }
 
-TEST_CASE("A failure tells the place of its first error and passes over warnings")
+TEST_CASE("A failure names the place of its first error and passes over warnings")
 {
     Diagnostic warning{Code::not_finite, "odd"};
     warning.severity = Severity::warning;

@@ -46,7 +46,7 @@ TEST_CASE("Equal plans differ in nothing, and their totals are the same")
     CHECK(toText(diff).find("passes: 2 -> 2\n") != std::string::npos);
 }
 
-TEST_CASE("A pass and its target on one side only are told with all that they are")
+TEST_CASE("A pass and its target on one side only are printed with all that they are")
 {
     const PlanDiff diff = diffPlans(plan(), planOf(describe({{"ssao: -> ao"}, {{"ao", "ao"}}})));
     const PlanChange* blur = changeOf(diff, "passes", "blur");
@@ -61,7 +61,7 @@ TEST_CASE("A pass and its target on one side only are told with all that they ar
     CHECK(changeOf(back, "passes", "blur")->kind == Kind::only_after);
 }
 
-TEST_CASE("A size and a format that changed are told with the bytes that they cost")
+TEST_CASE("A size and a format that changed are printed with the bytes that they cost")
 {
     const PlanDiff diff = diffPlans(plan(), plan(R"(, "size": {"scale": 0.5})", "rgba16f"));
     const PlanChange* ao = changeOf(diff, "targets", "ao");
@@ -76,7 +76,7 @@ TEST_CASE("A size and a format that changed are told with the bytes that they co
     CHECK(toText(diff).find("texture bytes: 4.0 KiB -> 6.0 KiB (+2.0 KiB)") != std::string::npos);
 }
 
-TEST_CASE("Defines, inputs and what a sampler reads are told by their names")
+TEST_CASE("Defines, inputs and what a sampler reads are listed by name")
 {
     const auto with = [](const char* count, const char* input) {
         Description description =
@@ -110,11 +110,11 @@ TEST_CASE("Defines, inputs and what a sampler reads are told by their names")
           std::string::npos);
 }
 
-TEST_CASE("A diff tells by what mask and within what a pass is drawn, and no write of the mask")
+TEST_CASE("A diff says by what mask and within what a pass is drawn, and no write of the mask")
 {
     const auto drawn = [](const std::string& keys) {
         return planOf(
-            describe(Sketch{{R"(things: -> normal | "type": "draw", "frustum_scale": 1)",
+            describe(Sketch{{R"(geometry: -> normal | "type": "draw", "frustum_scale": 1)",
                              R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})",
                              R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + keys},
                             {{"ao", "ao"}},
@@ -128,7 +128,7 @@ TEST_CASE("A diff tells by what mask and within what a pass is drawn, and no wri
     const PlanDiff kept = diffPlans(
         drawn(""),
         planOf(describe(Sketch{
-            {R"(things: -> normal | "type": "draw", "frustum_scale": 1)", "ao: normal -> ao"},
+            {R"(geometry: -> normal | "type": "draw", "frustum_scale": 1)", "ao: normal -> ao"},
             {{"ao", "ao"}},
             {},
             R"("imports": {"scene": {"type": "draw_list"}})"})));

@@ -66,7 +66,7 @@ TEST_CASE("pointers reach into arrays and escape slashes and tildes")
     CHECK(escaped->pointer == "/a~1b/~0");
 }
 
-TEST_CASE("what is not there is told with the keys that are")
+TEST_CASE("what is not there is reported with the keys that are")
 {
     const Node document = mergedDocument();
     for (const char* path : {"/extends/2", "/extends/-1", "/params/radius/default/x", "", "/"}) {
@@ -135,7 +135,7 @@ TEST_CASE("a key that no file sets has the format's default, where there is some
     }
 }
 
-TEST_CASE("what a patch deleted is told with the place that deleted it")
+TEST_CASE("what a patch deleted is reported with the place that deleted it")
 {
     Node document = parsed("base.json", R"({
   "passes": { "ssao": { "state": { "cull": "back" } }, "blur": {} } })");

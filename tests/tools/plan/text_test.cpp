@@ -25,14 +25,14 @@ Description everything()
                    {"color", R"({"format": ["rgba8"]})"}},
                   R"("params": {"strength": {"default": 0}},
            "features": {"soft": {"type": "bool"}},
-           "imports": {"things": {"type": "draw_list"}},
+           "imports": {"draws": {"type": "draw_list"}},
            "generated": {"noise": {"generator": "rotation_noise", "count": 4}})"};
     return describe(sketch);
 }
 
 }  // namespace
 
-TEST_CASE("The text of a plan tells passes, textures, outputs and what is left out")
+TEST_CASE("The text of a plan lists passes, textures, outputs and what is left out")
 {
     CHECK(toText(planOf(everything())) ==
           R"(plan sketch 64x32: 3 passes, 4 textures, 34.0 KiB
@@ -62,7 +62,7 @@ outputs
 generated
   noise: rotation_noise 4
 imports
-  things: draw_list
+  draws: draw_list
 left out
   attachment albedo (dead_pass): nobody reads it, nor is it worked out
   pass glow (no_op): strength is 0, so light_glow is 0.5
@@ -110,7 +110,7 @@ TEST_CASE("Targets that share a texture are listed in turn")
     CHECK(text.find("0: r8 64x32, 2.0 KiB: w, then y\n") != text.npos);
 }
 
-TEST_CASE("The JSON of a plan is JSON and tells the same")
+TEST_CASE("The JSON of a plan is JSON and has the same content")
 {
     const Plan plan = planOf(everything());
     const Result<Node> json =

@@ -120,7 +120,8 @@ TEST_CASE("A kept reference is read and not traced, background and all")
     const Scene scene = sphereOnFloor();
     int progress = 0;
     TraceOptions trace = options();
-    trace.threads = 1;  // else another thread may trace all rows, and only the caller's tells
+    trace.threads =
+        1;  // else another thread may trace all rows, and only the caller's reports progress
     trace.progress = [&progress](double) { ++progress; };
     const Image traced = need(cachedReference(scene, kCamera, kExtent, trace, cache));
     CHECK(progress > 0);
@@ -131,7 +132,7 @@ TEST_CASE("A kept reference is read and not traced, background and all")
     CHECK(std::isnan(kept.at(0, 15)));
 }
 
-TEST_CASE("A broken kept reference is traced anew")
+TEST_CASE("A broken kept reference is traced again")
 {
     if (!canTrace()) return;
     const TemporaryFolder folder("reference_broken");

@@ -86,7 +86,8 @@ TEST_CASE("a radius that fits the scene is not remarked on")
     CHECK(saidOf(spheres(), "").empty());
 }
 
-TEST_CASE("a radius for another scale is told with one that fits, which then is not remarked on")
+TEST_CASE(
+    "a radius for another scale is reported with one that fits, which then is not remarked on")
 {
     for (const double scale : {1e-3, 1e-2, 1e2, 1e3}) {
         const Scene scene = scaled(spheres(), scale);
@@ -101,7 +102,7 @@ TEST_CASE("a radius for another scale is told with one that fits, which then is 
     }
 }
 
-TEST_CASE("ambient occlusion that is 1 everywhere is told, unless the scene is flat")
+TEST_CASE("ambient occlusion that is 1 everywhere is reported, unless the scene is flat")
 {
     const Image open(kExtent, 1, 1.0f);
     CHECK(only(saidOf(spheres(), "", &open)).code == Code::output_constant);
@@ -112,7 +113,7 @@ TEST_CASE("ambient occlusion that is 1 everywhere is told, unless the scene is f
     CHECK(saidOf(spheres(), "", &some).empty());
 }
 
-TEST_CASE("an intensity of 0 is told as the cause, and not the radius")
+TEST_CASE("an intensity of 0 is reported as the cause, and not the radius")
 {
     const Image open(kExtent, 1, 1.0f);
     const Diagnostic warning = only(saidOf(spheres(), "intensity=0", &open));
@@ -120,7 +121,7 @@ TEST_CASE("an intensity of 0 is told as the cause, and not the radius")
     CHECK(warning.help.find("intensity") != std::string::npos);
 }
 
-TEST_CASE("a camera that sees nothing is told with one that does")
+TEST_CASE("a camera that sees nothing is reported with one that does")
 {
     const Scene scene = square(1, -5);
     Plan plan;

@@ -193,7 +193,7 @@ TEST_CASE("the room has the bunny of the glmark2 models, standing upright")
     CHECK(alone.bounds().max.y == Approx(0.95).margin(0.05));
 }
 
-TEST_CASE("a bunny of one's own is taken first, and a broken one is told")
+TEST_CASE("a bunny of one's own is taken first, and a broken one is reported")
 {
     const Result<Scene> room = roomWith(kTetrahedron);
     REQUIRE(room.ok());

@@ -52,7 +52,7 @@ TEST_CASE("a file without extensions, or with those that are read, passes withou
               .empty());
 }
 
-TEST_CASE("textures at a second set of coordinates are told")
+TEST_CASE("textures at a second set of coordinates are reported")
 {
     for (const char* material :
          {R"({"occlusionTexture": {"index": 0, "texCoord": 1}})",

@@ -270,7 +270,7 @@ TEST_CASE("a texture is found beside the scene, also by an escaped name")
     CHECK(scene->textures[0].image.at(0, 0, 1) == 1.0f);
 }
 
-TEST_CASE("a glTF file whose buffer is missing or too short is told from its reader")
+TEST_CASE("a glTF file whose buffer is missing or too short is reported by its reader")
 {
     const TemporaryFolder folder("scene_gltf_buffer");
     std::string text = gltf(R"({"mesh": 0})");

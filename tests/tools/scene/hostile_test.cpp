@@ -215,7 +215,7 @@ TEST_CASE("a buffer outside the scene's folder is an error that names it and the
     CHECK(error.help.find("--root") != std::string::npos);
 }
 
-TEST_CASE("what is told of a broken file is no longer than a few lines")
+TEST_CASE("what is reported of a broken file is no longer than a few lines")
 {
     const TemporaryFolder folder("scene_long");
     const auto error = onlyError(

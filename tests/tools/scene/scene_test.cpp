@@ -121,7 +121,7 @@ TEST_CASE("a missing scene suggests what was meant")
     CHECK(codeOf(loadScene("/no/such/folder/teapot.obj")) == Code::scene_missing);
 }
 
-TEST_CASE("what is no scene is told so with a reason")
+TEST_CASE("what is no scene is reported with a reason")
 {
     CHECK(codeOf(importText("empty.obj", "")) == Code::scene_broken);
     CHECK(codeOf(importText("cut.gltf", "{\"asset\"")) == Code::scene_broken);

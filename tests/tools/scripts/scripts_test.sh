@@ -49,10 +49,10 @@ grep -q 'install --yes --no-install-recommends ninja-build$' "$work/log" ||
     { echo "FAILED: ninja-build was not installed:"; cat "$work/log"; failures=1; }
 
 new_system
-pretend dpkg-query '[[ ${!#} == no-such-thing ]] || printf installed'
-pretend apt-get '[[ ${!#} != no-such-thing ]]'
+pretend dpkg-query '[[ ${!#} == no-such-package ]] || printf installed'
+pretend apt-get '[[ ${!#} != no-such-package ]]'
 pretend sudo 'exec "$@"'
-expect 1 "'no-such-thing' cannot be had" no-such-thing
+expect 1 "'no-such-package' cannot be had" no-such-package
 
 if ((EUID != 0)); then
     new_system

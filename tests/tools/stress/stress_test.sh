@@ -61,7 +61,7 @@ expect 5 "plane_fov +breaks at 45: pass 'spoil' writes [0-9]+ pixels that are no
 check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 32
 check "the page shows it" grep -q 'data:image/png' nan/stress.html
 
-# --- a darkness that depends on where in the world's units a thing lies ---
+# --- a darkness that depends on where in the world's units an object lies ---
 cat >broken/absolute.frag <<'GLSL'
 #version 300 es
 precision highp float;
