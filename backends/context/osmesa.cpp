@@ -26,8 +26,7 @@ struct OsmesaApi {
 #undef CREVICE_OSMESA_MEMBER
 };
 
-const char* const kHelp =
-    "OSMesa is in Debian's package libosmesa6; the backend 'egl' does without it";
+const char* const kHelp = "OSMesa is in Debian's package libosmesa6; the backend 'egl' needs none";
 
 Result<OsmesaApi> loadOsmesa()
 {

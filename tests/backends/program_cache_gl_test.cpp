@@ -31,7 +31,7 @@ bool hasBinaries(const GlApi& gl)
 {
     GLint count = 0;
     gl.GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &count);
-    if (count == 0) WARN("this driver gives no program binaries: nothing is kept");
+    if (count == 0) WARN("this driver has no program binaries: nothing is kept");
     return count > 0;
 }
 

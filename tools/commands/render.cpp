@@ -48,7 +48,7 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
         printMessage("%d of %d programs came from the cache\n", programs->found(),
                      programs->asked());
     else if (programs)
-        printMessage("nothing is kept: the driver gives no program binaries\n");
+        printMessage("no programs are cached: the driver has no program binaries\n");
     printMessage("drawn in %s ms (wall clock, first frame)\n", fixed(summary.ms, 1).c_str());
     for (const Picture& picture : pictures)
         printMessage("wrote %s (%s)\n", printableLine(picture.request.file).c_str(),

@@ -38,7 +38,7 @@ Result<OpenDevice> openFirst(const GlDeviceOptions& options)
     Diagnostic warning{Code::no_egl, "EGL cannot be used (" + egl.diagnostics().front().message +
                                          "); drawing with OSMesa instead"};
     warning.severity = Severity::warning;
-    warning.help = "--backend osmesa asks for it without this warning";
+    warning.help = "write --backend osmesa to choose it without this warning";
     Diagnostics warnings = osmesa.diagnostics();
     warnings.push_back(std::move(warning));
     return {std::move(*osmesa), std::move(warnings)};

@@ -39,7 +39,7 @@ void printSummary(const MeasureSummary& summary, const std::string& file)
                  summary.measured, summary.kept, summary.failures.size(), summary.missing.size(),
                  file.c_str());
     if (!summary.missing.empty() || !summary.failures.empty())
-        printMessage("the same command goes on where this one stopped\n");
+        printMessage("run the same command again to measure the rest\n");
 }
 
 }  // namespace

@@ -40,9 +40,10 @@ Result<std::vector<SceneCamera>> eyeCameras(const SceneCamera& camera, const Ste
 {
     if (options.separation <= 0.0) return std::vector<SceneCamera>{camera};
     if (camera.orthographic) {
-        Diagnostic error{Code::usage,
-                         "--stereo was asked for of an orthographic camera, in which both eyes see "
-                         "the same"};
+        Diagnostic error{
+            Code::usage,
+            "--stereo needs a perspective camera: in an orthographic one both eyes see "
+            "the same"};
         error.help = "choose a perspective --camera, such as 'eye=4,2,6;fov=50'";
         return error;
     }

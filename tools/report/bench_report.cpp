@@ -27,7 +27,8 @@ public:
             Diagnostic warning{Code::image_broken, "the picture '" + path +
                                                        "' is no PNG below the folder "
                                                        "of its results file"};
-            warning.help = "the report does without it; keep pictures beside their results file";
+            warning.help =
+                "the report leaves it out; keep pictures in the folder of their results file";
             warning.severity = Severity::warning;
             warnings.push_back(std::move(warning));
         }

@@ -185,7 +185,7 @@ private:
     int leaveOut(Diagnostic warning)
     {
         warning.severity = Severity::warning;
-        warning.help = "the material goes without the texture";
+        warning.help = "the material is drawn without the texture";
         warnings_.push_back(std::move(warning));
         return kNone;
     }

@@ -86,7 +86,7 @@ Diagnostic unfinished(ChildEnd end, const std::string& path, const ChildLimits& 
     Diagnostic error =
         brokenScene(path, "that took longer than " +
                               std::to_string(static_cast<long long>(limits.time_s)) + " s");
-    error.help = "the file is damaged or very large; --import-time SECONDS gives it longer";
+    error.help = "the file is damaged or very large; allow more time with --import-time SECONDS";
     return error;
 }
 

@@ -65,7 +65,7 @@ struct PlanInput {
 };
 
 struct PlanAttachment {
-    int target = -1;  ///< Into Plan::targets; -1: nobody reads it, so no texture stands behind it.
+    int target = -1;  ///< Into Plan::targets; -1: no pass reads it, so no texture stands behind it.
     std::string name;
     LoadOp load = LoadOp::discard;
     StoreOp store = StoreOp::store;

@@ -53,7 +53,7 @@ TEST_CASE("a pass that writes a missing target says so", "[decode]")
 TEST_CASE("each reference of a pass is checked", "[decode]")
 {
     checkPass(R"("when": {"fats": true})", "CV2105 /passes/p/when/fats");
-    checkPass(R"("when": {"scene.lights": true})", "CV2105 /passes/p/when/scene.lights");
+    checkPass(R"("when": {"scene.sky": true})", "CV2105 /passes/p/when/scene.sky");
     checkPass(R"("bypass": {"ao": "ao_raw"})", "CV2103 /passes/p/bypass/ao");
     checkPass(R"("bypass": {"aoo": "depth"})", "CV2103 /passes/p/bypass/aoo");
     checkPass(R"("no_op": {"radios": {"at": 0, "gives": {"ao": 1}}})",

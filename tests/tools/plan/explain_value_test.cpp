@@ -121,7 +121,7 @@ TEST_CASE("a key that no file sets has the format's default, where there is some
     CHECK(cull->value == "\"none\"");
     CHECK(explainText(*cull) ==
           "/passes/ssao/state/cull is \"none\"\n"
-          "  by default, since no file sets it: Which side of a triangle is left out.\n");
+          "  by default, since no file sets it: Which faces of triangles are culled.\n");
     CHECK(findUnset(document, "/passes/ssao/inputs/depth/filter", nullptr)->value == "\"nearest\"");
     CHECK(findUnset(document, "params.radius.bind", nullptr)->value == "\"uniform\"");
     const auto label = findUnset(document, "params.radius.label", nullptr);
@@ -145,7 +145,7 @@ TEST_CASE("what a patch deleted is reported with the place that deleted it")
                diagnostics);
     REQUIRE(diagnostics.empty());
     CHECK(findUnset(document, "passes.ssao.state.cull", nullptr)->reason ==
-          "by default, since patch.json:2:36 deletes it: Which side of a triangle is left out.");
+          "by default, since patch.json:2:36 deletes it: Which faces of triangles are culled.");
     const auto blur = findValue(document, "passes.blur");
     REQUIRE_FALSE(blur);
     REQUIRE(blur.diagnostics().front().notes.size() == 1);

@@ -14,7 +14,7 @@ for command in report choose compare-bench; do
 done
 
 # --- report ---
-expect 0 'wrote report.html \(6 samples' report results.jsonl
+expect 0 'wrote report.html \(6 bench samples' report results.jsonl
 check "there is a CSV with every bench sample" test "$(wc -l <report.csv)" -eq 7
 cp report.json stdout.txt
 expect_json
