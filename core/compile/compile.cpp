@@ -80,13 +80,13 @@ void dropRepeats(State& state)
         return std::any_of(files.begin(), files.end(),
                            [&](const auto& file) { return file.second == place.source; });
     };
-    std::set<std::tuple<Code, SourceRef, int, int>> told;
+    std::set<std::tuple<Code, SourceRef, int, int>> reported;
     Diagnostics kept;
     for (Diagnostic& each : state.diagnostics) {
         const bool noted = !each.notes.empty() && in_glsl(each.notes.front().place);
         const Place& place = noted ? each.notes.front().place : each.place;
         if (!in_glsl(place) ||
-            told.insert({each.code, place.source, place.line, place.column}).second)
+            reported.insert({each.code, place.source, place.line, place.column}).second)
             kept.push_back(std::move(each));
     }
     state.diagnostics = std::move(kept);

@@ -49,7 +49,7 @@ void addElided(const State& state, const Pass& pass, std::vector<Elided>& elided
         const Target& target = state.targets[index];
         if (target.textured) continue;
         const char* reason =
-            target.wanted ? "nobody reads it" : "nobody reads it, nor is it worked out";
+            target.wanted ? "no pass reads it" : "no pass reads it, and it is not computed";
         elided.push_back({"attachment " + nameOf(state, index), "dead_pass", reason});
     }
 }

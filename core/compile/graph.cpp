@@ -101,7 +101,8 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
     const Pass& pass = state.passes[index];
     const std::optional<Source> behind = resolve(state, source);
     if (!behind) {
-        if (!waiting.reported[source.index] && state.unplaced.count(nameOf(state, source.index)) == 0)
+        if (!waiting.reported[source.index] &&
+            state.unplaced.count(nameOf(state, source.index)) == 0)
             reportNeverWritten(state, quoted(pass), source.index, at);
         waiting.reported[source.index] = true;
         return;

@@ -11,7 +11,7 @@ namespace crevice::compiler {
 
 namespace {
 
-// The pass's shader without the outputs that nobody reads. Those that nobody reads by a param's
+// The pass's shader without the outputs that no pass reads. Those that no pass reads by a param's
 // value stay, so that no such value compiles a shader.
 Shader shaderOf(const State& state, const Pass& pass)
 {
@@ -199,23 +199,23 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
     plan.passes.push_back(std::move(result));
 }
 
-// Those of which all that they read comes from things of the draw list, as far as a frame's bounds
-// tell. Passes come after what they read.
+// A pass gets a scissor where all that it reads comes from draws whose bounds a frame knows. Passes
+// come after what they read.
 void boundPasses(const State& state, Plan& plan)
 {
     std::vector<bool> from_draws;
     const auto fromDraws = [&](const PlanInput& input) {
         if (input.kind == InputKind::target)
-            return bool(shows_things[plan.targets[input.index].first_pass]);
+            return bool(from_draws[plan.targets[input.index].first_pass]);
         return input.kind != InputKind::imported && input.kind != InputKind::history;
     };
     for (PlanPass& pass : plan.passes) {
         const PassDesc& desc = *findNamed(state.description.passes, pass.name);
         const bool draws = pass.type == PassType::draw;
-        shows_things.push_back(
-            draws ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
-                  : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromThings));
-        pass.scissor = isScissored(state, desc) && shows_things.back();
+        from_draws.push_back(draws
+                                 ? desc.frustum_scale > 0.0f || !desc.frustum_scale_param.empty()
+                                 : std::all_of(pass.inputs.begin(), pass.inputs.end(), fromDraws));
+        pass.scissor = isScissored(state, desc) && from_draws.back();
         const ParamDesc* length = findNamed(state.description.params, desc.cull_below_pixel.name);
         if (pass.scissor && length) pass.cull_below_pixel = addParam(*length, plan);
     }

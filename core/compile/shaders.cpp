@@ -104,7 +104,7 @@ bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Referenc
     std::vector<std::string> written(color.size()), wanted = namesOf(color);
     for (const GlslOutput& output : outputs) {
         const auto at = static_cast<std::size_t>(output.location);
-        if (at >= written.size()) return false;  // told already
+        if (at >= written.size()) return false;  // reported already
         written[at] = output.name;
     }
     return written != wanted && std::is_permutation(written.begin(), written.end(), wanted.begin());

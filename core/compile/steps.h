@@ -68,8 +68,8 @@ std::optional<Source> resolveTarget(const State& state, int target);
 Extent sizeOf(const State& state, int target);
 void chooseExtents(State& state);
 void checkFormats(State& state);
-/// Whether `fact` is the same of all that the pass writes. Else it tells the first that differs,
-/// with the target's key that makes it do so.
+/// Whether `fact` is the same of all that the pass writes. Otherwise it reports the first that
+/// differs, with the target's key that makes it do so.
 bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
                       const std::function<std::string(int)>& fact);
 

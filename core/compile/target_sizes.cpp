@@ -125,9 +125,9 @@ void chooseExtents(State& state)
         target.extent = sizeOf(state, static_cast<int>(i));
         if (!fits || !target.textured || within(target.extent, limit)) continue;
         const int followed = indexOf(state.description.targets, desc.size.of.name);
-        const bool told = followed >= 0 && state.targets[followed].textured &&
-                          !within(sizeOf(state, followed), limit);
-        if (told) continue;
+        const bool reported = followed >= 0 && state.targets[followed].textured &&
+                              !within(sizeOf(state, followed), limit);
+        if (reported) continue;
         report(state, Code::too_big_for_device,
                "target '" + desc.name + "' would be " + text(target.extent) +
                    ", and the device's textures end at " + std::to_string(limit) + "x" +

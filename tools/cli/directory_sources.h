@@ -9,7 +9,7 @@
 
 namespace crevice {
 
-/// Files below a folder, read anew at each `find`: what --effects reads. A link that leads out of
+/// Files below a folder, read again at each `find`: what --effects reads. A link that leads out of
 /// the folder and of `roots` is no text.
 class DirectorySources : public SourceSet {
 public:

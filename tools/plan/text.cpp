@@ -134,7 +134,7 @@ std::string clearText(const PlanAttachment& attachment, bool depth)
 std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool depth)
 {
     std::string text = "    writes  " + attachment.name;
-    if (attachment.target < 0) return text + ": no texture, nobody reads it\n";
+    if (attachment.target < 0) return text + ": no texture, no pass reads it\n";
     const PlanTarget& target = plan.targets[attachment.target];
     text += ": " + std::string(formatInfo(textureOf(plan, attachment.target).format).name) +
             " texture " + std::to_string(target.texture);

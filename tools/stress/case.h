@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cases of `crevice stress`: a small scene, what is varied, and what must come out.
 //
-// A case is one entry of a table (tools/stress/case_lists.cpp). Its steps lie on both sides of an
+// A case is one entry of a table (in tools/stress/cases). Its steps lie on both sides of an
 // ordinary one; walking away from that, the first step that fails is the breakdown point.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The interface `surface`'s normalAt, from stored normals. A shader that needs none defines
-// SURFACE_WITHOUT_NORMAL before it includes a surface, so that a plan sees that nobody reads them.
+// SURFACE_WITHOUT_NORMAL before it includes a surface, so that a plan sees that none reads them.
 
 #ifndef SURFACE_WITHOUT_NORMAL
 #include "common/guard_band.glsl"

@@ -9,7 +9,7 @@ using namespace crevice;
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a folder's files are read anew each time")
+TEST_CASE("a folder's files are read again each time")
 {
     const TemporaryFolder folder("source_reread");
     const DirectorySources sources(folder.path.string());

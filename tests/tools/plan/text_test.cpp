@@ -40,7 +40,7 @@ passes
   geometry: draw 64x32, program geometry, 8.0 KiB read, 24.0 KiB written
     reads   base_color_map of the material
     writes  normal: rgba16f texture 0, clear to 0 0 1 0, store
-    writes  albedo: no texture, nobody reads it
+    writes  albedo: no texture, no pass reads it
     writes  depth: depth24 texture 1, clear to 1, store
   ssao: fullscreen 64x32, program ssao, 32.0 KiB read, 2.0 KiB written
     reads   depth (nearest, clamp)
@@ -64,7 +64,7 @@ generated
 imports
   draws: draw_list
 left out
-  attachment albedo (dead_pass): nobody reads it, nor is it worked out
+  attachment albedo (dead_pass): no pass reads it, and it is not computed
   pass glow (no_op): strength is 0, so light_glow is 0.5
   pass filter (condition): it needs soft true, and soft is false
   pass debug (dead_pass): no output asked for needs it

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stress cases of extreme radii, sizes and counts, of broken meshes and of lights.
-#include "tools/stress/case_lists.h"
+#include "tools/stress/cases/all.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

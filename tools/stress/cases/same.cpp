@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stress cases that show the test scene in other ways, none of which may change the picture.
-#include "tools/stress/case_lists.h"
+#include "tools/stress/cases/all.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All stress cases as one list, and what they share. A new case goes into one of cases_*.cpp.
-#include "tools/stress/case_lists.h"
+// All stress cases as one list, and what they share. A new case goes into another file of this
+// folder.
+#include "tools/stress/cases/all.h"
 
 #include "core/base/content_hash.h"
 #include "core/base/numbers.h"

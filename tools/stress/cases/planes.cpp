@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stress cases on flat planes, of which the occlusion is known: none.
-#include "tools/stress/case_lists.h"
+#include "tools/stress/cases/all.h"
 
 #include <glm/trigonometric.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stress cases over other geometry: stored positions, and a host's depth and normals of other
 // projections and with invalid values in them.
-#include "tools/stress/case_lists.h"
+#include "tools/stress/cases/all.h"
 #include "tools/stress/geometry.h"
 
 #include "core/base/numbers.h"
