@@ -92,8 +92,12 @@ void fields(V& v, GeneratedDesc& g)
             "How many offsets a kernel has, or pixels a side of the noise; or the name of an int "
             "param.",
             range(1, mostCount(g.generator)));
-    v.field("distribution", OneOf{g.distribution, distributionNames()},
-            "How the offsets of a kernel are distributed.");
+    v.field(
+        "shape", OneOf{g.shape, shapeNames()},
+        "Where the offsets of a kernel lie: uniformly in a ball or a cube, or on rays, at random "
+        "lengths.");
+    v.field("lengths", OneOf{g.lengths, lengthsNames()},
+            "What offset i of n is multiplied by: 1, or from 0.1 to 1 by i / n or its square.");
     v.field("seed", g.seed, "The same seed gives the same numbers on every platform.");
 }
 

@@ -118,12 +118,15 @@ Status Execution::createGenerated()
         generated_.emplace_back();
         if (!generatesTexture(each.generator)) {
             const bool hemisphere = each.generator == "hemisphere_kernel";
-            const auto kernel = makeKernel({hemisphere, each.count, each.distribution, each.seed});
+            const auto kernel =
+                makeKernel({hemisphere, each.count, each.shape, each.lengths, each.seed});
             if (!kernel) return kernel.diagnostics();
             values_.setKernel(generated_.size() - 1, *kernel);
             continue;
         }
-        Result<Image> noise = makeRotationNoise(each.count, each.seed);
+        Result<Image> noise = each.generator == "vector_noise"
+                                  ? makeVectorNoise(each.count, each.seed)
+                                  : makeRotationNoise(each.count, each.seed);
         if (!noise) return noise.diagnostics();
         // Half floats: every OpenGL ES 3.0 device samples and filters them, and -1 to 1 fits.
         if (Status status = createFilled(each.name, Format::rgba16f, *noise, generated_.back());

@@ -7,6 +7,7 @@
 // same. The C library's sin, cos and <random> differ between platforms and are not used.
 #include "core/sampling/generators.h"
 
+#include "core/base/text.h"
 #include "core/sampling/random.h"
 
 #include <glm/geometric.hpp>
@@ -36,28 +37,36 @@ glm::dvec3 inBall(Stream& stream)
     return point;
 }
 
-enum class Distribution { uniform, cube, linear, accelerated };
+enum class Shape { ball, cube, rays };
+enum class Lengths { even, linear, quadratic };
 
 /// Share of its random length that the first offset keeps [Chapman 2013].
 constexpr double kInnermost = 0.1;
 
-/// Of the length of offset `index` of `count`: what its distribution multiplies it by.
-double lengthScale(Distribution distribution, int index, int count)
+/// What the length of offset `index` of `count` is multiplied by.
+double lengthScale(Lengths lengths, int index, int count)
 {
+    if (lengths == Lengths::even) return 1.0;
     const double t = double(index) / count;
-    const double along = distribution == Distribution::linear ? t : t * t;
-    return kInnermost + (1.0 - kInnermost) * along;
+    return kInnermost + (1.0 - kInnermost) * (lengths == Lengths::linear ? t : t * t);
 }
 
-/// Offset `index` of `count`, in the whole cube or sphere, from independent numbers.
-glm::dvec3 randomOffset(Stream& stream, Distribution distribution, int index, int count)
+/// A point of the whole cube or ball, times `scale`.
+glm::dvec3 randomOffset(Stream& stream, Shape shape, double scale)
 {
-    if (distribution == Distribution::cube) return inCube(stream);
-    const glm::dvec3 point = inBall(stream);
-    if (distribution == Distribution::uniform) return point;
-    const double length = stream.number() * lengthScale(distribution, index, count);
-    const double scale = length / std::sqrt(glm::dot(point, point));
+    const glm::dvec3 point = shape == Shape::ball ? inBall(stream) : inCube(stream);
+    if (shape == Shape::rays) scale *= stream.number() / std::sqrt(glm::dot(point, point));
     return point * scale;
+}
+
+/// The place of `name` among `names`.
+Result<int> indexAmong(const std::vector<std::string>& names, const std::string& name,
+                       const char* what)
+{
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    return Diagnostic{Code::bad_enum, "'" + name + "' is none of the " + what + " of a kernel",
+                      suggestName(name, names, what)};
 }
 
 Diagnostic rangeError(const char* what, int value, int most)
@@ -85,27 +94,32 @@ void direction(double turns, double& x, double& y)
 
 }  // namespace
 
-const std::vector<std::string>& distributionNames()
+const std::vector<std::string>& shapeNames()
 {
-    static const std::vector<std::string> names = {"uniform", "cube", "linear", "accelerated"};
+    static const std::vector<std::string> names = {"ball", "cube", "rays"};
+    return names;
+}
+
+const std::vector<std::string>& lengthsNames()
+{
+    static const std::vector<std::string> names = {"even", "linear", "quadratic"};
     return names;
 }
 
 Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
 {
-    const std::vector<std::string>& names = distributionNames();
-    const auto found = std::find(names.begin(), names.end(), desc.distribution);
-    if (found == names.end())
-        return Diagnostic{Code::bad_enum, "there is no distribution '" + desc.distribution + "'",
-                          suggestName(desc.distribution, names, "distributions")};
+    const Result<int> shape = indexAmong(shapeNames(), desc.shape, "shapes");
+    if (!shape) return shape.diagnostics();
+    const Result<int> lengths = indexAmong(lengthsNames(), desc.lengths, "lengths");
+    if (!lengths) return lengths.diagnostics();
     if (desc.count < 1 || desc.count > kMaxKernelSize)
         return rangeError("count", desc.count, kMaxKernelSize);
 
-    const Distribution distribution = Distribution(found - names.begin());
     Stream stream(desc.seed);
     std::vector<glm::vec3> kernel;
     for (int i = 0; i < desc.count; ++i) {
-        const glm::dvec3 offset = randomOffset(stream, distribution, i, desc.count);
+        const double scale = lengthScale(Lengths(*lengths), i, desc.count);
+        const glm::dvec3 offset = randomOffset(stream, Shape(*shape), scale);
         kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
     }
     return kernel;
@@ -128,13 +142,25 @@ Result<Image> makeRotationNoise(int size, unsigned seed)
     return noise;
 }
 
+Result<Image> makeVectorNoise(int size, unsigned seed)
+{
+    if (size < 1 || size > kMaxNoiseSize) return rangeError("size", size, kMaxNoiseSize);
+    Stream stream(seed);
+    Image noise({size, size}, 4);
+    for (std::size_t i = 0; i < noise.pixels.size(); i += 4) {
+        noise.pixels[i] = float(signedNumber(stream));
+        noise.pixels[i + 1] = float(signedNumber(stream));
+    }
+    return noise;
+}
+
 const std::vector<std::string>& generatorNames()
 {
     static const std::vector<std::string> names = {"sphere_kernel", "hemisphere_kernel",
-                                                   "rotation_noise"};
+                                                   "rotation_noise", "vector_noise"};
     return names;
 }
 
-bool generatesTexture(std::string_view generator) { return generator == "rotation_noise"; }
+bool generatesTexture(std::string_view generator) { return endsWith(generator, "_noise"); }
 
 }  // namespace crevice

@@ -27,29 +27,40 @@ constexpr int kMaxNoiseSize = 64;
 
 /// What a kernel is made of.
 struct KernelDesc {
-    bool hemisphere = true;                ///< Offsets with z >= 0 only.
-    int count = 16;                        ///< [1, kMaxKernelSize].
-    std::string distribution = "uniform";  ///< Where the offsets lie; see distributionNames().
+    bool hemisphere = true;        ///< Offsets with z >= 0 only.
+    int count = 16;                ///< [1, kMaxKernelSize].
+    std::string shape = "ball";    ///< Where the offsets lie; see shapeNames().
+    std::string lengths = "even";  ///< How their lengths grow; see lengthsNames().
     unsigned seed = 1;
 };
 
 /// The offsets of a kernel, `count` of them.
-/// Errors: CV4001 for a count outside its range, CV3005 for another distribution.
+/// Errors: CV4001 for a count outside its range, CV3005 for another shape or other lengths.
 Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
 
 /// Where the offsets of a kernel lie:
-///   "uniform"           uniform in volume
-///   "cube"              uniform in the cube (-1, 1)^3, not cut to the sphere (OGLdev 45)
-///   "linear"            random direction, random length, times lerp(0.1, 1, i / n)
-///   "accelerated"       random direction, random length, times lerp(0.1, 1, (i / n)^2) (Chapman)
-const std::vector<std::string>& distributionNames();
+///   "ball"  uniform in the volume of the unit ball
+///   "cube"  uniform in the cube (-1, 1)^3, not cut to the ball (OGLdev 45)
+///   "rays"  a vector in the cube, normalised, times a random length (LearnOpenGL and others)
+const std::vector<std::string>& shapeNames();
+
+/// What offset i of n is multiplied by:
+///   "even"       1
+///   "linear"     lerp(0.1, 1, i / n)
+///   "quadratic"  lerp(0.1, 1, (i / n)^2) (Chapman)
+const std::vector<std::string>& lengthsNames();
 
 /// size x size pixels of (x, y, 0, 0): unit vectors in random directions, each with the angle of
 /// its own stratum, so that a size x size box filter sees all directions evenly. Errors: CV4001 for
 /// a size outside [1, kMaxNoiseSize].
 Result<Image> makeRotationNoise(int size, unsigned seed);
 
-/// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise".
+/// size x size pixels of (x, y, 0, 0): vectors in the square (-1, 1)^2, independent of each other,
+/// as most authors have them (LearnOpenGL, Lettier). Errors: those of makeRotationNoise.
+Result<Image> makeVectorNoise(int size, unsigned seed);
+
+/// The generators' names as JSON has them: "sphere_kernel", "hemisphere_kernel", "rotation_noise",
+/// "vector_noise".
 const std::vector<std::string>& generatorNames();
 bool generatesTexture(std::string_view generator);
 

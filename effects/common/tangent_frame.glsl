@@ -12,6 +12,15 @@ void tangentFrame(highp vec3 n, out highp vec3 tangent, out highp vec3 bitangent
     bitangent = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
+// The frame (t, b, n) whose t is the part of `r` across n, as most authors have it; b = n x t. Where r is along n, t
+// and b are zero.
+highp mat3 projectedFrame(highp vec3 n, highp vec3 r)
+{
+    highp vec3 across = r - n * dot(r, n);
+    highp vec3 tangent = across / max(length(across), 1e-6);
+    return mat3(tangent, cross(n, tangent), n);
+}
+
 // The frame turned about n by the angle whose cosine and sine are `rotation`, as columns (t, b, n).
 highp mat3 rotatedFrame(highp vec3 n, highp vec2 rotation)
 {

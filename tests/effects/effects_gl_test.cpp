@@ -40,12 +40,13 @@ TEST_CASE("Every shipped config draws visibility and a picture that is not black
     }
 }
 
-TEST_CASE("A flat plane is open under the hemisphere kernel")
+TEST_CASE("A flat plane is open under the hemisphere kernel with guards")
 {
     for (const char* config : kHemispheres) {
         INFO(config);
         PictureRequest request;
         request.config = config;
+        request.overrides = {"guards=true", "bias=0.025"};
         request.scene = "plane";
         const Image ao = picture(request);
         CHECK(mean(ao) >= 0.999);
@@ -115,7 +116,14 @@ TEST_CASE("Occlusion does not depend on whether positions are stored or rebuilt 
     request.config = "hemisphere_box";
     const Image from_depth = picture(request);
     request.config = "learnopengl";
-    request.overrides = {"samples=32", "/generated/kernel/distribution=uniform"};
+    request.overrides = {"samples=32",
+                         "guards=true",
+                         "bias=0.025",
+                         "bias_length=0",
+                         "basis=rotated",
+                         "/generated/kernel/shape=ball",
+                         "/generated/kernel/lengths=even",
+                         "/generated/rotation_noise/generator=rotation_noise"};
     CHECK(meanChange(from_depth, picture(request)) < 0.004);
 }
 

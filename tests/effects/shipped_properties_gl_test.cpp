@@ -66,16 +66,23 @@ Description describe(const Subject& subject)
     const auto load = [&request] {
         return need(decode(need(loadConfig(shippedSources(), request)), shippedSources()));
     };
-    const Description description = load();
+    Description description = load();
+    if (findNamed(description.params, "contrast")) {  // above 1 it clips all but creases to white
+        request.overrides.push_back("contrast=1");
+        description = load();
+    }
     const ParamDesc* slices = findNamed(description.params, "slices");
     if (!slices || slices->value[0] <= 8) return description;
     request.overrides.insert(request.overrides.end(), {"slices=4", "steps=8"});
     return load();
 }
 
-/// Kernels without normals probe inside every wall, and find it grey.
+/// Kernels without normals probe inside every wall, and find it grey; those without guards find
+/// steps of the stored positions.
 bool openOnWalls(const Description& description)
 {
+    const FeatureDesc* guards = findNamed(description.features, "guards");
+    if (guards && guards->value == 0) return false;
     for (const PassDesc& pass : description.passes)
         for (const Reference& color : pass.color)
             if (color.name == "ao") {
@@ -84,6 +91,24 @@ bool openOnWalls(const Description& description)
                 return text.find("SURFACE_WITHOUT_NORMAL") == std::string::npos;
             }
     return true;
+}
+
+/// The mean of 9x9 pixels: without the noise that a few random vectors leave.
+Image softened(const Image& image)
+{
+    constexpr int kReach = 4;
+    const Extent size = image.extent;
+    Image soft(size, 1);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            float sum = 0;
+            for (int j = y - kReach; j <= y + kReach; ++j)
+                for (int i = x - kReach; i <= x + kReach; ++i)
+                    sum += image.at(std::clamp(i, 0, size.width - 1),
+                                    std::clamp(j, 0, size.height - 1));
+            soft.at(x, y) = sum / ((2 * kReach + 1) * (2 * kReach + 1));
+        }
+    return soft;
 }
 
 float least(const Image& image)
@@ -168,8 +193,9 @@ TEST_CASE("Shipped configs and variants see random scenes in every projection, m
         }
         const Image other = mirrored(draw(gl, *renderer, swapped[seed].frame(kCentred)));
         CHECK(allVisibility(plain));
-        CHECK(meanChange(plain, other) < kMirrorBound);
-        CHECK(meanChange(plain, other) < 0.75 * meanChange(plain, mirrored(plain)));
+        const Image soft = softened(plain), soft_other = softened(other);
+        CHECK(meanChange(soft, soft_other) < kMirrorBound);
+        CHECK(meanChange(soft, soft_other) < 0.75 * meanChange(soft, mirrored(soft)));
         need(renderer->setParam("intensity", 0.0f));
         CHECK(least(draw(gl, *renderer, centred)) == 1.0f);
     }

@@ -116,9 +116,13 @@ CheckoutSources::CheckoutSources(std::string folder, std::vector<std::string> ro
 SourceRef CheckoutSources::find(std::string_view path) const
 {
     if (used_) {
-        const SourceRef text =
-            isConfig(path) ? configs_.find(path.substr(kConfigs.size())) : effects_.find(path);
-        if (text) return text;
+        if (!isConfig(path)) {
+            if (SourceRef module = effects_.find(path)) return module;
+        } else if (const SourceRef found = configs_.find(path.substr(kConfigs.size()))) {
+            SourceText config = *found;
+            config.path = path;  // by which configs are told from modules
+            return std::make_shared<const SourceText>(std::move(config));
+        }
     }
     return shippedSources().find(path);
 }

@@ -9,7 +9,7 @@ const families = [...new Set(benchSamples.filter(p => !p.failure).map(p => p.fam
 const colorOf = family => `var(--f${Math.max(0, families.indexOf(family)) % 8})`;
 const shapeOf = family => SHAPES[Math.max(0, families.indexOf(family)) % SHAPES.length];
 
-// "learnopengl /generated/kernel/distribution=cube" as "learnopengl distribution=cube".
+// "learnopengl /generated/kernel/shape=cube" as "learnopengl shape=cube".
 const brief = label => label.replace(/ \/\S*\/(?=[^\s/]+=)/g, " ");
 const three = x =>
   x >= 1000 ? Math.round(x).toLocaleString("en") : String(Number(x.toPrecision(3)));

@@ -53,9 +53,10 @@ struct ImportDesc : Named {
 
 /// Numbers made on load. A kernel is a `uniform vec3 name[COUNT]`, a noise a small texture.
 struct GeneratorDesc : Named {
-    std::string generator;  ///< One of generatorNames().
-    int count = 16;         ///< Offsets of a kernel, or pixels along a side of a noise.
-    std::string distribution = "uniform";  ///< Where the offsets of a kernel lie.
+    std::string generator;         ///< One of generatorNames().
+    int count = 16;                ///< Offsets of a kernel, or pixels along a side of a noise.
+    std::string shape = "ball";    ///< Where the offsets of a kernel lie: one of shapeNames().
+    std::string lengths = "even";  ///< How their lengths grow: one of lengthsNames().
     unsigned seed = 1;
 };
 

@@ -5,11 +5,15 @@
 //
 //   surface         interface: point and normal in view space
 //   kernel          SAMPLES offsets in the unit hemisphere about +z
-//   rotation_noise  a tile of unit vectors, one rotation about the normal a pixel
+//   rotation_noise  a tile of vectors, one rotation about the normal a pixel
 //   ao              visibility, 1 open .. 0 blocked; 1 in the background
 //   BIAS_ALONG      view: an occluder must lie the bias in front of an offset; normal: the offsets stand about a
 //                   point that is lifted off its surface by the bias
 //   POWER_OF        of the visibility, as usual, or of the occlusion
+//   BASIS           rotated: a frame about the normal, turned by the noise; else the noise's part across the normal is
+//                   t, and the third axis is n x t or t x n
+//   GUARDS          what the authors' shaders lack: probes behind the camera or off the screen and background do not
+//                   count, nor does what lies in the tangent plane; the bias is a step of the depth at least
 //   WITH_BOUNCE     also what the occluders reflect:
 //   direct          linear colour that surfaces reflect
 //   indirect        linear colour that the point gets from them
@@ -23,13 +27,16 @@ precision highp float;  // positions and depths; mediump bands
 #include "common/view_space.glsl"
 #include <surface>
 #include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/shaders/probe.glsl"
 #include "ssao/shaders/range_check.glsl"
 #include "ssao/shaders/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
 uniform mediump sampler2D rotation_noise;
 uniform float radius;
+uniform float range;
 uniform float bias;
+uniform float bias_length;
 uniform float contrast;
 
 #ifdef WITH_BOUNCE
@@ -62,6 +69,19 @@ float shown(float occlusion)
     return clamp((open - 0.5) * contrast + 0.5, 0.0, 1.0);
 }
 
+mat3 frameAt(vec3 normal)
+{
+    vec2 noise = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
+#if BASIS == BASIS_ROTATED
+    return rotatedFrame(normal, noise);
+#elif BASIS == BASIS_N_CROSS_T
+    return projectedFrame(normal, vec3(noise, 0.0));
+#else
+    mat3 frame = projectedFrame(normal, vec3(noise, 0.0));
+    return mat3(frame[0], -frame[1], frame[2]);
+#endif
+}
+
 void main()
 {
     vec3 origin;
@@ -72,10 +92,12 @@ void main()
 #endif
         return;
     }
-    vec2 rotation = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
     vec3 normal_here = normalAt(uv);
-    float lift = max(bias * radius, depthTolerance(origin, normal_here, radius));
-    mat3 view_from_kernel = rotatedFrame(normal_here, rotation);
+    float lift = bias * radius + bias_length;
+#if GUARDS
+    lift = max(lift, depthTolerance(origin, normal_here, radius));
+#endif
+    mat3 view_from_kernel = frameAt(normal_here);
 #if BIAS_ALONG == BIAS_ALONG_NORMAL
     vec3 center = origin + normal_here * lift;
     const float in_front = 0.0;
@@ -88,19 +110,22 @@ void main()
 #ifdef WITH_BOUNCE
     vec3 reflected = vec3(0.0);
 #endif
-    float known = 0.0;  // probes off the screen say nothing, either way
+    float known = 0.0;
     for (int i = 0; i < SAMPLES; ++i) {
         vec3 probe = center + view_from_kernel * kernel[i] * radius;
         vec2 at;
-        if (!uvFromView(probe, at)) continue;
+        if (!uvOfProbe(probe, at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!samplePosition(uv, at, seen)) continue;
+        bool drawn = samplePosition(uv, at, seen);
+#if GUARDS
         // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
         // shades itself, since a texel's one depth stands for all of its slope.
         bool above = dot(seen - origin, normal_here) > lift;
-        if (!above || seen.z < probe.z + in_front) continue;
-        float weight = rangeWeight(origin.z, probe.z, seen.z, radius);
+        if (!drawn || !above) continue;
+#endif
+        if (seen.z < probe.z + in_front) continue;
+        float weight = rangeWeight(origin.z, probe.z, seen.z, radius * range);
         occlusion += weight;
 #ifdef WITH_BOUNCE
         reflected += weight * reflectedFrom(at, seen, origin);

@@ -7,19 +7,22 @@
 //   kernel          SAMPLES offsets
 //   rotation_noise  a tile of unit vectors, one rotation about the view axis a pixel; where ROTATE is 1
 //   ao              visibility, 1 open .. 0 blocked; 1 in the background
+//   GUARDS          ours: probes behind the camera or off the screen and background do not count, and occlusion fades
+//                   where the radius nears a pixel
 //
-// [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45] - the occluded share of offsets. That
-// offsets off the screen do not count, either way, is ours.
+// [Mittring 2007, "Finding Next Gen: CryEngine 2"; Meiri, OGLdev tutorial 45] - the occluded share of offsets.
 precision highp float;  // positions and depths; mediump bands
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
 #include "ssao/shaders/occlusion_curve.glsl"
+#include "ssao/shaders/probe.glsl"
 #include "ssao/shaders/range_check.glsl"
 #include "ssao/shaders/reach.glsl"
 #include "ssao/shaders/seen.glsl"
 
 uniform vec3 kernel[SAMPLES];
+uniform float range;
 #if ROTATE
 uniform mediump sampler2D rotation_noise;
 #endif
@@ -41,16 +44,20 @@ void main()
     const mat3 view_from_kernel = mat3(1.0);
 #endif
     float occlusion = 0.0;
-    float known = 0.0;  // probes off the screen say nothing, either way
+    float known = 0.0;
     for (int i = 0; i < SAMPLES; ++i) {
         vec3 probe = origin + view_from_kernel * kernel[i] * radius;
         vec2 at;
-        if (!uvFromView(probe, at)) continue;
+        if (!uvOfProbe(probe, at)) continue;
         known += 1.0;
         vec3 seen;
-        if (!samplePosition(uv, at, seen) || seen.z < probe.z) continue;
-        occlusion += rangeWeight(origin.z, probe.z, seen.z, radius);
+        bool drawn = samplePosition(uv, at, seen);
+        if ((GUARDS == 1 && !drawn) || seen.z < probe.z) continue;
+        occlusion += rangeWeight(origin.z, probe.z, seen.z, radius * range);
     }
+#if GUARDS
     vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
-    ao = visibilityOf(radiusFade(reachOf(origin), pixel) * occlusion / max(known, 1.0));
+    occlusion *= radiusFade(reachOf(origin), pixel);
+#endif
+    ao = visibilityOf(occlusion / max(known, 1.0));
 }

@@ -165,7 +165,7 @@ TEST_CASE("A format further down the list is taken where it serves farther")
 
 TEST_CASE("Positions are stored in 32 bits where halves do not hold the units")
 {
-    for (const char* config : {"learnopengl", "ogldev45"})
+    for (const char* config : {"learnopengl", "thesis"})
         for (const double unit : {1e-6, 1e-5, 1e-3, 1.0, 1e3, 1e5, 1e6}) {
             CAPTURE(config, unit);
             Setup setup = {

@@ -114,15 +114,15 @@ TEST_CASE("a generated value counts by itself or by a param", "[decode]")
 {
     const Description d = decoded({{"generated", R"({"plain": {"generator": "sphere_kernel"},
         "kernel": {"generator": "hemisphere_kernel", "count": "samples",
-                   "distribution": "accelerated", "seed": 4294967295}})"}});
+                   "shape": "cube", "lengths": "quadratic", "seed": 4294967295}})"}});
     CHECK(d.generated.at(0).count == 16);
     CHECK(d.generated.at(0).count_param.empty());
-    CHECK(d.generated.at(0).distribution == "uniform");
+    CHECK(d.generated.at(0).shape == "ball");
     CHECK(d.generated.at(0).seed == 1);
     CHECK(d.generated.at(1).generator == "hemisphere_kernel");
     CHECK(d.generated.at(1).count_param.name == "samples");
     CHECK(d.generated.at(1).count_param.pointer == "/generated/kernel/count");
-    CHECK(d.generated.at(1).distribution == "accelerated");
+    CHECK(d.generated.at(1).shape + d.generated.at(1).lengths == "cubequadratic");
     CHECK(d.generated.at(1).seed == 4294967295u);
 }
 

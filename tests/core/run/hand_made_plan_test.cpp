@@ -98,7 +98,7 @@ TEST_CASE("A plan that binds nothing to a uniform, or a value of another type, i
 TEST_CASE("A plan with a kernel that cannot be made is refused")
 {
     Plan plan = handMade();
-    plan.generated[0].distribution = "lumpy";
+    plan.generated[0].shape = "lumpy";
     RecordingDevice device;
     const auto none = Execution::create(device, std::move(plan));
     REQUIRE(none.diagnostics().size() == 1);

@@ -71,11 +71,11 @@ TEST_CASE("noise that was not measured is no point of a curve")
     CHECK(curveOf(curvesOf(samples, viewOf(samples)), "noise_samples"));
 }
 
-TEST_CASE("kernels with another distribution are curves of their own")
+TEST_CASE("kernels with other lengths are curves of their own")
 {
     std::vector<BenchSample> samples = sweep(-0.5, -0.5);
     for (BenchSample& sample : sweep(-1.0, -0.5)) {
-        sample.family = "a /generated/kernel/distribution=linear";
+        sample.family = "a /generated/kernel/lengths=linear";
         samples.push_back(sample);
     }
     std::vector<double> slopes;

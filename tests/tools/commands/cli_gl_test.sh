@@ -54,7 +54,7 @@ f 4 3 2 1
 f 1 2 6 5
 EOF
     scaled=(--scene scaled.obj --size 96x64 --backend "$backend")
-    for config in learnopengl gtao mobile; do
+    for config in hemisphere_box gtao mobile; do
         expect 0 'warning CV4001: radius .* at the median depth' render "$config" "${scaled[@]}" --out color=lit.png
         radius=$(sed -n 's/.*try --set \(radius=.*\)/\1/p' stderr.txt)
         expect 0 'wrote' render "$config" "${scaled[@]}" --out ao=ao.pfm --set "$radius"

@@ -66,6 +66,8 @@ expect 0 'checkout/configs/learnopengl.json:' explain learnopengl --why radius -
 expect 0 'effects/ssao/hemisphere.json:' explain learnopengl --why bias --effects checkout
 cp mine.json checkout/configs/another.json
 expect 0 'another: ok' validate --all --effects checkout
+cp "$(dirname -- "$readme")/configs/thesis.json" checkout/configs
+expect 0 'thesis.*: ok' validate thesis --effects checkout --set filter/bilateral=filter/box
 
 # --- explain ---
 expect 0 'geometry' explain learnopengl

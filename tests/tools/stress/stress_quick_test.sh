@@ -6,7 +6,13 @@
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/../../support/cli_checks.sh"
 
-configs=(gtao mobile_low learnopengl sao)
+# The sound variant of an author's config: what the author lacks is on.
+cat >stored.json <<'EOF'
+{ "format": 1, "name": "stored", "extends": ["learnopengl"],
+  "params": { "bias": 0.05, "bias_length": 0 }, "features": { "guards": true, "basis": "rotated" },
+  "generated": { "rotation_noise": { "generator": "rotation_noise" } } }
+EOF
+configs=(gtao mobile_low stored.json sao)
 cases=(plane_near_far plane_fov plane_zoom plane_grazing plane_orthographic plane_radius plane_radius_px plane_samples
     units near_far projection offset radius_to_zero radius_growing corner_radius samples no_op sizes empty meshes
     lights inputs host_projection host_encoding host_depth host_normal host_inward)
