@@ -23,8 +23,8 @@ public:
         return static_cast<int>(textures_.size()) - 1;
     }
 
-    // One that is free by `first_pass`, or a new one. For what no pass reads, a part of a larger one
-    // will do as well.
+    // One that is free by `first_pass`, or a new one. For what no pass reads, a part of a larger
+    // one will do as well.
     int take(const PlanTexture& wanted, int first_pass, int last_pass, bool part)
     {
         for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
