@@ -42,6 +42,17 @@ struct HostDepth : GlFixture {
         return clip.z / clip.w * 0.5f + 0.5f;
     }
 
+    /// An effect that has drawn the host's depth once.
+    Effect drawn() const
+    {
+        Effect effect = need(Effect::create(*device, kHostDepth, kExtent));
+        effect.setProjection(glm::value_ptr(projection));
+        need(effect.setTexture("depth", name, Format::depth32f, kExtent));
+        need(effect.setParam("radius", 1));
+        need(effect.render());
+        return effect;
+    }
+
     glm::mat4 projection = glm::perspective(glm::radians(60.0f), 16.0f / 9.0f, 0.1f, 100.0f);
     GLuint name = 0;
 };
@@ -51,11 +62,7 @@ struct HostDepth : GlFixture {
 TEST_CASE("A host's depth gives an AO texture that is darker in the corner than on the wall")
 {
     HostDepth host;
-    Effect effect = need(Effect::create(*host.device, kHostDepth, kExtent));
-    effect.setProjection(glm::value_ptr(host.projection));
-    need(effect.setTexture("depth", host.name, Format::depth32f, kExtent));
-    need(effect.setParam("radius", 1));
-    need(effect.render());
+    Effect effect = host.drawn();
     const Image ao = host.read(effect.output("ao"));
     CHECK(ao.extent == kExtent);
     const int corner =
@@ -68,11 +75,7 @@ TEST_CASE("A host's depth gives an AO texture that is darker in the corner than 
 TEST_CASE("An effect follows what the host draws into its depth")
 {
     HostDepth host;
-    Effect effect = need(Effect::create(*host.device, kHostDepth, kExtent));
-    effect.setProjection(glm::value_ptr(host.projection));
-    need(effect.setTexture("depth", host.name, Format::depth32f, kExtent));
-    need(effect.setParam("radius", 1));
-    need(effect.render());
+    Effect effect = host.drawn();
     const Image before = host.read(effect.output("ao"));
     const std::vector<float> background(kExtent.width * kExtent.height, 1.0f);
     host.gl.BindTexture(GL_TEXTURE_2D, host.name);
