@@ -49,8 +49,12 @@ Diagnostic outside(const std::string& path, const std::vector<std::string>& fold
 
 FileBytes readBytes(const std::string& path, std::size_t limit)
 {
-    FileBytes result = readStart(path, limit + 1);
-    if (result.bytes.size() <= limit) return result;
+    std::error_code unknown;  // no regular file, or none: readStart says which
+    const std::uintmax_t size = fs::file_size(path, unknown);
+    if (unknown || size <= limit) {  // files of /proc have the size 0
+        FileBytes result = readStart(path, limit + 1);
+        if (result.bytes.size() <= limit) return result;
+    }
     return {{}, "it has more than " + std::to_string(limit) + " bytes"};
 }
 

@@ -69,11 +69,15 @@ bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, dou
 {
     const Node& node = cursor.node;
     const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
-    if (node.kind != Node::Kind::number || fraction)
-        return wrongType(report, cursor, whole ? "a whole number" : "a number",
-                         node.kind == Node::Kind::string ? "a number has no quotes"
-                         : fraction                      ? "a whole number has no point: 16"
-                                                         : "");
+    if (node.kind != Node::Kind::number || fraction) {
+        const std::string wanted = whole ? "a whole number" : "a number";
+        std::string help;  // of other kinds the table's sentence
+        if (node.kind == Node::Kind::string)
+            help = wanted + ", such as " + (whole ? "16" : "0.8") + ", has no quotes";
+        else if (fraction)
+            help = wanted + " has no point: 16";
+        return wrongType(report, cursor, wanted, std::move(help));
+    }
     rule.min = std::max(rule.min, least);
     rule.max = std::min(rule.max, most);
     return checkRange(report, cursor, rule);

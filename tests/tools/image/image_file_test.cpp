@@ -5,6 +5,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -24,6 +25,14 @@ Image gradient(Extent extent, int channels)
     for (std::size_t k = 0; k < image.pixels.size(); ++k)
         image.pixels[k] = static_cast<float>(k * 7 % 256) / 255.0f;
     return image;
+}
+
+/// Most memory that the process has had, in KiB.
+long peakMemory()
+{
+    rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
 }
 
 int filesIn(const std::filesystem::path& folder)
@@ -215,8 +224,10 @@ TEST_CASE("an image that is no regular file or larger than memory is refused unr
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
     const std::string sparse = folder.write("sparse.pfm", "PF 100000 100000 -1.0 ");
     std::filesystem::resize_file(sparse, std::uintmax_t(1) << 40);
+    const long before = peakMemory();
     for (const std::string& path : {pipe, std::string("/dev/zero"), sparse})
         CHECK(codeOf(readImage(path)) == Code::image_broken);
+    CHECK(peakMemory() - before < 64 * 1024);
     // 16384x16384 pixels in a header: the picture itself could be a few thousand bytes.
     const std::string bomb(
         "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0\0\0\0\0", 33);
