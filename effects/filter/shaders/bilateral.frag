@@ -14,6 +14,7 @@ precision highp float;  // depths are compared
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
+#include "filter/shaders/own_slope.glsl"
 
 uniform mediump sampler2D ao;
 uniform float radius;
@@ -22,17 +23,11 @@ uniform float depth_cut;
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
 
-// The smaller in size of two slopes: the one on the pixel's own surface at an edge.
-float ownSlope(float before, float after)
-{
-    return abs(before) < abs(after) ? before : after;
-}
-
 void main()
 {
     vec2 texel = AXIS / vec2(textureSize(ao, 0));
     float center_z = viewZAt(uv);
-    float slope = ownSlope(center_z - viewZAt(uv - texel), viewZAt(uv + texel) - center_z);
+    float slope = ownSlope(uv, center_z, texel);
     float cut = depth_cut * radius;
 
     float sum = texture(ao, uv).r;

@@ -12,6 +12,7 @@ precision highp float;  // depths are compared
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
+#include "filter/shaders/own_slope.glsl"
 
 uniform mediump sampler2D ao;
 uniform float radius;
@@ -20,19 +21,11 @@ uniform float depth_cut;
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
 
-// The smaller in size of two slopes along `step`: the one on the pixel's own surface at an edge.
-float ownSlope(float center_z, vec2 step)
-{
-    float before = center_z - viewZAt(uv - step);
-    float after = viewZAt(uv + step) - center_z;
-    return abs(before) < abs(after) ? before : after;
-}
-
 void main()
 {
     vec2 texel = 1.0 / vec2(textureSize(ao, 0));
     float center_z = viewZAt(uv);
-    vec2 slope = vec2(ownSlope(center_z, vec2(texel.x, 0.0)), ownSlope(center_z, vec2(0.0, texel.y)));
+    vec2 slope = vec2(ownSlope(uv, center_z, vec2(texel.x, 0.0)), ownSlope(uv, center_z, vec2(0.0, texel.y)));
     float cut = depth_cut * radius;
 
     float sum = 0.0;

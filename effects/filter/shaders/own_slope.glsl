@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// The slope of a pixel's own surface. Needs the interface `surface` before it.
+
+// How much the view depth changes by `step` in uv: of the two sides the smaller in size, which at an edge is that of
+// the pixel's own surface.
+highp float ownSlope(highp vec2 at, highp float center_z, highp vec2 step)
+{
+    highp float before = center_z - viewZAt(at - step);
+    highp float after = viewZAt(at + step) - center_z;
+    return abs(before) < abs(after) ? before : after;
+}
