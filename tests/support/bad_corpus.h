@@ -103,4 +103,15 @@ inline std::string placeInCorpus(const Place& place)
     return at == std::string::npos ? name : name.substr(at + folder.size());
 }
 
+/// What a config's one error must have.
+inline void checkReported(const CorpusCase& config, const Diagnostics& reported)
+{
+    INFO(config.name << "\n" << toText(reported));
+    REQUIRE(reported.size() == 1);
+    CHECK(codeName(reported[0].code) == config.text("code"));
+    CHECK(placeInCorpus(reported[0].place) == config.text("at"));
+    CHECK(reported[0].pointer == config.text("pointer"));
+    CHECK_THAT(reported[0].help, Catch::Contains(config.text("help")));
+}
+
 }  // namespace crevice

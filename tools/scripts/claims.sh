@@ -47,7 +47,7 @@ row() { printf '| %s | %s | %s | %s |\n' "$@"; }
         'yes: the error is the method'"'"'s, not the noise'"'"'s'
     row 'Offsets near the point look better (quadratic lengths)' 'Chapman; LearnOpenGL' \
         "\`hemisphere_box\`, room: even $(error room hemisphere_box), linear $(error room hemisphere_box --set $kernel/lengths=linear), quadratic $(error room hemisphere_box --set $kernel/lengths=quadratic)" \
-        'no: they miss occlusion away from creases'
+        'no: they miss the occlusion away from creases'
     row 'A hemisphere makes twice the samples useful' 'Chapman; Filion, McNaughton' \
         "spheres: \`sphere_box\` with 32 $(error spheres sphere_box), \`hemisphere_box\` with 16 $(error spheres hemisphere_box --set samples=16)" \
         'yes, and more: a sphere is wrong on every wall'
@@ -58,7 +58,7 @@ row() { printf '| %s | %s | %s | %s |\n' "$@"; }
         "\`thesis\` against \`bilateral_2d\`, room: $(difference rmse one.pfm two.pfm), with 10 fetches of AO instead of 25" 'yes'
     row 'Tiles of noise beyond 8x8 do not pay' 'Habr' \
         "\`hemisphere_box\`, 8 samples, a box of the tile's size, room: 2x2 $(tile 2), 4x4 $(tile 4), 8x8 $(tile 8), 16x16 $(tile 16)" \
-        'yes: from 4x4 on the wider box costs what the noise gains'
+        'yes: the wider filter blurs away what more directions gain'
     row 'Without a range check there are halos' 'Chapman; LearnOpenGL' \
         "\`learnopengl\`, spheres: with $(error spheres learnopengl), without $(error spheres learnopengl --variant no_range_check)" \
         'yes'
@@ -69,7 +69,7 @@ row() { printf '| %s | %s | %s | %s |\n' "$@"; }
         'no: one darkens, the other lightens'
     row 'What is off the screen cannot occlude' 'SCS; all' \
         "\`gtao\`, room: without a guard band $(error room gtao --set guard_band=1), with one of 1.4 views $(error room gtao)" \
-        'yes, and a guard band mends it: it costs the geometry pass its square'
+        'yes; a guard band mends it, and the geometry pass then draws twice the pixels'
     row 'A filter that knows depth is better than a box' 'thesis; Habr' \
         "\`gtao\`, room: $(error room gtao), with \`box\` $(error room gtao --set filter/bilateral_normal=filter/box)" \
         'yes, by little: silhouettes are few pixels'
