@@ -5,6 +5,7 @@
 #include "core/config/decode_reader.h"
 #include "core/config/decode_steps.h"
 #include "core/config/fields.h"
+#include "core/config/values.h"
 
 namespace crevice {
 
@@ -28,11 +29,13 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     table::Report report(!document.origins.empty());
     table::read(report, table::Cursor{document, "", document.place}, description, {});
     table::checkNames(document, description, report);
+    table::readLevels(document, description, report);
     table::checkReferences(document, sources, description, report);
     table::readShaderFiles(document, sources, description, report);
     description.deleted = table::deletedNames(document);
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
+    for (const FeatureDesc& each : description.features) applyLevel(description, each.name);
     description.unused = std::move(diagnostics);  // of what is left out
     append(description.unused, table::unusedNames(document, description));
     return description;

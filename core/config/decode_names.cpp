@@ -23,15 +23,13 @@ void declare(std::vector<Declared>& declared, const std::vector<T>& list, const 
     for (const T& each : list) declared.push_back({&each, what});
 }
 
-Reference keyOf(const Named& named) { return {named.name, named.place, named.pointer}; }
-
 void reportCollisions(const std::vector<Declared>& declared, const char* who, Report& report)
 {
     std::map<std::string, const Declared*> seen;
     for (const Declared& each : declared) {
         const auto [first, fresh] = seen.emplace(each.named->name, &each);
         if (fresh) continue;
-        Diagnostic& error = report.at(keyOf(*each.named), Code::name_collision,
+        Diagnostic& error = report.at(referenceTo(*each.named), Code::name_collision,
                                       each.what + " '" + each.named->name + "' has the name of " +
                                           first->second->what + ", and " + who + " sees both",
                                       "rename one of them");
@@ -59,7 +57,7 @@ void checkCollisions(const Description& description, Report& report)
 
     for (const ParamDesc& each : description.params)
         if (findFrameValue(each.name))
-            report.at(keyOf(each), Code::name_collision,
+            report.at(referenceTo(each), Code::name_collision,
                       "param '" + each.name + "' has the name of a uniform that each frame feeds",
                       "rename the param");
 }

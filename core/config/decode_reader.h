@@ -27,6 +27,7 @@ bool read(Report& report, const Cursor& cursor, Words out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Choice out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, OneOf out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Scalars out, const Rule& rule);
+inline bool read(Report&, const Cursor&, Later, const Rule&) { return true; }
 
 /// The index of the string among `words`, which are called `what` in messages.
 bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,

@@ -90,6 +90,12 @@ Located locate(const Node& document, std::string_view pointer);
 /// To the value behind a pointer that leads somewhere; its name is the value's text.
 Reference referenceAt(const Node& document, const std::string& pointer);
 
+/// To what was declared there.
+inline Reference referenceTo(const Named& named)
+{
+    return {named.name, named.place, named.pointer};
+}
+
 /// A number as a message shows it: "0.5", "1e-09".
 std::string numberText(double number);
 

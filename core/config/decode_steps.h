@@ -17,6 +17,12 @@ void checkNames(const Node& document, const Description& description, Report& re
 void checkReferences(const Node& document, const SourceSet& sources, const Description& description,
                      Report& report);
 
+/// Reads the values under `sets` of features, of which CV2105, CV2106, CV2107, CV2204, CV4004 and
+/// those of values are reported, and gives each word what any of them sets. Warns with CV2108 of a
+/// default in the config's own file that every word overrules. What an override gives a param or
+/// feature is taken out of the words: it stands over them.
+void readLevels(const Node& document, Description& description, Report& report);
+
 /// Reads each GLSL file that a shader or interface names, and what it includes, into
 /// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
 void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,

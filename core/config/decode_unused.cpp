@@ -115,7 +115,7 @@ bool UseChecker::used(const ParamDesc& param)
 
 bool UseChecker::used(const FeatureDesc& feature)
 {
-    return used(Named(feature)) || inGlsl(upperCase(feature.name));
+    return !feature.sets.empty() || used(Named(feature)) || inGlsl(upperCase(feature.name));
 }
 
 // A camera, draw list and lights are known by their type; a config may rest on the frame without

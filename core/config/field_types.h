@@ -93,6 +93,9 @@ struct Scalars {
     std::vector<std::string>& texts;
 };
 
+/// A value whose type depends on what is declared elsewhere: read after everything else.
+struct Later {};
+
 /// A number, or the name of something that stands for it.
 template <class T>
 struct NumberOrName {
@@ -103,10 +106,11 @@ struct NumberOrName {
 /// The member of a keyed entry that its JSON key fills, where the entry is not Named.
 inline Reference& keyOf(ClearDesc& clear) { return clear.target; }
 inline Reference& keyOf(Condition::Term& term) { return term.subject; }
-inline Reference& keyOf(BypassDesc& bypass) { return bypass.output; }
 inline Reference& keyOf(PreservesConstantDesc& kept) { return kept.output; }
 inline Reference& keyOf(NoOpDesc& no_op) { return no_op.param; }
+inline Reference& keyOf(BypassDesc& bypass) { return bypass.output; }
 inline Reference& keyOf(NoOpDesc::Gives& gives) { return gives.output; }
+inline Reference& keyOf(FeatureDesc::Level& level) { return level.word; }
 inline Reference& keyOf(InputDesc& input) { return input.sampler; }
 
 }  // namespace crevice::table

@@ -52,6 +52,18 @@ void fields(V& v, ParamDesc& p)
 }
 
 template <class V>
+void fields(V& v, FeatureDesc::Setting&)
+{
+    v.itself(Later(), "The value that it then has.");
+}
+
+template <class V>
+void fields(V& v, FeatureDesc::Level& l)
+{
+    v.itself(l.settings, "Params and other features by name.");
+}
+
+template <class V>
 void fields(V& v, FeatureDesc& f)
 {
     FeatureType type = FeatureType::bool_;
@@ -69,6 +81,9 @@ void fields(V& v, FeatureDesc& f)
     v.field("default", Choice{f.value, torn ? anything : f.values, f.boolean && !torn},
             "The initial value: true, false, or a word of an enum. When absent: false, or the "
             "first word.");
+    v.field("sets", f.sets,
+            "By word, values that it gives params and other features: a level of quality. What one "
+            "word sets has its default at the others.");
 }
 
 template <class V>

@@ -81,37 +81,78 @@ Values valuesOf(const Description& description)
     return values;
 }
 
+void applyLevel(Description& description, std::string_view feature)
+{
+    const FeatureDesc& setter = *findNamed(description.features, feature);
+    for (const FeatureDesc::Level& level : setter.sets) {
+        if (level.word.name != setter.values[setter.value]) continue;
+        for (const FeatureDesc::Setting& each : level.settings) {
+            const int param = indexOf(description.params, each.name);
+            const int other = indexOf(description.features, each.name);
+            if (param >= 0)
+                description.params[param].value = each.value;
+            else
+                description.features[other].value = static_cast<int>(each.value[0]);
+        }
+    }
+}
+
+namespace {
+
+// The values that a description has where nothing but features that set others was changed.
+Values untouched(const Values& loaded, const Description& now)
+{
+    Description base = now;
+    for (std::size_t i = 0; i < base.params.size(); ++i) base.params[i].value = loaded.params[i];
+    for (std::size_t i = 0; i < base.features.size(); ++i)
+        if (base.features[i].sets.empty()) base.features[i].value = loaded.features[i];
+    for (const FeatureDesc& each : now.features) applyLevel(base, each.name);
+    Values values = valuesOf(base);
+    for (std::size_t i = 0; i < base.features.size(); ++i)
+        if (!base.features[i].sets.empty()) values.features[i] = loaded.features[i];
+    return values;
+}
+
+void carryParam(const ParamDesc& old, Description& next, Diagnostics& warnings)
+{
+    const int at = indexOf(next.params, old.name);
+    const bool there = at >= 0 && next.params[at].type == old.type;
+    const Status fits =
+        there ? checkValue(next.params[at], old.value.data(), componentCount(old.type)) : Status{};
+    if (there && fits)
+        next.params[at].value = old.value;
+    else
+        warnings.push_back(dropped(
+            "param", old, there ? fits.diagnostics()[0].message : "the config has none like it"));
+}
+
+void carryFeature(const FeatureDesc& old, Description& next, Diagnostics& warnings)
+{
+    const std::string& word = old.values[old.value];
+    const int at = indexOf(next.features, old.name);
+    const std::vector<std::string> words =
+        at < 0 ? std::vector<std::string>() : next.features[at].values;
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) {
+        warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
+        return;
+    }
+    next.features[at].value = static_cast<int>(found - words.begin());
+    applyLevel(next, old.name);
+}
+
+}  // namespace
+
 Diagnostics carryOver(const Values& loaded, const Description& now, Description& next)
 {
     Diagnostics warnings;
-    for (std::size_t i = 0; i < now.params.size(); ++i) {
-        const ParamDesc& old = now.params[i];
-        if (old.value == loaded.params[i]) continue;
-        const int at = indexOf(next.params, old.name);
-        const bool there = at >= 0 && next.params[at].type == old.type;
-        const Status fits =
-            there ? checkValue(next.params[at], old.value.data(), componentCount(old.type))
-                  : Status{};
-        if (there && fits)
-            next.params[at].value = old.value;
-        else
-            warnings.push_back(
-                dropped("param", old,
-                        there ? fits.diagnostics()[0].message : "the config has none like it"));
-    }
-    for (std::size_t i = 0; i < now.features.size(); ++i) {
-        const FeatureDesc& old = now.features[i];
-        if (old.value == loaded.features[i]) continue;
-        const std::string& word = old.values[old.value];
-        const int at = indexOf(next.features, old.name);
-        const std::vector<std::string> words =
-            at < 0 ? std::vector<std::string>() : next.features[at].values;
-        const auto found = std::find(words.begin(), words.end(), word);
-        if (found != words.end())
-            next.features[at].value = static_cast<int>(found - words.begin());
-        else
-            warnings.push_back(dropped("feature", old, "the config has no '" + word + "'"));
-    }
+    const Values before = untouched(loaded, now);
+    for (const bool sets : {true, false})  // first what sets others
+        for (std::size_t i = 0; i < now.features.size(); ++i)
+            if (now.features[i].sets.empty() != sets && now.features[i].value != before.features[i])
+                carryFeature(now.features[i], next, warnings);
+    for (std::size_t i = 0; i < now.params.size(); ++i)
+        if (now.params[i].value != before.params[i]) carryParam(now.params[i], next, warnings);
     return warnings;
 }
 

@@ -20,6 +20,9 @@ bool isAll(const std::array<float, 4>& values, ParamType type, float value);
 
 Values valuesOf(const Description& description);
 
+/// Gives params and features the values that the present word of a feature sets, if it sets any.
+void applyLevel(Description& description, std::string_view feature);
+
 /// Whether the param may have that value. Errors: CV4001, CV4003, CV3006.
 Status checkValue(const ParamDesc& param, const float* values, int count);
 

@@ -70,6 +70,10 @@ struct Renderer::State {
                                                const CompileOptions& options,
                                                const SceneTraits& traits, const State* previous);
 
+    /// Compiles the programs that the words of features which set values would need, so that
+    /// setting them compiles none. Warns of what fails there.
+    Diagnostics prepareLevels();
+
     /// Whether the plan's formats are those that would be chosen for such a scene. Allocates
     /// nothing.
     bool formatsHold(const SceneTraits& scene) const;
@@ -95,6 +99,27 @@ auto Renderer::State::make(Device& device, Description description, const Compil
     std::unique_ptr<State> state(
         new State{device, std::move(description), options, traits, std::move(*execution)});
     return {std::move(state), plan.diagnostics()};
+}
+
+Diagnostics Renderer::State::prepareLevels()
+{
+    Diagnostics warnings;
+    for (std::size_t i = 0; i < description.features.size(); ++i) {
+        const FeatureDesc& feature = description.features[i];
+        for (std::size_t word = 0; !feature.sets.empty() && word < feature.values.size(); ++word) {
+            Description level = description;
+            level.features[i].value = static_cast<int>(word);
+            applyLevel(level, feature.name);
+            const Result<Plan> plan = compile(level, traits, device.caps(), options);
+            const Status ready = plan ? execution->prepare(*plan) : plan.diagnostics();
+            for (Diagnostic each : ready ? Diagnostics() : ready.diagnostics()) {
+                each.message = feature.name + " '" + feature.values[word] + "': " + each.message;
+                each.severity = Severity::warning;
+                warnings.push_back(std::move(each));
+            }
+        }
+    }
+    return warnings;
 }
 
 bool Renderer::State::formatsHold(const SceneTraits& scene) const
@@ -125,7 +150,9 @@ Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& fram
     if (!next) return next.diagnostics();
     if (Status status = (*next)->execution->setImports(frame); !status) return status;
     state = std::move(*next);
-    return next.diagnostics();
+    Diagnostics all = next.diagnostics();
+    append(all, state->prepareLevels());
+    return all;
 }
 
 Status Renderer::State::replan(std::unique_ptr<State>& state, Description description,
@@ -150,8 +177,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
 {
     auto state = State::make(device, std::move(description), options, traits, nullptr);
     if (!state) return state.diagnostics();
-    std::unique_ptr<Renderer> renderer(new Renderer(std::move(*state)));
-    return {std::move(renderer), state.diagnostics()};
+    Diagnostics all = state.diagnostics();
+    append(all, (*state)->prepareLevels());
+    return {std::unique_ptr<Renderer>(new Renderer(std::move(*state))), std::move(all)};
 }
 
 Status Renderer::render(const Frame& frame)
@@ -219,6 +247,7 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
     if (index == feature->value) return {};
     Description description = state_->description;
     description.features[feature - features.data()].value = index;
+    applyLevel(description, feature->name);
     const Reference at{feature->name, feature->place, feature->pointer};
     const Status status = State::replan(state_, std::move(description), state_->options);
     return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
@@ -232,6 +261,7 @@ Status Renderer::reload(Description description, const CompileOptions& options)
     if (!status) return status;
     *loaded_ = loaded;
     append(all, status.diagnostics());
+    append(all, state_->prepareLevels());
     return all;
 }
 

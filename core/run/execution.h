@@ -33,6 +33,10 @@ public:
     static Result<std::unique_ptr<Execution>> create(Device& device, Plan plan,
                                                      const Execution* previous = nullptr);
 
+    /// Makes those programs of another plan that this has none of, and keeps them for it.
+    /// Errors: the device's.
+    Status prepare(const Plan& other);
+
     /// Takes the host's textures for the plan's imports. Requires a frame of the plan's views.
     /// Errors: CV6010, CV6011; then nothing changed.
     Status setImports(const Frame& frame);
@@ -115,6 +119,7 @@ private:
     Status createTextures();
     Status createGenerated();
     Status createPrograms(const Execution* previous);
+    Result<SharedProgram> createProgram(const PlanProgram& program);
     Status createPasses(int view);
     Status createFilled(const std::string& label, Format format, const Image& image,
                         Owned<TextureId>& texture);

@@ -141,20 +141,35 @@ Status Execution::createPrograms(const Execution* previous)
     for (const PlanProgram& program : plan_.programs) {
         programs_.push_back(previous ? previous->programOf(program.key) : nullptr);
         if (programs_.back()) continue;
-        Result<ProgramId> id =
-            device_.createProgram({program.label, program.vertex, program.fragment});
-        if (!id) {
-            Diagnostics errors = id.diagnostics();
-            for (Diagnostic& error : errors) {
-                error.pointer = program.pointer;
-                error.notes.push_back({program.place, "in shader '" + program.label + "'"});
-            }
-            return errors;
-        }
-        programs_.back() = std::make_shared<Owned<ProgramId>>(device_, *id);
+        Result<SharedProgram> made = createProgram(program);
+        if (!made) return made.diagnostics();
+        programs_.back() = std::move(*made);
         compiled_.push_back(program.label);
     }
     if (previous) keepIdlePrograms(*previous);
+    return {};
+}
+
+auto Execution::createProgram(const PlanProgram& program) -> Result<SharedProgram>
+{
+    Result<ProgramId> id = device_.createProgram({program.label, program.vertex, program.fragment});
+    if (id) return std::make_shared<Owned<ProgramId>>(device_, *id);
+    Diagnostics errors = id.diagnostics();
+    for (Diagnostic& error : errors) {
+        error.pointer = program.pointer;
+        error.notes.push_back({program.place, "in shader '" + program.label + "'"});
+    }
+    return errors;
+}
+
+Status Execution::prepare(const Plan& other)
+{
+    for (const PlanProgram& program : other.programs) {
+        if (programOf(program.key)) continue;
+        Result<SharedProgram> made = createProgram(program);
+        if (!made) return made.diagnostics();
+        idle_programs_.emplace_back(program.key, std::move(*made));
+    }
     return {};
 }
 

@@ -156,6 +156,11 @@ Json formOf(OneOf member, const Rule& rule, const Path&)
 
 Json formOf(Scalars, const Rule&, const Path&) { return oneOrSeveral(scalarForm(), 1); }
 
+Json formOf(Later, const Rule&, const Path&)
+{
+    return anyForm({scalarForm(), listForm({{"type", "number"}}, 2, 4)});
+}
+
 Json Describer::described(Json form, const Path& path, const char* doc, const Rule& rule)
 {
     Json out = {{"title", path}, {"description", doc}};

@@ -40,6 +40,7 @@ Json formOf(Words member, const Rule& rule, const Path& path);
 Json formOf(Choice member, const Rule& rule, const Path& path);
 Json formOf(OneOf member, const Rule& rule, const Path& path);
 Json formOf(Scalars member, const Rule& rule, const Path& path);
+Json formOf(Later member, const Rule& rule, const Path& path);
 
 template <class T>
 Json formOf(NumberOrName<T> member, const Rule& rule, const Path& path);

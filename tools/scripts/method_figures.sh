@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Fills in the figures of README.md and docs/methods: in each table that ends in `| room | spheres | cost |`, the row of a
-# config gets its rmse in both scenes and its cost in the room, as a ratio to learnopengl's.
+# config gets its rmse in both scenes and its cost in the room, as a ratio to learnopengl's; so does the row of a level of
+# quality, such as `quality=low`.
 #
 #   tools/scripts/method_figures.sh            measures every shipped config; half an hour, on a quiet machine
 #   tools/scripts/method_figures.sh FOLDER...  takes what `crevice bench` left there at 480x270 and radius 1
@@ -20,7 +21,11 @@ source tools/scripts/built_crevice.sh
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 if ((${#results[@]} == 0)); then
-    "$CREVICE" bench --scene room --scene spheres --size 480x270 --radius 1 --no-budget --out "$work"
+    bench=(bench --scene room --scene spheres --size 480x270 --radius 1 --no-budget --out "$work")
+    "$CREVICE" "${bench[@]}"
+    for level in off low medium high ultra; do
+        "$CREVICE" "${bench[@]}" --config quality --set "quality=$level"
+    done
     results=("$work")
 fi
 "$CREVICE" report "${results[@]}" --out "$work/report.html" --no-pictures
@@ -31,8 +36,10 @@ for page in README.md docs/methods/*.md; do
         FILENAME != page {  # the report: columns by their names
             if (FNR == 1) { for (i = 1; i <= NF; ++i) column[$i] = i; next }
             if ($column["width"] != 480 || $column["height"] != 270 || $column["radius"] != 1) next
-            if ($column["overrides"] != "radius=1") next
-            name = "`" $1 "`"
+            set = $column["overrides"]
+            if (set !~ /^(quality=[a-z]+ )?radius=1$/) next
+            sub(/ ?radius=1/, "", set)
+            name = "`" (set == "" ? $1 : set) "`"
             rmse[name, $column["scene"]] = sprintf("%.3f", $column["rmse"])
             ratio = $column["ratio_learnopengl"]
             if ($column["scene"] == "room") cost[name] = sprintf(ratio < 10 ? "%.2f" : "%.0f", ratio)

@@ -64,9 +64,20 @@ GlslType glslTypeOf(ParamType type);
 /// A finite switch; GLSL sees a #define. A bool `alpha_test` is ALPHA_TEST 0 or 1. An enum
 /// `range_check` is RANGE_CHECK, equal to one of RANGE_CHECK_HARD, RANGE_CHECK_SMOOTHSTEP ...
 struct FeatureDesc : Named {
+    /// A value that a word gives a param, or another feature.
+    struct Setting : Named {
+        std::array<float, 4> value = {0, 0, 0, 0};  ///< Of a feature the first: its word's index.
+    };
+    /// What one word sets: all that any word of the feature sets, else the default.
+    struct Level {
+        Reference word = {};
+        std::vector<Setting> settings = {};
+    };
+
     std::vector<std::string> values;  ///< "false", "true" for a bool.
     bool boolean = false;
-    int value = 0;  ///< Index of the default.
+    int value = 0;                 ///< Index of the default.
+    std::vector<Level> sets = {};  ///< One for each word, or none.
 };
 
 struct GeneratedDesc : GeneratorDesc {

@@ -25,6 +25,9 @@ class Renderer {
 public:
     /// Compiles the plan and creates every object that it needs. The device must outlive it.
     ///
+    /// A feature's words that set values, levels of quality, are prepared too. One that this device
+    /// cannot run is a warning, and an error when it is set.
+    ///
     /// Errors: those of `compile`, CV5001 to CV5004 from the driver, CV6004 where the device's
     /// context is not current, CV6005 to CV6009, CV6016.
     static Result<std::unique_ptr<Renderer>> create(Device& device, Description description,
@@ -68,8 +71,10 @@ public:
     Status setParam(std::string_view name, const float* values, int count);
     Status setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
 
-    /// Sets a feature ("true", "false" or an enum's word); plans again. Warns with CV5010 where
-    /// that compiled a shader.
+    /// Sets a feature ("true", "false" or an enum's word), and what that word sets; plans again.
+    /// Warns with CV5010 where that compiled a shader. The words of a feature that sets values,
+    /// such as `quality`, compile none: all that they run was compiled by `create`, `reload` or the
+    /// first frame of a scene of other traits.
     ///
     /// Errors: CV2105, CV2106; the old value stays.
     Status setFeature(std::string_view name, std::string_view value);

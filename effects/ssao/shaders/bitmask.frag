@@ -7,7 +7,7 @@
 //   surface            interface: point and normal in view space
 //   depth_back         with BACK_FACES: the first back faces, which end what the surface begins
 //   depth_second       with SECOND_LAYER: the first front faces behind those
-//   depth_second_back  with both: the back faces that end them
+//   depth_second_back  with SECOND_LAYER: the back faces that end them
 //   ao                 visibility, 1 open .. 0 blocked; 1 in the background
 //
 // [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
@@ -21,11 +21,13 @@ precision highp int;    // all 32 bits of a mask: mediump has 16
 #include "ssao/shaders/march.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
-// Switches of geometry/back_faces and geometry/second_layer, which a config may lack.
+// Switches of geometry/back_faces and geometry/second_layer, which a config may lack. The second layer is what lies
+// behind the back faces: there is none without them.
 #ifndef BACK_FACES
 #define BACK_FACES 0
 #endif
-#ifndef SECOND_LAYER
+#if !defined(SECOND_LAYER) || !BACK_FACES
+#undef SECOND_LAYER
 #define SECOND_LAYER 0
 #endif
 
@@ -37,9 +39,7 @@ uniform highp sampler2D depth_back;
 #endif
 #if SECOND_LAYER
 uniform highp sampler2D depth_second;
-#if BACK_FACES
 uniform highp sampler2D depth_second_back;
-#endif
 #endif
 
 in vec2 uv;
@@ -173,10 +173,7 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
             continue;
         }
         behind -= march.point;
-        deep = thickness * radius;
-#if BACK_FACES
         deep = depthOf(depth_second_back, march, at, behind);
-#endif
         blocked |= blockedBy(march, side, outwards, behind, away, deep, chance, second);
 #endif
     }

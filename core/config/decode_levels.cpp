@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// What the words of a feature set: levels of quality.
+#include "core/config/decode_reader.h"
+#include "core/config/decode_steps.h"
+
+#include "core/base/text.h"
+#include "core/json/override.h"
+
+#include <algorithm>
+
+namespace crevice::table {
+
+namespace {
+
+using Level = FeatureDesc::Level;
+using Setting = FeatureDesc::Setting;
+
+bool isOverride(const Place& place) { return place.source && place.source->path == kOverridePath; }
+
+class LevelReader {
+public:
+    LevelReader(const Node& document, Description& description, Report& report)
+        : document_(document),
+          description_(description),
+          report_(report)
+    {
+    }
+
+    void run();
+
+private:
+    void checkWord(const FeatureDesc& feature, const Reference& word);
+    bool isDeclared(const FeatureDesc& feature, const Setting& setting);
+    void readValue(const FeatureDesc& feature, Setting& setting);
+    void complete(FeatureDesc& feature, const Setting& first);
+    void overrule(FeatureDesc& feature, const Setting& first);
+
+    const Node& document_;
+    Description& description_;
+    Report& report_;
+    std::map<std::string, std::string> setters_;  // features by what they set
+};
+
+void LevelReader::checkWord(const FeatureDesc& feature, const Reference& word)
+{
+    if (contains(feature.values, word.name) || report_.errorAt(feature.pointer + "/values")) return;
+    report_.at(word, Code::feature_value,
+               "feature '" + feature.name + "' has no value '" + word.name + "'",
+               suggestName(word.name, feature.values, "values"));
+}
+
+// Whether the config has a param or feature of that name. Where that went with a module that was
+// swapped, this is a warning.
+bool LevelReader::isDeclared(const FeatureDesc& feature, const Setting& setting)
+{
+    std::vector<std::string> names = namesOf(description_.params);
+    for (const std::string& each : namesOf(description_.features)) names.push_back(each);
+    if (contains(names, setting.name)) return true;
+    Diagnostic& error = report_.at(
+        referenceTo(setting), Code::unknown_param,
+        "feature '" + feature.name + "' sets '" + setting.name + "', and no file declares it",
+        suggestName(setting.name, std::move(names), "params and features"));
+    if (report_.leavesOut({document_, "", setting.place})) {
+        error.severity = Severity::warning;
+        error.help = "it is left out: what declares it is not part of this config";
+    }
+    return false;
+}
+
+void LevelReader::readValue(const FeatureDesc& feature, Setting& setting)
+{
+    const Cursor cursor{*locate(document_, setting.pointer).node,
+                        setting.pointer,
+                        setting.place,
+                        setting.name,
+                        setting.name,
+                        "write a value that the param or feature may have"};
+    if (const ParamDesc* param = findNamed(description_.params, setting.name)) {
+        const bool whole = param->type == ParamType::int_;
+        if (!report_.errorWithin(param->pointer))
+            read(report_, cursor, Numbers{setting.value, componentCount(param->type), whole},
+                 range(param->min, param->max, param->unit));
+        return;
+    }
+    const FeatureDesc& other = *findNamed(description_.features, setting.name);
+    int index = 0;
+    if (!other.sets.empty())
+        report_.at(
+            referenceTo(setting), Code::cycle,
+            "feature '" + feature.name + "' sets '" + other.name + "', which sets values itself",
+            "let one of the two set everything");
+    else if (!report_.errorWithin(other.pointer))
+        read(report_, cursor, Choice{index, other.values, other.boolean}, {});
+    setting.value[0] = static_cast<float>(index);
+}
+
+// Takes out what stands below an override's value, and warns of a default in the config's own file
+// that no word leaves standing.
+void LevelReader::overrule(FeatureDesc& feature, const Setting& first)
+{
+    const bool is_param = findNamed(description_.params, first.name) != nullptr;
+    const std::string pointer = (is_param ? "/params/" : "/features/") + first.name + "/default";
+    const Node* given = locate(document_, pointer).node;
+    if (!given) return;
+    std::size_t standing = 0;
+    for (Level& level : feature.sets) {
+        const auto found =
+            std::find_if(level.settings.begin(), level.settings.end(),
+                         [&](const Setting& each) { return each.name == first.name; });
+        if (found == level.settings.end()) continue;
+        const Place set = locate(document_, found->pointer).node->place;
+        if (isOverride(given->place) && !isOverride(set))
+            level.settings.erase(found);
+        else if (set.source != given->place.source)
+            ++standing;
+    }
+    if (standing < feature.values.size() || given->place.source != document_.place.source) return;
+    report_
+        .at(referenceAt(document_, pointer), Code::unused_name,
+            "each word of '" + feature.name + "' sets '" + first.name + "', so this counts nowhere",
+            "write it under /features/" + feature.name + "/sets")
+        .severity = Severity::warning;
+}
+
+// Gives every word a value of what one of them sets.
+void LevelReader::complete(FeatureDesc& feature, const Setting& first)
+{
+    const auto [setter, fresh] = setters_.emplace(first.name, feature.name);
+    if (!fresh)
+        report_.at(referenceTo(first), Code::name_collision,
+                   "features '" + setter->second + "' and '" + feature.name + "' both set '" +
+                       first.name + "'",
+                   "let one of the two set it");
+    overrule(feature, first);
+    Setting initial = first;
+    if (const ParamDesc* param = findNamed(description_.params, first.name))
+        initial.value = param->value;
+    else
+        initial.value[0] = static_cast<float>(findNamed(description_.features, first.name)->value);
+    for (Level& level : feature.sets)
+        if (!findNamed(level.settings, first.name)) level.settings.push_back(initial);
+}
+
+void LevelReader::run()
+{
+    for (FeatureDesc& feature : description_.features) {
+        std::map<std::string, Setting> names;
+        for (Level& level : feature.sets) {
+            checkWord(feature, level.word);
+            auto& all = level.settings;
+            const auto undeclared = [&](const Setting& each) { return !isDeclared(feature, each); };
+            all.erase(std::remove_if(all.begin(), all.end(), undeclared), all.end());
+            for (Setting& each : all) readValue(feature, each);
+            for (const Setting& each : all) names.emplace(each.name, each);
+        }
+        for (const std::string& word :
+             names.empty() ? std::vector<std::string>() : feature.values) {
+            const auto is_word = [&](const Level& each) { return each.word.name == word; };
+            if (std::none_of(feature.sets.begin(), feature.sets.end(), is_word))
+                feature.sets.push_back({{word, feature.place, feature.pointer}, {}});
+        }
+        for (const auto& [name, first] : names) complete(feature, first);
+    }
+}
+
+}  // namespace
+
+void readLevels(const Node& document, Description& description, Report& report)
+{
+    LevelReader(document, description, report).run();
+}
+
+}  // namespace crevice::table

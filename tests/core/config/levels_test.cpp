@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Features whose words set params and other features: levels of quality.
+#include "tests/support/decode_fixture.h"
+#include "tests/support/load_fixture.h"
+#include "tests/support/need.h"
+
+using namespace crevice;
+
+namespace {
+
+const char* const kBase = R"({"format": 1,
+    "params": {"taps": {"type": "int", "default": 4, "min": 1, "max": 64},
+               "scale": {"default": 1, "min": 0.25, "max": 1},
+               "tint": {"type": "vec2", "default": [1, 2]}},
+    "features": {"layers": {"default": true}, "look": {"type": "enum", "values": ["flat", "lit"]}}})";
+
+std::string quality(const std::string& sets, const std::string& initial = "low")
+{
+    return R"("features": {"quality": {"type": "enum", "values": ["low", "mid", "high"],
+        "default": ")" +
+           initial + "\", \"sets\": " + sets + "}}";
+}
+
+const std::string kLevels =
+    quality(R"({"low": {"taps": 2, "layers": false}, "high": {"taps": 16, "look": "lit"}})");
+
+Result<Description> extended(const std::string& members,
+                             const std::vector<std::string>& overrides = {})
+{
+    MemorySources sources;
+    sources.add("base.json", kBase);
+    sources.add("levels.json", file("\"extends\": [\"base\"], " + kLevels));
+    sources.add("configs/mine.json", file(members));
+    const Result<Node> document = loadConfig(sources, {"mine", "", overrides});
+    if (!document) return document.diagnostics();
+    return decode(*document, sources);
+}
+
+Result<Description> withLevels(const std::string& sets)
+{
+    return extended("\"extends\": [\"base\"], " + quality(sets));
+}
+
+float paramOf(const Description& d, const char* name)
+{
+    return findNamed(d.params, name)->value[0];
+}
+int featureOf(const Description& d, const char* name) { return findNamed(d.features, name)->value; }
+
+/// "CV4003 /features/..." of all.
+std::string found(const Result<Description>& result)
+{
+    const Diagnostics& all = result ? result->unused : result.diagnostics();
+    std::string text;
+    for (const Diagnostic& each : all)
+        text += (text.empty() ? "" : ", ") + codeName(each.code) + " " + each.pointer;
+    return text;
+}
+
+const std::string kSets = "/features/quality/sets/";
+
+}  // namespace
+
+TEST_CASE("The initial word of a feature sets params and features", "[decode]")
+{
+    const Description low = need(extended(R"("extends": ["levels"])"));
+    CHECK(paramOf(low, "taps") == 2);
+    CHECK(featureOf(low, "layers") == 0);
+    CHECK(featureOf(low, "look") == 0);
+    const Description high =
+        need(extended(R"("extends": ["levels"], "features": {"quality": "high"})"));
+    CHECK(paramOf(high, "taps") == 16);
+    CHECK(featureOf(high, "look") == 1);
+    CHECK(paramOf(need(extended(R"("extends": ["levels"])", {"quality=high"})), "taps") == 16);
+}
+
+TEST_CASE("What one word sets has its default at the others, also at those that set nothing",
+          "[decode]")
+{
+    const Description mid = need(extended(R"("extends": ["levels"])", {"quality=mid"}));
+    CHECK(paramOf(mid, "taps") == 4);
+    CHECK(featureOf(mid, "layers") == 1);
+    const FeatureDesc& feature = *findNamed(mid.features, "quality");
+    REQUIRE(feature.sets.size() == 3);
+    for (const FeatureDesc::Level& level : feature.sets) CHECK(level.settings.size() == 3);
+}
+
+TEST_CASE("A later file changes a level value by value, and a vector is set as a list", "[decode]")
+{
+    const Description d = need(extended(R"("extends": ["levels"], "features": {"quality": {
+        "sets": {"low": {"scale": 0.5, "tint": [3, 4]}}}})"));
+    CHECK(paramOf(d, "taps") == 2);
+    CHECK(paramOf(d, "scale") == 0.5f);
+    CHECK(findNamed(d.params, "tint")->value[1] == 4);
+}
+
+TEST_CASE("An override of a param or feature stands over all levels", "[decode]")
+{
+    Description d = need(extended(R"("extends": ["levels"])", {"taps=7", "layers=true"}));
+    CHECK(paramOf(d, "taps") == 7);
+    CHECK(featureOf(d, "layers") == 1);
+    for (const FeatureDesc::Level& level : findNamed(d.features, "quality")->sets)
+        CHECK(findNamed(level.settings, "taps")->value[0] == 7);
+    d = need(extended(R"("extends": ["levels"])", {"taps=7", kSets + "low/taps=9"}));
+    CHECK(paramOf(d, "taps") == 9);
+}
+
+TEST_CASE("A default in the config's own file that every level overrules is a warning", "[decode]")
+{
+    const std::string all = R"({"low": {"taps": 1}, "mid": {"taps": 2}, "high": {"taps": 3}})";
+    const auto over = [&](const std::string& sets, const std::string& own) {
+        MemorySources sources;
+        sources.add("base.json", kBase);
+        sources.add("levels.json", file("\"extends\": [\"base\"], " + quality(sets)));
+        sources.add("configs/mine.json", file("\"extends\": [\"levels\"]" + own));
+        return found(decode(loaded(sources, {"mine"}), sources));
+    };
+    CHECK(over(all, R"(, "params": {"taps": 5})") == "CV2108 /params/taps/default");
+    CHECK(over(all, "") == "");
+    CHECK(over(R"({"low": {"taps": 1}})", R"(, "params": {"taps": 5})") == "");
+}
+
+TEST_CASE("A level's names and values are checked as those of params and features are", "[decode]")
+{
+    CHECK(found(withLevels(R"({"lov": {"taps": 2}})")) == "CV2106 " + kSets + "lov");
+    CHECK(found(withLevels(R"({"low": {"tabs": 2}})")) == "CV4004 " + kSets + "low/tabs");
+    CHECK(found(withLevels(R"({"low": {"taps": 65}})")) == "CV4001 " + kSets + "low/taps");
+    CHECK(found(withLevels(R"({"low": {"taps": 2.5}})")) == "CV3002 " + kSets + "low/taps");
+    CHECK(found(withLevels(R"({"low": {"taps": true}})")) == "CV3002 " + kSets + "low/taps");
+    CHECK(found(withLevels(R"({"low": {"tint": 1}})")) == "CV3002 " + kSets + "low/tint");
+    CHECK(found(withLevels(R"({"low": {"layers": 1}})")) == "CV3002 " + kSets + "low/layers");
+    CHECK(found(withLevels(R"({"low": {"look": "lid"}})")) == "CV3005 " + kSets + "low/look");
+    CHECK(found(withLevels(R"({"low": {"quality": "mid"}})")) == "CV2204 " + kSets + "low/quality");
+    CHECK(found(withLevels(R"({"low": 3})")) == "CV3002 " + kSets + "low");
+    const Diagnostic near = withLevels(R"({"low": {"tabs": 2}})").diagnostics().front();
+    CHECK(near.help.find("did you mean 'taps'?") != std::string::npos);
+}
+
+TEST_CASE("Two features may not set the same value", "[decode]")
+{
+    const Result<Description> both = extended(R"("extends": ["levels"], "features": {
+        "speed": {"sets": {"true": {"taps": 1}}}})");
+    CHECK(found(both) == "CV2107 /features/speed/sets/true/taps");
+}
