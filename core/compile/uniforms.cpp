@@ -82,15 +82,28 @@ int vectorsOf(const GlslStage& stage)
     return vectors;
 }
 
+// Blames the kernel that need only be shorter, or the param that gives its count; else the pass.
 void checkVectors(State& state, const Pass& pass, const GlslStage& stage, const char* name,
                   int limit)
 {
     const int vectors = vectorsOf(stage);
     if (vectors <= limit) return;
-    report(state, Code::too_many,
-           quoted(pass) + ": the " + name + " shader has " + std::to_string(vectors) +
-               " uniform vectors, and the device holds " + std::to_string(limit),
-           *pass.desc, "ask for fewer samples or lights, or fewer uniforms");
+    Diagnostic& error =
+        report(state, Code::too_many,
+               quoted(pass) + ": the " + name + " shader has " + std::to_string(vectors) +
+                   " uniform vectors, and the device holds " + std::to_string(limit),
+               *pass.desc, "ask for fewer samples or lights, or fewer uniforms");
+    for (const GlslUniform& uniform : stage.uniforms) {
+        const GeneratedDesc* kernel = findNamed(state.description.generated, uniform.name);
+        const int most = uniform.count - (vectors - limit);
+        if (!kernel || most < 1) continue;
+        const ParamDesc* param = findNamed(state.description.params, kernel->count_param.name);
+        const Named& at = param ? static_cast<const Named&>(*param) : *kernel;
+        error.place = at.place;
+        error.pointer = at.pointer;
+        error.help = "lower " + (param ? "'" + param->name + "'" : std::string("its `count`")) +
+                     " to " + std::to_string(most);
+    }
 }
 
 template <class Test>

@@ -121,8 +121,8 @@ struct DeviceCaps {
     bool software = false;  ///< Rendered by the CPU: timer queries lie, time with finish().
     int max_texture_size = 2048;
     int max_color_attachments = 4;
-    int max_texture_units = 16;  ///< Of the fragment stage.
-    int max_fragment_uniform_vectors = 224;
+    int max_texture_units = 16;              ///< Of the fragment stage.
+    int max_fragment_uniform_vectors = 224;  ///< A mat4 takes 4, an array one for each element.
     int max_vertex_uniform_vectors = 256;
     bool renderable[kFormatCount + 1] = {};  ///< By Format.
 

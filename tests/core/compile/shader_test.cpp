@@ -269,8 +269,23 @@ TEST_CASE("More uniforms than the device holds are refused before the driver see
     samples.value[0] = 220;  // and 4 of the matrix: as many as there are
     CHECK(tryCompile(description).ok());
     samples.value[0] = 221;
-    const Diagnostic error = onlyError(description);
-    CHECK(error.code == Code::too_many);
-    CHECK(error.pointer == "/passes/p");
-    CHECK(error.message.find("225") != error.message.npos);
+    const auto check = [&](const std::string& pointer, const std::string& help) {
+        const Diagnostic error = onlyError(description);
+        CHECK(error.code == Code::too_many);
+        CHECK(error.pointer == pointer);
+        CHECK_THAT(error.message, Catch::Contains("225") && Catch::Contains("224"));
+        CHECK_THAT(error.help, Catch::Contains(help));
+    };
+    check("/params/samples", "lower 'samples' to 220");
+    description.generated[0].count = 221;
+    description.generated[0].count_param = {};
+    check("/generated/kernel", "lower its `count` to 220");
+}
+
+TEST_CASE("More uniforms than the device holds are the pass's fault where no kernel is to blame")
+{
+    const Description description = body("uniform mat4 clip_from_view;\n");
+    DeviceCaps caps = ampleCaps();
+    caps.max_fragment_uniform_vectors = 3;
+    CHECK(onlyError(description, {}, caps).pointer == "/passes/p");
 }
