@@ -18,9 +18,9 @@
 
 namespace crevice {
 
-/// Most offsets that one kernel may hold: as vec3 uniforms they take 128 of the 224 vectors that
-/// every OpenGL ES 3.0 device has for a fragment shader.
-constexpr int kMaxKernelSize = 128;
+/// Most offsets that one kernel may hold. Each is a uniform vector, of which some OpenGL ES 3.0
+/// devices have 224 for a fragment shader: `compile` refuses there what does not fit (CV6008).
+constexpr int kMaxKernelSize = 256;
 
 /// Longest side of a noise texture, in pixels.
 constexpr int kMaxNoiseSize = 64;

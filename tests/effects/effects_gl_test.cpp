@@ -127,6 +127,17 @@ TEST_CASE("Occlusion does not depend on whether positions are stored or rebuilt 
     CHECK(meanChange(from_depth, picture(request)) < 0.004);
 }
 
+TEST_CASE("250 offsets without rotation draw what 16 with rotation and a filter do")
+{
+    PictureRequest request;
+    request.overrides = {"samples=16"};
+    const Image filtered = picture(request);
+    request.overrides = {"samples=250", "/generated/rotation_noise/count=1", "blur_size=1"};
+    const Image many = picture(request);
+    CHECK(mean(many) < 0.99);
+    CHECK(meanChange(filtered, many) < 0.01);
+}
+
 TEST_CASE("An orthographic view is occluded like the narrow perspective that tends to it")
 {
     PictureRequest request;

@@ -67,6 +67,30 @@ TEST_CASE("Every shipped config plans on a full and on a bare device")
     }
 }
 
+TEST_CASE("250 offsets without rotation plan on a device that holds them, and say so on others")
+{
+    const LoadRequest request{
+        "hemisphere_box", "", {"samples=250", "/generated/rotation_noise/count=1"}};
+    CHECK(!plan(request).passes.empty());
+
+    Description description = describe(request);
+    const auto planned = [&] {
+        return compile(description, {}, minimumCaps(), {{64, 64}, {}, {}});
+    };
+    const Result<Plan> refused = planned();
+    REQUIRE(refused.diagnostics().size() == 1);
+    const Diagnostic& error = refused.diagnostics()[0];
+    CHECK(error.code == Code::too_many);
+    CHECK(error.pointer == "/params/samples");
+    int most = 250;
+    for (ParamDesc& param : description.params)
+        while (param.name == "samples" && most > 1 && !planned().ok())
+            param.value[0] = static_cast<float>(--most);
+    const std::string vectors = std::to_string(250 - most + 224);
+    CHECK_THAT(error.message, Catch::Contains(vectors) && Catch::Contains("224"));
+    CHECK_THAT(error.help, Catch::Contains("to " + std::to_string(most)));
+}
+
 TEST_CASE("Every shipped config has at most 25 lines")
 {
     for (const std::string& path : shippedSources().list()) {

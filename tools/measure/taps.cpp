@@ -2,11 +2,14 @@
 // Depth taps a pixel.
 #include "tools/measure/taps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace crevice {
 namespace {
+
+constexpr double kManySamples = 128;  // taps; with the other uniforms within 224 vectors
 
 int valueOf(const ParamDesc& param) { return static_cast<int>(param.value[0]); }
 
@@ -62,7 +65,7 @@ void takeAllSamples(Description& description)
 {
     for (ParamDesc& param : description.params)
         if (param.name == "samples" || param.name == "slices" || param.name == "steps")
-            param.value[0] = static_cast<float>(param.max);
+            param.value[0] = static_cast<float>(std::min<double>(param.max, kManySamples));
 }
 
 }  // namespace crevice

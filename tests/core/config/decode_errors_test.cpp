@@ -138,7 +138,7 @@ TEST_CASE("a value outside its range is an error", "[decode]")
          "CV4001 /generated/k/count"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "count": -1}})",
          "CV4001 /generated/k/count"},
-        {"generated", R"({"k": {"generator": "sphere_kernel", "count": 129}})",
+        {"generated", R"({"k": {"generator": "sphere_kernel", "count": 257}})",
          "CV4001 /generated/k/count"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "seed": 1152921504606846976}})",
          "CV4001 /generated/k/seed"},

@@ -125,7 +125,7 @@ TEST_CASE("a count comes from an int param whose value the generator can make", 
          "CV2102 /generated/k/count"},
         {"generated", R"({"n": {"generator": "rotation_noise", "count": 65}})",
          "CV4001 /generated/n/count"},
-        {"params", R"({"samples": {"type": "int", "default": 256}})",
+        {"params", R"({"samples": {"type": "int", "default": 257}})",
          "CV4001 /params/samples/default"},
     });
 }

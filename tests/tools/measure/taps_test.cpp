@@ -61,9 +61,12 @@ TEST_CASE("another count is shared between slices and steps in the config's own 
     CHECK(split(marching(2, 4), 2 * 37).empty());  // 37 fits neither range
 }
 
-TEST_CASE("all samples are the largest that the ranges allow")
+TEST_CASE("all samples are the largest that the ranges and every device allow")
 {
     Description description = marching(2, 4);
     takeAllSamples(description);
     CHECK(samplesOf(description) == 2 * 16 * 32);
+    description.params = {whole("samples", 64, 256)};
+    takeAllSamples(description);
+    CHECK(samplesOf(description) == 128);
 }
