@@ -35,6 +35,11 @@ done
 kernel=/generated/kernel
 noise=/generated/rotation_noise/count
 tile() { error room hemisphere_box --set samples=8 --set "$noise=$1" --set "blur_size=$1"; }
+noisy() {  # SETTING...: rmse against ground truth, and that against many rotated samples
+    printf '%s (%s)' "$(error room hemisphere_box "${@/#/--set=}")" "$(difference rmse ao.pfm many.pfm)"
+}
+unrotated() { noisy "samples=$1" "$noise=1" blur_size=1; }
+draw many.pfm room hemisphere_box --set samples=250 --set blur_size=1
 draw one.pfm room thesis --set filter/bilateral=filter/bilateral_2d
 draw two.pfm room thesis
 
@@ -59,6 +64,9 @@ row() { printf '| %s | %s | %s | %s |\n' "$@"; }
     row 'Tiles of noise beyond 8x8 do not pay' 'Habr' \
         "\`hemisphere_box\`, 8 samples, a box of the tile's size, room: 2x2 $(tile 2), 4x4 $(tile 4), 8x8 $(tile 8), 16x16 $(tile 16)" \
         'yes: the wider filter blurs away what more directions gain'
+    row 'Without rotation about 200 samples are needed, with it and a filter 16' 'Wikipedia, "Screen space ambient occlusion"' \
+        "\`hemisphere_box\`, room, and from its own picture of 250 rotated samples unfiltered: 16 rotated and filtered $(noisy samples=16); unrotated, unfiltered 64 $(unrotated 64), 128 $(unrotated 128), 250 $(unrotated 250)" \
+        'yes: 128 are noisier than the 16, and 250 are not'
     row 'Without a range check there are halos' 'Chapman; LearnOpenGL' \
         "\`learnopengl\`, spheres: with $(error spheres learnopengl), without $(error spheres learnopengl --variant no_range_check)" \
         'yes'
