@@ -28,6 +28,7 @@ struct BenchOptions {
     std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
     std::vector<std::string> roots = {};      ///< As LoadRequest has them.
     std::string camera = {};
+    std::string output = kOcclusionOutput;  ///< The timed passes are those that it needs.
     int rays = 256;
     Shard shard = {};
     std::string version = {};  ///< Of crevice; part of each key.

@@ -202,10 +202,13 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     sample.device = device_.caps().name;
     sample.software = device_.caps().software;
 
-    const auto renderer = setting_->makeRenderer(device_, task.description, {"ao"});
+    auto renderer = setting_->makeRenderer(device_, task.description, {kOcclusionOutput});
     if (!renderer) return renderer.diagnostics();
-    const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, "ao");
+    const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
+    if (sample.output != kOcclusionOutput)
+        renderer = setting_->makeRenderer(device_, task.description, {sample.output});
+    if (!renderer) return renderer.diagnostics();
     if (const Status timed = measureTimes(**renderer, sample); !timed) return timed.diagnostics();
     if (const Status known = measureErrors(task, *ao, sample); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();

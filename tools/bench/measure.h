@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Measuring one sample of a bench on a device: its error, the parts of it, its time, its pictures.
 //
-// What is timed are the passes that the output `ao` needs. The config, a plain copy of the depth
-// texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius take turns (see
-// tools/bench/times.h) until both ratios are known to a few per cent. The cost of a config is the
-// sum over its passes other than draw passes: what it adds to a host that has a G-buffer already.
+// What is timed are the passes that the sample's output needs, by default `ao`. The config, a plain
+// copy of the depth texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius
+// take turns (see tools/bench/times.h) until both ratios are known to a few per cent. The cost of a
+// config is the sum over its passes other than draw passes: for `ao`, what it adds to a host that
+// has a G-buffer.
 #pragma once
 
 #include "tools/bench/bench.h"

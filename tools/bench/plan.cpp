@@ -11,6 +11,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <map>
@@ -43,6 +44,7 @@ std::string commandHash(const BenchOptions& options)
     add(options.samples, [&hash](int count) { hash.add(count); });
     hash.addText(options.camera);
     hash.add(options.rays);
+    if (options.output != kOcclusionOutput) hash.addText(options.output);
     return hash.hex();
 }
 
@@ -62,6 +64,7 @@ ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::s
     hash.add(radius);
     hash.addText(task.reference);
     hash.addText(content);
+    if (sample.output != kOcclusionOutput) hash.addText(sample.output);
     return hash;
 }
 
@@ -216,6 +219,11 @@ const std::string& Planner::referenceOf(double radius)
 /// What the loaded config says about the sample.
 Status Planner::describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
 {
+    const std::vector<OutputDesc>& outputs = loaded.description.outputs;
+    if (!outputs.empty() && !findNamed(outputs, options_.output))
+        return Diagnostic{Code::output_missing, "'" + task.sample.config + "' exports no output '" +
+                                                    options_.output + "': give --output " +
+                                                    joined(namesOf(outputs), " or ")};
     const ParamDesc* radius = findNamed(loaded.description.params, "radius");
     task.sample.samples = samplesOf(loaded.description);
     task.sample.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
@@ -234,8 +242,10 @@ void Planner::addTask(const Place& place, const std::string& config,
     BenchTask task;
     BenchSample& sample = task.sample;
     sample.config = config;
+    sample.output = options_.output;
     sample.family = config;
     for (const std::string& text : options_.overrides) sample.family += " " + text;
+    sample.family += outputSuffix(sample);
     sample.scene = place.scene;
     sample.camera = options_.camera;
     sample.extent = place.extent;
@@ -274,8 +284,8 @@ std::string sampleTitle(const BenchSample& sample)
 {
     std::string title = sample.config;
     for (const std::string& text : sample.overrides) title += " " + text;
-    return title + ", " + sample.scene + ", " + std::to_string(sample.extent.width) + "x" +
-           std::to_string(sample.extent.height);
+    return title + outputSuffix(sample) + ", " + sample.scene + ", " +
+           std::to_string(sample.extent.width) + "x" + std::to_string(sample.extent.height);
 }
 
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)

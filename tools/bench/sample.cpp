@@ -21,12 +21,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, family, scene,
-                                   camera, extent, radius, rays, radius_px, samples, triangles,
-                                   device, software, version, error, error_without_ao, budget,
-                                   budget_failure, clock, repeats, total, cost, passes, ratio_copy,
-                                   ratio_learnopengl, texture_bytes, bytes_read, bytes_written,
-                                   ao_picture, ground_truth_picture, difference_picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, family, output,
+                                   scene, camera, extent, radius, rays, radius_px, samples,
+                                   triangles, device, software, version, error, error_without_ao,
+                                   budget, budget_failure, clock, repeats, total, cost, passes,
+                                   ratio_copy, ratio_learnopengl, texture_bytes, bytes_read,
+                                   bytes_written, ao_picture, ground_truth_picture,
+                                   difference_picture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, bench_samples)
 
 namespace {
@@ -50,6 +51,7 @@ bool replaceNulls(nlohmann::json& json)
 BenchSample parseSample(nlohmann::json json)
 {
     const bool not_finite = replaceNulls(json);
+    json.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
     BenchSample sample = json.get<BenchSample>();
     if (not_finite && sample.failure.empty()) sample.failure = "a figure is not finite";
     return sample;
@@ -128,8 +130,10 @@ private:
 
 std::string identityOf(const BenchSample& sample)
 {
-    return jsonLine({sample.config, sample.overrides, sample.scene, sample.camera, sample.extent,
-                     sample.radius, sample.rays});
+    nlohmann::json identity = {sample.config, sample.overrides, sample.scene, sample.camera,
+                               sample.extent, sample.radius,    sample.rays};
+    if (sample.output != kOcclusionOutput) identity.push_back(sample.output);
+    return jsonLine(identity);
 }
 
 std::string plannedId(const BenchSample& sample)
@@ -137,6 +141,11 @@ std::string plannedId(const BenchSample& sample)
     ContentHash hash;
     hash.addText(identityOf(sample));
     return hash.hex();
+}
+
+std::string outputSuffix(const BenchSample& sample)
+{
+    return sample.output == kOcclusionOutput ? "" : " output=" + sample.output;
 }
 
 std::string toJsonLine(const BenchSample& sample) { return jsonLine(sample); }

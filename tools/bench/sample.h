@@ -47,6 +47,9 @@ struct ErrorBudget {
     double precision = -1;  ///< Config against itself with 32-bit float targets: wider formats.
 };
 
+/// Whose error is measured, and whose passes are timed unless another output is asked for.
+constexpr const char* kOcclusionOutput = "ao";
+
 struct BenchSample {
     std::string key;      ///< 16 hex digits.
     std::string failure;  ///< Why there are no figures; empty when there are.
@@ -54,6 +57,7 @@ struct BenchSample {
     std::string config;
     std::vector<std::string> overrides;  ///< As --set has them.
     std::string family;  ///< Bench samples that differ only in `samples` share it: "learnopengl".
+    std::string output = kOcclusionOutput;  ///< Whose passes are timed.
     std::string scene;
     std::string camera;
     Extent extent;
@@ -75,7 +79,8 @@ struct BenchSample {
     std::string clock;  ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
     int repeats = 0;
     TimeFigures total;  ///< All passes, those that draw the scene's geometry too.
-    TimeFigures cost;   ///< The other passes: what it adds to a host that has a G-buffer.
+    /// The passes that draw no geometry: for `ao`, what it adds to a host that has a G-buffer.
+    TimeFigures cost;
     std::vector<PassTime> passes;
     double ratio_copy = 0;         ///< Cost over that of a copy of the depth texture, same run.
     double ratio_learnopengl = 0;  ///< Cost over that of learnopengl, same run.
@@ -103,11 +108,15 @@ std::string toJsonLine(const BenchSample& sample);
 std::string toJsonLine(const PlannedBench& planned);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
-/// size, radius and rays. A key says more: it changes with a shader's text, a driver or a version.
+/// size, radius, rays and the output, unless that is `ao`. A key says more: it changes with a
+/// shader's text, a driver or a version.
 std::string identityOf(const BenchSample& sample);
 
 /// A hash of that, 16 hex digits.
 std::string plannedId(const BenchSample& sample);
+
+/// " output=color" after a sample's name; nothing where `ao` is timed.
+std::string outputSuffix(const BenchSample& sample);
 
 struct BenchResults {
     std::vector<BenchSample> samples;

@@ -104,7 +104,7 @@ std::string sampleLabel(const BenchSample& sample)
     std::string label = sample.config;
     for (const std::string& value : sample.overrides)
         if (value.rfind("radius=", 0) != 0) label += " " + value;
-    return label;
+    return label + outputSuffix(sample);
 }
 
 std::string extentName(Extent extent)

@@ -38,8 +38,8 @@ std::vector<std::string> benchDevices(const std::vector<BenchSample>& samples);
 /// "room from above", or "room" where the camera has no name.
 std::string viewName(const std::string& scene, const std::string& camera);
 
-/// "bitmask samples=16": the config and what was set in it, but for the radius, which is part of
-/// the question and not of the answer.
+/// "bitmask samples=16": the config, what was set in it, but for the radius, which is part of the
+/// question and not of the answer, and the output unless it is `ao`.
 std::string sampleLabel(const BenchSample& sample);
 
 /// "960x540".

@@ -151,6 +151,11 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
                    "Set a value in every config, as for crevice render; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    app.add_option("--output", bench.output,
+                   "Time what this output needs: color for whole frames, with geometry, occlusion "
+                   "and light. The error stays that of ao")
+        ->type_name("NAME")
+        ->capture_default_str();
     app.add_option("--camera", bench.camera, "A camera, written as for crevice render");
     app.add_option("--rays", bench.rays, "Rays per pixel of the ground truth")
         ->capture_default_str();
@@ -177,9 +182,11 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addCheckoutOption(*command, options->checkout);
     addRootOption(*command, options->bench.roots);
-    command->add_flag("--ablate", options->ablate,
-                      "Time frames with all optimizations, without each one and without any, into "
-                      "ablation.jsonl");
+    command
+        ->add_flag("--ablate", options->ablate,
+                   "Time frames with all optimizations, without each one and without any, into "
+                   "ablation.jsonl")
+        ->excludes("--output");
     command->add_flag("--list", options->list,
                       "Print the bench samples, each a config in one view, and measure nothing");
     command->footer(

@@ -136,6 +136,27 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
         CHECK(need(readImage(picture)).extent == Extent{64, 36});
 }
 
+TEST_CASE("A bench of whole frames times the lighting too, and has the errors of ao")
+{
+    if (!canTrace()) return;
+    const TemporaryFolder folder("bench_gl_color");
+    BenchOptions options = smallOptions();
+    const BenchSample ao = bench(options, shippedSources(), folder).at(0);
+    options.output = "color";
+    const BenchSample deferred = bench(options, shippedSources(), folder).at(1);
+    CHECK(deferred.error.rmse == ao.error.rmse);
+    REQUIRE(deferred.passes.size() == ao.passes.size() + 1);
+    CHECK(deferred.passes.back().name == "lighting");
+    CHECK(deferred.bytes_written > ao.bytes_written);
+
+    options.overrides = {"lighting/blinn_phong=lighting/forward"};
+    const BenchSample forward = bench(options, shippedSources(), folder).at(2);
+    REQUIRE(forward.passes.size() == deferred.passes.size());
+    CHECK(forward.passes.back().name == "lighting");
+    const double drawn = forward.passes.front().ms.median + forward.passes.back().ms.median;
+    CHECK(forward.cost.median + 0.5 * drawn < forward.total.median);
+}
+
 TEST_CASE("Two benches find exactly the same errors")
 {
     if (!canTrace()) return;

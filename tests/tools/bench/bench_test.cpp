@@ -7,6 +7,7 @@
 #include "tests/tools/bench/small.h"
 #include "tools/bench/errors.h"
 #include "tools/bench/times.h"
+#include "tools/bench/views.h"
 #include "tools/render/view_check.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -59,6 +60,35 @@ TEST_CASE("The key of a sample is the same in every plan and changes with what d
     other = options;
     other.overrides = {"intensity=2"};
     CHECK(keys(other).front() != first.front());
+    other = options;
+    other.output = "color";
+    CHECK(keys(other).front() != first.front());
+    CHECK(plan(other).planned.command != plan(options).planned.command);
+}
+
+TEST_CASE("A bench of another output shares no id, title or curve with one of ao")
+{
+    BenchOptions options = smallOptions();
+    options.configs = {"learnopengl"};
+    const BenchSample ao = plan(options).tasks[0].sample;
+    options.output = "color";
+    const BenchSample color = plan(options).tasks[0].sample;
+    CHECK(identityOf(ao) == R"(["learnopengl",["samples=4"],"plane","main",)"
+                            R"({"height":36,"width":64},0.5,256])");
+    CHECK(plannedId(color) != plannedId(ao));
+    CHECK(ao.family == "learnopengl");
+    CHECK(color.family == "learnopengl output=color");
+    CHECK(sampleLabel(color) == "learnopengl samples=4 output=color");
+    CHECK(sampleTitle(color) == "learnopengl samples=4 output=color, plane, 64x36");
+}
+
+TEST_CASE("An output that a config lacks is a failure that names those it has")
+{
+    BenchOptions options = smallOptions();
+    options.configs = {"learnopengl"};
+    options.output = "colour";
+    CHECK(plan(options).tasks[0].sample.failure ==
+          "CV2209: 'learnopengl' exports no output 'colour': give --output ao or color");
 }
 
 TEST_CASE("An edited shader is another sample")

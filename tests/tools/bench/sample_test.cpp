@@ -63,6 +63,21 @@ TEST_CASE("a shader that was edited and fails now hides what it was before")
     CHECK(!read->front().failure.empty());
 }
 
+TEST_CASE("a bench sample of another output is another one, and old lines are of ao")
+{
+    const TemporaryFolder folder("bench_sample");
+    BenchSample color = benchSample("a", 4, 1, 0.1);
+    color.output = "color";
+    std::string old = line(benchSample("a", 4, 1, 0.1));
+    const std::string output = R"("output":"ao",)";
+    old.erase(old.find(output), output.size());
+    const auto read = readBenchSamples({folder.write("a.jsonl", old + line(color))});
+    REQUIRE(read.ok());
+    REQUIRE(read->size() == 2);
+    CHECK(read->at(0).output == "ao");
+    CHECK(read->at(1).output == "color");
+}
+
 TEST_CASE("a bench's folder stands for the results in it")
 {
     const TemporaryFolder folder("bench_sample");
