@@ -4,7 +4,7 @@
 # command; otherwise the release preset is built.
 #
 #   tools/scripts/claims.sh            by errors; half a minute, and a minute more where the references are not cached
-#   tools/scripts/claims.sh --times    by ratios of times, on a quiet machine; five minutes
+#   tools/scripts/claims.sh --times    by ratios of times, on a quiet machine; four minutes
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 case ${1:-} in
