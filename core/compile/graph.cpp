@@ -25,8 +25,7 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
                                "name it under `color` or `depth` of the pass that makes it");
     const Pass* first = nullptr;
     for (const Pass& pass : state.passes) {
-        const std::vector<int> written = writtenBy(pass);
-        if (!std::count(written.begin(), written.end(), target)) continue;
+        if (referenceTo(pass, name).name != name) continue;
         if (!first) first = &pass;
         error.notes.push_back({pass.desc->place, quoted(pass) + " would write it"});
         for (const Condition::Term& term : pass.desc->when.terms)
@@ -34,9 +33,11 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
     }
     if (first) {
         error.message = reader + " reads target '" + name + "', which " + quoted(*first) +
-                        " would write, but " + first->off_reason;
-        error.help = "give '" + first->desc->name + "' a `bypass` for '" + name +
-                     "', or the reader the same `when`";
+                        " would write, but " +
+                        (first->active ? "an #if takes it out of its shader" : first->off_reason);
+        error.help = first->active ? "read it under the same #if"
+                                   : "give '" + first->desc->name + "' a `bypass` for '" + name +
+                                         "', or the reader the same `when`";
         return;
     }
     std::vector<Place> deletions;

@@ -110,10 +110,27 @@ bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Referenc
     return written != wanted && std::is_permutation(written.begin(), written.end(), wanted.begin());
 }
 
+bool writes(const GlslStage& fragment, int location)
+{
+    return std::any_of(fragment.outputs.begin(), fragment.outputs.end(),
+                       [&](const GlslOutput& output) { return output.location == location; });
+}
+
+// Takes the last targets off the pass whose outputs an #if takes out of the shader.
+void dropUnwritten(Pass& pass, const GlslStage& fragment)
+{
+    while (!pass.color.empty() && !writes(fragment, static_cast<int>(pass.color.size()) - 1)) {
+        GlslStage copy = fragment;
+        const bool named = dropOutput(copy, pass.desc->color[pass.color.size() - 1].name);
+        if (!named || copy.outputs.size() < fragment.outputs.size()) return;
+        pass.color.pop_back();
+    }
+}
+
 void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
 {
     const PassDesc& pass = *reader.desc;
-    const int count = static_cast<int>(pass.color.size());
+    const int count = static_cast<int>(reader.color.size());
     const std::string who = quoted(reader) + ": ";
     for (const GlslOutput& output : fragment.outputs) {
         if (output.location >= 0 && output.location < count) continue;
@@ -129,8 +146,7 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
         error.pointer = pass.color.back().pointer;
     }
     for (int i = 0; i < count; ++i) {
-        const auto writes = [i](const GlslOutput& output) { return output.location == i; };
-        if (std::any_of(fragment.outputs.begin(), fragment.outputs.end(), writes)) continue;
+        if (writes(fragment, i)) continue;
         report(state, Code::output_mismatch,
                who + "its shader has no output at location " + std::to_string(i) + " for target '" +
                    pass.color[i].name + "'",
@@ -156,6 +172,7 @@ void readPass(State& state, Pass& pass)
         }
     }
     checkInputs(state, pass);
+    dropUnwritten(pass, shader.fragment);
     checkOutputs(state, pass, shader.fragment);
     checkLimits(state, pass, shader);
 }

@@ -60,7 +60,7 @@ void checkAttachments(State& state, const Pass& pass)
     if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
     if (!pass.desc->mask.empty()) checkKind(state, pass.desc->mask, true);
     const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
-    const int count = static_cast<int>(pass.desc->color.size());
+    const int count = static_cast<int>(pass.color.size());
     if (count <= limit) return;
     report(state, Code::too_many,
            quoted(pass) + " writes " + std::to_string(count) +

@@ -212,7 +212,7 @@ std::optional<OutputLine> outputLine(std::string_view line, std::string_view nam
 
 }  // namespace
 
-void dropOutput(GlslStage& stage, const std::string& name)
+bool dropOutput(GlslStage& stage, const std::string& name)
 {
     std::string& text = stage.text;
     for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
@@ -226,8 +226,9 @@ void dropOutput(GlslStage& stage, const std::string& name)
         const auto same = [&](const GlslOutput& output) { return output.name == name; };
         stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
                             stage.outputs.end());
-        return;
+        return true;
     }
+    return false;
 }
 
 void scanDeclarations(GlslUnit& unit, GlslStage& stage) { Scanner(unit, stage).run(); }

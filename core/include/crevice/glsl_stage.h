@@ -79,9 +79,9 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
                                 const std::map<std::string, std::string>& interfaces,
                                 const std::string& path, const GlslDefines& defines);
 
-/// Makes a plain variable of the output, so that a driver leaves out what only it needs. An output
-/// that does not stand alone in its declaration, on one line, stays as it is.
-void dropOutput(GlslStage& stage, const std::string& name);
+/// Makes a plain variable of the output, so that a driver leaves out what only it needs. False, and
+/// nothing changed, where no line declares it alone, be it one that an #if leaves out.
+bool dropOutput(GlslStage& stage, const std::string& name);
 
 /// The paths and <interfaces> that a text includes, in order, with their places.
 struct GlslInclude {

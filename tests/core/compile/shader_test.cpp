@@ -217,11 +217,12 @@ TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hide
 TEST_CASE("Outputs of the shader are the pass's colour targets")
 {
     const std::string targets = R"("targets": {"a": {"format": ["r8"]}, "b": {"format": ["r8"]}},)";
-    const auto compiled = [&](const std::string& outputs, const std::string& color) {
+    const auto compiled = [&](const std::string& outputs, const std::string& color,
+                              const std::string& exported = "a") {
         return describe("{\"format\": 1, " + targets + R"(
             "shaders": {"s": {"vertex": "v", "fragment": "f"}},
             "passes": {"p": {"shader": "s", "color": )" +
-                            color + R"(}}, "outputs": {"o": "a"}})",
+                            color + R"(}}, "outputs": {"o": ")" + exported + "\"}}",
                         {{"v", kFullVertex}, {"f", kHead + outputs + "void main() {}\n"}});
     };
     const std::string both = "layout(location = 0) out vec4 a;\nlayout(location = 1) out vec4 b;\n";
@@ -236,6 +237,21 @@ TEST_CASE("Outputs of the shader are the pass's colour targets")
     {
         const Diagnostic error =
             onlyError(compiled("layout(location = 0) out vec4 a;\n", R"(["a", "b"])"));
+        CHECK(error.code == Code::output_mismatch);
+        CHECK(error.pointer == "/passes/p/color/1");
+    }
+    SECTION("a last output that an #if leaves out takes its target off the pass")
+    {
+        const std::string maybe =
+            "layout(location = 0) out vec4 a;\n#if SCENE_TEXTURED\n"
+            "layout(location = 1) out vec4 b;\n#endif\n";
+        CHECK(planOf(compiled(maybe, R"(["a", "b"])")).passes[0].color.size() == 1);
+        const Plan with = planOf(compiled(maybe, R"(["a", "b"])"), {0, false, false, true});
+        CHECK(with.passes[0].color.size() == 2);
+        const Diagnostic unread = onlyError(compiled(maybe, R"(["a", "b"])", "b"));
+        CHECK(unread.code == Code::never_written);
+        CHECK(unread.message.find("an #if takes it out") != std::string::npos);
+        const Diagnostic error = onlyError(compiled(maybe, R"(["b", "a"])"));
         CHECK(error.code == Code::output_mismatch);
         CHECK(error.pointer == "/passes/p/color/1");
     }
