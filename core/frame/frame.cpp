@@ -46,7 +46,7 @@ bool Material::operator==(const Material& other) const
 {
     const auto same = [](TextureId a, TextureId b) { return a.value == b.value; };
     return base_color == other.base_color && same(base_color_map, other.base_color_map) &&
-           specular == other.specular && shininess == other.shininess &&
+           specular == other.specular && shininess == other.shininess && ambient == other.ambient &&
            alpha_cutoff == other.alpha_cutoff && same(normal_map, other.normal_map) &&
            normal_scale == other.normal_scale && same(occlusion_map, other.occlusion_map) &&
            occlusion_strength == other.occlusion_strength;
@@ -70,7 +70,8 @@ bool SceneTraits::operator==(const SceneTraits& other) const
            specular == other.specular && textured == other.textured &&
            orthographic == other.orthographic && reversed_depth == other.reversed_depth &&
            normal_mapped == other.normal_mapped && baked_occlusion == other.baked_occlusion &&
-           views == other.views && camera == other.camera;
+           material_ambient == other.material_ambient && views == other.views &&
+           camera == other.camera;
 }
 
 bool CameraRange::operator==(const CameraRange& other) const
@@ -110,6 +111,7 @@ SceneTraits traitsOf(const Frame& frame)
         traits.textured = traits.textured || material.base_color_map;
         traits.normal_mapped = traits.normal_mapped || material.normal_map;
         traits.baked_occlusion = traits.baked_occlusion || material.occlusion_map;
+        traits.material_ambient = traits.material_ambient || material.ambient < 1.0f;
     }
     return traits;
 }

@@ -310,9 +310,9 @@ bool isFinite(const glm::vec3& vector) { return finite(vector); }
 
 bool isFinite(const Material& material)
 {
-    const float numbers[] = {material.shininess, material.alpha_cutoff, material.normal_scale,
-                             material.occlusion_strength};
-    return finite(&material.base_color[0], 4) && finite(material.specular) && finite(numbers, 4);
+    const float numbers[] = {material.shininess, material.ambient, material.alpha_cutoff,
+                             material.normal_scale, material.occlusion_strength};
+    return finite(&material.base_color[0], 4) && finite(material.specular) && finite(numbers, 5);
 }
 
 bool isFinite(const Light& light)

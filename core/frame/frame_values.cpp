@@ -38,11 +38,12 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"alpha_cutoff", GlslType::float_, 1, kDrawList},
     {"specular", GlslType::vec3, 1, kDrawList},
     {"shininess", GlslType::float_, 1, kDrawList},
+    {"material_ambient", GlslType::float_, 1, kDrawList},
     {"normal_scale", GlslType::float_, 1, kDrawList},
     {"occlusion_strength", GlslType::float_, 1, kDrawList},
 };
 
-const TraitInfo kTraits[9] = {
+const TraitInfo kTraits[10] = {
     {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
     {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
@@ -52,6 +53,7 @@ const TraitInfo kTraits[9] = {
     {"camera.views", "CAMERA_VIEWS", nullptr, &SceneTraits::views, std::numeric_limits<int>::max()},
     {"scene.normal_mapped", "SCENE_NORMAL_MAPPED", &SceneTraits::normal_mapped},
     {"scene.baked_occlusion", "SCENE_BAKED_OCCLUSION", &SceneTraits::baked_occlusion},
+    {"scene.material_ambient", "SCENE_MATERIAL_AMBIENT", &SceneTraits::material_ambient},
 };
 
 const MaterialMapInfo kMaterialMaps[3] = {

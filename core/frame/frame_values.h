@@ -39,6 +39,7 @@ enum FrameValue : std::size_t {
     alpha_cutoff,
     specular,
     shininess,
+    material_ambient,
     normal_scale,
     occlusion_strength,
     frame_value_count,
@@ -78,7 +79,7 @@ struct TraitInfo {
     }
 };
 
-extern const TraitInfo kTraits[9];
+extern const TraitInfo kTraits[10];
 
 /// The trait of that name, or null.
 const TraitInfo* findTrait(std::string_view name);

@@ -122,6 +122,7 @@ void ValueTable::setDraw(const DrawItem& item, const Material& material,
     write(alpha_cutoff, material.alpha_cutoff);
     write(specular, material.specular);
     write(shininess, material.shininess);
+    write(material_ambient, std::clamp(material.ambient, 0.0f, 1.0f));
     write(normal_scale, material.normal_map ? material.normal_scale : 0.0f);
     write(occlusion_strength, material.occlusion_strength);
 }

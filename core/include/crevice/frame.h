@@ -7,8 +7,9 @@
 //              mat4 view_from_window (from uv and depth as a texture holds it, 0..1 each)
 //   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
 //              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
-//              float normal_scale (0 without a map), occlusion_strength; sampler2D
-//              base_color_map, normal_map, occlusion_map (white when the material has none)
+//              float material_ambient, normal_scale (0 without a map), occlusion_strength;
+//              sampler2D base_color_map, normal_map, occlusion_map (white when the material has
+//              none)
 //   lights     int light_count; vec4 light_position[MAX_LIGHTS] (w 1: a point, w 0: the direction
 //              towards the light); vec3 light_color[MAX_LIGHTS];
 //              vec3 light_attenuation[MAX_LIGHTS] (1 / (x + y d + z d^2));
@@ -95,6 +96,7 @@ struct Material {
     TextureId base_color_map = {};           ///< Null means white.
     glm::vec3 specular = glm::vec3(0.0f);    ///< Colour of the highlight; 0 is matte.
     float shininess = 16.0f;                 ///< Blinn-Phong exponent, > 0.
+    float ambient = 1.0f;                    ///< Share of the ambient light it reflects, [0, 1].
     /// Below this alpha a pixel is discarded; 0 is opaque.
     float alpha_cutoff = 0.0f;
     TextureId normal_map = {};        ///< Tangent space, n * 0.5 + 0.5, y up; null is flat.
@@ -190,8 +192,10 @@ struct SceneTraits {
     bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
     bool normal_mapped = false;    ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map
-    int views = 1;                 ///< camera.views
-    CameraRange camera = {};       ///< Formats are chosen by it, and no condition sees it.
+    /// scene.material_ambient: some material's `ambient` is below 1
+    bool material_ambient = false;
+    int views = 1;            ///< camera.views
+    CameraRange camera = {};  ///< Formats are chosen by it, and no condition sees it.
 
     bool operator==(const SceneTraits& other) const;
 };

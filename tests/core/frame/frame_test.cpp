@@ -76,6 +76,16 @@ TEST_CASE("Traits come from the materials that something draws")
         CHECK(traitsOf(frame).baked_occlusion);
         CHECK_FALSE(traitsOf(frame).normal_mapped);
     }
+    SECTION("materials that reflect less of the ambient light")
+    {
+        material.ambient = 2.0f;
+        frame.materials = {material};
+        frame.draws = {DrawItem{}};
+        CHECK_FALSE(traitsOf(frame).material_ambient);
+        frame.materials[0].ambient = 0.99f;
+        CHECK(traitsOf(frame).material_ambient);
+        CHECK_FALSE(traitsOf(frame) == traitsOf(Frame{}));
+    }
     SECTION("a material that is not there counts for nothing")
     {
         frame.draws = {DrawItem{}};

@@ -55,6 +55,8 @@ TEST_CASE("Another camera, draw or material, or other contents of them, runs all
     CHECK(after([](Frame& frame) { frame.draws.push_back(frame.draws[0]); }) == kAll);
     CHECK(after([](Frame& frame) { frame.materials[0].base_color.y = 0.5f; }) == kAll);
     CHECK(after([](Frame& frame) { frame.materials[0].shininess = 3; }) == kAll);
+    CHECK(after([](Frame& frame) { frame.materials[0].ambient = 0.5f; }) == kAll);
+    CHECK(after([](Frame& frame) { frame.materials[0].ambient = 0.25f; }) == kAll);
     CHECK(after([](Frame& frame) { ++frame.revision; }) == kAll);
     CHECK(after([](Frame&) {}).empty());
 }

@@ -135,8 +135,9 @@ TEST_CASE(
         float* const numbers[] = {
             &scene.material().base_color.w, &scene.material().specular.y,
             &scene.material().shininess,    &scene.material().alpha_cutoff,
-            &scene.material().normal_scale, &scene.material().occlusion_strength};
-        *numbers[GENERATE(range(0, 6))] = kNan;
+            &scene.material().normal_scale, &scene.material().occlusion_strength,
+            &scene.material().ambient};
+        *numbers[GENERATE(range(0, 7))] = kNan;
         why = "material 1 is not finite";
     }
     SECTION("unknown map")

@@ -40,7 +40,7 @@ TEST_CASE("A pass that fails in some scene or under some camera fails to validat
           R"("scene.specular": false)", R"("scene.textured": false)",
           R"("camera.orthographic": true)", R"("camera.reversed_depth": true)",
           R"("camera.views": 2)", R"("scene.normal_mapped": true)",
-          R"("scene.baked_occlusion": true)",
+          R"("scene.baked_occlusion": true)", R"("scene.material_ambient": true)",
           R"("scene.baked_occlusion": true, "scene.normal_mapped": true)"}) {
         INFO(condition);
         const Result<Plan> plan =
