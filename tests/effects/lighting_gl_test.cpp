@@ -42,20 +42,21 @@ Scene glossySpheres()
 
 /// The lit picture where an estimator says `ao` of every surface and bends no normal.
 Image lit(const std::string& ao, std::vector<std::string> overrides, const Scene& scene,
-          const std::string& lighting = "deferred")
+          const std::string& lighting = "deferred", const std::string& geometry = "depth_normal",
+          const std::function<void(Frame&)>& change = {})
 {
     MemorySources mine;
     mine.add("mine/given.frag", givenShader(ao));
     mine.add("mine/given.json", kGivenModule);
-    mine.add("configs/given.json",
-             R"({"format": 1, "extends": ["geometry/depth_normal", "mine/given", "lighting/)" +
-                 lighting + "\"]}");
+    mine.add("configs/given.json", R"({"format": 1, "extends": ["geometry/)" + geometry +
+                                       R"(", "mine/given", "lighting/)" + lighting + "\"]}");
     const LayeredSources sources({&mine, &shippedSources()});
     PictureRequest request;
     request.config = "given";
     request.overrides = std::move(overrides);
     request.output = "color";
     request.sources = &sources;
+    request.change = change;
     return picture(request, scene);
 }
 
@@ -133,6 +134,57 @@ TEST_CASE("Bounces lighten corners, bright ones by more, and never darken")
     CHECK(gain(0.9f, "0.5") > 1.05);
     CHECK(gain(0.9f, "0.5") > gain(0.3f, "0.5"));
     CHECK(gain(0.9f, "0.0") == 1.0);
+}
+
+TEST_CASE("A material's ambient scales its ambient light alone, and no other material's")
+{
+    const Scene scene = glossySpheres();
+    const auto half_light = [](Frame& frame) { frame.ambient_light *= 0.5f; };
+    const auto half_material = [](Frame& frame) { frame.materials[0].ambient = 0.5f; };
+    const auto check = [&](const char* geometry, const std::string& lighting, const char* ao) {
+        INFO(geometry << " " << lighting << " " << ao);
+        const std::vector<std::string> chosen = {"ambient=1", "multi_bounce=true"};
+        const Image full = lit(ao, chosen, scene, lighting, geometry);
+        const Image half = lit(ao, chosen, scene, lighting, geometry, half_light);
+        const Image mixed = lit(ao, chosen, scene, lighting, geometry, half_material);
+        int dimmed = 0, same = 0, wrong = 0;
+        for (std::size_t i = 0; i < mixed.pixels.size(); ++i) {
+            if (std::abs(full.pixels[i] - half.pixels[i]) < 0.02f) continue;
+            const bool as_half = std::abs(mixed.pixels[i] - half.pixels[i]) < 1.5f / 255;
+            ++(mixed.pixels[i] == full.pixels[i] ? same : as_half ? dimmed : wrong);
+        }
+        CHECK(dimmed > 1000);
+        CHECK(same > 1000);
+        CHECK(wrong == 0);
+    };
+    for (const char* ao : {"1.0", "0.5"}) {
+        check("depth_normal", "forward", ao);
+        check("depth_normal", "deferred", ao);
+    }
+    check("depth_normal", "blinn_phong", "0.5");
+    check("depth_normal", "deferred\", \"lighting/baked", "0.5");
+    check("depth_only", "deferred", "0.5");
+    check("linear_depth_normal", "deferred", "0.5");
+    check("position_normal", "blinn_phong", "0.5");
+}
+
+TEST_CASE("A material's ambient counts from 0 to 1, and full occlusion leaves nothing of it")
+{
+    const Scene scene = glossySpheres();
+    for (const char* lighting : {"blinn_phong", "forward"}) {
+        INFO(lighting);
+        const auto with = [&](float ambient, const char* ao = "0.5") {
+            return lit(ao, {}, scene, lighting, "depth_normal", [ambient](Frame& frame) {
+                for (Material& material : frame.materials) material.ambient = ambient;
+            });
+        };
+        const Image full = lit("0.5", {}, scene, lighting);
+        CHECK(meanChange(with(1), full) == 0.0);
+        CHECK(meanChange(with(2), full) == 0.0);
+        CHECK(meanChange(with(-1), with(0)) == 0.0);
+        CHECK(meanChange(with(0), lit("0.0", {}, scene, lighting)) == 0.0);
+        CHECK(meanChange(with(0.5f, "0.0"), with(0)) == 0.0);
+    }
 }
 
 TEST_CASE("Occlusion of highlights takes them away where all is blocked, and less where less is")

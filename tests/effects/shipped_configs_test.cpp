@@ -6,6 +6,7 @@
 #include <crevice/shipped.h>
 
 #include "tests/support/catch.h"
+#include "tools/plan/print.h"
 
 #include <algorithm>
 
@@ -24,10 +25,12 @@ Description describe(const LoadRequest& request)
     return *description;
 }
 
-Plan plan(const LoadRequest& request, std::vector<std::string> outputs = {})
+Plan plan(const LoadRequest& request, std::vector<std::string> outputs = {},
+          bool material_ambient = false)
 {
     SceneTraits traits;
     traits.lights = 1;
+    traits.material_ambient = material_ambient;
     const Result<Plan> result = compile(describe(request), traits, RecordingDevice().caps(),
                                         {{256, 144}, std::move(outputs), {}});
     INFO(toText(result.diagnostics()));
@@ -129,6 +132,17 @@ TEST_CASE("Asking for the occlusion alone leaves lighting and albedo out")
     CHECK(passNames(ao) == Names{"geometry", "foreground", "ssao", "filter"});
     CHECK(!hasAttachment(ao, "albedo"));
     CHECK(hasAttachment(ao, "normal"));
+}
+
+TEST_CASE("A target for the materials' ambient is there in scenes that need it alone")
+{
+    for (const char* name : {"learnopengl", "gtao", "baked", "mobile"}) {
+        INFO(name);
+        CHECK(toText(plan({name})).find("ambient_factor") == std::string::npos);
+        const bool forward = name == std::string("mobile");
+        CHECK(hasAttachment(plan({name}, {}, true), "ambient_factor") != forward);
+        CHECK_FALSE(hasAttachment(plan({name}, {"ao"}, true), "ambient_factor"));
+    }
 }
 
 TEST_CASE("The sphere kernel leaves normals out when nothing else reads them")

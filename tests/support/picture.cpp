@@ -40,7 +40,8 @@ Image picture(const PictureRequest& request, const Scene& scene)
     UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
     const double aspect = double(request.extent.width) / request.extent.height;
     const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), request.camera, aspect));
-    const Frame frame = makeFrame(uploaded, camera, request.extent);
+    Frame frame = makeFrame(uploaded, camera, request.extent);
+    if (request.change) request.change(frame);
 
     CompileOptions compile_options;
     compile_options.extent = request.extent;

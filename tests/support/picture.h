@@ -5,6 +5,7 @@
 #include "tests/support/gl_fixture.h"
 #include "tools/scene/scene.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct PictureRequest {
     Extent extent = {128, 72};
     std::vector<std::string> overrides = {};  ///< As `--set`.
     std::string output = "ao";
-    std::string target = {};             ///< When set, this target instead of an output.
-    const SourceSet* sources = nullptr;  ///< Null takes the shipped ones.
-    bool ignore_extensions = false;      ///< Draw as on bare OpenGL ES 3.0.
+    std::string target = {};                  ///< When set, this target instead of an output.
+    const SourceSet* sources = nullptr;       ///< Null takes the shipped ones.
+    bool ignore_extensions = false;           ///< Draw as on bare OpenGL ES 3.0.
+    std::function<void(Frame&)> change = {};  ///< Of what a scene file cannot say.
 };
 
 /// Draws and reads back; any error fails the test.

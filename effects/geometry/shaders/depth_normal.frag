@@ -6,6 +6,7 @@
 //   albedo        linear colour; alpha is the strength of the highlight
 //   baked_ao      with BAKED_AO: the material's own visibility, 1 open
 //   linear_depth  with LINEAR_DEPTH: distance along the view axis; 0 (the clear value) in the background
+//   ambient_factor  with SCENE_MATERIAL_AMBIENT: the material's share of the ambient light
 precision highp float;
 
 #include "geometry/shaders/material.glsl"
@@ -22,6 +23,14 @@ layout(location = 2) out float baked_ao;
 #ifdef LINEAR_DEPTH
 layout(location = 2) out highp float linear_depth;
 #endif
+#if SCENE_MATERIAL_AMBIENT
+#if defined BAKED_AO || defined LINEAR_DEPTH
+#define AMBIENT_AT 3
+#else
+#define AMBIENT_AT 2
+#endif
+layout(location = AMBIENT_AT) out float ambient_factor;
+#endif
 
 void main()
 {
@@ -32,5 +41,8 @@ void main()
 #endif
 #ifdef LINEAR_DEPTH
     linear_depth = -point.z;
+#endif
+#if SCENE_MATERIAL_AMBIENT
+    ambient_factor = material_ambient;
 #endif
 }

@@ -3,6 +3,9 @@
 
 uniform vec4 base_color;
 uniform vec3 specular;
+#if SCENE_MATERIAL_AMBIENT
+uniform float material_ambient;
+#endif
 #if SCENE_TEXTURED
 uniform mediump sampler2D base_color_map;
 #endif

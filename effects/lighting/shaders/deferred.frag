@@ -4,6 +4,7 @@
 //
 //   surface      interface: point and normal in view space
 //   albedo       linear colour; alpha is the strength of the highlight
+//   ambient_factor  with AMBIENT_BY_MATERIAL: the material's share of the ambient light
 //   visibility   1 open .. 0 blocked
 //   indirect_filtered  with INDIRECT: linear colour that the surface gets from its occluders
 //   bent_normal  with SPECULAR_OCCLUSION_BENT, where there is one: mean open direction, view space, n * 0.5 + 0.5
@@ -16,6 +17,10 @@ uniform highp sampler2D visibility;
 #else
 #if SCENE_LIGHTS == 0
 #define SURFACE_WITHOUT_NORMAL
+#endif
+#if SCENE_MATERIAL_AMBIENT && defined AMBIENT_FACTOR_STEP  // there is such a target
+#define AMBIENT_BY_MATERIAL
+uniform mediump sampler2D ambient_factor;
 #endif
 #include "common/guard_band.glsl"
 #include "lighting/shaders/shade.glsl"
@@ -88,6 +93,9 @@ void main()
     vec4 stored = texture(albedo, uvInGuardBand(uv));
     s.albedo = stored.rgb;
     s.gloss = stored.a;
+#ifdef AMBIENT_BY_MATERIAL
+    s.ambient = texture(ambient_factor, uvInGuardBand(uv)).r;
+#endif
 #if SCENE_LIGHTS > 0
     s.normal = normalAt(uv);
 #endif

@@ -7,6 +7,9 @@
 //   DISPLAY     the lit picture with occlusion, without, or the occlusion alone
 precision highp float;  // positions
 
+#if SCENE_MATERIAL_AMBIENT
+#define AMBIENT_BY_MATERIAL
+#endif
 #include "geometry/shaders/material.glsl"
 #include "lighting/shaders/shade.glsl"
 #include "lighting/shaders/srgb.glsl"
@@ -38,7 +41,11 @@ void main()
 #if DISPLAY == DISPLAY_AO_ONLY
     color = vec4(vec3(open), 1.0);
 #else
+#ifdef AMBIENT_BY_MATERIAL
+    Surface s = Surface(point, materialNormal(point, facing, uv), albedo.rgb, albedo.a, material_ambient);
+#else
     Surface s = Surface(point, materialNormal(point, facing, uv), albedo.rgb, albedo.a);
+#endif
     color = vec4(srgbFromLinear(shade(s, open, 1.0)), 1.0);
 #endif
 }

@@ -5,6 +5,7 @@
 //                  halfway between light and eye
 //   AO_ON          whether visibility dims the ambient light or everything
 //   MULTI_BOUNCE   light that bounces in corners, so that bright and coloured ones are less dark
+//   AMBIENT_BY_MATERIAL  defined where materials differ in the ambient light that they reflect
 //
 // [Lambert 1760, "Photometria"]
 // [Phong 1975, "Illumination for Computer Generated Pictures"]
@@ -32,6 +33,9 @@ struct Surface {
     highp vec3 normal;  // unit length
     vec3 albedo;
     float gloss;        // strength of its highlights
+#ifdef AMBIENT_BY_MATERIAL
+    float ambient;      // share of the ambient light that it reflects
+#endif
 };
 
 // The unit vector to the eye.
@@ -88,6 +92,9 @@ vec3 ambientOpen(float open, vec3 albedo)
 vec3 shade(Surface s, float open, float gloss_open)
 {
     vec3 light = s.albedo * ambient_light * ambient * ambientOpen(open, s.albedo);
+#ifdef AMBIENT_BY_MATERIAL
+    light *= s.ambient;
+#endif
 #if SCENE_LIGHTS > 0
     vec3 direct = vec3(0.0);
     for (int i = 0; i < SCENE_LIGHTS; ++i) direct += litBy(i, s, gloss_open);
