@@ -4,7 +4,6 @@
 #include "core/config/decode_steps.h"
 
 #include "core/base/text.h"
-#include "core/json/override.h"
 
 #include <algorithm>
 
@@ -14,8 +13,6 @@ namespace {
 
 using Level = FeatureDesc::Level;
 using Setting = FeatureDesc::Setting;
-
-bool isOverride(const Place& place) { return place.source && place.source->path == kOverridePath; }
 
 class LevelReader {
 public:
@@ -33,7 +30,7 @@ private:
     bool isDeclared(const FeatureDesc& feature, const Setting& setting);
     void readValue(const FeatureDesc& feature, Setting& setting);
     void complete(FeatureDesc& feature, const Setting& first);
-    void overrule(FeatureDesc& feature, const Setting& first);
+    void warnOverruled(const FeatureDesc& feature, const Setting& first);
 
     const Node& document_;
     Description& description_;
@@ -94,32 +91,26 @@ void LevelReader::readValue(const FeatureDesc& feature, Setting& setting)
     setting.value[0] = static_cast<float>(index);
 }
 
-// Takes out what stands below an override's value, and warns of a default in the config's own file
-// that no word leaves standing.
-void LevelReader::overrule(FeatureDesc& feature, const Setting& first)
+// A default in the config's own file counts for the words that leave it: the initial one may not.
+void LevelReader::warnOverruled(const FeatureDesc& feature, const Setting& first)
 {
+    const SourceRef& own = document_.place.source;
     const bool is_param = findNamed(description_.params, first.name) != nullptr;
     const std::string pointer = (is_param ? "/params/" : "/features/") + first.name + "/default";
     const Node* given = locate(document_, pointer).node;
-    if (!given) return;
-    std::size_t standing = 0;
-    for (Level& level : feature.sets) {
-        const auto found =
-            std::find_if(level.settings.begin(), level.settings.end(),
-                         [&](const Setting& each) { return each.name == first.name; });
-        if (found == level.settings.end()) continue;
-        const Place set = locate(document_, found->pointer).node->place;
-        if (isOverride(given->place) && !isOverride(set))
-            level.settings.erase(found);
-        else if (set.source != given->place.source)
-            ++standing;
+    if (!given || given->place.source != own) return;
+    const std::string& word = feature.values[feature.value];
+    for (const Level& level : feature.sets) {
+        const Setting* setting = findNamed(level.settings, first.name);
+        if (level.word.name != word || !setting) continue;
+        if (locate(document_, setting->pointer).node->place.source == own) continue;
+        report_
+            .at(referenceAt(document_, pointer), Code::unused_name,
+                feature.name + " '" + word + "' sets '" + first.name +
+                    "', so this is not its value",
+                "write it under /features/" + feature.name + "/sets/" + word)
+            .severity = Severity::warning;
     }
-    if (standing < feature.values.size() || given->place.source != document_.place.source) return;
-    report_
-        .at(referenceAt(document_, pointer), Code::unused_name,
-            "each word of '" + feature.name + "' sets '" + first.name + "', so this counts nowhere",
-            "write it under /features/" + feature.name + "/sets")
-        .severity = Severity::warning;
 }
 
 // Gives every word a value of what one of them sets.
@@ -131,7 +122,7 @@ void LevelReader::complete(FeatureDesc& feature, const Setting& first)
                    "features '" + setter->second + "' and '" + feature.name + "' both set '" +
                        first.name + "'",
                    "let one of the two set it");
-    overrule(feature, first);
+    warnOverruled(feature, first);
     Setting initial = first;
     if (const ParamDesc* param = findNamed(description_.params, first.name))
         initial.value = param->value;

@@ -19,8 +19,7 @@ void checkReferences(const Node& document, const SourceSet& sources, const Descr
 
 /// Reads the values under `sets` of features, of which CV2105, CV2106, CV2107, CV2204, CV4004 and
 /// those of values are reported, and gives each word what any of them sets. Warns with CV2108 of a
-/// default in the config's own file that every word overrules. What an override gives a param or
-/// feature is taken out of the words: it stands over them.
+/// default in the config's own file that the initial word overrules.
 void readLevels(const Node& document, Description& description, Report& report);
 
 /// Reads each GLSL file that a shader or interface names, and what it includes, into

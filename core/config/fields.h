@@ -74,7 +74,8 @@ void fields(V& v, FeatureDesc& f)
     v.field("values", Words{f.values}, "The words of an enum, at least two.",
             known && !f.boolean ? required() : Rule{});
     if (f.boolean) {
-        v.refuse("values", Code::unknown_key, "a bool feature has no list of values");
+        v.refuse("values", Code::unknown_key,
+                 "a feature without \"type\": \"enum\" is a bool and has no list of values");
         f.values = {"false", "true"};
     }
     const std::vector<std::string> anything;

@@ -56,6 +56,18 @@ Result<Override> readOverride(const std::string& text, const std::vector<std::st
     return Override{text.substr(0, equals), place, std::move(*value)};
 }
 
+std::vector<std::vector<std::string>> levelPaths(const Node& document, const std::string& name)
+{
+    std::vector<std::vector<std::string>> paths;
+    const Node* features = document.find("features");
+    for (const Member& feature : features ? features->members : std::vector<Member>())
+        if (const Node* sets = feature.value.find("sets"))
+            for (const Member& word : sets->members)
+                if (word.value.find(name))
+                    paths.push_back({"features", feature.key, "sets", word.key, name});
+    return paths;
+}
+
 Status applyOverride(Node& document, const std::string& text, const std::vector<std::string>& roots)
 {
     Result<Override> read = readOverride(text, roots);
@@ -63,10 +75,15 @@ Status applyOverride(Node& document, const std::string& text, const std::vector<
     const Result<std::vector<std::string>> keys = overrideKeys(document, read->name, read->place);
     if (!keys) return keys.diagnostics();
     Diagnostics errors;
-    Node patch = std::move(read->value);
-    for (auto key = keys->rbegin(); key != keys->rend(); ++key)
-        patch = objectOf(*key, read->place, std::move(patch));
-    mergePatch(document, patch, errors);
+    const auto set = [&](const std::vector<std::string>& path) {
+        Node patch = read->value;
+        for (auto key = path.rbegin(); key != path.rend(); ++key)
+            patch = objectOf(*key, read->place, std::move(patch));
+        mergePatch(document, patch, errors);
+    };
+    set(*keys);
+    if (read->name[0] != '/')  // a value by its name stands over all levels
+        for (const std::vector<std::string>& path : levelPaths(document, read->name)) set(path);
     return errors;
 }
 

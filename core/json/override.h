@@ -25,9 +25,13 @@ struct Override {
 /// Errors: CV1206 when there is no name or no value, CV1001 to CV1006 for the value.
 Result<Override> readOverride(const std::string& text, const std::vector<std::string>& roots = {});
 
-/// Applies "radius=0.8", which sets the default of the param or feature of that name, or
-/// "/passes/blur/when=null", which sets or deletes what an RFC 6901 pointer names and makes the
-/// objects on the way.
+/// The keys that lead to each value that a word of a feature gives the param or feature of that
+/// name: {"features", "quality", "sets", "low", "steps"}.
+std::vector<std::vector<std::string>> levelPaths(const Node& document, const std::string& name);
+
+/// Applies "radius=0.8", which sets the default of the param or feature of that name and the value
+/// at each level that sets it, or "/passes/blur/when=null", which sets or deletes what an RFC 6901
+/// pointer names and makes the objects on the way.
 ///
 /// Errors: those of readOverride, CV4004 when nothing has the name, CV1101 and CV1102 as for any
 /// patch.

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/config/field_types.h"
+#include "core/json/override.h"
 #include "tools/plan/names.h"
 #include "tools/schema/schema.h"
 
@@ -29,10 +30,22 @@ std::vector<std::string> partsOf(const std::string& path)
     return parts;
 }
 
-/// "radius" stands for the default of the param or feature of that name.
+/// The initial word of a feature.
+std::string initialWord(const Node& feature)
+{
+    const Node* value = feature.find("default");
+    const Node* words = feature.find("values");
+    if (!value && words && !words->items.empty()) value = &words->items.front();
+    return !value ? "false" : value->kind == Node::Kind::boolean ? brief(*value) : value->text;
+}
+
+/// "radius" stands for the default of the param or feature of that name, or for the value at the
+/// initial level that sets it.
 std::vector<std::string> expandBareName(const Node& document, std::vector<std::string> parts)
 {
     if (parts.size() != 1 || document.find(parts[0])) return parts;
+    for (const std::vector<std::string>& path : levelPaths(document, parts[0]))
+        if (initialWord(*document.find("features")->find(path[1])) == path[3]) return path;
     for (const char* group : {"params", "features"}) {
         const Node* values = document.find(group);
         if (values && values->find(parts[0])) return {group, parts[0], "default"};
@@ -179,7 +192,12 @@ Result<FoundValue> findValue(const Node& document, const std::string& path)
             error.pointer = found.pointer;
             if (const Member* gone = deletedFrom(*found.node, part))
                 error.notes.push_back({gone->key_place, "it was deleted here"});
-            error.help = suggestName(part, childNames(*found.node), "keys");
+            std::vector<std::string> names = childNames(*found.node);
+            if (found.node == &document)
+                for (const char* section : {"params", "features"})
+                    if (const Node* all = document.find(section))
+                        for (const Member& each : all->members) names.push_back(each.key);
+            error.help = suggestName(part, std::move(names), "keys");
             return error;
         }
         found = {memberPointer(found.pointer, part), next};

@@ -58,6 +58,7 @@ behind_slats() {  # CONFIG [OPTION...]: by how much the mean AO is off with slat
         printf ' %s' "$(difference bias ao.pfm "slats$gap.pfm")"
     done
 }
+level() { error room quality --set "quality=$1"; }
 tile() { error room hemisphere_box --set samples=8 --set "$noise=$1" --set "blur_size=$1"; }
 noisy() {  # SETTING...: rmse against ground truth, and that against many rotated samples
     printf '%s (%s)' "$(error room hemisphere_box "${@/#/--set=}")" "$(difference rmse ao.pfm many.pfm)"
@@ -116,6 +117,9 @@ error_rows() {
     row 'Thin things occlude too much' 'SCS; HBAO' \
         "slats of 0.02, 0.3 and 0.6 before a wall, mean error (below 0 is too dark): no AO$(behind_slats gtao --set intensity=0), \`hbao\`$(behind_slats hbao), \`gtao\`$(behind_slats gtao), \`bitmask\`$(behind_slats bitmask), \`bitmask_back\`$(behind_slats bitmask_back)" \
         'of `hbao` and `bitmask` yes, of `gtao` across the wider gap; with back faces they occlude too little'
+    row 'Levels of quality trade error for time' 'SCS' \
+        "\`quality\`, room: off $(level off), low $(level low), medium $(level medium), high $(level high), ultra $(level ultra); [presets](methods/presets.md) has the times" \
+        'yes: half of what `high` leaves costs five times as much'
 }
 
 # --- times ---

@@ -83,6 +83,11 @@ expect 0 'wrote' render two.json "${small[@]}" --out color=saved.png
 check "so does one over a file in another folder" cmp set.png saved.png
 expect 0 'wrote' render thesis "${small[@]}" --set radius=0.5 --set bias=0.1 --save-patch three.json
 expect 0 'bias' explain three.json --why bias
+expect 0 'wrote' render quality "${small[@]}" --set quality=low --set steps=9 --out color=set.png --save-patch level.json
+expect 0 'wrote' render level.json "${small[@]}" --out color=saved.png
+check "a saved patch keeps what was set over a level" cmp set.png saved.png
+expect 0 'wrote' render quality "${small[@]}" --set quality=low --out color=saved.png
+check "which is another picture" bash -c '! cmp -s set.png saved.png'
 check "a value that is the default is not in the patch" bash -c '! grep -q radius three.json'
 
 # Mediump as on a phone: another picture, by little. A build without glslang says so.

@@ -6,6 +6,8 @@
 #include <crevice/shipped.h>
 
 #include "core/json/merge.h"
+#include "core/json/override.h"
+#include "tests/support/need.h"
 #include "tools/plan/explain_value.h"
 #include "tools/plan/planning.h"
 
@@ -52,6 +54,23 @@ TEST_CASE("a value is found by its pointer, by a dotted path and, for a default,
     const auto feature = findValue(document, "fade");
     REQUIRE(feature);
     CHECK(feature->pointer == "/features/fade/default");
+}
+
+TEST_CASE("the bare name of what a level sets is its value at the initial level, else the default")
+{
+    const Node document = need(parseDocument(std::make_shared<const SourceText>(SourceText{
+        "levels.json",
+        R"({"params": {"steps": {"default": 8}, "radius": {"default": 1}}, "features": {"quality":
+            {"values": ["low", "high"], "sets": {"low": {"steps": 4}, "high": {"steps": 16}}}}})"})));
+    CHECK(need(findValue(document, "steps")).node->number == 4);
+    CHECK(need(findValue(document, "radius")).node->number == 1);
+    Node high = document;
+    REQUIRE(applyOverride(high, "quality=high").ok());
+    CHECK(need(findValue(high, "steps")).pointer == "/features/quality/sets/high/steps");
+    REQUIRE(applyOverride(high, "steps=9").ok());  // stands over all levels
+    CHECK(need(findValue(high, "steps")).node->number == 9);
+    const auto misspelt = findValue(document, "stepz");
+    CHECK(misspelt.diagnostics().at(0).help.find("'steps'") != std::string::npos);
 }
 
 TEST_CASE("pointers reach into arrays and escape slashes and tildes")
