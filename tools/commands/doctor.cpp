@@ -3,6 +3,7 @@
 #include "tools/cli/config_options.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/device/float_device.h"
 #include "tools/device/open_device.h"
 #include "tools/device/poison_device.h"
 #include "tools/render/read_output.h"
@@ -105,12 +106,17 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     PoisonDevice other(device, kOtherPoison, true);
     const auto redrawn = drawIn(other, description, view, watched, options);
     if (!redrawn) return redrawn.diagnostics();
+    progress.begin("drawing in floats");
+    FloatDevice wide(poison);
+    const auto floats = drawIn(wide, description, view, watched, options);
+    if (!floats) return floats.diagnostics();
 
     const glm::vec3& ambient = frame.ambient_light;
     checkup.facts.lights = static_cast<int>(frame.lights.size());
     checkup.facts.ambient = ambient.r + ambient.g + ambient.b > 0;
     for (std::size_t i = 0; i < watched.size(); ++i) {
         checkup.health.push_back(examine((*drawn)[i], (*redrawn)[i]));
+        examineFloats((*floats)[i], formatOf(*plan, watched[i].target), checkup.health.back());
         checkup.health.back().target = watched[i].target;
         checkup.health.back().pass = watched[i].pass;
         if (watched[i].target == "depth")
@@ -124,15 +130,16 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
 std::string stateOf(const TargetHealth& health)
 {
     if (health.not_numbers + health.infinite > 0) return "not finite";
+    if (health.out_of_range > 0) return "out of range";
     if (health.undefined > 0) return "undefined";
     return health.constant ? "constant" : "varies";
 }
 
 void printTable(const Checkup& checkup, const Diagnostics& found)
 {
-    print("%-16s %-20s %-11s %s\n", "pass", "target", "state", "least .. most by channel");
+    print("%-16s %-20s %-12s %s\n", "pass", "target", "state", "least .. most by channel");
     for (const TargetHealth& each : checkup.health) {
-        print("%-16s %-20s %-11s", each.pass.c_str(), each.target.c_str(), stateOf(each).c_str());
+        print("%-16s %-20s %-12s", each.pass.c_str(), each.target.c_str(), stateOf(each).c_str());
         for (int i = 0; i < each.channels && each.minimum[i] <= each.maximum[i]; ++i)
             print(" %s..%s", significant(each.minimum[i], 4).c_str(),
                   significant(each.maximum[i], 4).c_str());
@@ -155,6 +162,7 @@ void printJson(const Checkup& checkup, const Diagnostics& found)
                            {"undefined", each.undefined},
                            {"not_a_number", each.not_numbers},
                            {"infinite", each.infinite},
+                           {"out_of_range", each.out_of_range},
                            {"channels", channels}});
     }
     const nlohmann::json json = {{"device", checkup.device},
@@ -210,9 +218,10 @@ void addDoctorCommand(CLI::App& app, int& exit_code)
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print what was found as JSON");
     command->footer(
-        "Draws the frame twice, in memory that holds other poison each time, and looks at each\n"
-        "target of each pass: what is not finite, what depends on the poison, what is the same\n"
-        "everywhere. Exit code 5 where a pass is wrong.\n"
+        "Draws the frame three times, twice in memory that holds other poison each time and once\n"
+        "with every target in 32-bit floats, and looks at each target of each pass: what is not\n"
+        "finite or out of range, what depends on the poison, what is the same everywhere.\n"
+        "Exit code 5 where a pass is wrong.\n"
         "Example:\n"
         "  crevice doctor my.json --scene model.glb");
     command->callback([options, &exit_code] { exit_code = doctor(*options); });

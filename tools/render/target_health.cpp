@@ -4,13 +4,17 @@
 
 #include "core/base/numbers.h"
 #include "core/compile/depth_precision.h"
+#include "tools/device/float_device.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 
 namespace crevice {
 namespace {
+
+constexpr float kMostHalf = 65504.0f;
 
 std::string number(double value) { return significant(value, 4); }
 
@@ -73,6 +77,41 @@ std::string whyNotFinite(const Description& description, const PlanPass& pass)
     return params.empty() ? help : help + "; it reads " + params;
 }
 
+std::string causeOf(const Description& description, const PlanPass& pass,
+                    const TargetHealth& health)
+{
+    if (health.not_numbers + health.infinite > 0) return whyNotFinite(description, pass);
+    if (health.out_of_range == 0) return whyUndefined(pass, health);
+    const std::string params = paramsRead(description, pass);
+    return "the format clamps them: clamp in the shader, where a sum or root goes wrong" +
+           (params.empty() ? "" : "; it reads " + params);
+}
+
+// What is wrong with the target, in one sentence.
+Diagnostic fault(const Description& description, const TargetHealth& health)
+{
+    const std::string who = "pass '" + health.pass + "' ";
+    const std::string where = " target '" + health.target + "'";
+    const std::string at = ", the first at (" + std::to_string(health.first_bad.x) + ", " +
+                           std::to_string(health.first_bad.y) + ") from the upper left";
+    const std::size_t not_finite = health.not_numbers + health.infinite;
+    if (not_finite > 0) {
+        const char* what = health.infinite == 0      ? " that are not a number"
+                           : health.not_numbers == 0 ? " that are infinite"
+                                                     : " that are not finite";
+        return about(
+            description, health.pass, Code::target_not_finite,
+            who + "writes " + pixelsText(health, not_finite) + what + " into" + where + at);
+    }
+    if (health.out_of_range > 0)
+        return about(description, health.pass, Code::target_out_of_range,
+                     who + "writes " + pixelsText(health, health.out_of_range) +
+                         " out of range into" + where + at + ": " + number(health.first_value));
+    return about(
+        description, health.pass, Code::target_undefined,
+        who + "leaves " + pixelsText(health, health.undefined) + " of" + where + " undefined" + at);
+}
+
 // The error about the first bad target; everything bad behind it becomes a note.
 Diagnostics firstBad(const Description& description, const Plan& plan,
                      const std::vector<TargetHealth>& health)
@@ -88,24 +127,8 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
                  "target '" + each.target + "' of pass '" + each.pass + "' is wrong too"});
             continue;
         }
-        const std::string at = ", the first at (" + std::to_string(each.first_bad.x) + ", " +
-                               std::to_string(each.first_bad.y) + ") from the upper left";
-        const std::string who = "pass '" + each.pass + "' ";
-        if (each.not_numbers + each.infinite > 0) {
-            const char* what = each.infinite == 0      ? " that are not a number"
-                               : each.not_numbers == 0 ? " that are infinite"
-                                                       : " that are not finite";
-            found.push_back(about(description, each.pass, Code::target_not_finite,
-                                  who + "writes " +
-                                      pixelsText(each, each.not_numbers + each.infinite) + what +
-                                      " into target '" + each.target + "'" + at));
-            if (pass) found[0].help = whyNotFinite(description, *pass);
-        } else {
-            found.push_back(about(description, each.pass, Code::target_undefined,
-                                  who + "leaves " + pixelsText(each, each.undefined) +
-                                      " of target '" + each.target + "' undefined" + at));
-            if (pass) found[0].help = whyUndefined(*pass, each);
-        }
+        found.push_back(fault(description, each));
+        if (pass) found[0].help = causeOf(description, *pass, each);
     }
     return found;
 }
@@ -212,6 +235,45 @@ TargetHealth examine(const Image& drawn, const Image& redrawn)
         }
     }
     return health;
+}
+
+void examineFloats(const Image& floats, Format stored, TargetHealth& health)
+{
+    const FormatInfo& format = formatInfo(stored);
+    const bool unorm = format.format_class == FormatClass::unorm;
+    const bool narrow = floatFormat(stored) != stored;
+    const auto step = static_cast<float>(format.absolute_step);
+    const float most = unorm ? 1 + step : narrow ? kMostHalf : FLT_MAX;
+    const float least = unorm ? -step : -most;
+    std::size_t not_numbers = 0, infinite = 0, out_of_range = 0;
+    const bool was_bad = health.bad();
+    const Extent size = floats.extent;
+    for (int y = size.height - 1; y >= 0; --y) {
+        for (int x = 0; x < size.width; ++x) {
+            const float* pixel =
+                &floats.pixels[(std::size_t(y) * size.width + x) * floats.channels];
+            const float* bad = nullptr;
+            bool nan = false;
+            for (int i = 0; i < health.channels; ++i) {
+                health.minimum[i] = std::fmin(health.minimum[i], pixel[i]);  // without NaN
+                health.maximum[i] = std::fmax(health.maximum[i], pixel[i]);
+                if (pixel[i] >= least && pixel[i] <= most) continue;
+                if (!bad) bad = pixel + i;
+                nan = nan || std::isnan(pixel[i]);
+            }
+            if (!bad) continue;
+            if (!was_bad && not_numbers + infinite + out_of_range == 0) {
+                health.first_bad = {x, size.height - 1 - y};
+                health.first_value = *bad;
+            }
+            not_numbers += nan;
+            infinite += !nan && std::isinf(*bad);
+            out_of_range += !nan && !std::isinf(*bad);
+        }
+    }
+    health.not_numbers = std::max(health.not_numbers, not_numbers);
+    health.infinite = std::max(health.infinite, infinite);
+    health.out_of_range = out_of_range;
 }
 
 Diagnostics diagnose(const Description& description, const Plan& plan,

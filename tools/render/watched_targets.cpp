@@ -6,6 +6,12 @@
 
 namespace crevice {
 
+Format formatOf(const Plan& plan, const std::string& target)
+{
+    const PlanTarget* found = findNamed(plan.targets, target);
+    return found ? plan.textures[found->texture].format : Format::none;
+}
+
 std::vector<WatchedTarget> watchAll(const Plan& plan, Description& description)
 {
     std::vector<WatchedTarget> watched;

@@ -16,6 +16,9 @@ struct WatchedTarget {
     std::string output;
 };
 
+/// The format that the plan has for a target of its own.
+Format formatOf(const Plan& plan, const std::string& target);
+
 /// Has the description export every target that a pass of the plan writes, in the passes' order.
 std::vector<WatchedTarget> watchAll(const Plan& plan, Description& description);
 

@@ -23,9 +23,18 @@ Verdict breaks(std::string why) { return {Outcome::breaks, std::move(why)}; }
 /// What is asked of every step.
 Verdict judgeSoundness(const StressRecord& record)
 {
+    const std::string where = record.bad_target.empty()
+                                  ? ""
+                                  : " into '" + record.bad_target + "', the first at (" +
+                                        std::to_string(record.bad_x) + ", " +
+                                        std::to_string(record.bad_y) + ")";
+    const std::string who = "pass '" + record.bad_pass + "' writes ";
     if (record.bad_pixels > 0)
-        return breaks("pass '" + record.bad_pass + "' writes " + std::to_string(record.bad_pixels) +
-                      " pixels that are not finite into '" + record.bad_target + "'");
+        return breaks(who + std::to_string(record.bad_pixels) + " pixels that are not finite" +
+                      where);
+    if (record.out_of_range > 0 && !where.empty())
+        return breaks(who + std::to_string(record.out_of_range) + " pixels out of range" + where +
+                      ": " + number(record.bad_value));
     if (record.out_of_range > 0)
         return breaks(std::to_string(record.out_of_range) + " pixels out of range, " +
                       number(record.least) + " to " + number(record.most));

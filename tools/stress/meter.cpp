@@ -4,6 +4,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/numbers.h"
+#include "tools/device/float_device.h"
 #include "tools/device/poison_device.h"
 #include "tools/image/image_metrics.h"
 #include "tools/measure/run.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 namespace crevice {
@@ -77,8 +79,7 @@ struct StressMeter::Drawn {
     std::string absent;
     Image ao;
     Format stored = Format::none;
-    TargetHealth bad;  ///< The first target that is not finite, if any.
-    long long negative_colors = 0;
+    TargetHealth bad;  ///< The first target that is not finite or out of range, if any.
 };
 
 std::vector<std::string> surfaceFormats(const Description& description)
@@ -94,9 +95,12 @@ std::vector<std::string> surfaceFormats(const Description& description)
 
 StressMeter::StressMeter(Device& device, const SourceSet& sources, std::string cache_folder)
     : poison_(std::make_unique<PoisonDevice>(device, kPoison, true)),
+      floats_(std::make_unique<FloatDevice>(*poison_)),
       sources_(sources),
       substitutes_(sources),
-      cache_folder_(std::move(cache_folder))
+      cache_folder_(std::move(cache_folder)),
+      plain_{*poison_},
+      wide_{*floats_}
 {
 }
 
@@ -163,41 +167,37 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
 }
 
 /// With the renderer of `owner`, whose programs are there already, or another.
-Status StressMeter::render(const Ready& ready, const Plan& plan, const Frame& frame,
+Status StressMeter::render(Stage& stage, const Ready& ready, const Plan& plan, const Frame& frame,
                            const std::string& owner)
 {
-    const bool needs_new = renderer_of_ != owner || remembers(plan);
-    if (needs_new || !renderer_->reload(ready.description, ready.options)) {
-        renderer_.reset();
-        renderer_of_.clear();
+    const bool needs_new = stage.of != owner || remembers(plan);
+    if (needs_new || !stage.renderer->reload(ready.description, ready.options)) {
+        stage.renderer.reset();
+        stage.of.clear();
         auto created =
-            Renderer::create(*poison_, ready.description, ready.options, traitsOf(frame));
+            Renderer::create(stage.device, ready.description, ready.options, traitsOf(frame));
         if (!created) return created.diagnostics();
-        renderer_ = std::move(*created);
-        renderer_of_ = owner;
+        stage.renderer = std::move(*created);
+        stage.of = owner;
     }
     // A second frame reads what the first left in histories.
     for (int i = 0; i < (remembers(plan) ? 2 : 1); ++i)
-        if (Status done = renderer_->render(frame); !done) return done;
+        if (Status done = stage.renderer->render(frame); !done) return done;
     return {};
 }
 
-/// For what is not finite, and for colours below 0.
-Status StressMeter::look(const std::vector<WatchedTarget>& watched, Drawn& drawn)
+/// For what is not finite or out of range, in floats: 8 bits hide it.
+Status StressMeter::look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn)
 {
     for (const WatchedTarget& each : watched) {
-        const Result<Image> image = readOutput(*poison_, *renderer_, each.output);
+        const Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output);
         if (!image) return image.diagnostics();
         TargetHealth health = examine(*image, *image);
+        examineFloats(*image, formatOf(plan, each.target), health);
         if (!health.bad() || drawn.bad.bad()) continue;
         drawn.bad = health;
         drawn.bad.target = each.target;
         drawn.bad.pass = each.pass;
-    }
-    if (renderer_->output("color")) {
-        const Result<Image> color = readOutput(*poison_, *renderer_, "color");
-        if (!color) return color.diagnostics();
-        for (const float value : color->pixels) drawn.negative_colors += value < 0;
     }
     return {};
 }
@@ -227,9 +227,11 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
     const std::string owner = task.config.config + " " + task.config.variant + shot.geometry;
-    if (const Status done = render(*ready, *plan, frame, owner); !done) return done.diagnostics();
-    if (const Status done = look(watched, drawn); !done) return done.diagnostics();
-    Result<Image> ao = readOutput(*poison_, *renderer_, "ao");
+    for (Stage* stage : {&wide_, &plain_})
+        if (const Status done = render(*stage, *ready, *plan, frame, owner); !done)
+            return done.diagnostics();
+    if (const Status done = look(*plan, watched, drawn); !done) return done.diagnostics();
+    Result<Image> ao = readOutput(*poison_, *plain_.renderer, "ao");
     if (!ao) return ao.diagnostics();
     drawn.ao = std::move(*ao);
     return drawn;
@@ -307,7 +309,10 @@ StressDrawing StressMeter::measure(const StressTask& task, Extent size)
     record.bad_target = drawn->bad.target;
     record.bad_pass = drawn->bad.pass;
     record.bad_pixels = static_cast<long long>(drawn->bad.not_numbers + drawn->bad.infinite);
-    record.out_of_range = drawn->negative_colors;
+    record.out_of_range = static_cast<long long>(drawn->bad.out_of_range);
+    record.bad_x = drawn->bad.first_bad.x;
+    record.bad_y = drawn->bad.first_bad.y;
+    record.bad_value = std::isfinite(drawn->bad.first_value) ? drawn->bad.first_value : 0;
     record.stored = formatInfo(drawn->stored).name;
     record.radius_px = radiusInPixels(shot);
     describeOcclusion(done.ao, record);

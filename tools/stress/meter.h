@@ -51,22 +51,30 @@ private:
     struct Drawn;
     struct Ready;
 
+    /// A device, and a renderer on it whose programs are those of the config `of`.
+    struct Stage {
+        Device& device;
+        std::unique_ptr<Renderer> renderer = nullptr;
+        std::string of = {};
+    };
+
     Result<Ready> prepare(const StressTask& task, const StressShot& shot);
-    Status render(const Ready& ready, const Plan& plan, const Frame& frame,
+    Status render(Stage& stage, const Ready& ready, const Plan& plan, const Frame& frame,
                   const std::string& owner);
-    Status look(const std::vector<WatchedTarget>& watched, Drawn& drawn);
+    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn);
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Image* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
     double errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const;
 
     std::unique_ptr<Device> poison_;
+    std::unique_ptr<Device> floats_;  ///< The same, with every target in 32-bit floats.
     const SourceSet& sources_;
     const Substitutes substitutes_;
     const std::string cache_folder_;
     std::map<std::string, std::string> contents_;  ///< Of each config over each geometry.
-    std::string renderer_of_;
-    std::unique_ptr<Renderer> renderer_;
+    Stage plain_;
+    Stage wide_;
     std::string ordinary_of_;
     Image ordinary_;
 };

@@ -28,10 +28,13 @@ struct StressRecord {
     std::string refusal;  ///< The error that came instead of a first frame.
     std::string absent;   ///< What the config lacks for this step; then there are no figures.
 
-    std::string bad_target;  ///< The first, by passes, that holds what is not finite.
+    /// The first, by passes, that holds what is not finite or out of range, drawn in 32-bit floats.
+    std::string bad_target;
     std::string bad_pass;
-    long long bad_pixels = 0;
-    long long out_of_range = 0;  ///< Pixels of occlusion outside [0, 1], of colour below 0.
+    long long bad_pixels = 0;    ///< Not finite.
+    long long out_of_range = 0;  ///< Past what the format holds; of occlusion outside [0, 1].
+    int bad_x = 0, bad_y = 0;    ///< The uppermost, from the upper left.
+    double bad_value = 0;        ///< There, where it is finite.
     double mean = 0;             ///< Of the occlusion's finite pixels, as are the next two.
     double least = 0;
     double most = 0;

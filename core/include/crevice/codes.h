@@ -116,9 +116,10 @@ enum class Code : int {
     scene_features = 7010,  ///< A scene file that uses what is not drawn (a warning).
 
     // what a frame's targets hold (crevice doctor)
-    target_not_finite = 9001,  ///< A pass writes what is not a number or is infinite.
-    target_undefined = 9002,   ///< A pass leaves pixels that depend on what memory held before.
-    output_constant = 9003,    ///< An output is the same everywhere.
+    target_not_finite = 9001,    ///< A pass writes what is not a number or is infinite.
+    target_undefined = 9002,     ///< A pass leaves pixels that depend on what memory held before.
+    output_constant = 9003,      ///< An output is the same everywhere.
+    target_out_of_range = 9004,  ///< A pass writes values that its target's format clamps.
 
     // command line
     usage = 8001,  ///< Arguments that cannot be understood.

@@ -58,6 +58,46 @@ TEST_CASE("An examination counts what is not finite, and finds the first one")
     CHECK(health.maximum[0] == Approx(1.1f));
 }
 
+TEST_CASE("Floats show what a format of 8 or 16 bits hides, and rounding is no fault")
+{
+    Image floats = ramp();
+    floats.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
+    floats.at(3, 0) = 1.7f;
+    floats.at(1, 2) = 1.1f;
+    floats.at(0, 2) = 1.001f;
+    floats.at(2, 0) = -0.5f;
+    TargetHealth health = examine(Image(kSize, 1), Image(kSize, 1));
+    examineFloats(floats, Format::r8, health);
+    CHECK(health.not_numbers == 1);
+    CHECK(health.out_of_range == 4);  // with the 1.1 at the end of the ramp
+    CHECK((health.first_bad.x == 1 && health.first_bad.y == 0));  // the uppermost
+    CHECK(health.first_value == 1.1f);
+
+    TargetHealth half = examine(Image(kSize, 1), Image(kSize, 1));
+    floats.at(2, 1) = 7e4f;
+    examineFloats(floats, Format::r16f, half);
+    CHECK(half.not_numbers == 0);
+    CHECK(half.out_of_range == 1);
+    TargetHealth full = examine(Image(kSize, 1), Image(kSize, 1));
+    examineFloats(floats, Format::r32f, full);
+    CHECK_FALSE(full.bad());
+}
+
+TEST_CASE("A value that its format clamps is an error with the value and the pass")
+{
+    const Description description = chain();
+    TargetHealth second = healthy("y", "second");
+    second.out_of_range = 4;
+    second.first_value = 1.7f;
+    const Diagnostics found =
+        diagnose(description, planOf(description), {healthy("x", "first"), second}, {});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].code == Code::target_out_of_range);
+    CHECK(found[0].pointer == "/passes/second");
+    CHECK(found[0].message.find("pass 'second' writes 4 of 12 pixels out of range") == 0);
+    CHECK(found[0].message.find("1.7") != std::string::npos);
+}
+
 TEST_CASE("A pixel that differs with the poison in memory is undefined")
 {
     Image other = ramp();

@@ -169,8 +169,11 @@ expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}"
 expect 0 '"state": "varies"' doctor learnopengl "${small[@]}" --json
 expect_json
 sed -i 's|ao_filtered = sum / 5.0;|ao_filtered = sqrt(sum / 5.0 - 0.9);|' cross.frag
+expect 5 "cross.json:.*CV9001: pass 'cross' writes [0-9]+ of 6144 pixels" doctor cross.json "${small[@]}"  # r8 has no NaN
 sed 's|"r8"|"r16f"|' cross.json >broken.json
 expect 5 "broken.json:.*CV9001: pass 'cross' writes [0-9]+ of 6144 pixels" doctor broken.json "${small[@]}"
+sed -i 's|sqrt(sum / 5.0 - 0.9)|sum / 5.0 + 0.7|' cross.frag
+expect 5 "CV9004: pass 'cross' writes [0-9]+ of 6144 pixels out of range .*: 1.7" doctor cross.json "${small[@]}"
 expect 0 "CV9003: output 'ao' is 1 everywhere" doctor learnopengl "${small[@]}" --set intensity=0
 expect 0 'intensity is 0, so ao is 1' doctor learnopengl "${small[@]}" --set intensity=0
 expect 0 'pixels at the middle distance' doctor gtao "${small[@]}" --set radius=1e-6

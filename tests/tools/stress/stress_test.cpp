@@ -157,6 +157,14 @@ TEST_CASE("A series whose ordinary step fails holds nowhere and breaks there, on
     CHECK(found.down.holds_to == -1);
     CHECK(found.up.breaks_at == 2);
     CHECK(series.text() == "breaks at c: 3 pixels out of range, 1 to 1");
+    series.records[2].bad_pass = "ssao";
+    series.records[2].bad_target = "ao";
+    series.records[2].bad_x = 4;
+    series.records[2].bad_y = 2;
+    series.records[2].bad_value = 1.7;
+    CHECK(series.text() ==
+          "breaks at c: pass 'ssao' writes 3 pixels out of range into 'ao', the first at (4, 2): "
+          "1.7");
 }
 
 TEST_CASE("Where steps are coarse a picture may change by a quarter of one in radii")
