@@ -9,6 +9,7 @@
 
 #include <crevice/device.h>
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 #include <functional>
@@ -62,6 +63,7 @@ struct StressShot {
     /// and left and right changed.
     int shift_px = 0;
     bool mirrored = false;
+    glm::dmat2 turned = glm::dmat2(1.0);  ///< From the ordinary picture's plane, [-1, 1], to this.
     /// Means over such squares are compared: noise that stays with pixels evens out.
     int block_px = 1;
 

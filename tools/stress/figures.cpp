@@ -99,6 +99,21 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
     record.judged_below = static_cast<double>(below) / judged;
 }
 
+namespace {
+
+/// The ordinary picture's pixel that shows what pixel (x, y) does.
+glm::ivec2 ordinaryPixel(const StressShot& shot, Extent size, int x, int y)
+{
+    const glm::dvec2 pixels(size.width, size.height);
+    const glm::dvec2 here = (glm::dvec2(x, y) + 0.5) / pixels * 2.0 - 1.0;
+    const glm::dvec2 there = (glm::inverse(shot.turned) * here + 1.0) / 2.0 * pixels;
+    const int column = static_cast<int>(std::floor(there.x));
+    return {shot.mirrored ? size.width - 1 - column : column + shot.shift_px,
+            static_cast<int>(std::floor(there.y))};
+}
+
+}  // namespace
+
 double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot)
 {
     if (!(ordinary.extent == image.extent)) return 1;
@@ -108,10 +123,10 @@ double changeBetween(const Image& ordinary, const Image& image, const StressShot
     Blocks blocks;
     for (int y = 0; y < image.extent.height; ++y)
         for (int x = border; x < width - border; ++x) {
-            const int other = shot.mirrored ? width - 1 - x : x + shot.shift_px;
-            if (other < border || other >= width - border || isNear(shot, x, y)) continue;
+            const glm::ivec2 other = ordinaryPixel(shot, image.extent, x, y);
+            if (other.x < border || other.x >= width - border || isNear(shot, x, y)) continue;
             blocks.add(x / shot.block_px, y / shot.block_px,
-                       double(image.at(x, y)) - ordinary.at(other, y));
+                       double(image.at(x, y)) - ordinary.at(other.x, other.y));
         }
     double sum = 0, largest = 0;
     for (const auto& [place, block] : blocks.sums) {

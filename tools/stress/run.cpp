@@ -31,11 +31,13 @@ Result<std::vector<const StressCase*>> chooseCases(const std::vector<std::string
     return chosen;
 }
 
-/// The ends, and the middle where the ends may be beyond the format.
+/// The ends, the middle where the ends may be beyond the format, and kinds of which each must be
+/// the same: between those there is no way from one to the next.
 bool isQuick(const StressCase& stress, std::size_t step)
 {
     const bool ordinary = step == stress.ordinary && stress.expectation == Expectation::open;
-    return step == 0 || step + 1 == stress.steps.size() || ordinary;
+    const bool kind = stress.unit.empty() && stress.expectation == Expectation::same;
+    return step == 0 || step + 1 == stress.steps.size() || ordinary || kind;
 }
 
 std::string seriesKey(const StressRecord& record)

@@ -2,6 +2,7 @@
 // Stress cases without GL: what figures mean, where a series breaks, and a run that stops and goes
 // on.
 #include "tools/report/stress_report.h"
+#include "tools/stress/figures.h"
 #include "tools/stress/run.h"
 #include "tools/stress/scenes.h"
 
@@ -165,6 +166,25 @@ TEST_CASE("A series whose ordinary step fails holds nowhere and breaks there, on
     CHECK(series.text() ==
           "breaks at c: pass 'ssao' writes 3 pixels out of range into 'ao', the first at (4, 2): "
           "1.7");
+}
+
+TEST_CASE("A turned or flipped picture is compared where it shows the same")
+{
+    constexpr int kSide = 4;
+    Image ordinary({kSide, kSide}, 1), turned({kSide, kSide}, 1), flipped({kSide, kSide}, 1);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            ordinary.at(x, y) = static_cast<float>(x + kSide * y);
+            turned.at(kSide - 1 - y, x) = ordinary.at(x, y);
+            flipped.at(x, kSide - 1 - y) = ordinary.at(x, y);
+        }
+    StressShot shot;
+    CHECK(changeBetween(ordinary, turned, shot) > 1);
+    shot.turned = {0, 1, -1, 0};
+    CHECK(changeBetween(ordinary, turned, shot) == 0);
+    CHECK(changeBetween(ordinary, flipped, shot) > 1);
+    shot.turned = {1, 0, 0, -1};
+    CHECK(changeBetween(ordinary, flipped, shot) == 0);
 }
 
 TEST_CASE("Where steps are coarse a picture may change by a quarter of one in radii")

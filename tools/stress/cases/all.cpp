@@ -19,7 +19,8 @@ struct Shape {
 
 const Shape kShapes[] = {{"256x144", {256, 144}}, {"1x1", {1, 1}},       {"1x64", {1, 64}},
                          {"64x1", {64, 1}},       {"3x2", {3, 2}},       {"127x93", {127, 93}},
-                         {"2048x1", {2048, 1}},   {"1x2048", {1, 2048}}, {"255x144", {255, 144}}};
+                         {"2048x1", {2048, 1}},   {"1x2048", {1, 2048}}, {"5x4096", {5, 4096}},
+                         {"255x144", {255, 144}}};
 
 void addImage(ContentHash& hash, const Image& image)
 {
@@ -153,7 +154,7 @@ const std::vector<StressCase>& stressCases()
 {
     static const std::vector<StressCase> cases = [] {
         std::vector<StressCase> all = planeCases();
-        for (const auto& list : {sameCases(), extremeCases(), hostCases()})
+        for (const auto& list : {sameCases(), cameraCases(), extremeCases(), hostCases()})
             all.insert(all.end(), list.begin(), list.end());
         return all;
     }();
@@ -178,6 +179,7 @@ std::string hashOf(const StressShot& shot)
         hash.add(number);
     hash.add(shot.shift_px);
     hash.add(shot.mirrored);
+    for (int i = 0; i < 4; ++i) hash.add(shot.turned[i / 2][i % 2]);
     hash.add(shot.block_px);
     for (const glm::ivec2 at : shot.spoiled) {
         hash.add(at.x);

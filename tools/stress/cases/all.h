@@ -38,6 +38,7 @@ StressView testView();
 
 std::vector<StressCase> planeCases();    ///< Flat planes.
 std::vector<StressCase> sameCases();     ///< What must not change the test scene.
+std::vector<StressCase> cameraCases();   ///< Flips, turns, walks and zooms.
 std::vector<StressCase> extremeCases();  ///< Radii, sizes, no-ops; broken meshes and lights.
 std::vector<StressCase> hostCases();     ///< Other geometry; a host's depth and normals.
 
