@@ -60,7 +60,7 @@ std::string seriesName(const StressSeries& series)
 }
 
 struct Totals {
-    int series = 0, failing = 0, failures = 0, refused = 0;
+    int series = 0, failing = 0, failures = 0, invalid = 0, beyond = 0, refused = 0;
 };
 
 Totals totalsOf(const std::vector<StressSeries>& all)
@@ -71,6 +71,8 @@ Totals totalsOf(const std::vector<StressSeries>& all)
         totals.series += !found.absent;
         totals.failing += found.failures > 0;
         totals.failures += found.failures;
+        totals.invalid += !found.invalid.empty();
+        totals.beyond += !found.beyond.empty();
         totals.refused += found.refused;
     }
     return totals;
@@ -86,8 +88,13 @@ void printTable(const std::vector<StressSeries>& all)
         print("  %-34s %s\n", seriesName(series).c_str(), describe(*series.stress, found).c_str());
     }
     const Totals totals = totalsOf(all);
-    print("%d cases, %d of them fail in %d steps, %d steps refused\n", totals.series,
-          totals.failing, totals.failures, totals.refused);
+    print(
+        "%d cases, %d of them fail in %d steps (%d are void), %d go beyond the format, %d steps "
+        "refused\n",
+        totals.series, totals.failing, totals.failures, totals.invalid, totals.beyond,
+        totals.refused);
+    if (!canTrace())
+        print("Built without Embree: no ground truth, so vanished occlusion is not looked for.\n");
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device)
@@ -105,6 +112,8 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device)
                          {"holds_to", label(found.up.holds_to)},
                          {"breaks_below", label(found.down.breaks_at)},
                          {"breaks_above", label(found.up.breaks_at)},
+                         {"void", found.invalid},
+                         {"beyond", found.beyond},
                          {"failures", found.failures},
                          {"refused", found.refused},
                          {"text", describe(*series.stress, found)}});
@@ -115,6 +124,8 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device)
                                  {"series", totals.series},
                                  {"failing", totals.failing},
                                  {"failures", totals.failures},
+                                 {"void", totals.invalid},
+                                 {"beyond", totals.beyond},
                                  {"refused", totals.refused}};
     printAsJson(json);
 }

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-const char* const kOutcomes[] = {"holds", "breaks", "beyond", "refused", "absent"};
+const char* const kOutcomes[] = {"holds", "breaks", "beyond", "refused", "absent", "void"};
 
 /// What the curve of a case shows: how far a step is off what must come out.
 double figureOf(const StressCase& stress, const StressRecord& record)
@@ -40,7 +40,7 @@ const char* figureName(const StressCase& stress)
 
 double limitOf(const StressCase& stress)
 {
-    if (stress.expectation == Expectation::open) return 1 - 0.999;
+    if (stress.expectation == Expectation::open) return 1 - kOpenMean;
     return stress.expectation == Expectation::same ? stress.limit : 0;
 }
 
@@ -72,7 +72,10 @@ public:
                 {"share", record->step_share},
                 {"stored", record->stored},
                 {"radius_px", record->radius_px},
+                {"exact", record->exact},
+                {"occlusion", record->occlusion},
                 {"rmse", record->rmse},
+                {"rmse_white", record->rmse_white},
                 {"picture", record->picture}};
     }
 
@@ -81,15 +84,18 @@ public:
         const Breakdown found = findBreakdown(*series.stress, series.steps);
         json steps = json::array();
         for (std::size_t i = 0; i < series.steps.size(); ++i) steps.push_back(stepModel(series, i));
-        const char* state = found.absent         ? "absent"
-                            : found.failures > 0 ? "breaks"
-                            : found.refused > 0  ? "refused"
-                                                 : "holds";
+        const char* state = found.absent             ? "absent"
+                            : !found.invalid.empty() ? "void"
+                            : found.failures > 0     ? "breaks"
+                            : !found.beyond.empty()  ? "beyond"
+                            : found.refused > 0      ? "refused"
+                                                     : "holds";
         return {{"config", series.config},
                 {"case", series.stress->name},
                 {"format", series.format},
                 {"state", state},
                 {"text", describe(*series.stress, found)},
+                {"beyond", found.beyond},
                 {"steps", steps}};
     }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "tools/scene/scene.h"
+#include "tools/stress/limits.h"
 
 #include <crevice/device.h>
 
@@ -42,6 +43,7 @@ struct StressShot {
     std::vector<std::string> settings = {};
     int samples = 0;           ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
+    bool traceable = true;     ///< What is drawn is the scene as a ray tracer sees it.
 
     /// What the config runs over, one of the names in tools/stress/geometry.h; empty: its own.
     std::string geometry = {};
@@ -86,7 +88,7 @@ struct StressCase {
     std::size_t ordinary = 0;  ///< Into `steps`.
     Expectation expectation = Expectation::sound;
     /// Of `same`: mean change. Of `opens`, `darkens`: what noise may do.
-    double limit = 0.002;
+    double limit = kSameChange;
     bool formats = false;  ///< Also with each format that the surface may be stored in.
     StressShot (*shot)(double value, Extent size) = nullptr;
 };

@@ -2,7 +2,9 @@
 // Figures of pictures.
 #include "tools/stress/figures.h"
 
+#include "tools/image/image_metrics.h"
 #include "tools/render/view_check.h"
+#include "tools/stress/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +13,8 @@
 namespace crevice {
 namespace {
 
-/// A step of the format up to this share of the radius is none of the config's business.
-constexpr double kResolvedShare = 0.1;
-
 constexpr double kMiddle = 0.8;  // share of width and height that planes are judged in
-constexpr float kClosed = 0.95f;
-constexpr int kBorders = 8;  // an eighth of the width at either side
+constexpr int kBorders = 8;      // an eighth of the width at either side
 
 bool isNear(const StressShot& shot, int x, int y)
 {
@@ -88,7 +86,7 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
                 continue;
             ++record.judged;
             sum += value;
-            below += value < kClosed;
+            below += value < kOpenPixel;
             record.judged_least = std::min<double>(record.judged_least, value);
         }
     const double middle = shot.distances.at(size.width / 2, size.height / 2);
@@ -136,6 +134,17 @@ double changeBetween(const Image& ordinary, const Image& image, const StressShot
     }
     if (blocks.sums.empty()) return 1;
     return shot.spoiled.empty() ? sum / static_cast<double>(blocks.sums.size()) : largest;
+}
+
+void describeError(const Image& ao, const Image& ground_truth, StressRecord& record)
+{
+    const auto error = compareImages(ao, ground_truth);
+    const auto white = compareImages(Image(ground_truth.extent, 1, 1.0f), ground_truth);
+    if (!error || !white) return;
+    record.rmse = error->rmse;
+    record.rmse_white = white->rmse;
+    record.exact = white->bias;
+    record.occlusion = white->bias - error->bias;
 }
 
 double radiusInPixels(const StressShot& shot)

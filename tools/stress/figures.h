@@ -16,6 +16,9 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
 /// Where pixels are spoiled, the largest change farther away.
 double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot);
 
+/// Error and occlusion against the ground truth, over the pixels that it has.
+void describeError(const Image& ao, const Image& ground_truth, StressRecord& record);
+
 /// Of the shot's radius, at what is seen in the middle.
 double radiusInPixels(const StressShot& shot);
 

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: MIT
 // What the figures of a stress case mean.
+#include "tools/stress/limits.h"
 #include "tools/stress/record.h"
 
 #include "core/base/numbers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crevice {
 namespace {
 
-constexpr double kOpenMean = 0.999;
-
-/// Steps of the format that a picture does not show, in radii.
-constexpr double kFineShare = 0.02;
-/// What is allowed of coarser ones.
-constexpr double kChangePerStep = 0.25;
-
 std::string number(double value) { return significant(value, 4); }
 
+std::string percent(double share) { return std::to_string(std::lround(share * 100)) + " %"; }
+
 Verdict breaks(std::string why) { return {Outcome::breaks, std::move(why)}; }
+
+/// Whether the exact answer of a step has occlusion that a picture of its size can show.
+bool isShown(const StressRecord& record)
+{
+    return record.exact >= kLeastExact && record.radius_px >= kLeastRadiusPx;
+}
+
+double keptOf(const StressRecord& record) { return record.occlusion / record.exact; }
 
 /// What is asked of every step.
 Verdict judgeSoundness(const StressRecord& record)
@@ -39,6 +44,30 @@ Verdict judgeSoundness(const StressRecord& record)
         return breaks(std::to_string(record.out_of_range) + " pixels out of range, " +
                       number(record.least) + " to " + number(record.most));
     return {};
+}
+
+/// Whether the ordinary picture is ambient occlusion, so that what becomes of it says something.
+Verdict judgeOrdinary(const StressRecord& record)
+{
+    if (!isShown(record) || record.rmse < 0) return {};
+    const double strength = keptOf(record);
+    if (strength < kLeastStrength || strength > kMostStrength)
+        return {Outcome::invalid, "the ordinary picture has " + percent(strength) +
+                                      " of the ground truth's occlusion"};
+    const double grey = std::sqrt(record.rmse_white * record.rmse_white -
+                                  record.exact * record.exact);  // the truth's deviation
+    if (record.rmse < grey) return {};
+    return {Outcome::invalid,
+            "the ordinary picture is no closer to the ground truth than an even "
+            "grey: rmse " +
+                number(record.rmse) + ", " + number(grey)};
+}
+
+/// What no step that has a ground truth may lose.
+Verdict judgeKept(const StressRecord& record)
+{
+    if (!isShown(record) || record.rmse < 0 || keptOf(record) >= kLeastKept) return {};
+    return breaks(percent(keptOf(record)) + " of the ground truth's occlusion");
 }
 
 Verdict judgeOpen(const StressRecord& record)
@@ -71,14 +100,42 @@ Verdict judgeSlope(const StressCase& stress, const std::vector<const StressRecor
     return {};
 }
 
-/// How much a picture may change on average and be the same: the case's limit, where the format's
-/// steps are fine; noise of coarser ones showed changes of 0.08 of a step by hemispheres, 0.15 by
-/// horizons and 0.24 by normals rebuilt from depth.
-double mostChange(const StressCase& stress, const StressRecord& record)
+/// Detail smaller than a step of the format is lost, so coarse steps cannot leave a picture the
+/// same; but they leave occlusion.
+Verdict judgeSame(const StressCase& stress, const StressRecord& record)
 {
-    return record.step_share <= kFineShare
-               ? stress.limit
-               : std::max(stress.limit, kChangePerStep * record.step_share);
+    if (record.step_share <= kFineShare) {
+        if (record.change <= stress.limit) return {};
+        return breaks("mean change " + number(record.change));
+    }
+    if (!isShown(record)) return {Outcome::beyond, "mean change " + number(record.change)};
+    const double kept = keptOf(record);
+    const std::string lost = kept <= 1 ? percent(1 - kept) + " of the occlusion lost"
+                                       : percent(kept - 1) + " more occlusion";
+    if (record.resolved > 0 && kept < kLeastKept) return breaks(lost);
+    return {Outcome::beyond, lost + ", mean change " + number(record.change)};
+}
+
+/// What is asked of the step of a case, by its expectation.
+Verdict judgeExpected(const StressCase& stress, const std::vector<const StressRecord*>& series,
+                      std::size_t step)
+{
+    const StressRecord& record = *series[step];
+    const bool resolves = record.resolved > 0;
+    switch (stress.expectation) {
+    case Expectation::sound: return {};
+    case Expectation::one:
+        if (record.least == 1 && record.most == 1) return {};
+        return breaks(number(record.least) + " to " + number(record.most) + " instead of 1");
+    case Expectation::open:
+        if (record.judged == 0 && resolves) return {};  // too small a picture to have a middle
+        return resolves ? judgeOpen(record)
+                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion"};
+    case Expectation::same: return judgeSame(stress, record);
+    case Expectation::opens:
+    case Expectation::darkens: return judgeSlope(stress, series, step);
+    }
+    return {};
 }
 
 std::string atLabel(const StressCase& stress, int step) { return stress.steps[step].label; }
@@ -99,6 +156,24 @@ void walk(const StressCase& stress, const std::vector<const StressRecord*>& seri
     }
 }
 
+/// What the first and the last step show that a side has beyond the format.
+std::string beyondOf(const StressCase& stress, const std::vector<const StressRecord*>& series,
+                     int first, int direction)
+{
+    std::string near, far;
+    for (int i = first; i >= 0 && i < static_cast<int>(stress.steps.size()); i += direction) {
+        if (!series[i]) continue;
+        const Verdict verdict = judge(stress, series, i);
+        if (verdict.outcome != Outcome::beyond) continue;
+        const std::string text = verdict.why + " at " + atLabel(stress, i);
+        if (near.empty())
+            near = "beyond " + series[i]->stored + ": " + text;
+        else
+            far = ", " + text;
+    }
+    return near + far;
+}
+
 std::string breakText(const StressCase& stress, const Reach& reach)
 {
     return "breaks at " + atLabel(stress, reach.breaks_at) + ": " + reach.why;
@@ -113,23 +188,12 @@ Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& 
     if (!record.absent.empty()) return {Outcome::absent, record.absent};
     if (!record.refusal.empty()) return {Outcome::refused, record.refusal};
     if (const Verdict sound = judgeSoundness(record); sound.outcome != Outcome::holds) return sound;
-    const bool resolves = record.resolved > 0;
-    switch (stress.expectation) {
-    case Expectation::sound: return {};
-    case Expectation::one:
-        if (record.least == 1 && record.most == 1) return {};
-        return breaks(number(record.least) + " to " + number(record.most) + " instead of 1");
-    case Expectation::open:
-        if (record.judged == 0 && resolves) return {};  // too small a picture to have a middle
-        return resolves ? judgeOpen(record) : Verdict{Outcome::beyond, "beyond the format"};
-    case Expectation::same:
-        if (!resolves) return {Outcome::beyond, "beyond the format"};
-        if (record.change <= mostChange(stress, record)) return {};
-        return breaks("mean change " + number(record.change));
-    case Expectation::opens:
-    case Expectation::darkens: return judgeSlope(stress, series, step);
-    }
-    return {};
+    const StressRecord* ordinary = series[stress.ordinary];
+    const Verdict valid = ordinary ? judgeOrdinary(*ordinary) : Verdict{};
+    if (valid.outcome != Outcome::holds && step == stress.ordinary) return valid;
+    const Verdict expected = judgeExpected(stress, series, step);
+    if (expected.outcome != Outcome::holds) return expected;
+    return valid.outcome == Outcome::holds ? judgeKept(record) : valid;
 }
 
 Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series)
@@ -145,6 +209,16 @@ Breakdown findBreakdown(const StressCase& stress, const std::vector<const Stress
     }
     walk(stress, series, -1, found.down);
     walk(stress, series, 1, found.up);
+    const int ordinary = static_cast<int>(stress.ordinary);
+    if (series[ordinary])
+        if (const Verdict verdict = judge(stress, series, ordinary);
+            verdict.outcome == Outcome::invalid) {
+            found.invalid = verdict.why;
+            ++found.failures;
+        }
+    found.beyond = beyondOf(stress, series, ordinary, -1);
+    const std::string above = beyondOf(stress, series, ordinary + 1, 1);
+    found.beyond += (found.beyond.empty() || above.empty() ? "" : "; ") + above;
     return found;
 }
 
@@ -152,7 +226,7 @@ std::string describe(const StressCase& stress, const Breakdown& breakdown)
 {
     if (breakdown.absent) return "not in this config";
     const Reach &down = breakdown.down, &up = breakdown.up;
-    std::string text;
+    std::string text = breakdown.invalid.empty() ? "" : "VOID: " + breakdown.invalid;
     if (down.holds_to >= 0 && up.holds_to >= 0)
         text = down.holds_to == up.holds_to ? "holds at " + atLabel(stress, up.holds_to)
                                             : "holds from " + atLabel(stress, down.holds_to) +
@@ -163,7 +237,8 @@ std::string describe(const StressCase& stress, const Breakdown& breakdown)
             text += (text.empty() ? "" : "; ") + breakText(stress, *reach);
     if (breakdown.refused > 0)
         text += (text.empty() ? "" : "; ") + std::to_string(breakdown.refused) + " refused";
-    return text.empty() ? "beyond the format" : text;
+    if (!breakdown.beyond.empty()) text += (text.empty() ? "" : "; ") + breakdown.beyond;
+    return text;
 }
 
 }  // namespace crevice

@@ -65,7 +65,7 @@ private:
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Image* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
-    double errorOf(const StressTask& task, const StressShot& shot, const Image& ao) const;
+    void compareToTruth(const StressTask& task, const StressShot& shot, StressDrawing& done) const;
 
     std::unique_ptr<Device> poison_;
     std::unique_ptr<Device> floats_;  ///< The same, with every target in 32-bit floats.

@@ -14,8 +14,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, key, config, variant, overrides
                                    step, label, value, device, version, refusal, absent, bad_target,
                                    bad_pass, bad_pixels, out_of_range, bad_x, bad_y, bad_value,
                                    mean, least, most, stored, step_share, resolved, judged,
-                                   judged_mean, judged_least, judged_below, change, rmse, radius_px,
-                                   ms, picture)
+                                   judged_mean, judged_least, judged_below, change, exact,
+                                   occlusion, rmse, rmse_white, radius_px, ms, picture)
 
 std::string toJsonLine(const StressRecord& record) { return jsonLine(record); }
 

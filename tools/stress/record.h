@@ -48,8 +48,15 @@ struct StressRecord {
     double judged_least = 0;
     double judged_below = 0;  ///< Share of them below 0.95.
     double change = 0;        ///< Mean against the ordinary picture.
-    double rmse = -1;         ///< Against the ray-traced ground truth; -1: not measured.
-    double radius_px = 0;     ///< On screen, in the middle.
+
+    /// Mean occlusion of the exact answer, and of the picture over the same pixels. That is the
+    /// ray-traced ground truth or, of what must be the same, the ordinary picture. -1: not known.
+    double exact = -1;
+    double occlusion = -1;
+    double rmse = -1;        ///< Against the ground truth; -1: not traced.
+    double rmse_white = -1;  ///< That of a white picture.
+
+    double radius_px = 0;  ///< On screen, in the middle.
     double ms = 0;
     std::string picture;  ///< Of a failure, relative to the file.
 };
@@ -63,9 +70,13 @@ Result<std::vector<StressRecord>> readStressRecords(const std::string& path);
 enum class Outcome {
     holds,
     breaks,
-    beyond,   ///< Sound, but more than the format can resolve, so nothing else is asked.
+    /// Sound, but more than the format can resolve; `why` says what came of it.
+    beyond,
     refused,  ///< Reported before the first frame.
     absent,   ///< The config has no part of it.
+    /// The ordinary picture is not ambient occlusion as the ground truth has it, so that what
+    /// follows from it says nothing. A failure.
+    invalid,
 };
 
 struct Verdict {
@@ -90,6 +101,8 @@ struct Breakdown {
     int failures = 0;
     int refused = 0;
     bool absent = false;  ///< There is no figure at all.
+    std::string invalid;  ///< Why the ordinary picture, and with it the case, is not valid.
+    std::string beyond;   ///< "depth16: 100 % of the occlusion lost at 1e-3:3e5"
 };
 
 Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series);

@@ -31,13 +31,12 @@ Result<std::vector<const StressCase*>> chooseCases(const std::vector<std::string
     return chosen;
 }
 
-/// The ends, the middle where the ends may be beyond the format, and kinds of which each must be
-/// the same: between those there is no way from one to the next.
+/// The ends, the ordinary one, without which they say nothing, and kinds of which each must be the
+/// same: between those there is no way from one to the next.
 bool isQuick(const StressCase& stress, std::size_t step)
 {
-    const bool ordinary = step == stress.ordinary && stress.expectation == Expectation::open;
     const bool kind = stress.unit.empty() && stress.expectation == Expectation::same;
-    return step == 0 || step + 1 == stress.steps.size() || ordinary || kind;
+    return step == 0 || step + 1 == stress.steps.size() || step == stress.ordinary || kind;
 }
 
 std::string seriesKey(const StressRecord& record)
@@ -81,14 +80,17 @@ public:
         done.record.version = how_.version;
         records_[task] = done.record;
         const Verdict verdict = verdictOf(task);
-        if (verdict.outcome == Outcome::breaks && !done.ao.pixels.empty()) {
+        const bool fails = verdict.outcome == Outcome::breaks ||
+                           (verdict.outcome == Outcome::invalid &&
+                            tasks_[task].step == static_cast<int>(tasks_[task].stress->ordinary));
+        if (fails && !done.ao.pixels.empty()) {
             done.record.picture = "pictures/" + done.record.key + ".png";
             if (const Status kept = how_.keep(done); !kept) return kept.diagnostics();
         }
-        const char* const words[] = {"holds", "BREAKS", "beyond the format", "refused", "absent"};
+        const char* const words[] = {"holds",   "BREAKS", "beyond the format",
+                                     "refused", "absent", "VOID"};
         std::string outcome = words[static_cast<int>(verdict.outcome)];
-        if (!verdict.why.empty() && verdict.outcome != Outcome::beyond)
-            outcome += ": " + verdict.why;
+        if (!verdict.why.empty()) outcome += ": " + verdict.why;
         return Measured{toJsonLine(done.record), std::move(outcome)};
     }
 

@@ -6,13 +6,17 @@
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/../../support/cli_checks.sh"
 
-# The sound variant of an author's config: what the author lacks is on.
+# The sound variant of an author's config: what the author lacks is on, and its strength is the ground truth's, as is
+# that of the other author's.
 cat >stored.json <<'EOF'
 { "format": 1, "name": "stored", "extends": ["learnopengl"],
-  "params": { "bias": 0.05, "bias_length": 0 }, "features": { "guards": true, "basis": "rotated" },
+  "params": { "bias": 0.05, "bias_length": 0, "intensity": 4 }, "features": { "guards": true, "basis": "rotated" },
   "generated": { "rotation_noise": { "generator": "rotation_noise" } } }
 EOF
-configs=(gtao mobile_low stored.json sao)
+cat >depth_alone.json <<'EOF'
+{ "format": 1, "name": "depth_alone", "extends": ["sao"], "params": { "intensity": 1.7 } }
+EOF
+configs=(gtao mobile_low stored.json depth_alone.json)
 cases=(plane_near_far plane_fov plane_zoom plane_grazing plane_orthographic plane_radius plane_radius_px plane_samples
     units near_far projection offset radius_to_zero radius_growing corner_radius samples no_op sizes empty meshes
     lights inputs host_projection host_encoding host_depth host_normal host_inward)
@@ -23,7 +27,11 @@ if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
     sed 's/^/SKIPPED: /' stderr.txt
     exit 77
 fi
-check "all of it holds: $(grep breaks stdout.txt || true)" test "$got" -eq 0
+# What screen-space occlusion cannot do (docs/stress.md): radii past the picture, one tap a pixel.
+known='^  (radius_growing +holds at 0.5; breaks at 1e\+09|samples +holds from 16 to -1; breaks at 1): [0-9]+ % of '
+unknown=$(grep -E 'breaks|VOID' stdout.txt | grep -vE "$known" || true)
+check "all else holds: $unknown" test -z "$unknown"
+check "what does not is a failure" test "$got" -eq 5
 check "every config was drawn" test "$(grep -c '^[a-z]' stdout.txt)" -eq "${#configs[@]}"
 check "nothing is left over" grep -q ' 0 not begun' stderr.txt
 finish

@@ -61,31 +61,52 @@ expect 5 "plane_fov +breaks at 45: pass 'spoil' writes [0-9]+ pixels that are no
 check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 32
 check "the page shows it" grep -q 'data:image/png' nan/stress.html
 
-# --- a darkness that depends on where in the world's units an object lies ---
+# --- occlusion that is lost beyond 20 of the world's units ---
 cat >broken/absolute.frag <<'GLSL'
 #version 300 es
 precision highp float;
 #include <surface>
+uniform highp sampler2D ao;
 in vec2 uv;
-layout(location = 0) out float ao;
+layout(location = 0) out float ao_filtered;
 void main()
 {
     highp vec3 point;
-    ao = viewPosition(uv, point) ? 1.0 - 0.2 * smoothstep(0.0, 50.0, -point.z) : 1.0;
+    float lost = viewPosition(uv, point) ? smoothstep(20.0, 50.0, -point.z) : 0.0;
+    ao_filtered = mix(texture(ao, uv).r, 1.0, lost);
 }
 GLSL
-cat >broken/absolute.json <<'JSON'
+planted() # name, what it does: the module that a shader of that name spoils
 {
-  "format": 1, "name": "absolute", "description": "Darker with absolute distance.",
-  "extends": ["geometry/depth_only"],
-  "targets": {"ao": {"format": ["r16f", "r8"]}},
-  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./absolute.frag"}},
-  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao"]}},
-  "outputs": {"ao": "ao"}
+    sed "s/nan/$1/; s/Writes NaN/$2/; s/hemisphere/gtao/" broken/nan.json | sed "s/nan.frag/$1.frag/" >"broken/$1.json"
 }
-JSON
-expect 5 'units +holds from 1e0 to 1e0|units +holds at 1e0; breaks at 1e-1: mean change .*; breaks at 1e1' \
+planted absolute 'Loses occlusion with absolute distance'
+expect 5 '^  units +(VOID.*|holds from 1e-6 to 1e0); breaks at 1e1: mean change ' \
     stress broken/absolute.json --case units --case offset "${small[@]}" --out absolute
-check "an offset changes nothing of that" grep -qE '^  offset +holds from 0 to 1e\+07$' stdout.txt
+check "an offset changes nothing of that" bash -c '! grep -E "^  offset .*breaks" stdout.txt'
+
+# --- occlusion that is gone, or half of it is ---
+if grep -q 'Built without Embree' stdout.txt; then
+    finish
+    exit
+fi
+for share in 0.0 0.5; do
+    cat >"broken/faint_$share.frag" <<GLSL
+#version 300 es
+precision highp float;
+uniform highp sampler2D ao;
+in vec2 uv;
+layout(location = 0) out float ao_filtered;
+void main()
+{
+    ao_filtered = mix(1.0, texture(ao, uv).r, $share);
+}
+GLSL
+    planted "faint_$share" 'A share of the occlusion'
+    expect 5 "^  units +VOID: the ordinary picture has (0|4[0-9]) % of the ground truth's occlusion" \
+        stress "broken/faint_$share.json" --quick "${small[@]}" --out "faint_$share"
+    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 21
+    check "planes do not" bash -c '! grep -E "^  (plane|no_op|empty|lights).*(VOID|breaks)" stdout.txt'
+done
 
 finish

@@ -112,6 +112,7 @@ StressShot sceneMeshes(double kind, Extent size)
     }
     StressShot shot = sceneShot(view, size, std::move(scene));
     shot.radius = 1;
+    shot.traceable = kind != 11;  // normals there point away from the eye
     return shot;
 }
 
@@ -182,14 +183,14 @@ std::vector<StressCase> extremeCases()
           {0.5, "0.5"}},
          8,
          E::opens,
-         0.002,
+         kSameChange,
          false,
          sceneRadius},
         {"radius_growing", "The test scene under ever larger radii.", "scene units",
          steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, sceneRadius},
         {"corner_radius", "An inner corner under larger radii.", "scene units",
-         steps({0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 0, E::darkens, 0.002, false,
-         cornerRadius},
+         steps({0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 4, E::darkens, kSameChange,
+         false, cornerRadius},
         {"samples", "The test scene by few and many depth taps a pixel; -1 is the most.", "taps",
          steps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, sceneSamples},
         {"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",

@@ -153,6 +153,7 @@ StressShot hostNormal(double kind, Extent size)
 StressShot hostInward(double kind, Extent size)
 {
     StressShot shot = hostShot(size);
+    shot.traceable = kind == 0;
     if (kind > 0)
         shot.host = [](Image&, Image& normal) {
             for (float& value : normal.pixels) value = 1 - value;
@@ -175,11 +176,11 @@ std::vector<StressCase> hostCases()
     using E = Expectation;
     return {
         {"inputs", "The same config over depth, over stored positions and over linear depth.", "",
-         kinds({kDepthGeometry, kPositionGeometry, kLinearGeometry}), 0, E::same, 0.002, false,
-         inputs},
+         kinds({kDepthGeometry, kPositionGeometry, kLinearGeometry}), 0, E::same, kSameChange,
+         false, inputs},
         {"host_projection", "A host's depth of other projections.", "",
-         kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same, 0.002,
-         false, hostProjection},
+         kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same,
+         kSameChange, false, hostProjection},
         {"host_encoding",
          "A host's linear depth, and its logarithmic depth to ever farther.",
          "",
@@ -190,14 +191,14 @@ std::vector<StressCase> hostCases()
           {7, "logarithmic to 1e7"}},
          0,
          E::same,
-         0.002,
+         kSameChange,
          false,
          hostEncoding},
         {"host_depth",
          "Three pixels of invalid values in a host's depth: nothing changes beyond the radius.", "",
-         stepsOf(kDepths), 0, E::same, 0.004, false, hostDepth},
+         stepsOf(kDepths), 0, E::same, kSamePixel, false, hostDepth},
         {"host_normal", "Three pixels of invalid values in a host's normals.", "",
-         stepsOf(kNormals), 0, E::same, 0.004, false, hostNormal},
+         stepsOf(kNormals), 0, E::same, kSamePixel, false, hostNormal},
         {"host_inward", "A host's normals turned inward: sound.", "", kinds({"ordinary", "inward"}),
          0, E::sound, 0, false, hostInward},
     };
