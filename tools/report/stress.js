@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lays out the stress report: a matrix of what holds, the chosen case with its curve, every failure.
 "use strict";
-const SIGNS = {holds: "✓", breaks: "✗", refused: "!", absent: "·"};
+const SIGNS = {holds: "✓", breaks: "✗", void: "∅", beyond: "~", refused: "!", absent: "·"};
+const fails = s => s.state === "breaks" || s.state === "void";
 const series = data.series;
 const configs = [...new Set(series.map(s => s.config))];
 const caseOf = name => data.cases.find(c => c.name === name);
@@ -50,15 +51,16 @@ function drawCurves(parent, row, chosen) {
 function showSteps(parent, s) {
   const test = caseOf(s.case), scroll = add(parent, "div", {class: "scroll"}), table = add(scroll, "table");
   const head = add(table, "tr");
-  for (const text of [test.unit || "kind", "outcome", "mean", "least", test.figure, "stored", "step / radius"])
+  for (const text of [test.unit || "kind", "outcome", "mean", "least", test.figure, "kept", "stored", "step / radius"])
     add(head, "th", {}, text);
   s.steps.forEach((t, i) => {
     if (!t) return;
     const line = add(table, "tr"), drawn = t.outcome !== "absent" && t.outcome !== "refused";
     add(line, "td", {}, test.steps[i] + (i === test.ordinary ? " (ordinary)" : ""));
-    add(line, "td", {class: t.outcome}, t.outcome + (t.why && t.outcome !== "beyond" ? ": " + t.why : ""));
+    add(line, "td", {class: t.outcome}, t.outcome + (t.why ? ": " + t.why : ""));
     for (const value of [t.mean, t.least, t.figure])
       add(line, "td", {class: "num"}, drawn ? three(value) : "–");
+    add(line, "td", {class: "num"}, drawn && t.exact > 0 ? `${three(100 * t.occlusion / t.exact)} %` : "–");
     add(line, "td", {}, drawn ? t.stored : "–");
     add(line, "td", {class: "num"}, drawn && t.share > 0 ? three(t.share) : "–");
   });
@@ -93,17 +95,18 @@ function showMatrix(parent, select) {
 }
 
 function showBreakdowns(parent) {
-  const broken = series.filter(s => s.state === "breaks");
+  const broken = series.filter(s => fails(s) || s.beyond);
   add(parent, "h2", {id: "failures"}, "Breakdown points");
-  if (!broken.length) return add(parent, "p", {}, "Nothing breaks.");
+  if (!broken.length) return add(parent, "p", {}, "Nothing breaks, and nothing is beyond a format.");
   const scroll = add(parent, "div", {class: "scroll card"}), table = add(scroll, "table"), head = add(table, "tr");
-  for (const text of ["config", "case", "format", "how far"]) add(head, "th", {}, text);
+  for (const text of ["config", "case", "format", "how far", "beyond the format"]) add(head, "th", {}, text);
   for (const s of broken) {
     const line = add(table, "tr");
     add(line, "td", {class: "label"}, s.config);
     add(line, "td", {}, s.case);
     add(line, "td", {}, s.format.replace("=", " "));
-    add(line, "td", {}, s.text);
+    add(line, "td", {}, s.beyond ? s.text.replace(s.beyond, "").replace(/; $/, "") : s.text);
+    add(line, "td", {}, s.beyond);
   }
   for (const s of broken) {
     if (!s.steps.some(t => t && data.pictures[t.picture])) continue;
@@ -116,10 +119,10 @@ function showBreakdowns(parent) {
 // --- the page ---
 const main = document.getElementById("main"), summary = document.getElementById("summary");
 main.replaceChildren();
-const failing = series.filter(s => s.state === "breaks").length;
+const failing = series.filter(fails).length;
 summary.append(`${plural(series.filter(s => s.state !== "absent").length, "case")} in ` +
   `${plural(data.steps, "picture")}, drawn by crevice ${data.versions.join(", ")} on ${data.devices.join("; ")}. `);
-if (failing) add(summary, "a", {class: "warn", href: "#failures"}, `${plural(failing, "case")} break.`);
+if (failing) add(summary, "a", {class: "warn", href: "#failures"}, `${plural(failing, "case")} fail.`);
 let chosen;
 const panel = document.createElement("section");
 const select = s => {
@@ -133,7 +136,9 @@ const select = s => {
   add(card, "p", {class: s.state}, s.text);
   const ordinary = s.steps[caseOf(s.case).ordinary];
   if (ordinary && ordinary.rmse >= 0)
-    add(card, "p", {class: "soft"}, `Its ordinary picture is off the ray-traced ground truth by ${three(ordinary.rmse)} (rmse).`);
+    add(card, "p", {class: "soft"}, `Its ordinary picture is off the ray-traced ground truth by ${three(ordinary.rmse)} ` +
+      `(rmse; a white picture: ${three(ordinary.rmse_white)})` +
+      (ordinary.exact > 0 ? `, and has ${three(100 * ordinary.occlusion / ordinary.exact)} % of its occlusion.` : "."));
   if (s.state !== "absent") drawCurves(card, rowOf(s), s);
   showSteps(card, s);
   showPictures(card, s);
@@ -141,7 +146,7 @@ const select = s => {
 if (series.length) {
   showMatrix(main, select);
   main.append(panel);
-  select(series.find(s => s.state === "breaks") || series[0]);
+  select(series.find(fails) || series[0]);
   showBreakdowns(main);
   addEventListener("resize", () => select(chosen));
 } else
