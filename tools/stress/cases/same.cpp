@@ -4,13 +4,13 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace crevice {
 namespace {
 
-constexpr double kRadius = 1;   // scene units
-constexpr int kNoiseBlock = 8;  // pixels; tiles of noise are 4x4, at half the size 8x8
+constexpr double kRadius = 1;  // scene units
 
 StressShot testShot(const StressView& view, Extent size, Scene scene = testScene())
 {
@@ -18,6 +18,10 @@ StressShot testShot(const StressView& view, Extent size, Scene scene = testScene
     shot.radius = kRadius;
     return shot;
 }
+
+/// As wide as the radius on screen at the middle distance: noise evens out, and what is larger says
+/// less of where the occlusion is.
+int noiseBlock(Extent size) { return std::max(size.width / 8, 1); }
 
 StressShot sceneScaled(double scale, Extent size, bool in_vertices)
 {
@@ -78,14 +82,14 @@ StressShot sceneShift(double pixels, Extent size)
     view.shift_px = static_cast<int>(pixels) * size.width / 256;
     StressShot shot = testShot(view, size);
     shot.shift_px = view.shift_px;
-    shot.block_px = kNoiseBlock;
+    shot.block_px = noiseBlock(size);
     return shot;
 }
 
 StressShot sceneMirrored(double kind, Extent size)
 {
     StressShot shot = testShot(testView(), size);
-    shot.block_px = kNoiseBlock;
+    shot.block_px = noiseBlock(size);
     if (kind == 0) return shot;
     shot.scene = placed(shot.scene, glm::scale(glm::dmat4(1.0), {-1, 1, 1}));
     if (kind == 2) shot.scene = baked(shot.scene);
@@ -93,20 +97,28 @@ StressShot sceneMirrored(double kind, Extent size)
     return shot;
 }
 
+/// With the floor and the wall in view, which from straight ahead lie on edge and occlude unseen.
+Scene turnedScene()
+{
+    const glm::dmat4 tilted = glm::rotate(glm::dmat4(1.0), glm::radians(30.0), {1, 0, 0});
+    return placed(testScene(), glm::rotate(tilted, glm::radians(-25.0), {0, 1, 0}));
+}
+
 /// From ever farther, with ever less perspective; 0 is the orthographic view.
 StressShot sceneNarrow(double degrees, Extent size)
 {
     constexpr double kHalfHeight = 2;
+    constexpr double kSize = 10;  // no corner lies farther from the origin
     StressView view = testView();
     const double away = degrees > 0 ? kHalfHeight / std::tan(glm::radians(degrees / 2)) : 20.0;
     view.eye.z = away;
-    view.near_distance = away - 4.5;
-    view.far_distance = away + 4.5;
+    view.near_distance = away - kSize;
+    view.far_distance = away + kSize;
     if (degrees > 0)
         view.fov_degrees = degrees;
     else
         view.half_height = kHalfHeight;
-    return testShot(view, size);
+    return testShot(view, size, turnedScene());
 }
 
 }  // namespace
@@ -130,9 +142,9 @@ std::vector<StressCase> sameCases()
          kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same,
          kSameChange, true, sceneProjection},
         {"off_centre",
-         "The test scene through an off-centre frustum: means over 8x8 pixels that both show.",
+         "The test scene through an off-centre frustum: means over the radius that both show.",
          "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, kSameChange, false, sceneShift},
-        {"mirrored", "The test scene mirrored; noise is not, so means over 8x8 pixels count.", "",
+        {"mirrored", "The test scene mirrored; noise is not, so means over the radius count.", "",
          kinds({"ordinary", "by a matrix", "in the vertices"}), 0, E::same, kSameChange, false,
          sceneMirrored},
         {"narrow",
