@@ -160,18 +160,20 @@ void walk(const StressCase& stress, const std::vector<const StressRecord*>& seri
 std::string beyondOf(const StressCase& stress, const std::vector<const StressRecord*>& series,
                      int first, int direction)
 {
-    std::string near, far;
+    int near = -1, far = -1;
     for (int i = first; i >= 0 && i < static_cast<int>(stress.steps.size()); i += direction) {
-        if (!series[i]) continue;
-        const Verdict verdict = judge(stress, series, i);
-        if (verdict.outcome != Outcome::beyond) continue;
-        const std::string text = verdict.why + " at " + atLabel(stress, i);
-        if (near.empty())
-            near = "beyond " + series[i]->stored + ": " + text;
-        else
-            far = ", " + text;
+        if (!series[i] || judge(stress, series, i).outcome != Outcome::beyond) continue;
+        if (near < 0) near = i;
+        far = i;
     }
-    return near + far;
+    if (near < 0) return "";
+    const std::string why = judge(stress, series, near).why;
+    const std::string why_far = judge(stress, series, far).why;
+    const std::string at = atLabel(stress, near), at_far = atLabel(stress, far);
+    std::string text = "beyond " + series[near]->stored + ": " + why;
+    if (near == far) return text + " at " + at;
+    if (why == why_far) return text + " from " + at + " to " + at_far;
+    return text + " at " + at + ", " + why_far + " at " + at_far;
 }
 
 std::string breakText(const StressCase& stress, const Reach& reach)

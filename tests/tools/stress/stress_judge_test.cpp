@@ -127,6 +127,8 @@ TEST_CASE("What a format cannot resolve must be sound, and is a figure and no ti
     series.records[3].mean = 1;
     CHECK(series.text() ==
           "holds from a to c; beyond depth16: 0 % false occlusion at d, 7 % false occlusion at e");
+    series.records[3].mean = 0.93;
+    CHECK(series.text() == "holds from a to c; beyond depth16: 7 % false occlusion from d to e");
     series.records[4].bad_pixels = 1;
     series.records[4].bad_pass = "ssao";
     series.records[4].bad_target = "ao";
