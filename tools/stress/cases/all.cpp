@@ -104,6 +104,8 @@ Extent sizeForTaps(double samples, Extent size)
     return {(size.width + 3) / 4, (size.height + 3) / 4};
 }
 
+int noiseBlock(Extent size) { return std::max(size.width / 8, 1); }
+
 std::vector<StressStep> nearFarSteps()
 {
     return {{0, "1:1e1"}, {1, "0.1:316"}, {2, "0.01:1e4"}, {3, "1e-3:3e5"}, {4, "1e-4:1e7"}};

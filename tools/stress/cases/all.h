@@ -29,6 +29,10 @@ Extent sizeForTaps(double samples, Extent size);
 std::vector<StressStep> nearFarSteps();
 StressView nearFarView(double power);
 
+/// A block, in pixels, of means that noise leaves alone: as wide as the radius on screen at the
+/// middle distance. What is larger says less of where the occlusion is.
+int noiseBlock(Extent size);
+
 /// A plane and the test scene as `view` sees them.
 StressShot planeShot(const StressView& view, Extent size, double distance, double tilt_degrees);
 StressShot sceneShot(const StressView& view, Extent size, Scene scene = testScene());

@@ -9,8 +9,6 @@
 namespace crevice {
 namespace {
 
-constexpr int kNoiseBlock = 8;  // pixels; noise does not turn with the picture
-
 const char* const kOrientations[] = {"ordinary",     "y flipped",     "x flipped",
                                      "turned by 90", "turned by 180", "turned by 270",
                                      "left-handed",  "zero to one"};
@@ -35,7 +33,7 @@ StressShot orientation(double value, Extent size)
     const int side = std::min(size.width, size.height);
     StressShot shot = sceneShot(testView(), {side, side});
     shot.radius = 1;
-    shot.block_px = kNoiseBlock;
+    shot.block_px = noiseBlock(size);
     shot.turned = turnOf(kind);
     glm::dmat4 turn(1.0), mirror(1.0);
     for (int i = 0; i < 4; ++i) turn[i / 2][i % 2] = shot.turned[i / 2][i % 2];
@@ -89,11 +87,11 @@ std::vector<StressCase> cameraCases()
         orientations.push_back({static_cast<double>(orientations.size()), label});
     return {
         {"orientation",
-         "The test scene through flipped, turned and left-handed projections: means over 8x8 "
-         "pixels, since noise does not turn.",
-         "", orientations, 0, E::same, 0.015, false, orientation},
+         "The test scene through flipped, turned and left-handed projections: means over blocks, "
+         "since noise does not turn.",
+         "", orientations, 0, E::same, kSameChange, false, orientation},
         {"wall_walk", "An inner corner from ever nearer, radius 0.8: it gets darker.",
-         "scene units", steps({4, 2, 1, 0.5, 0.25, 0.12, 0.03}), 0, E::darkens, 0.002, false,
+         "scene units", steps({4, 2, 1, 0.5, 0.25, 0.12, 0.03}), 0, E::darkens, kSameChange, false,
          wallWalk},
         {"zoom", "An inner corner through ever less of an angle, from one place.", "degrees",
          steps({120, 60, 30, 10, 4, 2, 0.5}), 1, E::sound, 0, false, cornerZoom},

@@ -19,10 +19,6 @@ StressShot testShot(const StressView& view, Extent size, Scene scene = testScene
     return shot;
 }
 
-/// As wide as the radius on screen at the middle distance: noise evens out, and what is larger says
-/// less of where the occlusion is.
-int noiseBlock(Extent size) { return std::max(size.width / 8, 1); }
-
 StressShot sceneScaled(double scale, Extent size, bool in_vertices)
 {
     StressView view = testView();
