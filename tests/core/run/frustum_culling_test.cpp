@@ -167,9 +167,13 @@ TEST_CASE(
     CHECK_FALSE(isOutside(item, matrices, 1));
     item.bounds_radius = 1;
     CHECK(isOutside(item, matrices, 1));
-    item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(6, 0, -10));
-    CHECK(isOutside(item, matrices, 1));
-    CHECK_FALSE(isOutside(item, matrices, 1.4));
+    for (const glm::dvec2 off : {glm::dvec2(6, 0), {-6, 0}, {0, 6}, {0, -6}}) {
+        INFO(off.x << ' ' << off.y);
+        item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(off, -10));
+        CHECK(isOutside(item, matrices, 1));
+        CHECK_FALSE(isOutside(item, matrices, 1.4));
+        CHECK(isOutside(item, matrices, 1.1));
+    }
 }
 
 namespace {
@@ -220,6 +224,21 @@ TEST_CASE("A frame draws what lies in the view, and all of it with the optimizat
     };
     CHECK(drawn({}) == 1);
     CHECK(drawn({"frustum_culling"}) == 2);
+}
+
+TEST_CASE("What lies off the screen and within the guard band is drawn, on either side")
+{
+    const auto drawn = [](double x) {
+        const std::vector<std::string> calls = Cubes({x}).calls({});
+        return std::count(calls.begin(), calls.end(), "draw mesh 'cube' 0..6");
+    };
+    // At their distance the view is 4.2 units wide to either side, with the band of gtao 5.9; a
+    // cube reaches 1.3 units beyond a plane, and 1.6 beyond that of the band.
+    for (const double side : {-1.0, 1.0}) {
+        CHECK(drawn(side * 5.8) == 1);
+        CHECK(drawn(side * 7.3) == 1);
+        CHECK(drawn(side * 7.7) == 0);
+    }
 }
 
 TEST_CASE("With nothing in view occlusion and its filters are cleared and not drawn")
