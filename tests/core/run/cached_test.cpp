@@ -71,7 +71,8 @@ TEST_CASE("A param runs what reads it and what comes after")
     CHECK(passesOf(rig) == kAll);  // the picture lies where the normals were
 }
 
-TEST_CASE("A host's texture runs its readers when its revision is another, and without one always")
+TEST_CASE(
+    "A host's texture runs its readers when it or its revision is another, and without one always")
 {
     Rig rig;
     const TextureId decal = rig.device.createTexture({"decal", Format::rgba8, {4, 4}}).value();
@@ -82,6 +83,11 @@ TEST_CASE("A host's texture runs its readers when its revision is another, and w
     CHECK(passesOf(rig).empty());
     rig.frame.textures[0].revision = 8;
     CHECK(passesOf(rig) == "lighting");
+    const TextureId other = rig.device.createTexture({"decal", Format::rgba8, {4, 4}}).value();
+    REQUIRE(rig.device.writeTexture(other, Image({4, 4}, 4, 0.5f)));
+    rig.frame.textures[0].texture = other;
+    CHECK(passesOf(rig) == "lighting");
+    CHECK(passesOf(rig).empty());
     rig.frame.textures[0].revision = 0;
     CHECK(passesOf(rig) == "lighting");
     CHECK(passesOf(rig) == "lighting");
