@@ -131,6 +131,11 @@ TEST_CASE("What is mirrored is culled the other way round")
     CHECK(culls() == "bf");
     rig.frame.camera.clip_from_view[1][1] *= -1;  // a picture that is upside down
     CHECK(culls() == "bfb");
+    rig.frame.camera.view_from_world = glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1)) *
+                                       rig.frame.camera.view_from_world;  // both mirror
+    CHECK(culls() == "bf");
+    rig.frame.camera.clip_from_view[1][1] *= -1;
+    CHECK(culls() == "bfb");  // the view alone
 }
 
 TEST_CASE("Normals stay normal to what they stand on")
