@@ -58,6 +58,12 @@ int namesOf()
     return 0;
 }
 
+std::string nameOf(GLenum attachment)
+{
+    if (attachment == GL_DEPTH_ATTACHMENT) return " depth";
+    return " color" + std::to_string(attachment - GL_COLOR_ATTACHMENT0);
+}
+
 }  // namespace
 
 template <auto Member>
@@ -75,11 +81,32 @@ struct Hook<Member> {
         }
         if constexpr (isAny<Member, &GlApi::CompileShader>) ++watched->compiles_;
         if constexpr (isAny<Member, &GlApi::ProgramBinary>) ++watched->binaries_;
+        logCall(arguments...);
         if constexpr (kTakesMemory<Member>)
             if (watched->failsNow()) return refusal();
         watched->names_ += namesOf<Member>(arguments...);
         if constexpr (kCreates<Member>) ++watched->names_;
         return (watched->below_.*Member)(arguments...);
+    }
+
+    static void logCall([[maybe_unused]] Arguments... arguments)
+    {
+        if constexpr (isAny<Member, &GlApi::ClearBufferfv>) logClear(arguments...);
+        if constexpr (isAny<Member, &GlApi::InvalidateFramebuffer>) logInvalidate(arguments...);
+        if constexpr (isAny<Member, &GlApi::DrawArrays, &GlApi::DrawElements>) watched->log("draw");
+    }
+
+    static void logClear(GLenum buffer, GLint index, const GLfloat*)
+    {
+        watched->log("clear" + nameOf(buffer == GL_DEPTH ? GL_DEPTH_ATTACHMENT
+                                                         : GL_COLOR_ATTACHMENT0 + index));
+    }
+
+    static void logInvalidate(GLenum, GLsizei count, const GLenum* attachments)
+    {
+        std::string words = "invalidate";
+        for (GLsizei i = 0; i < count; ++i) words += nameOf(attachments[i]);
+        watched->log(words);
     }
 
     static Value refusal()

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // GL functions under a test's control, over a real context or over no GL at all: they count the
-// names that live, run out of memory on demand, and lose their context.
+// names that live, run out of memory on demand, lose their context, and tell what no pixel shows.
 #pragma once
 
 #include "backends/gl/api.h"
+
+#include <string>
+#include <utility>
 
 namespace crevice {
 
@@ -53,17 +56,27 @@ public:
     int names() const { return names_; }        ///< That live.
     bool errorPends() const { return pending_ != GL_NO_ERROR; }
 
+    /// From here on, what passes do: "clear color0, draw, invalidate color1 depth".
+    void logPasses() { logs_passes_ = true; }
+    std::string takePassLog() { return std::exchange(pass_log_, {}); }
+
 private:
     template <auto Member>
     friend struct Hook;
 
     bool arrives();
     bool failsNow();
+    void log(const std::string& words)
+    {
+        if (logs_passes_) pass_log_ += (pass_log_.empty() ? "" : ", ") + words;
+    }
     GLenum takeError();
     GLenum takeReset();
 
     GlApi below_;
     GlLoader real_;
+    bool logs_passes_ = false;
+    std::string pass_log_;
     int calls_ = 0;
     int attempts_ = 0;
     int compiles_ = 0;
