@@ -54,8 +54,8 @@ public:
 
     GLuint hostFramebuffer() const { return framebuffers_[0]; }
 
-    /// One frame of everything: a pass that tests depth, through two texture units, into
-    /// several samples or one.
+    /// One frame of everything: a pass that tests depth within an area, which is all of it, through
+    /// two texture units, into several samples or one.
     Image frame(int samples = 1);
 
 private:
@@ -255,6 +255,8 @@ in vec2 uv; out vec4 color; void main() { color = texture(a, uv) + texture(b, uv
     pass.has_depth = true;
     pass.depth_load = LoadOp::clear;
     pass.depth_store = StoreOp::store;
+    pass.within_area = true;
+    pass.area.extent = {4, 4};
     StateDesc state;
     state.depth_test = Compare::less;
     state.depth_write = true;
