@@ -45,8 +45,7 @@ public:
             same_device && before.version == now.version ? limits_.error : limits_.other_error;
         compareError("rmse", before.error.rmse, now.error.rmse);
         compareError("rmse_fit", before.error.rmse_fit, now.error.rmse_fit);
-        compareError("bias without its sign", std::abs(before.error.bias),
-                     std::abs(now.error.bias));
+        compareBias(before.error.bias, now.error.bias);
         if (limits_.errors_only) return;
         if (!same_device) {
             ++result.without_ratios;
@@ -64,7 +63,16 @@ private:
         if (now > before + most_error_)
             result.worse.push_back({sample_, figure, before, now, before + most_error_});
         else if (now < before - most_error_)
-            result.better.push_back({sample_, figure, before, now, before + most_error_});
+            result.better_errors.push_back({sample_, figure, before, now, before - most_error_});
+    }
+
+    /// Of the other sign it is another one, however small.
+    void compareBias(double before, double now)
+    {
+        if (std::abs(now - before) <= most_error_) return;
+        const double limit = before + (now > before ? most_error_ : -most_error_);
+        auto& changes = std::abs(now) < std::abs(before) ? result.better_errors : result.worse;
+        changes.push_back({sample_, "bias", before, now, limit});
     }
 
     void compareRatio(const char* figure, double before, double now)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Regression guard: whether a fresh bench is worse than an older one, by errors and cost ratios,
-// never by absolute times.
+// Regression guard: whether a fresh bench has the errors of an older one, and costs no more by
+// ratios, never by absolute times.
 #pragma once
 
 #include "tools/bench/sample.h"
@@ -10,7 +10,7 @@
 
 namespace crevice {
 
-/// How much more still counts as the same.
+/// How much more still counts as the same; of errors, how much less too.
 struct BenchLimits {
     /// Of an error, where device, driver and version are the same: two runs agree to the last digit
     /// on one processor, and another kind rounds otherwise.
@@ -26,18 +26,24 @@ struct BenchChange {
     std::string figure;  ///< "rmse"
     double before = 0;
     double now = 0;
-    double limit = 0;  ///< What `now` may be at most to count as the same.
+    double limit = 0;  ///< What `now` may be to count as the same: at most, of an error that is
+                       ///< less now at least.
 };
 
 struct BenchComparison {
     std::vector<BenchChange> worse;
-    std::vector<BenchChange> better;
+    std::vector<BenchChange> better;  ///< Cost ratios.
+    /// A fault may happen to lower an error: like a worse figure, to be looked at and then updated.
+    std::vector<BenchChange> better_errors;
     std::vector<std::string> failed;   ///< Had figures, and now fail: sample and reason.
     std::vector<std::string> missing;  ///< Had figures, and are not measured now.
     int compared = 0;                  ///< Samples in both.
     int without_ratios = 0;            ///< Of those, measured on another device.
 
-    bool isWorse() const { return !worse.empty() || !failed.empty() || !missing.empty(); }
+    bool differs() const
+    {
+        return !worse.empty() || !better_errors.empty() || !failed.empty() || !missing.empty();
+    }
 };
 
 /// Samples are the same where identityOf() is, whatever became of their shaders; one from the same

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// crevice compare-bench: what got worse since an older bench.
+// crevice compare-bench: what has changed since an older bench.
 #include "tools/bench/compare.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
@@ -24,14 +24,15 @@ struct CompareBenchOptions {
 void printChanges(const char* title, const std::vector<BenchChange>& changes)
 {
     for (const BenchChange& change : changes)
-        print("%s: %s: %s was %s and is %s (at most %s is the same)\n", title,
-              change.sample.c_str(), change.figure.c_str(), significant(change.before, 7).c_str(),
+        print("%s: %s: %s was %s and is %s (up to %s is the same)\n", title, change.sample.c_str(),
+              change.figure.c_str(), significant(change.before, 7).c_str(),
               significant(change.now, 7).c_str(), significant(change.limit, 7).c_str());
 }
 
 int printComparison(const BenchComparison& comparison)
 {
     printChanges("better", comparison.better);
+    printChanges("better, which may be a fault", comparison.better_errors);
     printChanges("worse", comparison.worse);
     for (const std::string& sample : comparison.missing) print("missing now: %s\n", sample.c_str());
     for (const std::string& failure : comparison.failed) print("fails now: %s\n", failure.c_str());
@@ -39,9 +40,10 @@ int printComparison(const BenchComparison& comparison)
         print("%d of %d bench samples were measured on another device: cost ratios not compared\n",
               comparison.without_ratios, comparison.compared);
     print("%d bench samples compared: %zu figures worse, %zu better; %zu fail, %zu missing\n",
-          comparison.compared, comparison.worse.size(), comparison.better.size(),
-          comparison.failed.size(), comparison.missing.size());
-    return comparison.isWorse() ? kExitDiffers : kExitOk;
+          comparison.compared, comparison.worse.size(),
+          comparison.better.size() + comparison.better_errors.size(), comparison.failed.size(),
+          comparison.missing.size());
+    return comparison.differs() ? kExitDiffers : kExitOk;
 }
 
 int compareBenchFiles(const CompareBenchOptions& options)
@@ -67,15 +69,16 @@ int compareBenchFiles(const CompareBenchOptions& options)
 
 void addCompareBenchCommand(CLI::App& app, int& exit_code)
 {
-    CLI::App* command =
-        app.add_subcommand("compare-bench", "Fail (5) where a bench is worse than an older one");
+    CLI::App* command = app.add_subcommand(
+        "compare-bench",
+        "Fail (5) where a bench has other errors than an older one, or costs more");
     auto options = std::make_shared<CompareBenchOptions>();
     command->add_option("OLD", options->before, "Folder or results file of the older bench")
         ->required();
     command->add_option("NEW", options->now, "Folder or results file of the new bench")->required();
     command
         ->add_option("--max-error", options->max_error,
-                     "Largest increase of an error that counts as equal. Default: 1e-6, or 1e-4 if "
+                     "Largest change of an error that counts as equal. Default: 1e-6, or 1e-4 if "
                      "the device, its driver or crevice's version differs")
         ->check(CLI::NonNegativeNumber);
     command

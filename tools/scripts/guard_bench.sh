@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Regression guard: measures a small bench of all shipped configs and says what is worse than the
-# figures in docs/bench, by errors and cost ratios, never by times. Exit code 1 where something is
-# worse, fails or is missing.
+# Regression guard: measures a small bench of all shipped configs and says which errors are not the
+# figures in docs/bench, which cost ratios are worse, never by times. Exit code 1 where something is
+# worse, fails or is missing, and where an error is better: a fault may happen to lower one.
 #
 #   tools/scripts/guard_bench.sh                on a quiet machine; about two minutes
 #   tools/scripts/guard_bench.sh --errors-only  no cost ratios: for a busy machine, and quicker

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The regression guard: errors and ratios count, absolute times do not.
+// The regression guard: errors count in both directions, ratios that grow, absolute times never.
 #include "tools/bench/compare.h"
 
 #include "tests/support/catch.h"
@@ -27,11 +27,11 @@ TEST_CASE("a bench is no worse than itself, nor where times alone are others")
     now.version = "1.1";
     const BenchComparison comparison = compared(now);
     CHECK(comparison.compared == 1);
-    CHECK(comparison.worse.empty());
+    CHECK_FALSE(comparison.differs());
     CHECK(comparison.better.empty());
 }
 
-TEST_CASE("more error than the limit is worse, less is better")
+TEST_CASE("an error beyond the limit is worse or better, and neither is the same")
 {
     BenchSample now = kBefore;
     now.error.rmse += 0.9e-6;
@@ -42,10 +42,27 @@ TEST_CASE("more error than the limit is worse, less is better")
     CHECK(compared(now).worse[0].sample == "a samples=16, room, 960x540");
     BenchLimits loose;
     loose.error = 0.001;
-    CHECK(compared(now, loose).worse.empty());
+    CHECK_FALSE(compared(now, loose).differs());
     now.error.rmse = kBefore.error.rmse - 0.0002;
     CHECK(compared(now).worse.empty());
-    CHECK(compared(now).better.size() == 1);
+    REQUIRE(compared(now).better_errors.size() == 1);
+    CHECK(compared(now).better_errors[0].limit == Approx(kBefore.error.rmse - 1e-6).margin(1e-9));
+    CHECK(compared(now).differs());
+    CHECK_FALSE(compared(now, loose).differs());
+    now.error.rmse = kBefore.error.rmse - 0.9e-6;
+    CHECK_FALSE(compared(now).differs());
+}
+
+TEST_CASE("each of the errors counts, in both directions")
+{
+    for (const double change : {-0.0002, 0.0002}) {
+        BenchSample now = kBefore;
+        now.error.rmse_fit += change;
+        CHECK(compared(now).differs());
+        now = kBefore;
+        now.error.bias += change;
+        CHECK(compared(now).differs());
+    }
 }
 
 TEST_CASE("errors agree more closely on one device and version than across them")
@@ -62,13 +79,19 @@ TEST_CASE("errors agree more closely on one device and version than across them"
     CHECK(compared(now).worse.size() == 1);
 }
 
-TEST_CASE("a bias that grows is worse in either direction")
+TEST_CASE("a bias that grows is worse in either direction, and one of the other sign is another")
 {
     BenchSample now = kBefore;
     now.error.bias = -kBefore.error.bias + 0.01;
     REQUIRE(compared(now).worse.size() == 1);
     now.error.bias = kBefore.error.bias - 0.01;
     CHECK(compared(now).worse.size() == 1);
+    BenchSample before = kBefore;
+    before.error.bias = 0.01;
+    now.error.bias = -0.01;
+    CHECK(compareBenches({before}, {now}).worse.size() == 1);
+    now.error.bias = -0.005;
+    CHECK(compareBenches({before}, {now}).better_errors.size() == 1);
 }
 
 TEST_CASE("a cost ratio is worse beyond its share")
@@ -81,6 +104,10 @@ TEST_CASE("a cost ratio is worse beyond its share")
     REQUIRE(compared(now).worse.size() == 1);
     CHECK(compared(now).worse[0].figure == "ratio_copy");
     CHECK(compared(now).better.size() == 1);
+    BenchSample quicker = kBefore;
+    quicker.ratio_copy /= 2;
+    CHECK(compared(quicker).better.size() == 1);
+    CHECK_FALSE(compared(quicker).differs());
     BenchLimits loose;
     loose.ratio = 0.2;
     CHECK(compared(now, loose).worse.empty());
@@ -108,13 +135,13 @@ TEST_CASE("what fails or is missing now is worse, and what failed before does no
     BenchSample failed = kBefore;
     failed.failure = "no memory";
     CHECK(compared(failed).failed.at(0) == "a samples=16, room, 960x540: no memory");
-    CHECK(compared(failed).isWorse());
-    CHECK(!compareBenches({failed}, {kBefore}).isWorse());
-    CHECK(!compareBenches({failed}, {}).isWorse());
+    CHECK(compared(failed).differs());
+    CHECK(!compareBenches({failed}, {kBefore}).differs());
+    CHECK(!compareBenches({failed}, {}).differs());
     const BenchComparison other = compared(benchSample("b", 16, 2, 0.1));
     CHECK(other.compared == 0);
     CHECK(other.missing.size() == 1);
-    CHECK(other.isWorse());
+    CHECK(other.differs());
     BenchSample wide = kBefore;
     wide.radius = 2;
     CHECK(compared(wide).missing.size() == 1);

@@ -60,11 +60,12 @@ expect 1 'CV4005' choose results.jsonl --budget 2ms --size 3
 expect 0 '5 bench samples compared: 0 figures worse' compare-bench results.jsonl results.jsonl
 sed 's/"rmse":0.05,/"rmse":0.06,/' results.jsonl >worse.jsonl
 expect 5 'worse: fine samples=4, room, 960x540: rmse was 0.05 and is 0.06' compare-bench results.jsonl worse.jsonl
-expect 0 'better: fine samples=4' compare-bench worse.jsonl results.jsonl
+expect 5 'better, which may be a fault: fine samples=4, room, 960x540: rmse was 0.06 and is 0.05' compare-bench worse.jsonl results.jsonl
 expect 0 '0 figures worse' compare-bench results.jsonl worse.jsonl --max-error 0.02
 sed 's/"ratio_copy":6.0/"ratio_copy":7.0/' results.jsonl >slower.jsonl
 expect 5 'ratio_copy was 6 and is 7' compare-bench results.jsonl slower.jsonl
 expect 0 '0 figures worse' compare-bench results.jsonl slower.jsonl --max-ratio 0.2
+expect 0 'better: .*ratio_copy was 7 and is 6' compare-bench slower.jsonl results.jsonl
 sed 's/"room"/"hall"/' results.jsonl >other.jsonl
 expect 1 'CV7009.*no bench sample is in both' compare-bench results.jsonl other.jsonl
 finish
