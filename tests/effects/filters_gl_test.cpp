@@ -181,6 +181,36 @@ TEST_CASE("Filters that weigh by place keep the mean of any noise on a plane")
     }
 }
 
+TEST_CASE("Light from occluders is filtered as the occlusion is")
+{
+    MemorySources mine;
+    std::string shader = givenShader("fract(dot(floor(gl_FragCoord.xy), vec2(0.3, 0.21)))");
+    shader.insert(shader.find("void main"), "layout(location = 1) out vec4 indirect;\n");
+    shader.insert(shader.rfind('}'), "indirect = vec4(vec3(ao), 1.0); ");
+    mine.add("ssao/given.frag", shader);
+    std::string module = kGiven;
+    module.replace(module.find(R"("targets": {)"), 12, R"("targets": {
+        "indirect": {"format": ["rgba16f"]},)");
+    module.replace(module.find(R"("color": ["ao"])"), 15, R"("color": ["ao", "indirect"])");
+    mine.add("ssao/given.json", module);
+    mine.add("configs/given.json", R"({"format": 1,
+        "extends": ["geometry/depth_normal", "ssao/given", "filter/indirect"]})");
+    const LayeredSources sources({&mine, &shippedSources()});
+    PictureRequest request;
+    request.config = "given";
+    request.scene = "corner";
+    request.sources = &sources;
+    const Image ao = picture(request);
+    request.output = "indirect";
+    const Image light = picture(request);
+    float farthest = 0;
+    for (int y = 0; y < ao.extent.height; ++y)
+        for (int x = 0; x < ao.extent.width; ++x)
+            farthest = std::max(farthest, std::abs(light.at(x, y, 1) - ao.at(x, y)));
+    CHECK(farthest < 2.0f / 255);
+    CHECK(meanChange(ao, Image(ao.extent, 1, float(mean(ao)))) > 0.005);
+}
+
 TEST_CASE("The median takes out single outliers and keeps a straight step")
 {
     const std::string step = "(gl_FragCoord.x < 64.0 ? 0.2 : 0.8)";
