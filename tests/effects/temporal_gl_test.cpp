@@ -139,6 +139,17 @@ TEST_CASE("Under a still camera noise falls and the mean stays")
     }
 }
 
+TEST_CASE("What changes comes in by the history's weight, and at first each frame counts alike")
+{
+    const std::vector<std::string> half = {"history_weight=0.5", "history_clamp=false"};
+    Film late("float(frame_index < 30 ? 0.2 : 0.8)", "plane", half);
+    late.draw(30);
+    CHECK(mean(late.draw(1)) == Approx(0.5).margin(0.01));
+    CHECK(mean(late.draw(2)) == Approx(0.8 - 0.6 / 8).margin(0.01));
+    Film early("float(frame_index < 1 ? 0.2 : 0.8)", "plane", {"history_clamp=false"});
+    CHECK(mean(early.draw(3)) == Approx((0.2 + 0.8 + 0.8) / 3).margin(0.01));
+}
+
 TEST_CASE("A constant stays that constant, and 1 stays 1")
 {
     for (const char* ao : {"1.0", "0.5"}) {
