@@ -4,6 +4,10 @@
 
 #include <crevice/shipped.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
 using namespace crevice;
 
 namespace {
@@ -199,6 +203,41 @@ TEST_CASE("Occlusion of highlights takes them away where all is blocked, and les
         CHECK(highlights("0.0") == 0.0);
         CHECK(highlights("0.5") > highlights("0.1"));
         CHECK(highlights("1.0") > highlights("0.5") - 0.0001);
+    }
+}
+
+TEST_CASE("Occluded highlights keep the share that the papers give, by how sharp they are")
+{
+    Scene scene = need(loadScene("plane"));
+    scene.materials[0].base_color = {0, 0, 0, 1};
+    scene.materials[0].specular = glm::vec3(0.5f);
+    Light light;
+    light.position = {0, 3, 0};
+    light.color = glm::vec3(1.8f);
+    scene.lights = {{"light", light}};
+    scene.cameras[0].view_from_world =
+        glm::lookAt(glm::dvec3(0, 3, 0), glm::dvec3(0), glm::dvec3(0, 0, -1));
+    const double open = std::round(0.5 * 255) / 255;
+    for (const double exponent : {1.0, 4.0, 64.0, 4000.0}) {
+        INFO("exponent " << exponent);
+        const auto highlight = [&](const std::string& how) {
+            const std::string power = "specular_power=" + std::to_string(exponent);
+            const double shown =
+                lit("0.5", {"specular_occlusion=" + how, power, "reflection=phong", "ambient=0"},
+                    scene)
+                    .at(64, 36);
+            return std::pow((shown + 0.055) / 1.055, 2.4);
+        };
+        const double whole = highlight("none");
+        CHECK(whole > 0.2);
+        // Lagarde, de Rousiers 2014, seen at a right angle.
+        const double roughness = std::sqrt(2 / (exponent + 2));
+        const double by_ao = std::pow(1 + open, std::exp2(-16 * roughness - 1)) - 1 + open;
+        CHECK(highlight("ao") / whole == Approx(by_ao).margin(0.015));
+        // Jimenez et al. 2016: the cap of open directions over the lobe's, which it lies within.
+        const double lobe = std::pow(0.01, 1 / exponent);
+        const double by_cones = std::min((1 - std::sqrt(1 - open)) / (1 - lobe), 1.0);
+        CHECK(highlight("bent") / whole == Approx(by_cones).margin(0.015));
     }
 }
 
