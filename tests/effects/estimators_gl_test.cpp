@@ -89,6 +89,24 @@ TEST_CASE("The occlusion vanishes as the radius tends to 0")
     }
 }
 
+TEST_CASE("Occlusion sets in gradually as the radius grows from one pixel to two")
+{
+    constexpr double kPixel = 4.0 / 72;  // of a view four units high, in scene units
+    for (const char* estimator : {"ssao/gtao", "ssao/bitmask", "ssao/hbao", "ssao/sao"}) {
+        const auto occlusion = [&](double pixels) {
+            PictureRequest request;
+            request.scene = "corner";
+            request.camera = "eye=0,4,4;at=0,0,0;ortho=4";
+            request.overrides = {"radius=" + std::to_string(pixels * kPixel), "bias=0",
+                                 "/targets/ao/format=[\"r32f\"]"};
+            return 1 - mean(visibility(estimator, request));
+        };
+        INFO(estimator << ' ' << occlusion(1.1) << ' ' << occlusion(2));
+        CHECK(occlusion(2) > 0);
+        CHECK(occlusion(1.1) < 0.1 * occlusion(2));
+    }
+}
+
 TEST_CASE("A mirrored scene gives the mirrored picture")
 {
     const Scene scene = need(loadScene("spheres"));
@@ -154,6 +172,51 @@ TEST_CASE("hbao counts what stands far in front as solid where thin occluders co
     const double skipped = mean(visibility("ssao/hbao", request));
     request.overrides.push_back("thin_occluders=count");
     CHECK(mean(visibility("ssao/hbao", request)) < skipped - 0.002);
+}
+
+TEST_CASE("Intensity multiplies the occlusion, and power is then taken of the visibility")
+{
+    const auto drawn = [](const Module& estimator, const char* intensity, const char* power) {
+        PictureRequest request;
+        request.scene = "corner";
+        request.camera = kTowardsCorner;
+        request.overrides = {intensity, power, "radius=1", "/targets/ao/format=[\"r32f\"]"};
+        return visibility(estimator.name, request);
+    };
+    for (const Module& estimator : shippedEstimators()) {
+        const Image plain = drawn(estimator, "intensity=1", "power=1");
+        for (const float intensity : {0.6f, 3.0f}) {
+            const char* wanted = intensity < 1 ? "intensity=0.6" : "intensity=3";
+            const Image changed = drawn(estimator, wanted, "power=2");
+            Image expected = plain;
+            for (float& open : expected.pixels) {
+                const float left = std::clamp(1 - intensity * (1 - open), 0.0f, 1.0f);
+                open = left * left;
+            }
+            INFO(estimator.name << " " << wanted);
+            CHECK(allVisibility(changed));
+            CHECK(meanChange(changed, expected) < 0.002);
+        }
+    }
+}
+
+TEST_CASE("A scene four times as large with four times the radius gives the same picture")
+{
+    const Scene scene = need(loadScene("spheres"));
+    Scene large = scene;
+    for (SceneInstance& instance : large.instances)
+        instance.world_from_model = glm::dmat4(glm::dmat3(4.0)) * instance.world_from_model;
+    for (const Module& estimator : shippedEstimators()) {
+        PictureRequest request;
+        request.camera = "eye=1,1.5,3;at=0,0.5,0;fov=45";
+        request.overrides = {"radius=1"};
+        const Image small_picture = visibility(estimator.name, request, scene);
+        request.camera = "eye=4,6,12;at=0,2,0;fov=45";
+        request.overrides = {"radius=4"};
+        INFO(estimator.name);
+        CHECK(mean(small_picture) < 0.98);
+        CHECK(meanChange(small_picture, visibility(estimator.name, request, large)) < 0.001);
+    }
 }
 
 TEST_CASE("The power of the occlusion lightens and contrast keeps what is open")
