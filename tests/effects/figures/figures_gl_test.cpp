@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Figures of the recommended configs: how far their occlusion is from the ray-traced ground truth,
+// and their light from light without occlusion, at two radii and two shapes of picture, with their
+// params at their defaults and off them.
+//
+// Both bounds count: a fault in a shader may well bring its picture nearer to the ground truth.
+// Where a change of a shader is meant, take the figures that the failing test prints.
+#include "tests/support/gl_fixture.h"
+#include "tools/image/image_metrics.h"
+#include "tools/reference/tracer.h"
+#include "tools/render/read_output.h"
+#include "tools/render/scene_upload.h"
+#include "tools/scene/camera_framing.h"
+
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+#include <crevice/shipped.h>
+
+#include <map>
+
+using namespace crevice;
+
+namespace {
+
+/// How far a figure may be off: another driver's last bits move it by a tenth of this.
+constexpr double kMargin = 0.001;
+
+constexpr int kRays = 64;
+
+/// A part of the scene of spheres, of which the edges of the picture cut some.
+struct View {
+    const char* camera;
+    Extent extent;
+    double radius;
+};
+
+const View kClose = {"close", {96, 96}, 0.4};
+const View kWide = {"eye=0.3,0.9,2.4;at=0.15,0.3,0;fov=34", {161, 65}, 1.5};  // and odd
+
+using Overrides = std::vector<std::string>;
+
+struct Row {
+    const char* config;
+    const View& view;
+    Overrides overrides;
+    double rmse;
+    double bias;
+};
+
+const Row kOcclusion[] = {
+    {"mobile", kClose, {}, 0.0820, 0.0197},
+    {"mobile", kWide, {}, 0.1961, 0.0824},
+    {"balanced", kClose, {}, 0.0819, -0.0039},
+    {"balanced", kWide, {}, 0.1701, 0.0642},
+    {"high", kClose, {}, 0.0427, -0.0062},
+    {"high", kWide, {}, 0.1022, 0.0329},
+    {"gtao", kClose, {}, 0.0735, 0.0086},
+    {"gtao", kWide, {}, 0.1724, 0.0672},
+    {"bitmask", kClose, {}, 0.0770, 0.0222},
+    {"bitmask", kWide, {}, 0.1434, 0.0549},
+    {"sao", kClose, {}, 0.1821, 0.0740},
+    {"sao", kWide, {}, 0.1867, -0.0132},
+    {"hbao", kClose, {}, 0.1711, 0.1087},
+    {"hbao", kWide, {}, 0.1664, 0.0659},
+    {"ssdo", kClose, {}, 0.1300, 0.0276},
+    {"ssdo", kWide, {}, 0.2273, 0.0135},
+    {"gtao_temporal", kClose, {}, 0.1103, 0.0471},
+    {"gtao_temporal", kWide, {}, 0.2000, 0.0787},
+    {"mobile", kClose, {"intensity=1.6", "power=1.7"}, 0.2216, -0.1645},
+    {"high", kWide, {"intensity=0.6", "power=2.5"}, 0.1021, -0.0107},
+    {"hbao", kClose, {"intensity=0.7", "power=1.5"}, 0.2213, 0.1560},
+    {"ssdo", kWide, {"intensity=1.5", "power=0.6"}, 0.2381, -0.0144},
+    {"sao", kClose, {"intensity=0.5", "power=4"}, 0.2015, 0.1170},
+    {"gtao", kClose, {"bias=0.1"}, 0.0769, 0.0136},
+    {"gtao", kWide, {"guard_band=1"}, 0.2136, 0.1014},
+    {"gtao", kClose, {"max_gap=0.5"}, 0.1375, 0.0732},
+    {"bitmask", kWide, {"thickness=0.1"}, 0.2310, 0.1733},
+    {"bitmask", kClose, {"thickness=2", "bias=0.05"}, 0.1268, -0.0409},
+    {"balanced", kWide, {"guard_band=1.5", "max_gap=2"}, 0.1352, 0.0736},
+    {"hbao", kWide, {"bias=0.08", "angle_bias=30"}, 0.3090, 0.2324},
+    {"hbao", kClose, {"light=cosine", "falloff=0.3", "thin_occluders=count"}, 0.2539, -0.1449},
+    {"sao", kWide, {"bias=0.15"}, 0.2150, 0.1153},
+    {"sao", kWide, {"curve=steep"}, 0.3035, -0.1733},
+    {"levels", kWide, {"power=1"}, 0.2409, 0.1595},
+    {"ssdo", kClose, {"bias=0.2"}, 0.1582, 0.0594},
+    {"ssdo", kClose, {"bias_length=0.05", "bias_along=normal"}, 0.1250, 0.0034},
+    {"mobile", kWide, {"ao_scale=0.3"}, 0.1953, 0.0880},
+    {"gtao", kWide, {"rotation=gradient", "slices=1", "steps=5"}, 0.1494, 0.0378},
+    {"gtao_temporal", kWide, {"intensity=1.5", "bias=0.05"}, 0.1904, 0.0601},
+};
+
+const Row kLight[] = {
+    {"bent", kClose, {"specular_occlusion=bent", "ambient=0", "specular_power=2"}, 0.0459, -0.0304},
+    {"bent", kWide, {"specular_occlusion=bent", "ambient=0", "specular_power=9"}, 0.0104, -0.0025},
+    {"gtao", kClose, {"specular_occlusion=ao", "ambient=0", "specular_power=20"}, 0.0040, -0.0010},
+    {"gtao", kWide, {"specular_occlusion=ao", "ambient=0", "specular_power=4"}, 0.0136, -0.0057},
+    {"gtao", kWide, {"ambient=1", "multi_bounce=true"}, 0.0528, -0.0179},
+    {"balanced", kClose, {"ambient=0.7", "ao_on=everything"}, 0.1300, -0.0746},
+    {"ssdo", kWide, {"bounce=3"}, 0.0386, -0.0125},
+    {"ssdo", kClose, {}, 0.0361, -0.0175},
+    {"mobile", kWide, {"ambient=1"}, 0.0812, -0.0365},
+};
+
+/// The shipped configs, and gtao with what ships beside it.
+const SourceSet& configs()
+{
+    static const MemorySources own = [] {
+        MemorySources mine;
+        mine.add("configs/bent.json", R"({"format": 1, "extends": ["gtao", "ssao/bent_normals"]})");
+        mine.add("configs/levels.json",
+                 R"({"format": 1, "extends": ["sao", "geometry/depth_levels"]})");
+        return mine;
+    }();
+    static const LayeredSources sources({&own, &shippedSources()});
+    return sources;
+}
+
+/// The spheres, all glossy, and a light that is low enough to shine under them.
+Scene glossySpheres()
+{
+    Scene scene = need(loadScene("spheres"));
+    for (SceneMaterial& material : scene.materials) material.specular = glm::vec3(0.5f);
+    scene.lights[0].light.position = {1.5, 0.6, 1.6};
+    scene.lights[0].light.color = glm::vec3(1);
+    return scene;
+}
+
+/// The scene on a device, and what was traced of it.
+class Stage {
+public:
+    Image draw(const Row& row, const char* output, const Overrides& more = {})
+    {
+        Overrides overrides = {"radius=" + std::to_string(row.view.radius)};
+        for (const Overrides* each : {&row.overrides, &more})
+            overrides.insert(overrides.end(), each->begin(), each->end());
+        const Node document = need(loadConfig(configs(), {row.config, {}, overrides}));
+        const Frame frame = makeFrame(uploaded_, cameraOf(row.view), row.view.extent);
+        const auto renderer =
+            need(Renderer::create(*gl_.device, need(decode(document, configs())),
+                                  {row.view.extent, {output}, {}}, traitsOf(frame)));
+        return need(drawSettled(*gl_.device, *renderer, frame, output));
+    }
+
+    const Image& groundTruth(const View& view)
+    {
+        const auto known = traced_.find(&view);
+        if (known != traced_.end()) return known->second;
+        const Frame frame = makeFrame(uploaded_, cameraOf(view), view.extent);
+        TraceOptions options;
+        options.radius = view.radius;
+        options.rays = kRays;
+        return traced_[&view] =
+                   need(traceAmbientOcclusion(scene_, frame.camera, view.extent, options));
+    }
+
+private:
+    SceneCamera cameraOf(const View& view) const
+    {
+        const double aspect = double(view.extent.width) / view.extent.height;
+        return need(chooseCamera(scene_, uploaded_.bounds(), view.camera, aspect));
+    }
+
+    GlFixture gl_;
+    Scene scene_ = glossySpheres();
+    UploadedScene uploaded_ = need(UploadedScene::upload(*gl_.device, scene_));
+    std::map<const View*, Image> traced_;
+};
+
+void checkFigures(const Row& row, const Image& drawn, const Image& expected)
+{
+    const ImageDifference figures = need(compareImages(drawn, expected));
+    INFO(row.config << (&row.view == &kWide ? " wide " : " close ")
+                    << Catch::Detail::stringify(row.overrides) << ": " << figures.rmse << ", "
+                    << figures.bias);
+    CHECK(figures.rmse == Approx(row.rmse).epsilon(0).margin(kMargin));
+    CHECK(figures.bias == Approx(row.bias).epsilon(0).margin(kMargin));
+}
+
+}  // namespace
+
+TEST_CASE("The occlusion of the recommended configs is as far from the ground truth as it was")
+{
+    if (!canTrace()) return;
+    Stage stage;
+    for (const Row& row : kOcclusion)
+        checkFigures(row, stage.draw(row, "ao"), stage.groundTruth(row.view));
+}
+
+TEST_CASE("Occlusion takes as much of the light of lit pictures as it did")
+{
+    Stage stage;
+    for (const Row& row : kLight)
+        checkFigures(row, stage.draw(row, "color"), stage.draw(row, "color", {"display=no_ao"}));
+}
