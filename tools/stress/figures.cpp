@@ -64,7 +64,7 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
     };
     if (shot.distances.pixels.empty()) {
         record.step_share = shot.farthest > 0 ? shareAt(shot.farthest) : 0;
-        record.resolved = record.step_share <= kResolvedShare ? 1 : 0;
+        record.resolved = record.step_share <= kOpenShare ? 1 : 0;
         return;
     }
     const Extent size = shot.extent;
@@ -78,7 +78,7 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
             const double distance = shot.distances.at(x, y);
             if (distance <= 0) continue;
             ++seen;
-            if (shareAt(distance) > kResolvedShare) continue;
+            if (shareAt(distance) > kOpenShare) continue;
             ++resolved;
             const float value = ao.at(x, y);
             if (x < left || x >= size.width - left || y < low || y >= size.height - low ||

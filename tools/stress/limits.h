@@ -49,6 +49,6 @@ constexpr int kLeastSide = 16;
 constexpr double kFineShare = 0.02;
 
 /// Steps that leave planes open: sin^2(2 * 0.1) = 0.04 is below 1 - kOpenPixel.
-constexpr double kResolvedShare = 0.1;
+constexpr double kOpenShare = 0.1;
 
 }  // namespace crevice

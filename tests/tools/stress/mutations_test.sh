@@ -21,7 +21,7 @@ fi
 # failing CONFIG FOLDER: the cases that fail, a line each, with why.
 failing() {
     "$crevice" stress "$1" --quick --size 128x72 --effects "$2" --out "$2/stress" >"$2/stdout" 2>"$2/stderr" || true
-    grep -E '^  [a-z_]+ .*(breaks at|void)' "$2/stdout" || grep -m1 'error' "$2/stderr" | sed 's/^/  error /' || true
+    grep -E '^  [a-z_]+ .*(breaks at|VOID)' "$2/stdout" || grep -m1 'error' "$2/stderr" | sed 's/^/  error /' || true
 }
 fresh() {
     rm -rf -- "${work:?}/tree"
