@@ -21,11 +21,6 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kMaxTraceSide = 1 << 15;
 
-// How far a ray begins above the surface, as a part of the radius and of the scene's size: enough
-// for the rounding of 32-bit vertices (6e-8 of the size), too little to see past an edge.
-constexpr double kOffsetOfRadius = 1e-4;
-constexpr double kOffsetOfSize = 5e-7;
-
 // Hammersley points: an even share of the cosine-weighted hemisphere each.
 struct Probe {
     float radius_squared;  // on the unit disc, before its rotation
@@ -79,7 +74,6 @@ public:
           orthographic_(camera.orthographic()),
           extent_(extent),
           radius_(options.radius),
-          offset_(kOffsetOfRadius * options.radius + kOffsetOfSize * scene.size()),
           probes_(makeProbes(options.rays))
     {
     }
@@ -122,7 +116,7 @@ private:
 
     float visibility(const TraceHit& hit, std::uint32_t seed) const
     {
-        const glm::vec3 origin = hit.position + hit.geometric_normal * offset_;
+        const glm::dvec3 origin = hit.position + hit.geometric_normal * hit.rounding;
         const glm::vec3 geometric = hit.geometric_normal;
         const Basis basis = makeBasis(hit.normal);
         const float shift = fraction(hashed(seed));
@@ -130,8 +124,7 @@ private:
         const auto turn_cos = static_cast<float>(std::cos(angle));
         const auto turn_sin = static_cast<float>(std::sin(angle));
         int open = 0;
-        alignas(32) int valid[8];
-        RTCRay8 rays;
+        TraceBatch batch;
         for (std::size_t first = 0; first < probes_.size(); first += 8) {
             for (std::size_t k = 0; k < 8; ++k) {
                 const Probe& probe = probes_[std::min(first + k, probes_.size() - 1)];
@@ -144,29 +137,12 @@ private:
                 const glm::vec3 direction =
                     basis.tangent * x + basis.bitangent * y + basis.normal * z;
                 const bool above = glm::dot(direction, geometric) > 0.0f;
-                valid[k] = first + k < probes_.size() && above ? -1 : 0;
-                setRay(rays, k, origin, direction);
+                batch.valid[k] = first + k < probes_.size() && above ? -1 : 0;
+                batch.directions[k] = direction;
             }
-            open += scene_.countOpen(valid, rays);
+            open += scene_.countOpen(origin, batch, radius_);
         }
         return static_cast<float>(open) / static_cast<float>(probes_.size());
-    }
-
-    void setRay(RTCRay8& rays, std::size_t k, const glm::vec3& origin,
-                const glm::vec3& direction) const
-    {
-        rays.org_x[k] = origin.x;
-        rays.org_y[k] = origin.y;
-        rays.org_z[k] = origin.z;
-        rays.dir_x[k] = direction.x;
-        rays.dir_y[k] = direction.y;
-        rays.dir_z[k] = direction.z;
-        rays.tnear[k] = 0.0f;
-        rays.tfar[k] = static_cast<float>(radius_);
-        rays.time[k] = 0.0f;
-        rays.mask[k] = ~0u;
-        rays.id[k] = 0;
-        rays.flags[k] = 0;
     }
 
     const EmbreeScene& scene_;
@@ -175,7 +151,6 @@ private:
     const bool orthographic_;
     const Extent extent_;
     const double radius_;
-    const double offset_;
     const std::vector<Probe> probes_;
 };
 
@@ -221,7 +196,8 @@ Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Ex
 {
     if (const Status status = checkOptions(camera, extent, options); !status)
         return status.diagnostics();
-    const auto built = EmbreeScene::build(scene);
+    const glm::dvec3 eye = glm::inverse(camera.view_from_world)[3];
+    const auto built = EmbreeScene::build(scene, eye);
     if (!built) return built.diagnostics();
     const Tracer tracer(**built, camera, extent, options);
     Image image(extent, 1);

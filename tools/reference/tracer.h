@@ -4,7 +4,11 @@
 // One primary ray goes through each pixel's centre; the shading normal is the interpolated vertex
 // normal. From there `rays` cosine-weighted directions are probed (Hammersley points, rotated per
 // pixel); one that hits anything within `radius`, or that points below the geometric surface, is
-// occluded. Alpha-tested holes let rays through.
+// occluded. Surfaces occlude from both sides, and are shaded on the side that is seen. Alpha-tested
+// holes are not seen and let rays through.
+//
+// Distances are computed in doubles, so any radius will do, and any place in the world that an
+// instance's matrix says; vertices are as exact as their 32-bit floats.
 //
 // Sources
 //   Malley's method: Pharr, Jakob, Humphreys, "Physically Based Rendering".
@@ -19,7 +23,7 @@
 namespace crevice {
 
 /// Changes whenever the picture may: a part of the key of cached references.
-constexpr int kTracerVersion = 1;
+constexpr int kTracerVersion = 2;
 
 constexpr int kMaxTraceRays = 1 << 20;
 

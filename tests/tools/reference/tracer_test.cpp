@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ray tracer, against closed forms and against itself.
-#include "tools/reference/tracer.h"
+#include "tests/tools/reference/tracer_shot.h"
 
-#include "tests/support/catch.h"
-#include "tools/scene/mesh_shapes.h"
-
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -16,19 +10,6 @@ using namespace crevice;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-Scene sceneOf(const std::vector<MeshDesc>& meshes)
-{
-    Scene scene;
-    scene.meshes = meshes;
-    scene.materials.emplace_back();
-    for (int index = 0; index < static_cast<int>(meshes.size()); ++index)
-        scene.instances.push_back({index});
-    return scene;
-}
-
-const MeshDesc kFloor = makeQuad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100});
-const MeshDesc kWall = makeQuad({-50, 0, 0}, {100, 0, 0}, {0, 50, 0});
 
 // Looks straight down: the picture's right is +x, its top is -z; `half` to each side.
 Camera fromAbove(float half, const glm::vec3& center = glm::vec3(0.0f))
@@ -77,13 +58,6 @@ Scene cornerWithSphere()
 }
 
 }  // namespace
-
-// A build without Embree has no ground truth to test.
-#define REQUIRE_EMBREE() \
-    if (!canTrace()) { \
-        WARN("built without Embree"); \
-        return; \
-    }
 
 TEST_CASE("an open plane is open, seen from any side and under any slope")
 {
@@ -237,6 +211,24 @@ TEST_CASE("rays pass through the holes of an alpha-tested material")
     scene.materials[1].base_color_texture = 0;
     const Image image = trace(scene, fromAbove(2), {4, 4}, 10, 256);
     CHECK(image.at(0, 1) > image.at(3, 1) + 0.02f);
+}
+
+TEST_CASE("noise is about what docs/bench.md says of each number of rays")
+{
+    REQUIRE_EMBREE();
+    const Scene scene = cornerWithSphere();
+    const Image exact = trace(scene, perspective(kLens), {24, 24}, 1, 8192);
+    const std::pair<int, double> rows[] = {
+        {64, 0.014}, {128, 0.008}, {256, 0.005}, {512, 0.003}, {1024, 0.002}};
+    for (const auto& [rays, limit] : rows) {
+        const Image image = trace(scene, perspective(kLens), {24, 24}, 1, rays);
+        double sum = 0;
+        for (std::size_t k = 0; k < image.pixels.size(); ++k)
+            sum += std::pow(image.pixels[k] - exact.pixels[k], 2.0);
+        const double noise = std::sqrt(sum / static_cast<double>(image.pixels.size()));
+        CHECK(noise <= limit * 1.25);
+        CHECK(noise >= limit / 2);
+    }
 }
 
 TEST_CASE("options and cameras that cannot be traced are refused")
