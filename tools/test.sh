@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
-# docs/bench, the pictures of docs/methods, the tests without GL under sanitizers, a build with
-# clang, and a minute of fuzzing.
+# docs/bench, the pictures of docs/methods, faults planted in shaders, the tests without GL under
+# sanitizers, a build with clang, and a minute of fuzzing.
 # Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it
@@ -45,6 +45,9 @@ sanitized_tests() {
         cmake --build --preset asan --target crevice_tests &&
         build/asan/tests/crevice_tests
 }
+planted_faults() {
+    tests/tools/stress/mutations_test.sh build/ci/tools/crevice .
+}
 clang_build() {
     cmake -G Ninja -S . -B build/clang -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
         -DCREVICE_WERROR=ON -DCREVICE_TESTS=OFF && cmake --build build/clang
@@ -63,6 +66,7 @@ else
     stage "All tests" all_tests
     stage "Errors against docs/bench" guard
     stage "Pictures in docs/methods" pictures
+    stage "Faults planted in shaders, which stress must find" planted_faults
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Build with clang" clang_build
     stage "Fuzzers, 30 seconds each" fuzzers
