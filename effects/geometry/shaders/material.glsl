@@ -77,14 +77,15 @@ highp mat3 textureFrame(highp vec3 at, highp vec2 map_uv, highp vec3 n)
 }
 #endif
 
-// As seenNormal, tilted by the material's normal map.
+// As seenNormal, tilted by the material's normal map where both that and `map_uv` are numbers.
 highp vec3 materialNormal(highp vec3 at, highp vec3 vertex_normal, highp vec2 map_uv)
 {
     highp vec3 n = seenNormal(at, vertex_normal);
 #if SCENE_NORMAL_MAPPED
     highp vec3 tilt = texture(normal_map, map_uv).xyz * 2.0 - 1.0;
-    n = textureFrame(at, map_uv, n) * vec3(tilt.xy * normal_scale, max(tilt.z, 1e-3));
-    n = normalize(n);
+    highp vec3 tilted = textureFrame(at, map_uv, n) * vec3(tilt.xy * normal_scale, max(tilt.z, 1e-3));
+    highp float size = dot(tilted, tilted);
+    if (size > 0.0 && size < 1e30) n = tilted * inversesqrt(size);
 #endif
     return n;
 }
