@@ -290,8 +290,34 @@ TEST_CASE("A spot lights its cone like a point light, and nothing outside")
     CHECK(spot.at(2, 36) == 0.0f);
     CHECK(spot.at(64, 36) == point.at(64, 36));
     CHECK(mean(spot) < mean(point) / 4);
+    // Between the angles the square of a ramp of the cosine: pixel 73 is seen 0.296 rad off.
+    const double off = std::atan(9.5 / 36 * std::tan(0.5236) * 6 / 3);
+    const double ramp = (std::cos(off) - std::cos(0.4)) / (std::cos(0.2) - std::cos(0.4));
+    const double seen = std::pow(spot.at(73, 36) / point.at(73, 36), 2.2);  // of encoded values
+    CHECK(seen == Approx(ramp * ramp).margin(0.03));
     scene.lights[0].light.outer_angle_rad = scene.lights[0].light.inner_angle_rad = 3.1415927f;
     CHECK(meanChange(drawn(), point) < 0.001);
+}
+
+TEST_CASE("A directional light does not fade with distance")
+{
+    Scene scene = need(loadScene("plane"));
+    Light light;
+    light.directional = true;
+    light.direction = {0, -1, 0};
+    light.color = glm::vec3(0.5f);
+    const auto drawn = [&](const glm::vec3& attenuation) {
+        light.attenuation = attenuation;
+        scene.lights = {{"light", light}};
+        PictureRequest request;
+        request.camera = "eye=0,6,0.01;at=0,0,0;fov=60";
+        request.output = "color";
+        request.overrides = {"ambient=0", "reflection=lambert"};
+        return picture(request, scene);
+    };
+    const Image lit = drawn({1, 0, 0});
+    CHECK(lit.at(64, 36) > 0.3f);
+    CHECK(meanChange(drawn({1, 2, 3}), lit) == 0);
 }
 
 TEST_CASE("Forward lighting draws what deferred lighting draws")
