@@ -73,7 +73,7 @@ StoredSurface storedSurface(const Description& description, const TargetDesc& ta
         description.passes.begin(), description.passes.end(), [&](const PassDesc& pass) {
             return pass.type == PassType::draw && pass.depth.name == target.name;
         });
-    return {target.semantic, format, drawn};
+    return {target.semantic, format, drawn, false};
 }
 
 PrecisionNeed precisionNeed(const SceneTraits& traits, double radius, int height)
@@ -104,6 +104,24 @@ PrecisionNeed precisionNeed(const Description& description, const SceneTraits& t
     return radius ? precisionNeed(traits, double{radius->value[0]}, height) : PrecisionNeed{};
 }
 
+PrecisionNeed needOfDraws(const SceneTraits& traits, const PrecisionNeed& need, double radius,
+                          double share)
+{
+    const double distance = traits.draws.distance;
+    if (!(distance > 0) || need.distance <= 0) return need;
+    return {radius * share, std::min(need.distance, distance)};
+}
+
+double viewHeights(const SceneTraits& traits, double radius)
+{
+    const double distance = traits.draws.distance;
+    if (!(distance > 0)) return 0;
+    if (traits.orthographic) return radius * traits.camera.zoom / 2;
+    // A sphere of the radius ends at R / sqrt(1 - R^2 / d^2) for the eye, and at most sqrt(5) R.
+    const double share = radius / distance;
+    return share / std::sqrt(std::max(1 - share * share, 0.2)) * traits.camera.zoom / 2;
+}
+
 double formatStep(Format format, double value)
 {
     const FormatInfo& info = formatInfo(format);
@@ -123,7 +141,8 @@ double viewStep(const SceneTraits& traits, const StoredSurface& stored, double d
     }
     const Window window = windowAt(traits, distance);
     const double step = formatStep(stored.format, window.depth);
-    return window.slope * (stored.drawn ? std::max(step, kDrawnDepthStep) : step);
+    if (!stored.drawn) return window.slope * step;
+    return window.slope * std::max(step, stored.hidden ? kHiddenDepthStep : kDrawnDepthStep);
 }
 
 double resolvedDistance(const SceneTraits& traits, const StoredSurface& stored,

@@ -18,12 +18,53 @@ namespace crevice {
 /// A radius counts as resolved where steps are no more than this share of it.
 constexpr double kResolvedShare = 0.1;
 
+// Steps, in radii, that nobody sees where draws lie. A horizon raised by an angle blocks the square
+// of its sine of an open surface; half a step of 8 bits is 0.002.
+
+/// Of what is marched over, where a change adds up over all slices and filters spread it. The
+/// nearest of four taps lies an eighth of the radius away, and a step raises its horizon by eight:
+/// sin^2(8 * 0.0028) = 0.0005, a quarter of what is seen.
+constexpr double kUnseenMarched = 0.0028;
+
+/// Of stored positions that are marched over. All three coordinates round, so that surfaces are off
+/// by sqrt(3) as much as those of depth: 0.0028 / 1.732.
+constexpr double kUnseenMarchedPosition = 0.0016;
+
+/// Of what the offsets of a kernel over the surface are compared with, which lie half the radius
+/// away; their surface and the point itself round: sin^2(2 * 2 * 0.01) = 0.0016. Where the kernel
+/// has a margin above that, steps within it are not seen either.
+constexpr double kUnseenProbed = 0.01;
+
+/// Of what a kernel all round the point is compared with. Its offsets lie on both sides of the
+/// surface itself, and a step decides all those within it: of a ball 3/4 * 0.0027 = 0.002, not the
+/// square of an angle.
+constexpr double kUnseenAround = 0.0027;
+
+/// Of the depth test alone, which confuses surfaces that lie no farther apart, next to where they
+/// meet. Occlusion reaches a radius to either side of there, so a picture of which a sixth is
+/// occluded changes by 0.16 * 0.025 / 2.
+constexpr double kUnseenHidden = 0.025;
+
+/// Of the floats of vertices: each rounds, and once more in view space, as does what occludes it,
+/// so that surfaces are off by twice as much as those that a kernel is compared with, on both
+/// sides.
+constexpr double kUnseenVertex = kUnseenProbed / 4;
+
+/// Heights of the view. Where a radius reaches farther, three of four taps above and below the
+/// middle of the view, spread evenly, lie off the screen.
+constexpr double kMostViewHeights = 2.0;
+
 /// Where a radius covers fewer pixels, estimators fade: nothing is asked of a format there.
 constexpr double kLeastRadiusPixels = 2.0;
 
 /// Steps of window depth below this are lost before a texture keeps them: a rasteriser makes window
 /// depth of -1..1 in single float.
 constexpr double kDrawnDepthStep = 1.0 / (1 << 24);
+
+/// As little of that counts for the depth test. Where a texture holds finer steps, next to 0, only
+/// vertices round: by half a step of -1..1 at most, a quarter of it in 0..1, and those at one
+/// distance alike, so that what lies in front stays there.
+constexpr double kHiddenDepthStep = kDrawnDepthStep / 4;
 
 /// What a texture that surfaces are read from holds.
 struct StoredSurface {
@@ -33,6 +74,8 @@ struct StoredSurface {
     /// Window depth that a rasteriser made, rather than a shader, or a host that may clip at depth
     /// 0.
     bool drawn = true;
+    /// Looked at by the depth test alone: nothing reads it.
+    bool hidden = false;
 };
 
 /// What `target` holds in `format`.
@@ -54,6 +97,15 @@ const ParamDesc* resolvedLength(const Description& description);
 
 /// The need of a config at the present value of that; none where there is none.
 PrecisionNeed precisionNeed(const Description& description, const SceneTraits& traits, int height);
+
+/// What a warning goes by: where draws are known to lie, steps there of at most a `share` of the
+/// radius; else `need`, of that radius.
+PrecisionNeed needOfDraws(const SceneTraits& traits, const PrecisionNeed& need, double radius,
+                          double share);
+
+/// How far a radius reaches across the view where draws lie, in heights of it, as passes march
+/// (effects/ssao/shaders/march.glsl, seenReach); 0 where that is not known.
+double viewHeights(const SceneTraits& traits, double radius);
 
 /// Distance between neighbours of the format at `value` >= 0; infinite above the largest it holds.
 double formatStep(Format format, double value);

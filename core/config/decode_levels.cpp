@@ -57,10 +57,7 @@ bool LevelReader::isDeclared(const FeatureDesc& feature, const Setting& setting)
         referenceTo(setting), Code::unknown_param,
         "feature '" + feature.name + "' sets '" + setting.name + "', and no file declares it",
         suggestName(setting.name, std::move(names), "params and features"));
-    if (report_.leavesOut({document_, "", setting.place})) {
-        error.severity = Severity::warning;
-        error.help = "it is left out: what declares it is not part of this config";
-    }
+    if (report_.leavesOut(setting.place)) Report::leaveOut(error);
     return false;
 }
 

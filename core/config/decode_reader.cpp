@@ -54,11 +54,7 @@ void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry
     Diagnostic& error =
         report.atKey(entry, Code::unknown_param,
                      what + " '" + entry.key + "' is set here, and no file declares it");
-    if (report.leavesOut(entry)) {
-        error.severity = Severity::warning;
-        error.help = "it is left out: what declares it is not part of this config";
-        return;
-    }
+    if (report.leavesOut(entry.key_place)) return Report::leaveOut(error);
     std::vector<std::string> declared;
     for (const Member& member : section.node.members)
         if (member.value.kind == Node::Kind::object) declared.push_back(member.key);

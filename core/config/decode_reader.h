@@ -151,7 +151,7 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
         if (isExtension(member.key)) continue;
         const Cursor child = cursor.child(member);
         const bool declared = isDeclared(out, member.value);
-        const bool elided = !declared && report.leavesOut(child);
+        const bool elided = !declared && report.leavesOut(child.key_place);
         const bool bare = member.value.kind != Node::Kind::object;
         if (!elided) setKey(report, child, out.emplace_back());
         if (elided || (!declared && bare))

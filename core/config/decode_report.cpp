@@ -59,10 +59,15 @@ Reference Cursor::reference(std::string name) const
 
 Reference Cursor::keyReference() const { return {key, key_place, pointer, {}}; }
 
-bool Report::leavesOut(const Cursor& entry) const
+bool Report::leavesOut(const Place& key) const
 {
-    const SourceRef& writer = entry.key_place.source;
-    return patched_ && !(writer && writer->path == kOverridePath);
+    return patched_ && !(key.source && key.source->path == kOverridePath);
+}
+
+void Report::leaveOut(Diagnostic& error)
+{
+    error.severity = Severity::warning;
+    error.help = "it is left out: what declares it is not part of this config";
 }
 
 Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message, std::string help)

@@ -34,7 +34,10 @@ public:
 
     /// Whether an entry that nothing declares is left out with a warning: what the config gives a
     /// value may have gone with a module that was swapped.
-    bool leavesOut(const Cursor& entry) const;
+    bool leavesOut(const Place& key) const;
+
+    /// Makes that warning of the error about it.
+    static void leaveOut(Diagnostic& error);
 
     /// An error about a value, or about its key. Without a help of its own it has the table's
     /// sentence. What comes back is valid until the next call.

@@ -38,7 +38,7 @@ enum class FeatureType { bool_, enum_ };
 using Spellings = std::vector<std::string>;
 inline Spellings spellings(ParamType) { return {"float", "int", "vec2", "vec3", "vec4"}; }
 inline Spellings spellings(Bind) { return {"uniform", "define"}; }
-inline Spellings spellings(ParamSemantic) { return {"other", "length"}; }
+inline Spellings spellings(ParamSemantic) { return {"other", "length", "margin"}; }
 inline Spellings spellings(FeatureType) { return {"bool", "enum"}; }
 inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights", "texture"}; }
 inline Spellings spellings(Semantic) { return {"other", "view_position", "view_depth", "mask"}; }

@@ -45,7 +45,9 @@ void fields(V& v, ParamDesc& p)
     v.field(
         "semantic", p.semantic,
         "`length` for a distance in scene units within which an estimator takes samples: formats "
-        "of depth and positions are chosen to resolve a tenth of it.");
+        "of depth and positions are chosen to resolve a tenth of it. `margin` for the share of the "
+        "length by which something must lie in front of an offset to occlude: no smaller steps are "
+        "warned of.");
     if (componentCount(p.type) > 1) v.refuse("semantic", Code::bad_enum, "a vector is no length");
     if (componentCount(p.type) > 1 && p.bind == Bind::define)
         v.refuse("bind", Code::bad_enum, "a vector cannot be a define");

@@ -2,6 +2,8 @@
 // What a plan may depend on, drawn from a frame.
 #include <crevice/frame.h>
 
+#include "core/frame/frame_math.h"
+
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -93,7 +95,7 @@ CameraRange rangeOf(const Camera& camera)
     return {std::min(one, other), std::max(one, other), zoom};
 }
 
-SceneTraits traitsOf(const Frame& frame)
+SceneTraits steadyTraitsOf(const Frame& frame)
 {
     SceneTraits traits;
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
@@ -113,6 +115,13 @@ SceneTraits traitsOf(const Frame& frame)
         traits.baked_occlusion = traits.baked_occlusion || material.occlusion_map;
         traits.material_ambient = traits.material_ambient || material.ambient < 1.0f;
     }
+    return traits;
+}
+
+SceneTraits traitsOf(const Frame& frame)
+{
+    SceneTraits traits = steadyTraitsOf(frame);
+    traits.draws = rangeOf(frame.draws, frame.camera);
     return traits;
 }
 

@@ -22,9 +22,6 @@ constexpr double kLeastVolume = 1e-14;
 // Least difference of a spot's cosines: its edge is then as sharp as a float shows.
 constexpr double kLeastConeRamp = 1e-4;
 
-/// How far a vertex in floats may lie from where it is, relative to its distance.
-constexpr double kFloatMargin = 1e-5;
-
 // As floats, which is what shaders get.
 template <typename T>
 bool finite(const T* values, int count)
@@ -61,6 +58,13 @@ bool invertible(const glm::dmat4& columns)
            finite(glm::mat4(glm::inverse(columns)));
 }
 
+// Whether w is above 0 far along -z, where a view looks. A left-handed projection has it below.
+bool looksForward(const Camera& camera)
+{
+    const glm::vec4 of_z = camera.clip_from_view[2], of_1 = camera.clip_from_view[3];
+    return of_z.w < 0.0f || (of_z.w == 0.0f && of_1.w > 0.0f);
+}
+
 Diagnostic bad(std::string what, std::string help)
 {
     return {Code::bad_input, std::move(what), std::move(help)};
@@ -83,6 +87,11 @@ Status checkCamera(const Camera& camera, std::size_t view)
     const char* const lens = "near and far plane must differ, and neither width nor height be 0";
     if (Status status = check(camera.clip_from_view, "clip_from_view", lens); !status)
         return status;
+    if (!looksForward(camera))
+        return bad(ownedBy(view, "clip_from_view") +
+                       " has w below 0 for what lies in front, along -z: nothing would be seen",
+                   "negate its third column; where the view looks along +z, negate the third row "
+                   "of view_from_world too");
     return check(camera.view_from_world, "view_from_world",
                  "its three axes must be independent and not 0");
 }
@@ -137,68 +146,6 @@ std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, cons
     return materialFault(frame, item, device);
 }
 
-struct Sphere {
-    glm::dvec3 center;
-    double radius;
-};
-
-// Requires bounds.
-Sphere boundsInView(const DrawItem& item, const CameraMatrices& camera)
-{
-    const glm::dmat4 view_from_model = camera.view_from_world * item.world_from_model;
-    const glm::dmat3 axes(view_from_model);
-    const glm::dmat3 squares = glm::transpose(axes) * axes;
-    double stretch = 0;  // of lengths, squared: at most the largest row sum (Gershgorin)
-    for (int i = 0; i < 3; ++i)
-        stretch = std::max(
-            stretch, std::abs(squares[i][0]) + std::abs(squares[i][1]) + std::abs(squares[i][2]));
-    const glm::dvec3 center(view_from_model * glm::dvec4(item.bounds_center, 1.0));
-    // Shaders place vertices in floats.
-    return {center, item.bounds_radius * std::sqrt(stretch) * (1 + kFloatMargin) +
-                        glm::length(center) * kFloatMargin};
-}
-
-bool isOutside(const Sphere& sphere, const CameraMatrices& camera, double wider)
-{
-    const glm::dvec4 center(sphere.center, 1.0);
-    const glm::dmat4 rows = glm::transpose(camera.clip_from_view);
-    const glm::dvec4 planes[] = {rows[3] * wider + rows[0], rows[3] * wider - rows[0],
-                                 rows[3] * wider + rows[1], rows[3] * wider - rows[1],
-                                 rows[3] + rows[2],         rows[3] - rows[2]};
-    for (const glm::dvec4& plane : planes)
-        if (glm::dot(plane, center) < -sphere.radius * glm::length(glm::dvec3(plane))) return true;
-    return false;
-}
-
-// Whether at no point of the sphere a length comes to a pixel, as shaders count
-// (effects/ssao/shaders/reach.glsl).
-bool isBelowPixel(const Sphere& sphere, const glm::dmat4& clip_from_view, const Extent& extent,
-                  double length)
-{
-    const bool perspective = clip_from_view[2][3] != 0.0;
-    const double nearest = perspective ? -(sphere.center.z + sphere.radius) : 1.0;
-    const double across = std::max(std::abs(clip_from_view[0][0]) * extent.width,
-                                   std::abs(clip_from_view[1][1]) * extent.height);
-    return nearest > 0.0 && 0.5 * length * across < nearest * (1 - kFloatMargin);
-}
-
-// The corners of a box about the sphere, on the screen; all of it where one lies behind the camera.
-ViewArea areaOf(const Sphere& sphere, const glm::dmat4& clip_from_view)
-{
-    ViewArea area = {1, 1, 0, 0};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        const glm::dvec4 clip =
-            clip_from_view * glm::dvec4(sphere.center + sphere.radius * sides, 1.0);
-        if (!(clip.w > 0.0)) return {};
-        const glm::dvec2 at = glm::dvec2(clip) / clip.w * 0.5 + 0.5;
-        if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
-        area = {std::min(area.left, at.x), std::min(area.bottom, at.y), std::max(area.right, at.x),
-                std::max(area.top, at.y)};
-    }
-    return area;
-}
-
 }  // namespace
 
 CameraMatrices cameraMatrices(const Camera& camera)
@@ -228,46 +175,6 @@ bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
     const bool item_mirrors = glm::determinant(glm::dmat3(item.world_from_model)) < 0.0;
     const bool view_mirrors = glm::determinant(glm::dmat3(camera.view_from_world)) < 0.0;
     return (item_mirrors != view_mirrors) != (upright < 0.0);
-}
-
-bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
-{
-    return item.bounds_radius >= 0.0f && isOutside(boundsInView(item, camera), camera, wider);
-}
-
-ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
-                     const Extent& extent, double length)
-{
-    ViewArea area = {1, 1, 0, 0};
-    for (const DrawItem& item : draws) {
-        if (item.count == 0) continue;
-        if (item.bounds_radius < 0.0f) return {};
-        const Sphere sphere = boundsInView(item, camera);
-        if (isOutside(sphere, camera, 1.0) ||
-            isBelowPixel(sphere, camera.clip_from_view, extent, length))
-            continue;
-        const ViewArea own = areaOf(sphere, camera.clip_from_view);
-        area = {std::min(area.left, own.left), std::min(area.bottom, own.bottom),
-                std::max(area.right, own.right), std::max(area.top, own.top)};
-        if (area.left <= 0 && area.bottom <= 0 && area.right >= 1 && area.top >= 1) return {};
-    }
-    return area;
-}
-
-PixelArea pixelsOf(const ViewArea& area, const Extent& extent)
-{
-    // A pixel more: one stands for the surface at its middle, or for one of several under it.
-    const auto side = [](double from, double to, int size, int& first) {
-        first = static_cast<int>(std::floor(std::clamp(from, 0.0, 1.0) * size)) - 1;
-        const int last = static_cast<int>(std::ceil(std::clamp(to, 0.0, 1.0) * size)) + 1;
-        first = std::clamp(first, 0, size);
-        return std::clamp(last, 0, size) - first;
-    };
-    PixelArea pixels;
-    if (area.right < area.left || area.top < area.bottom) return pixels;
-    pixels.extent.width = side(area.left, area.right, extent.width, pixels.x);
-    pixels.extent.height = side(area.bottom, area.top, extent.height, pixels.y);
-    return pixels;
 }
 
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)

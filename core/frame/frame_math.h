@@ -30,6 +30,9 @@ struct FrameHistory {
 /// Requires that `checkFrame` had nothing against the camera.
 CameraMatrices cameraMatrices(const Camera& camera);
 
+/// All but where draws lie, which takes as long as culling does and is of use to plans alone.
+SceneTraits steadyTraitsOf(const Frame& frame);
+
 /// Turns normals as `matrix` turns the surface they stand on: proportional to the inverse
 /// transpose, but also right for a matrix that flattens, which has none. Rotations keep lengths.
 glm::mat3 normalMatrix(const glm::dmat4& matrix);

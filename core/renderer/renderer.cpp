@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/compile/depth_precision.h"
 #include "core/config/values.h"
+#include "core/frame/frame_math.h"
 #include "core/run/execution.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ Diagnostics Renderer::State::prepareLevels()
     Diagnostics warnings;
     for (std::size_t i = 0; i < description.features.size(); ++i) {
         const FeatureDesc& feature = description.features[i];
+        // The present word too: its values may have been set otherwise since.
         for (std::size_t word = 0; !feature.sets.empty() && word < feature.values.size(); ++word) {
             Description level = description;
             level.features[i].value = static_cast<int>(word);
@@ -136,8 +138,17 @@ bool Renderer::State::formatsHold(const SceneTraits& scene) const
 Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& frame)
 {
     if (Status status = checkFrame(frame); !status) return status;
-    const SceneTraits traits = traitsOf(frame);
+    if (state->options.strict) {
+        Diagnostics errors = warnElided(frame, state->device);
+        for (Diagnostic& error : errors) {
+            error.severity = Severity::error;
+            error.message = "the frame cannot be drawn whole: " + error.message;
+        }
+        if (!errors.empty()) return errors;
+    }
+    SceneTraits traits = steadyTraitsOf(frame);
     if (traits == state->traits) return state->execution->setImports(frame);
+    traits.draws = rangeOf(frame.draws, frame.camera);
     SceneTraits moved = state->traits;
     moved.camera = traits.camera;
     if (moved == traits && state->formatsHold(traits)) {  // histories go on

@@ -17,6 +17,9 @@ struct CompileOptions {
     Extent extent;
     std::vector<std::string> outputs = {};  ///< Names of outputs; empty means all.
     std::vector<std::string> disable = {};  ///< Names of optimizations to switch off, or "all".
+    /// What of a frame no shader could draw is an error, and that frame is not drawn; else it is
+    /// left out with a warning (`Renderer::render`).
+    bool strict = false;
 };
 
 /// Plans a description for a scene, a device and a size. The description's param and feature values

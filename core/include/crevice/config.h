@@ -34,10 +34,11 @@ enum class Bind {
     define,   ///< A #define in upper case: a change compiles the shader again.
 };
 
-/// What a param means to the choice of formats. A length, in scene units, is how far an estimator
-/// looks about: formats of depth and positions are chosen to distinguish surfaces that are a tenth
-/// of it apart.
-enum class ParamSemantic { other, length };
+/// What a param means to formats. A length, in scene units, is how far an estimator looks about:
+/// formats of depth and positions are chosen to distinguish surfaces that are a tenth of it apart.
+/// A margin, as a share of the length, is how far in front of an offset something must lie to
+/// occlude: no smaller steps are seen.
+enum class ParamSemantic { other, length, margin };
 
 /// A tunable number or vector. All bounds hold for each component and are inclusive.
 struct ParamDesc : Named {

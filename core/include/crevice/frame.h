@@ -182,6 +182,19 @@ struct CameraRange {
 /// Of the projection as it is: off-centre, reversed, infinite or orthographic.
 CameraRange rangeOf(const Camera& camera);
 
+/// Where the draws in view lie, by their bounds, when a plan is made: one is not made again, or
+/// warned of, because they move.
+struct DrawRange {
+    /// Mean distance along the view's axis, each draw's by how much of the view it covers; 0 where
+    /// that is not known: without draws, or where one has no bounds.
+    double distance = 0;
+    /// How far apart floats are at the largest coordinate of a vertex, in scene units.
+    double vertex_step = 0;
+};
+
+/// Of the first view. Requires that the camera is one that can be drawn with.
+DrawRange rangeOf(const std::vector<DrawItem>& draws, const Camera& camera);
+
 /// What a plan may depend on, drawn from a frame. Conditions name them as in the comments.
 struct SceneTraits {
     int lights = 0;                ///< scene.lights
@@ -196,6 +209,7 @@ struct SceneTraits {
     bool material_ambient = false;
     int views = 1;            ///< camera.views
     CameraRange camera = {};  ///< Formats are chosen by it, and no condition sees it.
+    DrawRange draws = {};     ///< Plans warn by it; no condition and no comparison sees it.
 
     bool operator==(const SceneTraits& other) const;
 };

@@ -46,7 +46,8 @@ public:
     /// What of a frame no shader could draw is left out with a warning CV6011, in every frame that
     /// has it: draws with a mesh or texture that the device does not have, with indices past the
     /// mesh's, or with a matrix, bounds or material that are not finite or not there, and lights
-    /// that are not finite.
+    /// that are not finite. With CompileOptions::strict that is an error instead, before anything
+    /// is drawn.
     ///
     /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's
     /// context is not current, and the frame then counts as not drawn; CV6005 and CV6009 from the
@@ -74,7 +75,7 @@ public:
     /// Sets a feature ("true", "false" or an enum's word), and what that word sets; plans again.
     /// Warns with CV5010 where that compiled a shader. The words of a feature that sets values,
     /// such as `quality`, compile none: all that they run was compiled by `create`, `reload` or the
-    /// first frame of a scene of other traits.
+    /// first frame of a scene of other traits. After a change of another define they do, once each.
     ///
     /// Errors: CV2105, CV2106; the old value stays.
     Status setFeature(std::string_view name, std::string_view value);

@@ -132,6 +132,20 @@ TEST_CASE("Float depth is finer than 24 bits only where a host reverses it")
     CHECK(ratio(turned, true) < 1e-4);
 }
 
+TEST_CASE("What only the depth test reads is as coarse as its format, or as vertices next to 0")
+{
+    const SceneTraits traits = through(glm::ortho(-2.0, 3.0, -1.0, 1.0, -5.0, 45.0));
+    const auto share = [&](Format format, double distance) {
+        StoredSurface hidden = drawn(format);
+        hidden.hidden = true;
+        return viewStep(traits, hidden, distance) / viewStep(traits, drawn(format), distance);
+    };
+    CHECK(share(Format::depth16, 1) == about(1));
+    CHECK(share(Format::depth24, 1) == about(1));
+    CHECK(share(Format::depth32f, 1) == about(0.25));
+    CHECK(share(Format::depth32f, 49) == about(1));
+}
+
 TEST_CASE("Formats have to resolve the param that is a length, of several the least")
 {
     Description description;

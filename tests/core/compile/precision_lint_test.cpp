@@ -304,3 +304,63 @@ TEST_CASE("A radius set at run time plans again only where other formats serve i
     CHECK((*renderer)->setParam("radius", 0.5f).ok());
     CHECK(stored() == Format::rgba16f);
 }
+
+namespace {
+
+// Of a config whose draws lie in such a range.
+Diagnostics saidOfDraws(const Setup& setup, const DrawRange& draws)
+{
+    SceneTraits traits = traitsFor(setup);
+    traits.draws = draws;
+    const Result<Plan> plan = compile(described(setup), traits, usualCaps(), {{960, 540}, {}, {}});
+    REQUIRE(plan.ok());
+    return plan.diagnostics();
+}
+
+}  // namespace
+
+TEST_CASE("Where draws are known to lie, warnings go by that and not by the far plane")
+{
+    const Setup far = {"gtao", {}, 0.01, 1e6};
+    CHECK_FALSE(saidOfDraws(far, {}).empty());
+    CHECK(saidOfDraws(far, {1, 0}).empty());
+    CHECK_FALSE(saidOfDraws(far, {50, 0}).empty());
+}
+
+TEST_CASE("The depth test behind stored positions is looked at")
+{
+    const Diagnostics said = saidOfDraws({"learnopengl", {}, 1e-5, 1e4}, {5, 0});
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].code == Code::too_coarse);
+    CHECK(said[0].pointer == "/targets/depth/format");
+    CHECK(saidOfDraws({"learnopengl", {}, 0.1, 1e4}, {5, 0}).empty());
+}
+
+TEST_CASE("A kernel's margin hides steps, and one all round the point sees finer ones")
+{
+    // Steps of depth24 at the draws' distance: 0.015 radii behind the first near plane.
+    const double coarse = 2e-4;
+    const auto said = [](const std::string& config, double near_distance,
+                         std::vector<std::string> overrides) {
+        return !saidOfDraws({config, std::move(overrides), near_distance, 1e4}, {5, 0}).empty();
+    };
+    CHECK_FALSE(said("hemisphere_box", coarse, {}));
+    CHECK(said("hemisphere_box", coarse, {"bias=0.005"}));
+    CHECK(said("hemisphere_box", coarse / 2, {}));
+    CHECK_FALSE(said("hemisphere_box", 3 * coarse, {"bias=0"}));
+    CHECK(said("sphere_box", 3 * coarse, {}));
+    CHECK_FALSE(said("sphere_box", 6 * coarse, {}));
+}
+
+TEST_CASE("Vertices far from their origin are reported, and what reaches off the screen")
+{
+    CHECK(saidOfDraws({"gtao"}, {5, 0.001}).empty());
+    const Diagnostics far = saidOfDraws({"gtao"}, {5, 0.01});
+    REQUIRE(far.size() == 1);
+    CHECK(far[0].code == Code::too_coarse);
+    CHECK(far[0].pointer == "/params/radius");
+    const Diagnostics large = saidOfDraws({"gtao", {"radius=50"}}, {5, 0});
+    REQUIRE(large.size() == 1);
+    CHECK(large[0].code == Code::out_of_range);
+    CHECK(saidOfDraws({"gtao", {"radius=1"}}, {5, 0}).empty());
+}

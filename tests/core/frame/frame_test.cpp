@@ -123,3 +123,28 @@ TEST_CASE("The least device renders to what OpenGL ES 3.0 promises and to nothin
     CHECK_FALSE(caps.canRender(Format::rgba32f));
     CHECK(caps.max_color_attachments == 4);
 }
+
+TEST_CASE("The range of draws is of those in view, by what they cover, and unknown without bounds")
+{
+    Frame frame;
+    frame.camera.clip_from_view = glm::mat4(glm::perspective(1.0, 1.0, 0.1, 100.0));
+    const auto add = [&frame](double distance, float radius) {
+        DrawItem item;
+        item.count = 3;
+        item.world_from_model[3] = {0, 0, -distance, 1};
+        item.bounds_radius = radius;
+        frame.draws.push_back(item);
+    };
+    CHECK(traitsOf(frame).draws.distance == 0);
+    add(10, 1);
+    CHECK(traitsOf(frame).draws.distance == Approx(10).epsilon(1e-3));
+    add(-10, 1);  // behind the camera
+    add(50, 1);   // covers a 25th
+    CHECK(traitsOf(frame).draws.distance == Approx(10 + 40.0 / 26).epsilon(1e-3));
+    frame.draws[0].bounds_center = {0, 0, 1e6f};
+    frame.draws[0].world_from_model[3].z -= 1e6;
+    CHECK(traitsOf(frame).draws.vertex_step == 0.0625);
+    add(10, -1);
+    CHECK(traitsOf(frame).draws.distance == 0);
+    CHECK(traitsOf(frame).draws.vertex_step == 0);
+}

@@ -307,6 +307,24 @@ TEST_CASE("A frame that no shader could draw is refused, and the last picture st
                                                 0.3f, 0.1f, 0.9f, 0.2f, 0.5f, 0.5f, 0.1f, 0.3f);
         what = "the camera's clip_from_view has no inverse";
     }
+    const std::string behind =
+        "the camera's clip_from_view has w below 0 for what lies in front, along -z: nothing would "
+        "be seen";
+    SECTION("a left-handed projection")
+    {
+        frame.camera.clip_from_view = glm::perspectiveLH(1.0f, 1.5f, 0.1f, 10.0f);
+        what = behind;
+    }
+    SECTION("a negative projection, which maps points as the positive one does")
+    {
+        frame.camera.clip_from_view = glm::perspective(1.0f, 1.5f, 0.1f, 10.0f) * -1.0f;
+        what = behind;
+    }
+    SECTION("a negative box")
+    {
+        frame.camera.clip_from_view = glm::ortho(-1.0f, 1.0f, -1.0f, 1.0f, 0.0f, 9.0f) * -1.0f;
+        what = behind;
+    }
     SECTION("view not finite")
     {
         frame.camera.view_from_world[3][0] = std::numeric_limits<float>::infinity();

@@ -190,6 +190,28 @@ TEST_CASE("Many draws that cannot be drawn are few warnings and a count")
     CHECK(count(rig.device.log(), "draw mesh") == 1);
 }
 
+TEST_CASE("A strict renderer draws no frame of which something would be left out")
+{
+    Rig rig;
+    CompileOptions options = {{64, 32}};
+    options.strict = true;
+    REQUIRE(rig.renderer->reload(rig.renderer->description(), options).ok());
+    rig.draw();
+    rig.frame.draws.push_back(rig.frame.draws[0]);
+    rig.frame.draws[1].world_from_model[0][0] = kNan;
+    rig.frame.lights[0].color.y = kNan;
+    rig.device.clearLog();
+    const Status status = rig.renderer->render(rig.frame);
+    CHECK_FALSE(status.ok());
+    REQUIRE(status.diagnostics().size() == 2);
+    CHECK(status.diagnostics()[0].message ==
+          "the frame cannot be drawn whole: draw 1 is left out: its matrix is not finite");
+    CHECK(rig.device.log().empty());
+    rig.frame.draws[1] = rig.frame.draws[0];
+    rig.frame.lights[0].color.y = 1;
+    CHECK(rig.renderer->render(rig.frame).ok());
+}
+
 TEST_CASE("A light that is not finite is left out with a warning, and the picture goes on")
 {
     Rig rig;
