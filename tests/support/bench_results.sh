@@ -10,7 +10,8 @@ bench_sample() {
     printf '"radius_px":80,"samples":%s,"triangles":1000,"device":"device A","software":true,' "$samples"
     printf '"version":"0.1.0","error":{"rmse":%s,"bias":0.01,"p99":0.2,"rmse_fit":%s,' "$rmse" "$rmse"
     printf '"power_fit":1,"pixels":500000},"error_without_ao":0.2,"budget_failure":"",'
-    printf '"budget":{"sampling":0.04,"noise":0.02,"model":0.05,"precision":0.001},'
+    printf '"budget":{"taps":-0.02,"filter":0.01,"half_size":0,"off_screen":-0.005,"hidden_layers":0,'
+    printf '"precision":-0.001,"model":0.05},'
     printf '"clock":"wall","repeats":9,"total":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
     printf '"cost":{"median":%s,"q1":%s,"q3":%s},' "$ms" "$ms" "$ms"
     printf '"passes":[{"name":"ao","ms":{"median":%s,"q1":%s,"q3":%s}}],' "$ms" "$ms" "$ms"

@@ -19,8 +19,7 @@ double trianglesOf(const BenchSample& sample) { return static_cast<double>(sampl
 double costOf(const BenchSample& sample) { return sample.cost.median; }
 double totalOf(const BenchSample& sample) { return sample.total.median; }
 double errorOf(const BenchSample& sample) { return sample.error.rmse; }
-double samplingOf(const BenchSample& sample) { return sample.budget.sampling; }
-double noiseOf(const BenchSample& sample) { return sample.budget.noise; }
+double tapsOf(const BenchSample& sample) { return -sample.budget.taps; }
 
 std::string familyOf(const BenchSample& sample) { return sample.family; }
 
@@ -32,8 +31,7 @@ struct Axes {
 };
 
 constexpr Axes kErrorSamples{"error_samples", familyOf, samplesOf, errorOf};
-constexpr Axes kSamplingSamples{"sampling_samples", familyOf, samplesOf, samplingOf};
-constexpr Axes kNoiseSamples{"noise_samples", familyOf, samplesOf, noiseOf};
+constexpr Axes kTapsSamples{"taps_samples", familyOf, samplesOf, tapsOf};
 constexpr Axes kCostSamples{"cost_samples", familyOf, samplesOf, costOf};
 constexpr Axes kCostPixels{"cost_pixels", sampleLabel, pixelsOf, costOf};
 constexpr Axes kCostRadius{"cost_radius", sampleLabel, radiusOf, costOf};
@@ -90,7 +88,7 @@ std::vector<std::size_t> samplesAlong(const std::vector<BenchSample>& samples,
 std::vector<Curve> curvesOf(const std::vector<BenchSample>& samples, const ResultView& view)
 {
     std::vector<Curve> curves;
-    for (const Axes& axes : {kErrorSamples, kSamplingSamples, kNoiseSamples, kCostSamples})
+    for (const Axes& axes : {kErrorSamples, kTapsSamples, kCostSamples})
         addCurves(samples, view.samples, axes, curves);
     const auto same_radius = [&view](const BenchSample& p) { return p.radius == view.radius; };
     const auto same_extent = [&view](const BenchSample& p) { return p.extent == view.extent; };

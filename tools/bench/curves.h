@@ -13,9 +13,9 @@ namespace crevice {
 
 /// What a curve shows; also its name in a report.
 ///
-///     error_samples     rmse over depth taps      cost_samples    ms over depth taps
-///     sampling_samples  noise before the filter   cost_pixels     ms over pixels
-///     noise_samples     noise after the filter    cost_radius     ms over the radius on screen
+///     error_samples  rmse over depth taps         cost_samples    ms over depth taps
+///     taps_samples   the part of it that all      cost_pixels     ms over pixels
+///                    taps would take away         cost_radius     ms over the radius on screen
 ///                                                 cost_triangles  ms of a frame over triangles
 struct Curve {
     std::string kind;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Converged and precise pictures of a config, and what they say about its error.
+// Pictures of a config with some things made ideal, and what they say about its error.
 #include "tools/bench/errors.h"
 
-#include "tools/cli/output_request.h"
-#include "tools/image/image_metrics.h"
+#include "tools/cli/config_options.h"
 #include "tools/measure/taps.h"
 #include "tools/render/read_output.h"
 
@@ -14,64 +13,10 @@
 namespace crevice {
 namespace {
 
-const char* const kOutput = "ao";
-const char* const kRawOutput = "target.ao";
+const char* const kLayersModule = "bench/second_layer.json";
 
-/// 1 where the ground truth is known.
-Image seenMask(const Image& ground_truth)
-{
-    Image mask(ground_truth.extent, 1);
-    for (std::size_t k = 0; k < mask.pixels.size(); ++k)
-        mask.pixels[k] = std::isfinite(ground_truth.pixels[k]) ? 1.0f : 0.0f;
-    return mask;
-}
-
-double rmseWhere(const Image& mask, const Image& test, const Image& ground_truth)
-{
-    const Result<ImageDifference> figures = compareImages(test, ground_truth, &mask);
-    return figures ? figures->rmse : -1.0;
-}
-
-/// The widest format that can stand in for `format`; 32-bit floats cannot be filtered.
-Format wideFormat(Format format, bool filtered)
-{
-    const FormatInfo& info = formatInfo(format);
-    if (info.format_class == FormatClass::depth) return Format::depth32f;
-    if (info.channels == 1) return filtered ? Format::r16f : Format::r32f;
-    if (info.channels == 2) return filtered ? Format::rg16f : Format::rg32f;
-    return filtered ? Format::rgba16f : Format::rgba32f;
-}
-
-bool readLinearly(const Description& description, const TargetDesc& target)
-{
-    for (const PassDesc& pass : description.passes)
-        for (const InputDesc& input : pass.inputs)
-            if (input.has_filter && input.filter == Filter::linear &&
-                (input.from.empty() ? input.sampler.name : input.from.name) == target.name)
-                return true;
-    return false;
-}
-
-void widen(const Description& description, TargetDesc& target, const DeviceCaps& caps)
-{
-    const Format wide = wideFormat(target.formats.front(), readLinearly(description, target));
-    if (caps.canRender(wide)) target.formats.insert(target.formats.begin(), wide);
-}
-
-/// Widens the targets that hold occlusion, before, within and after the filter: `ao`, what the
-/// output comes from, and what has their formats, since a no-op passes a filter's input on as its
-/// output.
-void widenOcclusion(Description& description, const DeviceCaps& caps)
-{
-    const OutputDesc* output = findNamed(description.outputs, kOutput);
-    std::vector<std::vector<Format>> formats;
-    for (const TargetDesc& target : description.targets)
-        if (target.name == kOutput || (output && target.name == output->target.name))
-            formats.push_back(target.formats);
-    for (TargetDesc& target : description.targets)
-        if (std::find(formats.begin(), formats.end(), target.formats) != formats.end())
-            widen(description, target, caps);
-}
+/// Tiles of noise and of half-size targets stay where they are on the screen.
+constexpr int kMarginStep = 16;
 
 /// Seeds by counting down from the largest, since people count up from 1: noise that the mean
 /// shared with the config would look like no noise.
@@ -114,13 +59,24 @@ private:
     int count_ = 0;
 };
 
-Result<Image> meanOverSeeds(const Stage& stage, Description& description, const std::string& output,
+Result<std::unique_ptr<Renderer>> makeRenderer(const Stage& stage, const Description& description)
+{
+    return Renderer::create(stage.device, description, {stage.extent, {kOcclusionOutput}, {}},
+                            traitsOf(stage.frame));
+}
+
+Result<Image> drawConverged(const Stage& stage, Description& description,
                             const std::function<bool()>& interrupted)
 {
     MeanImage mean;
-    for (int count = 0; count < kMostConvergedFrames; ++count) {
+    const int most = description.generated.empty() ? 1 : kMostConvergedFrames;
+    for (int count = 0; count < most; ++count) {
         reseed(description, static_cast<unsigned>(count));
-        const Result<Image> frame = drawOutput(stage, description, output);
+        const auto renderer = makeRenderer(stage, description);
+        if (!renderer) return renderer.diagnostics();
+        if (const Status drawn = (*renderer)->render(stage.frame); !drawn)
+            return drawn.diagnostics();
+        const Result<Image> frame = readOutput(stage.device, **renderer, kOcclusionOutput);
         if (!frame) return frame;
         mean.add(*frame);
         if (mean.noise() < kConvergedNoise || interrupted()) break;
@@ -128,63 +84,103 @@ Result<Image> meanOverSeeds(const Stage& stage, Description& description, const 
     return mean.take();
 }
 
-/// The target before any filter, where there is one and it is of full size; else the output.
-/// `draw` gets the description that exposes it and its output's name.
-template <class Draw>
-Result<Image> beforeFilter(const Stage& stage, Description description, Draw draw)
+Result<Image> draw(const Stage& stage, Description& description, unsigned ideal,
+                   const std::function<bool()>& interrupted)
 {
-    if (exposeOutput(description, kRawOutput)) {
-        Result<Image> raw = draw(description, kRawOutput);
-        if (!raw || raw->extent == stage.extent) return raw;
-    }
-    return draw(description, kOutput);
+    if (ideal & kIdealTaps) return drawConverged(stage, description, interrupted);
+    const auto renderer = makeRenderer(stage, description);
+    if (!renderer) return renderer.diagnostics();
+    return drawSettled(stage.device, **renderer, stage.frame, kOcclusionOutput);
 }
+
+int marginOf(int side) { return (side / 2 + kMarginStep - 1) / kMarginStep * kMarginStep; }
+
+Image middleOf(const Image& image, Extent extent, Extent margin)
+{
+    Image middle(extent, 1);
+    for (int y = 0; y < extent.height; ++y)
+        for (int x = 0; x < extent.width; ++x)
+            middle.at(x, y) = image.at(x + margin.width, y + margin.height);
+    return middle;
+}
+
+/// Draws more than the view and cuts off what is outside of it.
+template <class Draw>
+Result<Image> drawWider(const Stage& stage, Draw draw)
+{
+    const Extent margin = {marginOf(stage.extent.width), marginOf(stage.extent.height)};
+    const Extent extent = {stage.extent.width + 2 * margin.width,
+                           stage.extent.height + 2 * margin.height};
+    glm::dmat4 narrower(1.0);
+    narrower[0][0] = static_cast<double>(stage.extent.width) / extent.width;
+    narrower[1][1] = static_cast<double>(stage.extent.height) / extent.height;
+    Frame frame = stage.frame;
+    frame.camera.clip_from_view = narrower * glm::dmat4(frame.camera.clip_from_view);
+    const Result<Image> image = draw(Stage{stage.device, frame, extent, stage.sources});
+    if (!image) return image;
+    return middleOf(*image, stage.extent, margin);
+}
+
+/// Adds back faces and a second layer, where the estimator would read them.
+Status addLayers(const Stage& stage, Description& description)
+{
+    const auto layers = loadDescription({kLayersModule, {}, {}, {}}, stage.sources);
+    if (!layers) return layers.diagnostics();
+    Description layered = description;
+    layOver(layered, *layers);
+    const Result<Plan> plan = compile(layered, traitsOf(stage.frame), stage.device.caps(),
+                                      {stage.extent, {kOcclusionOutput}, {}});
+    if (!plan) return plan.diagnostics();
+    const bool read =
+        std::any_of(layers->passes.begin(), layers->passes.end(),
+                    [&plan](const PassDesc& pass) { return findNamed(plan->passes, pass.name); });
+    if (read) description = std::move(layered);
+    return {};
+}
+
+/// The parts that are the change of the error when one thing is ideal.
+constexpr struct {
+    Ideal ideal;
+    double ErrorBudget::*change;
+} kParts[] = {
+    {kIdealTaps, &ErrorBudget::taps},
+    {kIdealFilter, &ErrorBudget::filter},
+    {kIdealSize, &ErrorBudget::half_size},
+    {kIdealScreen, &ErrorBudget::off_screen},
+    {kIdealLayers, &ErrorBudget::hidden_layers},
+    {kIdealFormats, &ErrorBudget::precision},
+};
 
 }  // namespace
 
-Result<Image> drawOutput(const Stage& stage, Description description, const std::string& output)
+Result<Image> idealOcclusion(const Stage& stage, Description description, unsigned ideal,
+                             const std::function<bool()>& interrupted)
 {
-    const Result<std::unique_ptr<Renderer>> renderer = Renderer::create(
-        stage.device, std::move(description), {stage.extent, {output}, {}}, traitsOf(stage.frame));
-    if (!renderer) return renderer.diagnostics();
-    return drawSettled(stage.device, **renderer, stage.frame, output);
+    if (ideal & kIdealTaps) takeAllSamples(description);
+    if (ideal & kIdealSize) takeFullSize(description);
+    if (ideal & kIdealFilter) leaveOutFilter(description);
+    if (ideal & kIdealLayers)
+        if (const Status added = addLayers(stage, description); !added) return added.diagnostics();
+    if (ideal & kIdealFormats) widenFormats(description, stage.device.caps());
+    const auto drawOn = [&](const Stage& seen) {
+        return draw(seen, description, ideal, interrupted);
+    };
+    if (!(ideal & kIdealScreen) || takeGuardBand(description)) return drawOn(stage);
+    return drawWider(stage, drawOn);
 }
 
-Result<Image> convergedOcclusion(const Stage& stage, const Description& description,
-                                 const std::function<bool()>& interrupted)
+ErrorBudget budgetOf(double rmse, const std::function<Result<double>(unsigned ideal)>& errorOf,
+                     std::string& failure)
 {
-    Description many = description;
-    takeAllSamples(many);
-    widenOcclusion(many, stage.device.caps());
-    return beforeFilter(stage, std::move(many),
-                        [&](Description& exposed, const std::string& output) {
-                            return meanOverSeeds(stage, exposed, output, interrupted);
-                        });
-}
-
-Result<Image> unfilteredOcclusion(const Stage& stage, const Description& description)
-{
-    return beforeFilter(stage, description,
-                        [&stage](Description& exposed, const std::string& output) {
-                            return drawOutput(stage, exposed, output);
-                        });
-}
-
-Result<Image> preciseOcclusion(const Stage& stage, const Description& description)
-{
-    Description wide = description;
-    for (TargetDesc& target : wide.targets) widen(wide, target, stage.device.caps());
-    return drawOutput(stage, std::move(wide), kOutput);
-}
-
-ErrorBudget budgetOf(const BudgetPictures& pictures)
-{
-    const Image mask = seenMask(pictures.ground_truth);
+    const auto errorOr = [&](unsigned ideal, double otherwise) {
+        const Result<double> error = errorOf(ideal);
+        if (error) return *error;
+        if (failure.empty()) failure = error.diagnostics().front().message;
+        return otherwise;
+    };
     ErrorBudget budget;
-    budget.sampling = rmseWhere(mask, pictures.unfiltered, pictures.converged);
-    budget.noise = rmseWhere(mask, pictures.ao, pictures.converged);
-    budget.model = rmseWhere(mask, pictures.converged, pictures.ground_truth);
-    budget.precision = rmseWhere(mask, pictures.ao, pictures.precise);
+    for (const auto& part : kParts) budget.*part.change = errorOr(part.ideal, rmse) - rmse;
+    budget.model = errorOr(kIdealEverything, 0.0);
     return budget;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The error budget: how much of a config's error more samples, another estimator and wider formats
-// would take away.
+// The error budget: by how much the error of a config changes when one thing about it is made
+// ideal, found by drawing it so.
 #pragma once
 
+#include "tools/bench/ideal.h"
 #include "tools/bench/sample.h"
 
 #include <crevice/renderer.h>
@@ -14,48 +15,33 @@ namespace crevice {
 /// Most frames that are averaged into a converged picture.
 constexpr int kMostConvergedFrames = 64;
 
-/// A converged picture is done when what noise is left in it is less, as an rmse.
-constexpr double kConvergedNoise = 0.002;
+/// A converged picture is done when what noise is left in it is less, as an rmse. It adds to an
+/// error as the root of the sum of squares: 3 % to one of 0.016, 0.3 % to one of 0.05.
+constexpr double kConvergedNoise = 0.004;
 
 /// Where frames are drawn.
 struct Stage {
     Device& device;
     const Frame& frame;
     Extent extent;
+    const SourceSet& sources;  ///< Have the module that kIdealLayers lays over a config.
 };
 
-/// One output of a config, as drawSettled draws it.
-/// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
-Result<Image> drawOutput(const Stage& stage, Description description, const std::string& output);
-
-/// The config with all the depth taps that its ranges allow and 32-bit float for its occlusion,
-/// averaged over frames with other seeds in every generated kernel and noise than the config's own.
-/// What is averaged is the target `ao`, before any filter; the output `ao` where there is no such
-/// target or it is not of full size.
+/// The output `ao` of the config with some things made ideal, `ideal` being bits of `Ideal`.
 ///
-/// Stops early, with what it has, when `interrupted`. Errors: as drawOutput.
-Result<Image> convergedOcclusion(const Stage& stage, const Description& description,
-                                 const std::function<bool()>& interrupted);
+/// With kIdealTaps it is the mean over frames with other seeds in every generated kernel and noise
+/// than the config's own; a mean over frames, of which nothing is left to gather, is then drawn
+/// once. With kIdealScreen and no guard band, the camera sees half a view more on each side, which
+/// is cut off.
+///
+/// Stops early, with what it has, when `interrupted`. Errors: those of Renderer::create,
+/// Renderer::render and Device::readTexture.
+Result<Image> idealOcclusion(const Stage& stage, Description description, unsigned ideal,
+                             const std::function<bool()>& interrupted);
 
-/// One frame of the config as it is, of the same target: what its filter gets.
-/// Errors: as drawOutput.
-Result<Image> unfilteredOcclusion(const Stage& stage, const Description& description);
-
-/// The output `ao` with every target in the 32-bit float format of as many channels, or depth32f.
-/// Errors: as drawOutput.
-Result<Image> preciseOcclusion(const Stage& stage, const Description& description);
-
-/// The pictures of one config that its error budget compares. One without pixels, or of another
-/// size, leaves its part at -1.
-struct BudgetPictures {
-    const Image& ao;
-    const Image& ground_truth;
-    const Image& converged;
-    const Image& unfiltered;
-    const Image& precise;
-};
-
-/// The parts over the pixels where the ground truth is finite.
-ErrorBudget budgetOf(const BudgetPictures& pictures);
+/// The budget of a config whose own error is `rmse`. `errorOf` gives the error with some things
+/// made ideal, or why it is not known; the first such reason goes to `failure`.
+ErrorBudget budgetOf(double rmse, const std::function<Result<double>(unsigned ideal)>& errorOf,
+                     std::string& failure);
 
 }  // namespace crevice

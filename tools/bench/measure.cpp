@@ -100,8 +100,9 @@ struct BenchMeter::Setting {
     Frame copy_frame;
     std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
     std::optional<TurnTaker> copy_turns;
-    std::optional<TurnTaker> yardstick_turns;        ///< None without a yardstick.
-    std::map<std::string, Result<Image>> converged;  ///< By family.
+    std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
+    /// Of a family with all taps and perhaps more made ideal.
+    std::map<std::pair<std::string, unsigned>, Result<double>> converged;
 };
 
 Status BenchMeter::Setting::makeCopy(Device& device, const SourceSet& sources, double radius)
@@ -252,33 +253,29 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSa
     const Image open(ao.extent, 1, 1.0f);
     if (const auto without = compareImages(open, *setting_->ground_truth))
         sample.error_without_ao = without->rmse;
-    if (options_.budget) measureBudget(task, ao, sample);
+    if (options_.budget)
+        sample.budget = budgetOf(
+            figures->rmse, [&](unsigned ideal) { return idealError(task, ideal); },
+            sample.budget_failure);
     return {};
 }
 
-void BenchMeter::measureBudget(const BenchTask& task, const Image& ao, BenchSample& sample)
+/// Kept with all taps, since the other sample counts of a config share it.
+Result<double> BenchMeter::idealError(const BenchTask& task, unsigned ideal)
 {
-    const Image none;
-    const auto taken = [&none, &sample](const Result<Image>& image) -> const Image& {
-        if (image) return *image;
-        sample.budget_failure = image.diagnostics().front().message;
-        return none;
+    const auto measured = [&]() -> Result<double> {
+        const Stage stage = {device_, setting_->frame, setting_->view.extent, sources_};
+        const auto image = idealOcclusion(stage, task.description, ideal, options_.interrupted);
+        if (!image) return image.diagnostics();
+        const auto figures = compareImages(*image, *setting_->ground_truth);
+        if (!figures) return figures.diagnostics();
+        return figures->rmse;
     };
-    const Stage stage = {device_, setting_->frame, setting_->view.extent};
-    const Result<Image> unfiltered = unfilteredOcclusion(stage, task.description);
-    const Result<Image> precise = preciseOcclusion(stage, task.description);
-    sample.budget = budgetOf(
-        {ao, *setting_->ground_truth, taken(converged(task)), taken(unfiltered), taken(precise)});
-}
-
-/// Kept, since all sample counts of a config converge to it.
-const Result<Image>& BenchMeter::converged(const BenchTask& task)
-{
-    const auto known = setting_->converged.find(task.sample.family);
+    if (!(ideal & kIdealTaps)) return measured();
+    const std::pair key(task.sample.family, ideal);
+    const auto known = setting_->converged.find(key);
     if (known != setting_->converged.end()) return known->second;
-    const Stage stage = {device_, setting_->frame, setting_->view.extent};
-    Result<Image> image = convergedOcclusion(stage, task.description, options_.interrupted);
-    return setting_->converged.emplace(task.sample.family, std::move(image)).first->second;
+    return setting_->converged.emplace(key, measured()).first->second;
 }
 
 Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchSample& sample)

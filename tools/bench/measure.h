@@ -46,8 +46,7 @@ private:
     Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
     Status measureTimes(Renderer& renderer, BenchSample& sample);
     Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
-    void measureBudget(const BenchTask& task, const Image& ao, BenchSample& sample);
-    const Result<Image>& converged(const BenchTask& task);
+    Result<double> idealError(const BenchTask& task, unsigned ideal);
 
     Device& device_;
     const BenchPlan& plan_;

@@ -20,7 +20,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extent, width, height)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, sampling, noise, model, precision)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, taps, filter, half_size, off_screen, hidden_layers,
+                                   precision, model)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, family, output,
                                    scene, camera, extent, radius, rays, radius_px, samples,
                                    triangles, device, software, version, error, error_without_ao,

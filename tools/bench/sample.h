@@ -39,12 +39,16 @@ struct ErrorFigures {
     long long pixels = 0;
 };
 
-/// The parts of the error, each an rmse; -1 where it was not measured.
+/// By how much the rmse changes when one thing is made ideal and the rest stays: below 0 the error
+/// falls. 0 where there is nothing to make ideal, or no budget was measured.
 struct ErrorBudget {
-    double sampling = -1;  ///< As noise, but before any filter: what its samples alone leave.
-    double noise = -1;     ///< Config against itself converged: what more samples would buy.
-    double model = -1;  ///< Converged against the ground truth: what another estimator would buy.
-    double precision = -1;  ///< Config against itself with 32-bit float targets: wider formats.
+    double taps = 0;           ///< As many as the config's ranges allow, the mean over seeds.
+    double filter = 0;         ///< No filter.
+    double half_size = 0;      ///< Occlusion at the size of the view.
+    double off_screen = 0;     ///< Geometry off the screen known, half a view on each side.
+    double hidden_layers = 0;  ///< Back faces and a second layer of depth known.
+    double precision = 0;      ///< Every target of 32 bits.
+    double model = 0;          ///< No change but the rmse that is left when all of them are.
 };
 
 /// Whose error is measured, and whose passes are timed unless another output is asked for.

@@ -176,7 +176,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
-                      "Do not measure noise, model error and precision error: much quicker");
+                      "Do not measure what would change the error: much quicker");
     addRunOptions(*command, options->run, "bench sample", "results.jsonl and pictures");
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Below each plot: where the error comes from, how it scales, and all figures.
 "use strict";
+// What is made ideal: [part, column, what to do]
 const PARTS = [
-  ["all", "error"], ["sampling", "noise before the filter"], ["noise", "noise after the filter"],
-  ["model", "model error"], ["precision", "precision error"]
+  ["taps", "all taps", "more taps"], ["filter", "no filter", "no filter"],
+  ["half_size", "full size", "occlusion at full size"],
+  ["off_screen", "off screen seen", "a wider guard band"],
+  ["hidden_layers", "hidden layers seen", "a second layer of depth"],
+  ["precision", "32 bits", "wider formats"]
 ];
-const CURES = {
-  noise: "more samples or another filter",
-  model: "another estimator",
-  precision: "wider formats"
-};
-const part = (p, name) => name === "all" ? p.error.rmse : p.budget[name];
+// A change of less than this share of the error is none.
+const NOTICEABLE = 0.02;
 
 function showBudgets(parent, view) {
-  const known =
-    view.bench_samples.filter(i => PARTS.slice(1).some(([name]) => benchSamples[i].budget[name] >= 0))
-      .sort((a, b) => benchSamples[a].error.rmse - benchSamples[b].error.rmse);
+  const known = view.bench_samples.filter(i => benchSamples[i].budget.model > 0)
+    .sort((a, b) => benchSamples[a].error.rmse - benchSamples[b].error.rmse);
   if (!known.length) return;
-  add(parent, "h3", {}, "Where the error comes from");
+  add(parent, "h3", {}, "What would change the error");
   add(parent, "p", {class: "soft"},
-    "Each part is an error of its own. Noise goes with more samples or another filter, " +
-      "model error with another estimator, precision error with wider formats; the longest is " +
-      "what to work on.");
+    "By how much the error falls (−) or rises (+) when one thing is made ideal and the rest stays. " +
+      "Changes do not add up, since errors cancel each other; the last figure is the error with all of them.");
   const front = known.filter(i => view.front_ms.includes(i)),
         others = known.filter(i => !front.includes(i));
   showParts(parent, front);
@@ -32,38 +30,42 @@ function showBudgets(parent, view) {
 }
 function showParts(parent, shown) {
   if (!shown.length) return;
-  const longest = Math.max(...shown.flatMap(i => PARTS.map(([name]) => part(benchSamples[i], name))));
-  const table = add(add(parent, "div", {class: "card"}), "table", {class: "budgets"});
+  const longest = Math.max(...shown.flatMap(i => [benchSamples[i].error.rmse, benchSamples[i].budget.model]));
+  const table = add(add(parent, "div", {class: "card scroll"}), "table", {class: "budgets"});
   const head = add(add(table, "thead"), "tr");
-  add(head, "th", {}, "config");
-  for (const [, title] of PARTS) add(head, "th", {}, title);
+  for (const title of ["config", "error", ...PARTS.map(part => part[1]), "all of these"])
+    add(head, "th", {}, title);
   add(head, "th", {class: "wide"}, "what would help most");
   const body = add(table, "tbody");
   for (const i of shown) {
     const p = benchSamples[i], row = add(body, "tr", {class: "budget"});
     add(row, "td", {class: "label"}, brief(p.label));
-    for (const [name] of PARTS) bar(add(row, "td"), part(p, name), longest, name);
-    const worst =
-      ["noise", "model", "precision"].reduce((a, b) => p.budget[b] > p.budget[a] ? b : a);
-    add(row, "td", {class: "wide"}, p.budget[worst] >= 0 ? CURES[worst] : p.budget_failure);
+    bar(add(row, "td"), p.error.rmse, longest, "all");
+    for (const [name] of PARTS) changeBar(add(row, "td"), p.budget[name], longest);
+    bar(add(row, "td"), p.budget.model, longest, "model");
+    add(row, "td", {class: "wide"}, p.budget_failure || cureOf(p));
   }
 }
+function cureOf(p) {
+  const [name, , cure] = PARTS.reduce((a, b) => p.budget[b[0]] < p.budget[a[0]] ? b : a);
+  return p.budget[name] < -NOTICEABLE * p.error.rmse ? cure : "another estimator";
+}
+function changeBar(cell, change, longest) {
+  const size = Math.abs(change), text = size < 5e-5 ? "–" : (change < 0 ? "−" : "+") + error(size);
+  bar(cell, size, longest, change < 0 ? "falls" : "rises", text);
+}
 // A figure with a bar of its length.
-function bar(cell, value, longest, kind) {
-  add(cell, "span", {class: "figure"}, error(value));
+function bar(cell, value, longest, kind, text = error(value)) {
+  add(cell, "span", {class: "figure"}, text);
   add(cell, "i", {
     class: "bar",
-    style: `width:${Math.max(0, 100 * value / longest)}%;background:var(--${kind})`
+    style: `width:${Math.min(100, Math.max(0, 100 * value / longest))}%;background:var(--${kind})`
   });
 }
 
 // kind: [heading, x, y, the slope of the guide and what it means, where there is one]
 const CURVES = {
-  sampling_samples: [
-    "Noise of the kernel against samples", "depth taps a pixel", "noise before the filter", -0.5,
-    "random"
-  ],
-  noise_samples: ["Noise after the filter", "depth taps a pixel", "noise", -0.5, "random"],
+  taps_samples: ["What all taps would take from the error", "depth taps a pixel", "less error"],
   error_samples: ["Error against samples", "depth taps a pixel", "error"],
   cost_samples: ["Cost against samples", "depth taps a pixel", "ms", 1, "in proportion"],
   cost_pixels: ["Cost against pixels", "pixels", "ms", 1, "in proportion"],
@@ -75,13 +77,11 @@ function showCurves(parent, curves, title) {
   if (!kinds.length) return;
   add(parent, "h3", {}, title);
   add(parent, "p", {class: "soft"},
-    "The figures are the exponents of fitted power laws. Noise falls as samples^−0.5 " +
-      "with random samples; an exponent further below 0 is better. Cost that rises in " +
-      "proportion has 1.");
+    "The figures are the exponents of fitted power laws; of an error, one further below 0 is " +
+      "better. Cost that rises in proportion has 1.");
   const grid = add(parent, "div", {class: "charts"});
   for (const kind of kinds) {
-    const card = add(grid, "div", {class: kind === "sampling_samples" ? "card double" : "card"});
-    showCurve(card, curves.filter(c => c.kind === kind), CURVES[kind]);
+    showCurve(add(grid, "div", {class: "card"}), curves.filter(c => c.kind === kind), CURVES[kind]);
   }
 }
 function showCurve(card, curves, [heading, xlabel, ylabel, slope, meaning]) {

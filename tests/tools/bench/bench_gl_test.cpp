@@ -58,12 +58,13 @@ void checkErrors(const BenchSample& sample)
     CHECK(sample.error.rmse > 0.01);
     CHECK(sample.error.rmse < 0.3);
     CHECK(sample.error.rmse_fit <= sample.error.rmse);
-    for (const double part : {sample.budget.sampling, sample.budget.noise, sample.budget.model,
-                              sample.budget.precision}) {
-        CHECK(part >= 0.0);
-        CHECK(part < 0.3);
-    }
-    CHECK(sample.budget.precision < 0.05);
+    CHECK(sample.budget.taps != 0.0);
+    CHECK(sample.budget.filter < 0.0);  // at this size it blurs more than it mends
+    CHECK(sample.budget.half_size == 0.0);
+    CHECK(sample.budget.hidden_layers == 0.0);
+    CHECK(std::abs(sample.budget.precision) < 0.05);
+    CHECK(sample.budget.model > 0.01);
+    CHECK(sample.budget.model < 0.3);
     CHECK(sample.budget_failure.empty());
     CHECK(sample.error_without_ao > 0.01);
     CHECK(sample.repeats >= 3);
@@ -169,7 +170,7 @@ TEST_CASE("Two benches find exactly the same errors")
     CHECK(a[0].error.rmse == b[0].error.rmse);
     CHECK(a[0].error.p99 == b[0].error.p99);
     CHECK(a[0].error.rmse_fit == b[0].error.rmse_fit);
-    CHECK(a[0].budget.noise == b[0].budget.noise);
+    CHECK(a[0].budget.taps == b[0].budget.taps);
     CHECK(a[0].budget.model == b[0].budget.model);
     CHECK(a[0].budget.precision == b[0].budget.precision);
 }
@@ -183,43 +184,4 @@ TEST_CASE("A view without a surface fails each of its samples and says why")
     const std::vector<BenchSample> samples = bench(options, shippedSources(), folder);
     REQUIRE(samples.size() == 1);
     CHECK(samples[0].failure.find("no surface") != std::string::npos);
-}
-
-TEST_CASE("What a config converges to does not depend on its samples or seeds")
-{
-    GlFixture gl;
-    const BenchPlan plan = need(planBench(
-        [] {
-            BenchOptions options = smallOptions();
-            options.samples = {2, 32};
-            return options;
-        }(),
-        shippedSources()));
-    const BenchView& view = plan.views[0];
-    const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));
-    const Frame frame = makeFrame(scene, view.camera, view.extent);
-    const Stage stage = {*gl.device, frame, view.extent};
-    const auto never = [] { return false; };
-    const Image few = need(convergedOcclusion(stage, plan.tasks[0].description, never));
-    const Image many = need(convergedOcclusion(stage, plan.tasks[1].description, never));
-    CHECK(few.extent == view.extent);
-    CHECK(few.pixels == many.pixels);
-}
-
-TEST_CASE("Every shipped config converges, whatever filter follows")
-{
-    GlFixture gl;
-    BenchOptions options = smallOptions();
-    options.configs = {};
-    const BenchPlan plan = need(planBench(options, shippedSources()));
-    const BenchView& view = plan.views[0];
-    const UploadedScene scene = need(UploadedScene::upload(*gl.device, *view.scene));
-    const Frame frame = makeFrame(scene, view.camera, view.extent);
-    const Stage stage = {*gl.device, frame, view.extent};
-    const auto at_once = [] { return true; };
-    for (const BenchTask& task : plan.tasks) {
-        CAPTURE(task.sample.config);
-        CHECK(need(convergedOcclusion(stage, task.description, at_once)).extent == view.extent);
-        CHECK(need(unfilteredOcclusion(stage, task.description)).extent == view.extent);
-    }
 }

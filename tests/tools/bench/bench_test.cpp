@@ -204,19 +204,25 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(20));
 }
 
-TEST_CASE(
-    "The budget is measured where the ground truth is known, and -1 where a picture is missing")
+TEST_CASE("A budget has the change that each part makes, and what is left with all of them")
 {
-    Image ground_truth({2, 1}, 1, 0.5f);
-    ground_truth.at(1, 0) = std::nanf("");
-    Image ao({2, 1}, 1, 0.75f), converged({2, 1}, 1, 0.625f);
-    ao.at(1, 0) = 1.0f;
-    const Image unfiltered({2, 1}, 1, 1.0f);
-    const ErrorBudget budget = budgetOf({ao, ground_truth, converged, unfiltered, Image()});
-    CHECK(budget.sampling == 0.375);
-    CHECK(budget.noise == 0.125);
-    CHECK(budget.model == 0.125);
-    CHECK(budget.precision == -1);
+    std::string failure;
+    const ErrorBudget budget = budgetOf(
+        0.5,
+        [](unsigned ideal) -> Result<double> {
+            if (ideal == kIdealFormats) return Diagnostic{Code::no_backend, "too wide"};
+            if (ideal == kIdealLayers) return Diagnostic{Code::no_backend, "too deep"};
+            return ideal == kIdealFilter ? 0.75 : 0.5 - 0.0078125 * ideal;
+        },
+        failure);
+    CHECK(budget.taps == -0.0078125);
+    CHECK(budget.filter == 0.25);
+    CHECK(budget.half_size == -0.03125);
+    CHECK(budget.off_screen == -0.0625);
+    CHECK(budget.hidden_layers == 0);
+    CHECK(budget.precision == 0);
+    CHECK(budget.model == 0.0078125);
+    CHECK(failure == "too deep");
 }
 
 TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides cancel")

@@ -12,14 +12,13 @@ using namespace crevice;
 
 namespace {
 
-/// A config whose noise falls with one slope before the filter and with another after it.
-std::vector<BenchSample> sweep(double sampling_slope, double noise_slope)
+/// A config of which all taps would take ever less.
+std::vector<BenchSample> sweep(double slope)
 {
     std::vector<BenchSample> samples;
     for (int taps : {64, 4, 16}) {
         samples.push_back(benchSample("a", taps, taps, 0.1));
-        samples.back().budget.sampling = 0.4 * std::pow(taps, sampling_slope);
-        samples.back().budget.noise = 0.2 * std::pow(taps, noise_slope);
+        samples.back().budget.taps = -0.4 * std::pow(taps, slope);
     }
     return samples;
 }
@@ -45,42 +44,39 @@ const Curve* curveOf(const std::vector<Curve>& curves, const std::string& kind)
 
 }  // namespace
 
-TEST_CASE("noise before and after the filter are curves over samples, each with its own slope")
+TEST_CASE("what all taps would take from the error is a curve over samples")
 {
-    const std::vector<BenchSample> samples = sweep(-1.0, -0.5);
+    const std::vector<BenchSample> samples = sweep(-1.0);
     const std::vector<Curve> curves = curvesOf(samples, viewOf(samples));
-    const Curve* const sampling = curveOf(curves, "sampling_samples");
-    const Curve* const noise = curveOf(curves, "noise_samples");
-    REQUIRE(sampling);
-    REQUIRE(noise);
-    CHECK(sampling->law->slope == Approx(-1.0));
-    CHECK(sampling->law->scale == Approx(0.4));
-    CHECK(noise->law->slope == Approx(-0.5));
-    CHECK(sampling->points.size() == 3);
-    CHECK(sampling->points.front().x == 4);
-    CHECK(sampling->points.front().y == Approx(0.1));
+    const Curve* const taps = curveOf(curves, "taps_samples");
+    REQUIRE(taps);
+    CHECK(taps->law->slope == Approx(-1.0));
+    CHECK(taps->law->scale == Approx(0.4));
+    CHECK(taps->points.size() == 3);
+    CHECK(taps->points.front().x == 4);
+    CHECK(taps->points.front().y == Approx(0.1));
 }
 
-TEST_CASE("noise that was not measured is no point of a curve")
+TEST_CASE("a sample to whose error taps would add is no point of a curve")
 {
-    std::vector<BenchSample> samples = sweep(-1.0, -0.5);
-    samples[0].budget.sampling = -1;
-    CHECK(curveOf(curvesOf(samples, viewOf(samples)), "sampling_samples")->points.size() == 2);
-    samples[1].budget.sampling = -1;
-    CHECK_FALSE(curveOf(curvesOf(samples, viewOf(samples)), "sampling_samples"));
-    CHECK(curveOf(curvesOf(samples, viewOf(samples)), "noise_samples"));
+    std::vector<BenchSample> samples = sweep(-1.0);
+    samples[0].budget.taps = 0.01;
+    CHECK(curveOf(curvesOf(samples, viewOf(samples)), "taps_samples")->points.size() == 2);
+    samples[1].budget.taps = 0;
+    CHECK_FALSE(curveOf(curvesOf(samples, viewOf(samples)), "taps_samples"));
+    CHECK(curveOf(curvesOf(samples, viewOf(samples)), "error_samples"));
 }
 
 TEST_CASE("kernels with other lengths are curves of their own")
 {
-    std::vector<BenchSample> samples = sweep(-0.5, -0.5);
-    for (BenchSample& sample : sweep(-1.0, -0.5)) {
+    std::vector<BenchSample> samples = sweep(-0.5);
+    for (BenchSample& sample : sweep(-1.0)) {
         sample.family = "a /generated/kernel/lengths=linear";
         samples.push_back(sample);
     }
     std::vector<double> slopes;
     for (const Curve& curve : curvesOf(samples, viewOf(samples)))
-        if (curve.kind == "sampling_samples") slopes.push_back(curve.law->slope);
+        if (curve.kind == "taps_samples") slopes.push_back(curve.law->slope);
     REQUIRE(slopes.size() == 2);
     CHECK(slopes[0] == Approx(-0.5));
     CHECK(slopes[1] == Approx(-1.0));
