@@ -45,7 +45,8 @@ std::string isCheckout(const std::string& folder)
     std::error_code ignored;
     if (std::filesystem::is_directory(folder + "/effects", ignored)) return {};
     if (std::filesystem::is_directory(folder + "/configs", ignored)) return {};
-    return "the folder '" + folder + "' has neither effects/ nor configs/";
+    return "the folder '" + folder +
+           "' has neither effects/ nor configs/: name the one that has them";
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Checkup {
     std::vector<TargetHealth> health;
     FrameFacts facts;
     std::string device;
-    Diagnostics warnings;  ///< Of the machine, not of the config.
+    Diagnostics warnings;  ///< Of the plan and of the machine.
 };
 
 /// Draws in memory that holds the poison and reads back all that is watched.
@@ -97,6 +97,7 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     compile_options.extent = view.extent;
     Result<Plan> plan = compile(description, traitsOf(frame), device.caps(), compile_options);
     if (!plan) return plan.diagnostics();
+    checkup.warnings = plan.diagnostics();
 
     const std::vector<WatchedTarget> watched = watchAll(*plan, description);
     progress.begin("drawing in poison");
@@ -123,7 +124,7 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
             measureRadius(description, (*drawn)[i], frame.camera, checkup.facts);
     }
     checkup.plan = std::move(*plan);
-    if (open->programs) checkup.warnings = open->programs->warnings();
+    if (open->programs) append(checkup.warnings, open->programs->warnings());
     return checkup;
 }
 
@@ -145,7 +146,7 @@ void printTable(const Checkup& checkup, const Diagnostics& found)
                   significant(each.maximum[i], 4).c_str());
         print("\n");
     }
-    if (found.empty()) print("nothing is wrong\n");
+    if (found.empty()) print("every value is written, finite and in range\n");
 }
 
 void printJson(const Checkup& checkup, const Diagnostics& found)

@@ -246,7 +246,6 @@ void examineFloats(const Image& floats, Format stored, TargetHealth& health)
     const float most = unorm ? 1 + step : narrow ? kMostHalf : FLT_MAX;
     const float least = unorm ? -step : -most;
     std::size_t not_numbers = 0, infinite = 0, out_of_range = 0;
-    const bool was_bad = health.bad();
     const Extent size = floats.extent;
     for (int y = size.height - 1; y >= 0; --y) {
         for (int x = 0; x < size.width; ++x) {
@@ -262,7 +261,7 @@ void examineFloats(const Image& floats, Format stored, TargetHealth& health)
                 nan = nan || std::isnan(pixel[i]);
             }
             if (!bad) continue;
-            if (!was_bad && not_numbers + infinite + out_of_range == 0) {
+            if (not_numbers + infinite + out_of_range == 0) {
                 health.first_bad = {x, size.height - 1 - y};
                 health.first_value = *bad;
             }
