@@ -8,14 +8,16 @@
 #include "tools/reference/reference_cache.h"
 #include "tools/report/stress_report.h"
 #include "tools/scene/options.h"
-#include "tools/stress/run.h"
+#include "tools/stress/against.h"
+#include "tools/stress/pictures.h"
+#include "tools/stress/tell.h"
 
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
+#include <algorithm>
 #include <memory>
 
 namespace crevice {
@@ -29,6 +31,7 @@ struct StressCommand {
     std::string precision;
     std::string size = "256x144";
     RunOptions run{"1/1", "", "stress"};
+    std::string against;  ///< The folder of another run.
     bool list = false;
     bool json = false;
 };
@@ -54,11 +57,6 @@ int listCases(const std::vector<StressTask>& tasks)
     return kExitOk;
 }
 
-std::string seriesName(const StressSeries& series)
-{
-    return series.stress->name + (series.format.empty() ? "" : " " + series.format);
-}
-
 struct Totals {
     int series = 0, failing = 0, failures = 0, invalid = 0, beyond = 0, refused = 0;
 };
@@ -78,12 +76,28 @@ Totals totalsOf(const std::vector<StressSeries>& all)
     return totals;
 }
 
+void printPoints(const std::vector<BreakdownPoint>& points, const std::string& config)
+{
+    bool any = false;
+    for (const BreakdownPoint& point : points) {
+        if (point.config != config) continue;
+        any = true;
+        print("  %s %s\n", sentenceOf(point).c_str(), likelihoodOf(point).c_str());
+    }
+    if (!any) print("  Nothing breaks.\n");
+    print("\n");
+}
+
 void printTable(const std::vector<StressSeries>& all)
 {
+    const std::vector<BreakdownPoint> points = breakdownPoints(all);
     std::string config;
     for (const StressSeries& series : all) {
-        if (series.config != config) print("%s\n", series.config.c_str());
-        config = series.config;
+        if (series.config != config) {
+            config = series.config;
+            print("%s\n", config.c_str());
+            printPoints(points, config);
+        }
         const Breakdown found = findBreakdown(*series.stress, series.steps);
         print("  %-34s %s\n", seriesName(series).c_str(), describe(*series.stress, found).c_str());
     }
@@ -97,7 +111,25 @@ void printTable(const std::vector<StressSeries>& all)
         print("Built without Embree: no ground truth, so vanished occlusion is not looked for.\n");
 }
 
-void printJson(const std::vector<StressSeries>& all, const std::string& device)
+nlohmann::json pointsJson(const std::vector<StressSeries>& all)
+{
+    nlohmann::json points = nlohmann::json::array();
+    for (const BreakdownPoint& point : breakdownPoints(all))
+        points.push_back({{"config", point.config},
+                          {"case", point.stress->name},
+                          {"format", point.format},
+                          {"likelihood", nameOf(point.likelihood)},
+                          {"because", point.because},
+                          {"effect", point.effect},
+                          {"condition", point.condition},
+                          {"holds_at", point.held},
+                          {"breaks_at", point.broke},
+                          {"others", point.others},
+                          {"text", sentenceOf(point)}});
+    return points;
+}
+
+nlohmann::json casesJson(const std::vector<StressSeries>& all)
 {
     nlohmann::json cases = nlohmann::json::array();
     for (const StressSeries& series : all) {
@@ -118,24 +150,47 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device)
                          {"refused", found.refused},
                          {"text", describe(*series.stress, found)}});
     }
-    const Totals totals = totalsOf(all);
-    const nlohmann::json json = {{"device", device},
-                                 {"cases", cases},
-                                 {"series", totals.series},
-                                 {"failing", totals.failing},
-                                 {"failures", totals.failures},
-                                 {"void", totals.invalid},
-                                 {"beyond", totals.beyond},
-                                 {"refused", totals.refused}};
-    printAsJson(json);
+    return cases;
 }
 
-Status keepPicture(const std::string& folder, const StressDrawing& done)
+/// What the run differs in from that of --against.
+struct Against {
+    std::vector<StressDifference> differences = {};
+    std::size_t missing = 0;
+};
+
+Result<Against> compareRuns(const StressCommand& command, const std::vector<StressSeries>& all)
 {
-    std::error_code error;
-    std::filesystem::create_directories(folder + "/pictures", error);
-    if (error) return Diagnostic{Code::cannot_write, "cannot write '" + folder + "/pictures'"};
-    return writePng(folder + "/" + done.record.picture, done.ao);
+    Against against;
+    const Result<std::vector<StressRecord>> before =
+        readStressRecords(command.against + "/stress.jsonl");
+    if (!before) return before.diagnostics();
+    against.differences = differencesSince(seriesOf(*before), all, against.missing);
+    return against;
+}
+
+void printAgainst(const StressCommand& command, const Against& against)
+{
+    for (const StressDifference& each : against.differences)
+        print("  %s: %s\n", each.step.c_str(), each.what.c_str());
+    print("%zu steps differ from %s", against.differences.size(), command.against.c_str());
+    if (against.missing > 0) print(", which lacks %zu more", against.missing);
+    print("\n");
+}
+
+void printJson(const std::vector<StressSeries>& all, const std::string& device,
+               const Against& against)
+{
+    const Totals totals = totalsOf(all);
+    nlohmann::json differs = nlohmann::json::array();
+    for (const StressDifference& each : against.differences)
+        differs.push_back({{"step", each.step}, {"what", each.what}});
+    const nlohmann::json json = {{"device", device},          {"breakdown_points", pointsJson(all)},
+                                 {"cases", casesJson(all)},   {"series", totals.series},
+                                 {"failing", totals.failing}, {"failures", totals.failures},
+                                 {"void", totals.invalid},    {"beyond", totals.beyond},
+                                 {"refused", totals.refused}, {"differs", differs}};
+    printAsJson(json);
 }
 
 /// The table and the page. Returns how the command ends.
@@ -143,16 +198,21 @@ int showAll(const StressCommand& command, const std::vector<StressRecord>& recor
             const std::string& device, int code)
 {
     const std::vector<StressSeries> all = seriesOf(records);
+    const Result<Against> against = command.against.empty() ? Against() : compareRuns(command, all);
+    if (!against) return report(against.diagnostics(), command.json);
     if (command.json)
-        printJson(all, device);
+        printJson(all, device, *against);
     else
         printTable(all);
+    if (!command.json && !command.against.empty()) printAgainst(command, *against);
     const Status page =
         writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
     report(page.diagnostics(), false);
     if (code != kExitOk) return code;
     if (!page) return kExitOutput;
-    return totalsOf(all).failing > 0 ? kExitDiffers : kExitOk;
+    const bool differs =
+        command.against.empty() ? totalsOf(all).failing > 0 : !against->differences.empty();
+    return differs ? kExitDiffers : kExitOk;
 }
 
 int measureSteps(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
@@ -173,7 +233,7 @@ int measureSteps(const StressCommand& command, const std::vector<StressTask>& ta
         return keyOnDevice(meter.contentOf(task, size) + CREVICE_VERSION, device);
     };
     how.measure = [&](const StressTask& task) { return meter.measure(task, size); };
-    how.keep = [&](const StressDrawing& done) { return keepPicture(command.run.out, done); };
+    how.keep = [&](const StressDrawing& done) { return keepPictures(command.run.out, done); };
     how.device = device;
     how.version = CREVICE_VERSION;
     const MeasureJob job = stressJob(tasks, *known, std::move(how));
@@ -181,7 +241,15 @@ int measureSteps(const StressCommand& command, const std::vector<StressTask>& ta
     const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
     const Result<std::vector<StressRecord>> records = recordsOf(job, file->path());
     if (!records) return report(records.diagnostics(), command.json);
-    return showAll(command, *records, device, exitCodeOf(summary));
+    int code = exitCodeOf(summary);
+    if (summary.missing.empty()) {
+        const MeasureJob pictures =
+            pictureJob(tasks, job, breakdownPoints(seriesOf(*records)), command.run.out,
+                       [&](const StressTask& task) { return meter.measure(task, size); });
+        if (!pictures.tasks.empty())
+            code = std::max(code, exitCodeOf(measureOnConsole(pictures, *file, 0, progress)));
+    }
+    return showAll(command, *records, device, code);
 }
 
 int stress(StressCommand command)
@@ -218,6 +286,11 @@ void addStressCommand(CLI::App& app, int& exit_code)
         ->capture_default_str();
     command->add_flag("--quick", options->stress.quick,
                       "Two or three steps of each case, in the configs' own formats");
+    command
+        ->add_option("--against", options->against,
+                     "Folder of a run before: exit code 5 where a step differs from it, and not "
+                     "where cases fail")
+        ->type_name("FOLDER");
     addRunOptions(*command, options->run, "step", "stress.jsonl, stress.html and pictures");
     addConfigOptions(*command, options->config);
     addCacheOptions(*command, options->cache);

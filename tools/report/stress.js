@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lays out the stress report: a matrix of what holds, the chosen case with its curve, every failure.
+// Lays out the stress report: each config's breakdown points with pictures, a matrix of what holds, the chosen case with
+// its curve, every failure.
 "use strict";
 const SIGNS = {holds: "✓", breaks: "✗", void: "∅", beyond: "~", refused: "!", absent: "·"};
 const fails = s => s.state === "breaks" || s.state === "void";
@@ -94,9 +95,43 @@ function showMatrix(parent, select) {
   }
 }
 
+// A code span of a sentence is `so`.
+function addSentence(parent, text) {
+  const line = add(parent, "p");
+  text.split("`").forEach((part, i) => i % 2 ? add(line, "code", {}, part) : line.append(part));
+}
+
+function showPoint(parent, point) {
+  const item = add(parent, "li");
+  addSentence(item, point.text);
+  add(item, "p", {class: "soft"}, point.because);
+  const box = add(item, "div", {class: "steps failures"});
+  for (const {caption, picture} of point.pictures) {
+    if (!data.pictures[picture]) continue;
+    const figure = add(box, "figure");
+    add(figure, "img", {src: data.pictures[picture], alt: `ambient occlusion: ${caption}`});
+    add(figure, "figcaption", {}, caption);
+  }
+}
+
+// Most configs are folded where there are many.
+const UNFOLDED = 3;
+function showPoints(parent) {
+  add(parent, "h2", {id: "points"}, "Where each config breaks, what most users meet first");
+  configs.forEach((config, i) => {
+    const points = data.points.filter(p => p.config === config);
+    const more = add(parent, "details", {class: "card points", open: i < UNFOLDED ? "" : null});
+    const title = add(more, "summary");
+    add(title, "strong", {}, config);
+    title.append(points.length ? `: ${plural(points.length, "breakdown point")}` : ": nothing breaks");
+    const list = add(more, "ol");
+    for (const point of points) showPoint(list, point);
+  });
+}
+
 function showBreakdowns(parent) {
   const broken = series.filter(s => fails(s) || s.beyond);
-  add(parent, "h2", {id: "failures"}, "Breakdown points");
+  add(parent, "h2", {id: "failures"}, "All that fails or goes beyond a format");
   if (!broken.length) return add(parent, "p", {}, "Nothing breaks, and nothing is beyond a format.");
   const scroll = add(parent, "div", {class: "scroll card"}), table = add(scroll, "table"), head = add(table, "tr");
   for (const text of ["config", "case", "format", "how far", "beyond the format"]) add(head, "th", {}, text);
@@ -122,7 +157,7 @@ main.replaceChildren();
 const failing = series.filter(fails).length;
 summary.append(`${plural(series.filter(s => s.state !== "absent").length, "case")} in ` +
   `${plural(data.steps, "picture")}, drawn by crevice ${data.versions.join(", ")} on ${data.devices.join("; ")}. `);
-if (failing) add(summary, "a", {class: "warn", href: "#failures"}, `${plural(failing, "case")} fail.`);
+if (failing) add(summary, "a", {class: "warn", href: "#points"}, `${plural(failing, "case")} fail.`);
 let chosen;
 const panel = document.createElement("section");
 const select = s => {
@@ -144,6 +179,7 @@ const select = s => {
   showPictures(card, s);
 };
 if (series.length) {
+  showPoints(main);
   showMatrix(main, select);
   main.append(panel);
   select(series.find(fails) || series[0]);

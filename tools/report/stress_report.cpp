@@ -4,6 +4,7 @@
 
 #include "tools/report/page.h"
 #include "tools/report/page_data.h"
+#include "tools/stress/pictures.h"
 
 #include <nlohmann/json.hpp>
 
@@ -65,7 +66,7 @@ public:
         const Verdict verdict = judge(*series.stress, series.steps, step);
         if (!record->picture.empty()) keepPicture(record->picture);
         return {{"outcome", kOutcomes[static_cast<int>(verdict.outcome)]},
-                {"why", verdict.why},
+                {"why", verdict.reason()},
                 {"figure", figureOf(*series.stress, *record)},
                 {"mean", record->mean},
                 {"least", record->least},
@@ -99,6 +100,33 @@ public:
                 {"steps", steps}};
     }
 
+    /// A picture beside others.
+    json shown(const std::string& caption, const std::string& path)
+    {
+        keepPicture(path);
+        return {{"caption", caption}, {"picture", path}};
+    }
+
+    json pointModel(const BreakdownPoint& point)
+    {
+        json pictures = json::array();
+        const bool amount = !point.stress->unit.empty();
+        if (point.before)
+            pictures.push_back(
+                shown((amount ? "holds at " : "") + point.held, pictureOf(*point.before)));
+        pictures.push_back(
+            shown(amount && point.before ? "breaks at " + point.broke : point.after->label,
+                  pictureOf(*point.after)));
+        pictures.push_back(shown("ground truth of that", truthPictureOf(*point.after)));
+        return {{"config", point.config},
+                {"case", point.stress->name},
+                {"format", point.format},
+                {"text", sentenceOf(point)},
+                {"likelihood", nameOf(point.likelihood)},
+                {"because", likelihoodOf(point)},
+                {"pictures", pictures}};
+    }
+
     json take() { return std::move(pictures_); }
 
 private:
@@ -117,8 +145,11 @@ private:
 std::string stressHtml(const std::vector<StressRecord>& records, const std::string& folder)
 {
     Model model(folder);
-    json series = json::array();
-    for (const StressSeries& each : seriesOf(records)) series.push_back(model.seriesModel(each));
+    json series = json::array(), points = json::array();
+    const std::vector<StressSeries> all = seriesOf(records);
+    for (const StressSeries& each : all) series.push_back(model.seriesModel(each));
+    for (const BreakdownPoint& each : breakdownPoints(all))
+        points.push_back(model.pointModel(each));
     json cases = json::array();
     for (const StressCase& each : stressCases()) cases.push_back(caseModel(each));
     std::set<std::string> devices, versions;
@@ -126,8 +157,9 @@ std::string stressHtml(const std::vector<StressRecord>& records, const std::stri
         devices.insert(record.device);
         versions.insert(record.version);
     }
-    const json page = {{"devices", devices}, {"versions", versions},    {"cases", cases},
-                       {"series", series},   {"steps", records.size()}, {"pictures", model.take()}};
+    const json page = {{"devices", devices},      {"versions", versions}, {"cases", cases},
+                       {"series", series},        {"points", points},     {"steps", records.size()},
+                       {"pictures", model.take()}};
     return pageWith(stressPage(), page);
 }
 

@@ -8,8 +8,9 @@
 
 namespace crevice {
 
-/// The page: which config holds where, curves, breakdown points, and the pictures of failures, read
-/// below `folder`; those that cannot be read are left out.
+/// The page: each config's breakdown points with pictures of before and after, what holds where,
+/// curves, and the pictures of failures, read below `folder`; those that cannot be read are left
+/// out.
 std::string stressHtml(const std::vector<StressRecord>& records, const std::string& folder);
 
 }  // namespace crevice

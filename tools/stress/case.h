@@ -12,9 +12,12 @@
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace crevice {
@@ -31,6 +34,16 @@ enum class Expectation {
     /// From the ordinary step on, each picture as bright as the one before, the last open.
     opens,
     darkens,  ///< Each picture as dark as the one before.
+    settles,  ///< The next frame of the same is the same picture.
+};
+
+/// A frame before the one that counts.
+struct StressFrame {
+    Camera camera = {};
+    glm::dvec3 moved = glm::dvec3(0.0);   ///< The scene's last object, off its place.
+    glm::dvec3 origin = glm::dvec3(0.0);  ///< Of the host's coordinates, in the scene's.
+    bool cut = false;                     ///< Told that what was before does not apply.
+    int times = 1;
 };
 
 /// What one frame of a step needs.
@@ -45,6 +58,16 @@ struct StressShot {
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
     bool traceable = true;     ///< What is drawn is the scene as a ray tracer sees it.
 
+    /// Drawn before, first to last, for what a config keeps from frame to frame; where that is
+    /// empty, three frames of the same.
+    std::vector<StressFrame> before = {};
+
+    /// Of a frame of two views the one that counts; the other sees through `other_view`.
+    int view = 0;
+    std::optional<Camera> other_view = {};
+
+    std::string output = "ao";  ///< What is looked at.
+
     /// What the config runs over, one of the names in tools/stress/geometry.h; empty: its own.
     std::string geometry = {};
 
@@ -57,15 +80,15 @@ struct StressShot {
     /// of what each pixel shows, 0 where that is nothing; without them `farthest` stands for all.
     Image distances = {};
     double farthest = 0;  ///< 0: does not matter.
+    double middle = 0;    ///< What the middle shows, where that is nearer; 0: as far as that.
     double near_distance = 0.1;
     double far_distance = 100;
     double coordinates = 0;  ///< The largest in the meshes, where floats round them noticeably.
 
-    /// Where this picture and the ordinary one show the same: that many pixels further right there,
-    /// and left and right changed.
-    int shift_px = 0;
-    bool mirrored = false;
-    glm::dmat2 turned = glm::dmat2(1.0);  ///< From the ordinary picture's plane, [-1, 1], to this.
+    /// From the ordinary picture's plane, [-1, 1], to where this one shows the same.
+    glm::dmat2 turned = glm::dmat2(1.0);
+    glm::dvec2 moved = glm::dvec2(0.0);  ///< After that.
+    int border_px = 0;  ///< At left and right, where what lies off the screen may differ.
     /// Means over such squares are compared: noise that stays with pixels evens out.
     int block_px = 1;
 
@@ -80,6 +103,41 @@ struct StressStep {
     std::string label = {};
 };
 
+/// How many users meet what a case varies, most first.
+enum class Likelihood {
+    every,   ///< Every application does that.
+    many,    ///< Many do.
+    few,     ///< Some do, or only at the ends of what is varied.
+    broken,  ///< Only with broken input.
+};
+
+/// What a sentence about a breakdown point has figures of.
+enum class Quantity {
+    label,    ///< The step's label.
+    value,    ///< Its value without the sign, times `scale`.
+    screens,  ///< The radius on screen over the picture's height.
+    pixels,   ///< The radius on screen.
+};
+
+/// Where a case breaks, in what a user thinks in.
+struct StressCondition {
+    /// "where the radius is taller than {} screens": {} is the figure of the last step that holds;
+    /// of kinds, the labels of all that fail.
+    std::string_view where = {};
+    Quantity quantity = Quantity::label;
+    double scale = 1;
+};
+
+/// Its breakdown points in words, which are literals. Cases with the same `where` are told in one
+/// sentence.
+struct StressWords {
+    Likelihood likelihood = Likelihood::few;
+    std::string_view because = {};  ///< Why that many: "cameras walk up to walls".
+    std::string_view seen = {};     ///< What is looked at: "a corner of a room".
+    StressCondition up = {};        ///< Towards the last step.
+    StressCondition down = {};      ///< Towards the first; empty where that is the ordinary one.
+};
+
 struct StressCase {
     std::string name;
     std::string what;  ///< One sentence.
@@ -91,6 +149,7 @@ struct StressCase {
     double limit = kSameChange;
     bool formats = false;  ///< Also with each format that the surface may be stored in.
     StressShot (*shot)(double value, Extent size) = nullptr;
+    StressWords words = {};
 };
 
 /// All of them.

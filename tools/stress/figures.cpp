@@ -6,6 +6,9 @@
 #include "tools/render/view_check.h"
 #include "tools/stress/limits.h"
 
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,7 +17,6 @@ namespace crevice {
 namespace {
 
 constexpr double kMiddle = 0.8;  // share of width and height that planes are judged in
-constexpr int kBorders = 8;      // an eighth of the width at either side
 
 bool isNear(const StressShot& shot, int x, int y)
 {
@@ -99,32 +101,38 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
 
 namespace {
 
-/// The ordinary picture's pixel that shows what pixel (x, y) does.
-glm::ivec2 ordinaryPixel(const StressShot& shot, Extent size, int x, int y)
+/// The pixel of the ordinary picture that shows what pixel (x, y) of this one does.
+glm::ivec2 ordinaryPixel(const StressShot& shot, const glm::dmat2& unturned, Extent ordinary,
+                         Extent size, int x, int y)
 {
     const glm::dvec2 pixels(size.width, size.height);
     const glm::dvec2 here = (glm::dvec2(x, y) + 0.5) / pixels * 2.0 - 1.0;
-    const glm::dvec2 there = (glm::inverse(shot.turned) * here + 1.0) / 2.0 * pixels;
-    const int column = static_cast<int>(std::floor(there.x));
-    return {shot.mirrored ? size.width - 1 - column : column + shot.shift_px,
-            static_cast<int>(std::floor(there.y))};
+    const glm::dvec2 there = unturned * (here - shot.moved);
+    return glm::ivec2(
+        glm::floor((there + 1.0) / 2.0 * glm::dvec2(ordinary.width, ordinary.height)));
 }
 
 }  // namespace
 
-double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot)
+PictureChange changeBetween(const Image& ordinary, const Image& image, const StressShot& shot)
 {
-    if (!(ordinary.extent == image.extent)) return 1;
-    // What lies off the screen says nothing, so pictures of other extents differ along their
-    // borders.
-    const int width = image.extent.width, border = shot.shift_px == 0 ? 0 : width / kBorders;
+    PictureChange found;
+    double pixels = 0;
+    const Extent size = ordinary.extent;
+    const int width = image.extent.width, border = shot.border_px;
+    const glm::dmat2 unturned = glm::inverse(shot.turned);
     Blocks blocks;
     for (int y = 0; y < image.extent.height; ++y)
         for (int x = border; x < width - border; ++x) {
-            const glm::ivec2 other = ordinaryPixel(shot, image.extent, x, y);
-            if (other.x < border || other.x >= width - border || isNear(shot, x, y)) continue;
-            blocks.add(x / shot.block_px, y / shot.block_px,
-                       double(image.at(x, y)) - ordinary.at(other.x, other.y));
+            const glm::ivec2 other = ordinaryPixel(shot, unturned, size, image.extent, x, y);
+            if (other.x < border || other.x >= size.width - border || other.y < 0 ||
+                other.y >= size.height || isNear(shot, x, y))
+                continue;
+            const double here = image.at(x, y), there = ordinary.at(other.x, other.y);
+            blocks.add(x / shot.block_px, y / shot.block_px, here - there);
+            found.mean += here;
+            found.ordinary += there;
+            ++pixels;
         }
     double sum = 0, largest = 0;
     for (const auto& [place, block] : blocks.sums) {
@@ -132,8 +140,11 @@ double changeBetween(const Image& ordinary, const Image& image, const StressShot
         sum += change;
         largest = std::max(largest, change);
     }
-    if (blocks.sums.empty()) return 1;
-    return shot.spoiled.empty() ? sum / static_cast<double>(blocks.sums.size()) : largest;
+    if (blocks.sums.empty()) return found;
+    found.change = shot.spoiled.empty() ? sum / static_cast<double>(blocks.sums.size()) : largest;
+    found.mean /= pixels;
+    found.ordinary /= pixels;
+    return found;
 }
 
 void describeError(const Image& ao, const Image& ground_truth, StressRecord& record)
@@ -147,9 +158,19 @@ void describeError(const Image& ao, const Image& ground_truth, StressRecord& rec
     record.occlusion = white->bias - error->bias;
 }
 
+double shareChanged(const Image& before, const Image& after, double limit)
+{
+    if (!(before.extent == after.extent)) return 1;
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < before.pixels.size(); i += before.channels)
+        changed += !(std::abs(double(after.pixels[i]) - before.pixels[i]) <= limit);
+    return static_cast<double>(changed * before.channels) /
+           static_cast<double>(std::max<std::size_t>(before.pixels.size(), 1));
+}
+
 double radiusInPixels(const StressShot& shot)
 {
-    double distance = shot.farthest;
+    double distance = shot.middle > 0 ? shot.middle : shot.farthest;
     if (!shot.distances.pixels.empty())
         distance = shot.distances.at(shot.extent.width / 2, shot.extent.height / 2);
     if (distance <= 0 && !shot.camera.orthographic()) return 0;

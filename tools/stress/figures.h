@@ -12,9 +12,18 @@ void describeOcclusion(const Image& ao, StressRecord& record);
 /// What the format makes of the surface, and the pixels of the middle where that is fine enough.
 void describeSurface(const Image& ao, const StressShot& shot, Format format, StressRecord& record);
 
-/// The mean absolute change over what both pictures show; where that is not a number in one, 1.
-/// Where pixels are spoiled, the largest change farther away.
-double changeBetween(const Image& ordinary, const Image& image, const StressShot& shot);
+/// Over what both pictures show.
+struct PictureChange {
+    /// The mean absolute change; where it is not a number in one picture, 1. Where pixels are
+    /// spoiled, the largest change farther away.
+    double change = 1;
+    double ordinary = 0;  ///< Mean of the ordinary picture.
+    double mean = 0;      ///< Of the other.
+};
+PictureChange changeBetween(const Image& ordinary, const Image& image, const StressShot& shot);
+
+/// Share of the pixels that differ by more than `limit`.
+double shareChanged(const Image& before, const Image& after, double limit);
 
 /// Error and occlusion against the ground truth, over the pixels that it has.
 void describeError(const Image& ao, const Image& ground_truth, StressRecord& record);

@@ -11,11 +11,23 @@
 namespace crevice {
 namespace {
 
+constexpr const char* kOnPlane = "darkens a flat plane";
+constexpr const char* kNotValid = "is wrong to begin with";
+
 std::string number(double value) { return significant(value, 4); }
 
 std::string percent(double share) { return std::to_string(std::lround(share * 100)) + " %"; }
 
-Verdict breaks(std::string why) { return {Outcome::breaks, std::move(why)}; }
+Verdict breaks(const char* effect, std::string why)
+{
+    return {Outcome::breaks, std::move(why), effect};
+}
+
+/// Of occlusion that should be 1, as a factor; empty where it is about that.
+const char* effectOf(double kept)
+{
+    return kept < kLeastKept ? "is lost" : kept > kMostKept ? "is too strong" : "";
+}
 
 /// Whether the exact answer of a step has occlusion that a picture of its size can show.
 bool isShown(const StressRecord& record)
@@ -24,6 +36,11 @@ bool isShown(const StressRecord& record)
 }
 
 double keptOf(const StressRecord& record) { return record.occlusion / record.exact; }
+
+std::string keptText(const StressRecord& record)
+{
+    return percent(keptOf(record)) + " of the ground truth's occlusion";
+}
 
 /// What is asked of every step.
 Verdict judgeSoundness(const StressRecord& record)
@@ -35,14 +52,16 @@ Verdict judgeSoundness(const StressRecord& record)
                                         std::to_string(record.bad_y) + ")";
     const std::string who = "pass '" + record.bad_pass + "' writes ";
     if (record.bad_pixels > 0)
-        return breaks(who + std::to_string(record.bad_pixels) + " pixels that are not finite" +
-                      where);
+        return breaks("has values that are not numbers", who + std::to_string(record.bad_pixels) +
+                                                             " pixels that are not finite" + where);
     if (record.out_of_range > 0 && !where.empty())
-        return breaks(who + std::to_string(record.out_of_range) + " pixels out of range" + where +
-                      ": " + number(record.bad_value));
+        return breaks("has values out of range", who + std::to_string(record.out_of_range) +
+                                                     " pixels out of range" + where + ": " +
+                                                     number(record.bad_value));
     if (record.out_of_range > 0)
-        return breaks(std::to_string(record.out_of_range) + " pixels out of range, " +
-                      number(record.least) + " to " + number(record.most));
+        return breaks("has values out of range",
+                      std::to_string(record.out_of_range) + " pixels out of range, " +
+                          number(record.least) + " to " + number(record.most));
     return {};
 }
 
@@ -52,30 +71,32 @@ Verdict judgeOrdinary(const StressRecord& record)
     if (!isShown(record) || record.rmse < 0) return {};
     const double strength = keptOf(record);
     if (strength < kLeastStrength || strength > kMostStrength)
-        return {Outcome::invalid, "the ordinary picture has " + percent(strength) +
-                                      " of the ground truth's occlusion"};
+        return {Outcome::invalid, "the ordinary picture has " + keptText(record), kNotValid};
     const double grey = std::sqrt(record.rmse_white * record.rmse_white -
                                   record.exact * record.exact);  // the truth's deviation
     if (record.rmse < grey) return {};
     return {Outcome::invalid,
             "the ordinary picture is no closer to the ground truth than an even "
             "grey: rmse " +
-                number(record.rmse) + ", " + number(grey)};
+                number(record.rmse) + ", " + number(grey),
+            kNotValid};
 }
 
 /// What no step that has a ground truth may lose.
 Verdict judgeKept(const StressRecord& record)
 {
-    if (!isShown(record) || record.rmse < 0 || keptOf(record) >= kLeastKept) return {};
-    return breaks(percent(keptOf(record)) + " of the ground truth's occlusion");
+    if (!isShown(record) || record.rmse < 0) return {};
+    if (keptOf(record) >= kLeastKept && keptOf(record) <= kMostKept) return {};
+    return breaks(effectOf(keptOf(record)), keptText(record));
 }
 
 Verdict judgeOpen(const StressRecord& record)
 {
     if (record.judged_mean >= kOpenMean && record.judged_below == 0) return {};
     const std::string share = number(record.judged_below * 100) + " % below 0.95";
-    return breaks("mean " + number(record.judged_mean) + ", least " + number(record.judged_least) +
-                  (record.judged_below > 0 ? ", " + share : ""));
+    return breaks(kOnPlane, "mean " + number(record.judged_mean) + ", least " +
+                                number(record.judged_least) +
+                                (record.judged_below > 0 ? ", " + share : ""));
 }
 
 /// Against the step before, on the way from `step` to the ordinary one or to the first.
@@ -91,12 +112,17 @@ Verdict judgeSlope(const StressCase& stress, const std::vector<const StressRecor
         const double before = series[other]->mean;
         const bool wrong =
             opens ? here.mean < before - stress.limit : here.mean > before + stress.limit;
-        if (wrong)
-            return breaks("mean " + number(here.mean) + " after " + number(before) + " at " +
-                          stress.steps[other].label);
+        if (wrong) {
+            const std::string means = "mean " + number(here.mean) + " after " + number(before);
+            if (!opens && isShown(here) && here.rmse >= 0)
+                return breaks("is lost", keptText(here) + ", " + means);
+            return breaks(opens ? "does not fade with the radius" : "does not darken",
+                          means + " at " + stress.steps[other].label);
+        }
     }
     if (opens && step == 0 && here.mean < kOpenMean)
-        return breaks("mean " + number(here.mean) + " instead of 1");
+        return breaks("does not fade with the radius",
+                      "mean " + number(here.mean) + " instead of 1");
     return {};
 }
 
@@ -106,14 +132,19 @@ Verdict judgeSame(const StressCase& stress, const StressRecord& record)
 {
     if (record.step_share <= kFineShare) {
         if (record.change <= stress.limit) return {};
-        return breaks("mean change " + number(record.change));
+        const bool known = record.exact >= kLeastExact && *effectOf(keptOf(record)) != 0;
+        return breaks(known ? effectOf(keptOf(record)) : "changes",
+                      "mean change " + number(record.change));
     }
     if (!isShown(record)) return {Outcome::beyond, "mean change " + number(record.change)};
     const double kept = keptOf(record);
     const std::string lost = kept <= 1 ? percent(1 - kept) + " of the occlusion lost"
                                        : percent(kept - 1) + " more occlusion";
-    if (record.resolved > 0 && kept < kLeastKept) return breaks(lost);
-    return {Outcome::beyond, lost + ", mean change " + number(record.change)};
+    const double most = stress.limit + std::pow(std::sin(kRaises * record.step_share), 2);
+    if (record.resolved > 0 && (kept < kLeastKept || record.change > most))
+        return breaks(*effectOf(kept) != 0 ? effectOf(kept) : "changes",
+                      lost + ", mean change " + number(record.change));
+    return {Outcome::beyond, lost + ", mean change " + number(record.change), effectOf(kept)};
 }
 
 /// What is asked of the step of a case, by its expectation.
@@ -126,14 +157,20 @@ Verdict judgeExpected(const StressCase& stress, const std::vector<const StressRe
     case Expectation::sound: return {};
     case Expectation::one:
         if (record.least == 1 && record.most == 1) return {};
-        return breaks(number(record.least) + " to " + number(record.most) + " instead of 1");
+        return breaks("is there where there is none",
+                      number(record.least) + " to " + number(record.most) + " instead of 1");
     case Expectation::open:
         if (record.judged == 0 && resolves) return {};  // too small a picture to have a middle
         return resolves ? judgeOpen(record)
-                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion"};
+                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion",
+                                  1 - record.mean >= kLeastExact ? kOnPlane : ""};
     case Expectation::same: return judgeSame(stress, record);
     case Expectation::opens:
     case Expectation::darkens: return judgeSlope(stress, series, step);
+    case Expectation::settles:
+        if (record.change <= stress.limit) return {};
+        return breaks("flickers though nothing moves",
+                      "the next frame changes " + number(record.change * 100) + " % of the pixels");
     }
     return {};
 }
@@ -149,7 +186,7 @@ void walk(const StressCase& stress, const std::vector<const StressRecord*>& seri
         const Verdict verdict = judge(stress, series, i);
         if (verdict.outcome == Outcome::breaks) {
             reach.breaks_at = i;
-            reach.why = verdict.why;
+            reach.why = verdict.reason();
             return;
         }
         if (verdict.outcome == Outcome::holds) reach.holds_to = i;
@@ -181,10 +218,9 @@ std::string breakText(const StressCase& stress, const Reach& reach)
     return "breaks at " + atLabel(stress, reach.breaks_at) + ": " + reach.why;
 }
 
-}  // namespace
-
-Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& series,
-              std::size_t step)
+/// All but the pass that it begins with.
+Verdict judgeStep(const StressCase& stress, const std::vector<const StressRecord*>& series,
+                  std::size_t step)
 {
     const StressRecord& record = *series[step];
     if (!record.absent.empty()) return {Outcome::absent, record.absent};
@@ -196,6 +232,23 @@ Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& 
     const Verdict expected = judgeExpected(stress, series, step);
     if (expected.outcome != Outcome::holds) return expected;
     return valid.outcome == Outcome::holds ? judgeKept(record) : valid;
+}
+
+}  // namespace
+
+std::string Verdict::reason() const
+{
+    return pass.empty() ? why : why + ", first in pass '" + pass + "'";
+}
+
+Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& series,
+              std::size_t step)
+{
+    Verdict verdict = judgeStep(stress, series, step);
+    const std::string& pass = series[step]->departing_pass;
+    const bool fails = verdict.outcome == Outcome::breaks || verdict.outcome == Outcome::invalid;
+    if (fails && !pass.empty() && series[step]->bad_target.empty()) verdict.pass = pass;
+    return verdict;
 }
 
 Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series)
@@ -215,7 +268,7 @@ Breakdown findBreakdown(const StressCase& stress, const std::vector<const Stress
     if (series[ordinary])
         if (const Verdict verdict = judge(stress, series, ordinary);
             verdict.outcome == Outcome::invalid) {
-            found.invalid = verdict.why;
+            found.invalid = verdict.reason();
             ++found.failures;
         }
     found.beyond = beyondOf(stress, series, ordinary, -1);

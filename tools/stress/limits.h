@@ -32,6 +32,15 @@ constexpr double kMostStrength = 3.0 / 2.0;
 /// closer to no ambient occlusion than to the right one.
 constexpr double kLeastKept = 0.5;
 
+/// ... and the most that it makes of it: as far off, as a factor.
+constexpr double kMostKept = 2.0;
+
+/// Share of the pixels that may differ from one frame of a still camera to the next, by more than
+/// kSameChange allows two pictures together: 2/255. One in a thousand is 37 pixels of 256x144,
+/// which nobody sees.
+constexpr double kRestlessShare = 0.001;
+constexpr double kRestlessPixel = 2.0 / 255.0;
+
 /// Mean occlusion from which the exact answer counts as occlusion: half of it is more than twice
 /// kSameChange.
 constexpr double kLeastExact = 0.01;
@@ -47,6 +56,10 @@ constexpr int kLeastSide = 16;
 
 /// Steps, in radii, that nobody sees: sin^2(2 * 0.02) = 0.0016 is below kSameChange.
 constexpr double kFineShare = 0.02;
+
+/// Past that a picture may change by the squared sine of this many steps: of both the point and
+/// what occludes it.
+constexpr double kRaises = 4;
 
 /// Steps that leave planes open: sin^2(2 * 0.1) = 0.04 is below 1 - kOpenPixel.
 constexpr double kOpenShare = 0.1;

@@ -10,11 +10,15 @@
 #include "tools/measure/run.h"
 #include "tools/measure/taps.h"
 #include "tools/reference/reference_cache.h"
+#include "tools/reference/tracer.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_health.h"
 #include "tools/stress/figures.h"
 #include "tools/stress/limits.h"
+#include "tools/stress/passes.h"
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -73,6 +77,38 @@ Format storedFormat(const Plan& plan)
     return Format::depth24;
 }
 
+void addViews(const StressShot& shot, Frame& frame)
+{
+    frame.camera = shot.camera;
+    if (!shot.other_view) return;
+    frame.other_views = {{*shot.other_view, {}}};
+    if (shot.view == 1) std::swap(frame.camera, frame.other_views[0].camera);
+}
+
+/// `last`, and what is drawn before it.
+std::vector<Frame> framesOf(const StressShot& shot, const Frame& last, bool remembers)
+{
+    std::vector<Frame> frames;
+    for (const StressFrame& each : shot.before) {
+        Frame frame = last;
+        frame.camera = each.camera;
+        if (!frame.draws.empty())
+            frame.draws.back().world_from_model =
+                glm::translate(glm::dmat4(1.0), each.moved) * frame.draws.back().world_from_model;
+        const glm::dmat4 to_origin = glm::translate(glm::dmat4(1.0), -each.origin);
+        for (DrawItem& item : frame.draws)
+            item.world_from_model = to_origin * item.world_from_model;
+        for (Light& light : frame.lights) light.position -= each.origin;
+        frame.camera.view_from_world *= glm::inverse(to_origin);
+        frame.camera_cut = each.cut;
+        frames.insert(frames.end(), each.times, frame);
+    }
+    // Later frames read what the first left in histories; a mean of four has half of its noise.
+    if (remembers && shot.before.empty()) frames.resize(3, last);
+    frames.push_back(last);
+    return frames;
+}
+
 }  // namespace
 
 struct StressMeter::Ready {
@@ -84,6 +120,8 @@ struct StressMeter::Ready {
 struct StressMeter::Drawn {
     std::string absent;
     Image ao;
+    Image next;  ///< The frame after that, of what must settle.
+    std::vector<PassPicture> passes;
     Format stored = Format::none;
     TargetHealth bad;  ///< The first target that is not finite or out of range, if any.
 };
@@ -130,6 +168,7 @@ std::string StressMeter::contentOf(const StressTask& task, Extent size)
     hash.addText(task.format);
     hash.add(task.step);
     hash.addText(hashOf(shot));
+    hash.add(kTracerVersion);
     return hash.hex();
 }
 
@@ -160,7 +199,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     if (shot.samples > 0 && taps.empty())
         ready.absent = std::to_string(shot.samples) + " taps are outside its ranges";
     config.overrides.insert(config.overrides.end(), taps.begin(), taps.end());
-    if (!findNamed(base->outputs, "ao")) ready.absent = "no output 'ao'";
+    if (!findNamed(base->outputs, shot.output)) ready.absent = "no output '" + shot.output + "'";
     if (!ready.absent.empty()) return ready;
     Result<Description> description = loadDescription(config, sources);
     if (!description) return description.diagnostics();
@@ -173,43 +212,56 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
 }
 
 /// With the renderer of `owner`, whose programs are there already, or another.
-Status StressMeter::render(Stage& stage, const Ready& ready, const Plan& plan, const Frame& frame,
+Status StressMeter::render(Stage& stage, const Ready& ready, const std::vector<Frame>& frames,
                            const std::string& owner)
 {
-    const bool needs_new = stage.of != owner || remembers(plan);
-    if (needs_new || !stage.renderer->reload(ready.description, ready.options)) {
+    if (stage.of != owner || !stage.renderer->reload(ready.description, ready.options)) {
         stage.renderer.reset();
         stage.of.clear();
-        auto created =
-            Renderer::create(stage.device, ready.description, ready.options, traitsOf(frame));
+        auto created = Renderer::create(stage.device, ready.description, ready.options,
+                                        traitsOf(frames.back()));
         if (!created) return created.diagnostics();
         stage.renderer = std::move(*created);
         stage.of = owner;
     }
-    // A second frame reads what the first left in histories.
-    for (int i = 0; i < (remembers(plan) ? 2 : 1); ++i)
+    for (const Frame& frame : frames)
         if (Status done = stage.renderer->render(frame); !done) return done;
     return {};
 }
 
 /// For what is not finite or out of range, in floats: 8 bits hide it.
-Status StressMeter::look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn)
+Status StressMeter::look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
+                         Drawn& drawn)
 {
     for (const WatchedTarget& each : watched) {
-        const Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output);
+        Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output, view);
         if (!image) return image.diagnostics();
         TargetHealth health = examine(*image, *image);
         examineFloats(*image, formatOf(plan, each.target), health);
-        if (!health.bad() || drawn.bad.bad()) continue;
-        drawn.bad = health;
-        drawn.bad.target = each.target;
-        drawn.bad.pass = each.pass;
+        for (PassPicture& picture : drawn.passes)
+            if (picture.target == each.target) picture.occlusion = std::move(*image);
+        if (!health.bad()) continue;
+        health.target = each.target;
+        health.pass = each.pass;
+        drawn.bad = std::move(health);
+        drawn.passes.clear();
+        break;
     }
+    return {};
+}
+
+/// What the plain renderer drew last.
+Status StressMeter::show(const StressShot& shot, Image& picture)
+{
+    Result<Image> shown = readOutput(*poison_, *plain_.renderer, shot.output, shot.view);
+    if (!shown) return shown.diagnostics();
+    picture = std::move(*shown);
     return {};
 }
 
 Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const StressShot& shot)
 {
+    const bool settles = task.stress->expectation == Expectation::settles;
     Result<Ready> ready = prepare(task, shot);
     if (!ready) return ready.diagnostics();
     Drawn drawn;
@@ -218,7 +270,7 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     const Result<UploadedScene> scene = UploadedScene::upload(*poison_, shot.scene);
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
-    frame.camera = shot.camera;
+    addViews(shot, frame);
     std::optional<HostTextures> host;
     if (shot.host) {
         Result<HostTextures> made = HostTextures::make(*poison_, shot, sources_);
@@ -229,22 +281,30 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     const Result<Plan> plan =
         compile(ready->description, traitsOf(frame), poison_->caps(), ready->options);
     if (!plan) return plan.diagnostics();
+    if (!shot.before.empty() && !settles && !remembers(*plan)) {
+        drawn.absent = "it keeps nothing from frame to frame";
+        return drawn;
+    }
     drawn.stored = storedFormat(*plan);
+    drawn.passes = occlusionPasses(*plan, ready->description, shot.output);
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
+    const std::vector<Frame> frames = framesOf(shot, frame, remembers(*plan));
     const std::string owner = task.config.config + " " + task.config.variant + shot.geometry;
     for (Stage* stage : {&wide_, &plain_})
-        if (const Status done = render(*stage, *ready, *plan, frame, owner); !done)
+        if (const Status done = render(*stage, *ready, frames, owner); !done)
             return done.diagnostics();
-    if (const Status done = look(*plan, watched, drawn); !done) return done.diagnostics();
-    Result<Image> ao = readOutput(*poison_, *plain_.renderer, "ao");
-    if (!ao) return ao.diagnostics();
-    drawn.ao = std::move(*ao);
+    if (const Status done = look(*plan, watched, shot.view, drawn); !done)
+        return done.diagnostics();
+    if (const Status done = show(shot, drawn.ao); !done) return done.diagnostics();
+    if (!settles) return drawn;
+    if (const Status done = plain_.renderer->render(frame); !done) return done.diagnostics();
+    if (const Status done = show(shot, drawn.next); !done) return done.diagnostics();
     return drawn;
 }
 
-/// The ordinary picture of the task's series; null where there is none.
-const Image* StressMeter::ordinaryOf(const StressTask& task, Extent size)
+/// The ordinary step of the task's series; null where there is no picture.
+const StressMeter::Drawn* StressMeter::ordinaryOf(const StressTask& task, Extent size)
 {
     StressTask ordinary = task;
     ordinary.step = static_cast<int>(task.stress->ordinary);
@@ -253,9 +313,9 @@ const Image* StressMeter::ordinaryOf(const StressTask& task, Extent size)
         ordinary_of_ = key;
         const StressShot shot = task.stress->shot(task.stress->steps[ordinary.step].value, size);
         Result<Drawn> drawn = draw(ordinary, shot);
-        ordinary_ = drawn ? std::move(drawn->ao) : Image();
+        ordinary_ = std::make_unique<Drawn>(drawn ? std::move(*drawn) : Drawn());
     }
-    return ordinary_.pixels.empty() ? nullptr : &ordinary_;
+    return ordinary_->ao.pixels.empty() ? nullptr : ordinary_.get();
 }
 
 /// With the ordinary picture, which is the exact answer of each step that must be the same.
@@ -263,17 +323,16 @@ void StressMeter::compare(const StressTask& task, Extent size, const StressShot&
                           StressDrawing& done)
 {
     if (task.stress->expectation != Expectation::same) return;
-    const Image* ordinary = ordinaryOf(task, size);
+    const Drawn* ordinary = ordinaryOf(task, size);
     if (!ordinary) {
         done.record.absent = "the ordinary picture cannot be drawn";
         return;
     }
-    done.record.change = changeBetween(*ordinary, done.ao, shot);
+    const PictureChange change = changeBetween(ordinary->ao, done.ao, shot);
+    done.record.change = change.change;
     if (isOrdinary(task)) return;
-    StressRecord before;
-    describeOcclusion(*ordinary, before);
-    done.record.exact = 1 - before.mean;
-    done.record.occlusion = 1 - done.record.mean;
+    done.record.exact = 1 - change.ordinary;
+    done.record.occlusion = 1 - change.mean;
 }
 
 /// With the ground truth: the ordinary step, and each that has no other exact answer.
@@ -283,16 +342,17 @@ void StressMeter::compareToTruth(const StressTask& task, const StressShot& shot,
     const Expectation expected = task.stress->expectation;
     const bool known = expected == Expectation::open || expected == Expectation::one ||
                        (expected == Expectation::same && !isOrdinary(task));
-    if (known || !shot.traceable || !canTrace() ||
+    if (known || !shot.traceable || shot.output != "ao" || !canTrace() ||
         std::min(shot.extent.width, shot.extent.height) < kLeastSide)
         return;
     TraceOptions trace;
-    // Nothing is farther apart, and the tracer begins its rays a share of the radius off.
-    trace.radius = std::min(shot.radius, shot.scene.bounds().diagonal());
+    trace.radius = shot.radius;
     trace.rays = kGroundTruthRays;
-    const Result<Image> ground_truth =
+    Result<Image> ground_truth =
         cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
-    if (ground_truth) describeError(done.ao, *ground_truth, done.record);
+    if (!ground_truth) return;
+    describeError(done.ao, *ground_truth, done.record);
+    done.ground_truth = std::move(*ground_truth);
 }
 
 StressDrawing StressMeter::measure(const StressTask& task, Extent size)
@@ -329,10 +389,16 @@ StressDrawing StressMeter::measure(const StressTask& task, Extent size)
     record.bad_value = std::isfinite(drawn->bad.first_value) ? drawn->bad.first_value : 0;
     record.stored = shot.coordinates > 0 ? "floats in vertices" : formatInfo(drawn->stored).name;
     record.radius_px = radiusInPixels(shot);
+    record.height_px = shot.extent.height;
     describeOcclusion(done.ao, record);
     describeSurface(done.ao, shot, drawn->stored, record);
     compareToTruth(task, shot, done);
     compare(task, size, shot, done);
+    if (!drawn->next.pixels.empty())
+        record.change = shareChanged(done.ao, drawn->next, kRestlessPixel);
+    const std::vector<PassPicture> none;
+    record.departing_pass = departingPass(*task.stress, shot, drawn->passes,
+                                          ordinary_ ? ordinary_->passes : none, record);
     return done;
 }
 

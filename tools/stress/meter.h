@@ -28,6 +28,7 @@ struct StressTask {
 struct StressDrawing {
     StressRecord record;
     Image ao;
+    Image ground_truth = {};  ///< Where the step is compared with it.
 };
 
 /// The formats that a config's surface may be stored in, as StressTask::format; the first is empty.
@@ -59,11 +60,13 @@ private:
     };
 
     Result<Ready> prepare(const StressTask& task, const StressShot& shot);
-    Status render(Stage& stage, const Ready& ready, const Plan& plan, const Frame& frame,
+    Status render(Stage& stage, const Ready& ready, const std::vector<Frame>& frames,
                   const std::string& owner);
-    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn);
+    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
+                Drawn& drawn);
+    Status show(const StressShot& shot, Image& picture);
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
-    const Image* ordinaryOf(const StressTask& task, Extent size);
+    const Drawn* ordinaryOf(const StressTask& task, Extent size);
     void compare(const StressTask& task, Extent size, const StressShot& shot, StressDrawing& done);
     void compareToTruth(const StressTask& task, const StressShot& shot, StressDrawing& done) const;
 
@@ -76,7 +79,7 @@ private:
     Stage plain_;
     Stage wide_;
     std::string ordinary_of_;
-    Image ordinary_;
+    std::unique_ptr<Drawn> ordinary_;
 };
 
 }  // namespace crevice

@@ -15,7 +15,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, key, config, variant, overrides
                                    bad_pass, bad_pixels, out_of_range, bad_x, bad_y, bad_value,
                                    mean, least, most, stored, step_share, resolved, judged,
                                    judged_mean, judged_least, judged_below, change, exact,
-                                   occlusion, rmse, rmse_white, radius_px, ms, picture)
+                                   occlusion, rmse, rmse_white, departing_pass, radius_px,
+                                   height_px, ms, picture)
 
 std::string toJsonLine(const StressRecord& record) { return jsonLine(record); }
 

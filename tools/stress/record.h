@@ -47,7 +47,9 @@ struct StressRecord {
     double judged_mean = 0;
     double judged_least = 0;
     double judged_below = 0;  ///< Share of them below 0.95.
-    double change = 0;        ///< Mean against the ordinary picture.
+    /// Mean against the ordinary picture; of what must settle, the share of pixels that the next
+    /// frame changes.
+    double change = 0;
 
     /// Mean occlusion of the exact answer, and of the picture over the same pixels. That is the
     /// ray-traced ground truth or, of what must be the same, the ordinary picture. -1: not known.
@@ -56,7 +58,11 @@ struct StressRecord {
     double rmse = -1;        ///< Against the ground truth; -1: not traced.
     double rmse_white = -1;  ///< That of a white picture.
 
+    /// The first whose occlusion departs from the exact answer as the picture does.
+    std::string departing_pass;
+
     double radius_px = 0;  ///< On screen, in the middle.
+    int height_px = 0;     ///< Of the picture.
     double ms = 0;
     std::string picture;  ///< Of a failure, relative to the file.
 };
@@ -82,6 +88,13 @@ enum class Outcome {
 struct Verdict {
     Outcome outcome = Outcome::holds;
     std::string why;
+    /// What becomes of the occlusion, as a sentence about it goes on: "is lost". Empty where it
+    /// holds, or what is beyond the format does no harm.
+    std::string effect = {};
+    std::string pass = {};  ///< The first in which a failure shows, where that is known.
+
+    /// Why, "first in pass 'ssao'".
+    std::string reason() const;
 };
 
 /// Judges one step. `series` are the case's records of one config and format by step, with null for

@@ -90,7 +90,7 @@ public:
         const char* const words[] = {"holds",   "BREAKS", "beyond the format",
                                      "refused", "absent", "VOID"};
         std::string outcome = words[static_cast<int>(verdict.outcome)];
-        if (!verdict.why.empty()) outcome += ": " + verdict.why;
+        if (!verdict.why.empty()) outcome += ": " + verdict.reason();
         return Measured{toJsonLine(done.record), std::move(outcome)};
     }
 
@@ -169,6 +169,11 @@ Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::st
         if (const auto found = places.find(task.key); found != places.end())
             records.push_back(*found->second);
     return records;
+}
+
+std::string seriesName(const StressSeries& series)
+{
+    return series.stress->name + (series.format.empty() ? "" : " " + series.format);
 }
 
 std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)

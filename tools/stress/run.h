@@ -56,6 +56,9 @@ struct StressSeries {
     std::vector<const StressRecord*> steps;  ///< By step; null where there is none.
 };
 
+/// "near_far depth=depth16".
+std::string seriesName(const StressSeries& series);
+
 /// In the order in which they come. The records must outlive them; those of unknown cases are left
 /// out.
 std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records);

@@ -95,7 +95,7 @@ if "$crevice" render learnopengl "${small[@]}" --precision half --out color=half
     expect 0 'wrote' render learnopengl "${small[@]}" --precision full --out color=full.png
     expect 5 'over' compare full.png half.png --max-abs 0
     expect 0 'rmse' compare full.png half.png --max-rmse 0.004
-    expect 0 'nothing is wrong' doctor learnopengl --scene corner --size 96x64 --backend "$backend" \
+    expect 0 'every value is written, finite and in range' doctor learnopengl --scene corner --size 96x64 --backend "$backend" \
         --precision half
 else
     check "a build that cannot choose a precision says so" grep -q CV6012 stderr.txt
@@ -114,7 +114,7 @@ if [[ -n $(ls kept/programs) ]]; then
     for file in kept/programs/*; do printf 'garbage' >"$file"; done
     expect 0 "^0 of $programs programs" "${cached[@]}" --out color=garbage.png
     expect 0 "^$programs of $programs programs" "${cached[@]}" --out color=mended.png
-    expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}" --program-cache kept/programs
+    expect 0 'every value is written, finite and in range' doctor gtao_temporal "${small[@]}" --program-cache kept/programs
     check "another config adds its own" test "$(ls kept/programs | wc -l)" -gt "$programs"
     for file in warm garbage mended; do check "$file programs draw the same" cmp -s plain.png "$file.png"; done
 fi
@@ -165,7 +165,7 @@ kill -TERM "$watcher" && wait "$watcher" || got=$?
 check "an interrupt ends the watch in peace" test "$got" = 0
 
 # The doctor: a healthy frame, a pass that writes what is no number, and why a picture is plain.
-expect 0 'nothing is wrong' doctor gtao_temporal "${small[@]}"
+expect 0 'every value is written, finite and in range' doctor gtao_temporal "${small[@]}"
 expect 0 '"state": "varies"' doctor learnopengl "${small[@]}" --json
 expect_json
 sed -i 's|ao_filtered = sum / 5.0;|ao_filtered = sqrt(sum / 5.0 - 0.9);|' cross.frag

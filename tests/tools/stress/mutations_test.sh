@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Plants single faults in shaders, one at a time, and demands that `crevice stress --quick` finds them: a case fails that
-# does not without the fault. mutations.txt has the faults.
+# does not without the fault; and that more of them differ from the run without a fault (`--against`). mutations.txt has
+# the faults.
 #   mutations_test.sh CREVICE CHECKOUT [FAULT]    FAULT: only those whose name contains it
 set -euo pipefail
 crevice=$1
 checkout=$2
 only=${3:-}
-least=27  # docs/stress.md lists those that are not found
+least=35 least_named=35 least_against=39  # docs/stress.md lists those that are not found
 table=$checkout/tests/tools/stress/mutations.txt
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
@@ -21,42 +22,62 @@ fi
 
 # failing CONFIG FOLDER: the cases that fail, a line each, with why.
 failing() {
-    "$crevice" stress "$1" --quick --size 128x72 --effects "$2" --out "$2/stress" >"$2/stdout" 2>"$2/stderr" || true
+    local against=()
+    [[ ! -e $work/$1.before ]] || against=(--against "$work/$1.before")
+    "$crevice" stress "$1" --quick --size 128x72 --effects "$2" --out "$2/stress" ${against[@]+"${against[@]}"} \
+        >"$2/stdout" 2>"$2/stderr" || true
     grep -E '^  [a-z_]+ .*(breaks at|VOID)' "$2/stdout" || grep -m1 'error' "$2/stderr" | sed 's/^/  error /' || true
 }
+# fresh FOLDER: effects and configs as they are.
 fresh() {
-    rm -rf -- "${work:?}/tree"
-    mkdir "$work/tree"
-    cp -r -- "$checkout/effects" "$checkout/configs" "$work/tree"
+    rm -rf -- "${1:?}"
+    mkdir "$1"
+    cp -r -- "$checkout/effects" "$checkout/configs" "$1"
 }
 
-declare -A ordinary
-faults=0 found=0 named=0
+# try NUMBER CONFIG PASS FILE EXPRESSION FAULT: what came of it, as a line of $work/NUMBER.found.
+try() {
+    local tree=$work/$1 new
+    fresh "$tree"
+    sed -i "$5" "$tree/effects/$4"
+    if cmp -s "$tree/effects/$4" "$checkout/effects/$4"; then
+        echo "FAILED: '$6' changes nothing in $4" >"$tree.found"
+        return
+    fi
+    new=$(failing "$2" "$tree" | while read -r case why; do
+        [[ $(<"$work/$2.ordinary") == *" $case "* && $why != *"' writes "* ]] || echo "$case: $why"
+    done)
+    grep -oE '^[0-9]+ steps differ' "$tree/stdout" >"$tree.differ" || true
+    rm -rf -- "${tree:?}"
+    if [[ -z $new ]]; then
+        echo "not found: $2, $6; $(<"$tree.differ")" >"$tree.found"
+    elif grep -q "pass '$3'" <<<"$new"; then
+        echo "found, pass named: $2, $6: $(wc -l <<<"$new") cases, $(grep -m1 "pass '$3'" <<<"$new")" >"$tree.found"
+    else
+        echo "found: $2, $6: $(wc -l <<<"$new") cases, ${new%%$'\n'*}" >"$tree.found"
+    fi
+}
+
+faults=0
 while IFS='|' read -r config pass file expression fault; do
     config=${config// /} pass=${pass// /} file=${file// /} fault=${fault# }
     expression=$(sed 's/^ *//; s/ *$//' <<<"$expression")
     [[ $config == \#* || $fault != *"$only"* ]] && continue
-    if [[ -z ${ordinary[$config]:-} ]]; then
-        fresh
-        ordinary[$config]=" $(failing "$config" "$work/tree" | awk '{ print $1 }' | tr '\n' ' ') "
-    fi
-    fresh
-    sed -i "$expression" "$work/tree/effects/$file"
-    if cmp -s "$work/tree/effects/$file" "$checkout/effects/$file"; then
-        echo "FAILED: '$fault' changes nothing in $file"
-        exit 1
+    if [[ ! -e $work/$config.ordinary ]]; then
+        wait
+        fresh "$work/tree"
+        echo " $(failing "$config" "$work/tree" | awk '{ print $1 }' | tr '\n' ' ') " >"$work/$config.ordinary"
+        mv -- "$work/tree/stress" "$work/$config.before"
     fi
     faults=$((faults + 1))
-    new=$(failing "$config" "$work/tree" | while read -r case why; do
-        [[ ${ordinary[$config]} == *" $case "* && $why != *"pass '"* ]] || echo "$case: $why"
-    done)
-    if [[ -z $new ]]; then
-        echo "not found: $config, $fault"
-        continue
-    fi
-    found=$((found + 1))
-    if grep -q "pass '$pass'" <<<"$new"; then named=$((named + 1)); fi
-    echo "found: $config, $fault: $(wc -l <<<"$new") cases, ${new%%$'\n'*}"
+    while (($(jobs -rp | wc -l) >= $(nproc))); do wait -n; done
+    try "$(printf %03d $faults)" "$config" "$pass" "$file" "$expression" "$fault" &
 done <"$table"
-echo "$faults faults, $found found, $named with the pass named"
-[[ -n $only ]] || ((found >= least))
+wait
+cat "$work"/*.found
+found=$(cat "$work"/*.found | grep -c '^found') || true
+named=$(cat "$work"/*.found | grep -c '^found, pass named') || true
+against=$(cat "$work"/*.differ | grep -c '^[1-9]') || true
+echo "$faults faults, $found found, $named with the pass named; $against differ from the run before"
+if grep -q '^FAILED' "$work"/*.found; then exit 1; fi
+[[ -n $only ]] || ((found >= least && named >= least_named && against >= least_against))

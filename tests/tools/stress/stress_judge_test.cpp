@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the figures of stress cases mean, where a series breaks, and that lost occlusion is found.
 #include "tests/tools/stress/made_records.h"
+#include "tools/stress/against.h"
+#include "tools/stress/passes.h"
 
 #include "tests/support/catch.h"
 
@@ -112,7 +114,55 @@ TEST_CASE("Where steps are coarse a picture may change, and what changed is said
           "holds from a to d; beyond depth24: 40 % of the occlusion lost, mean change 0.0045 at e");
     far.occlusion = 0.04;
     CHECK(series.outcome(4) == Outcome::breaks);
-    CHECK(series.found().up.why == "60 % of the occlusion lost");
+    CHECK(series.found().up.why == "60 % of the occlusion lost, mean change 0.0045");
+    // Steps of 0.04 of the radius change a picture by sin^2(0.16) = 0.0254 and half a step of 8
+    // bits.
+    far.occlusion = 0.1;
+    far.change = 0.0273;
+    CHECK(series.outcome(4) == Outcome::beyond);
+    far.change = 0.0275;
+    CHECK(series.outcome(4) == Outcome::breaks);
+}
+
+TEST_CASE("What must settle fails where the next frame changes more than one pixel in a thousand")
+{
+    Series series{caseOf(Expectation::settles)};
+    series.stress.limit = kRestlessShare;
+    series.records[4].change = 0.0009;
+    CHECK(series.found().failures == 0);
+    series.records[4].change = 0.03;
+    CHECK(series.text() ==
+          "holds from a to d; breaks at e: the next frame changes 3 % of the pixels");
+}
+
+TEST_CASE("A failure names the pass that it begins with")
+{
+    Series series{caseOf(Expectation::same)};
+    series.records[4].departing_pass = "ssao";
+    CHECK(series.text() == "holds from a to e");
+    series.records[4].change = 0.1;
+    CHECK(series.text() == "holds from a to d; breaks at e: mean change 0.1, first in pass 'ssao'");
+}
+
+TEST_CASE("The pass that a failure begins with is the first that departs half as far")
+{
+    const auto passOf = [](float estimator, float filter) {
+        const auto picture = [](float value) { return Image({2, 2}, 1, value); };
+        const StressCase stress = caseOf(Expectation::same);
+        const std::vector<PassPicture> ordinary = {{"ssao", "ao", picture(0.9f)},
+                                                   {"filter", "ao_filtered", picture(0.9f)}};
+        const std::vector<PassPicture> passes = {{"ssao", "ao", picture(estimator)},
+                                                 {"filter", "ao_filtered", picture(filter)}};
+        StressRecord record = occluded((1.0 - filter) / 0.1);
+        record.step = 4;
+        record.change = std::abs(filter - 0.9);
+        return departingPass(stress, {}, passes, ordinary, record);
+    };
+    CHECK(passOf(0.9f, 0.9f).empty());
+    CHECK(passOf(0.85f, 0.85f) == "ssao");
+    CHECK(passOf(0.9f, 0.85f) == "filter");
+    CHECK(passOf(0.897f, 0.85f) == "filter");
+    CHECK(passOf(0.99f, 0.99f) == "ssao");
 }
 
 TEST_CASE("What a format cannot resolve must be sound, and is a figure and no tick")
@@ -247,4 +297,40 @@ TEST_CASE("Larger radii may not lighten a corner")
     CHECK(series.found().failures == 0);
     series.records[3].mean = 0.95;
     CHECK(series.found().up.breaks_at == 3);
+}
+
+TEST_CASE("A run differs from the one before where an outcome or a figure is another")
+{
+    const StressCase stress = caseOf(Expectation::same);
+    std::vector<StressRecord> old(5, occluded(1)), edited(5, occluded(1));
+    const auto seriesOver = [&stress](const std::vector<StressRecord>& records) {
+        StressSeries series{&stress, "mine", "", {}};
+        for (const StressRecord& record : records) series.steps.push_back(&record);
+        return std::vector<StressSeries>{series};
+    };
+    std::size_t missing = 0;
+    const auto found = [&] {
+        std::string text;
+        for (const StressDifference& each :
+             differencesSince(seriesOver(old), seriesOver(edited), missing))
+            text += each.step + ": " + each.what + "; ";
+        return text;
+    };
+    CHECK(found().empty());
+    edited[1].rmse += 0.0019;
+    CHECK(found().empty());
+    edited[1].rmse += 0.0002;
+    CHECK(found() == "mine, made_up, b: rmse 0.0021, was 0; ");
+    edited[1] = old[1];
+    old[3].change = edited[3].change = 0.003;  // a failure that hides nothing
+    CHECK(found().empty());
+    edited[3].change = 0.006;
+    edited[3].departing_pass = "filter_x";
+    CHECK(found() == "mine, made_up, d: change 0.006, was 0.003, first in pass 'filter_x'; ");
+    edited[3] = old[3];
+    edited[4].change = 0.0025;
+    CHECK(found() == "mine, made_up, e: breaks: mean change 0.0025; ");
+    CHECK(missing == 0);
+    CHECK(differencesSince({}, seriesOver(edited), missing).empty());
+    CHECK(missing == 5);
 }

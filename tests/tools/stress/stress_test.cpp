@@ -100,12 +100,68 @@ TEST_CASE("A turned or flipped picture is compared where it shows the same")
             flipped.at(x, kSide - 1 - y) = ordinary.at(x, y);
         }
     StressShot shot;
-    CHECK(changeBetween(ordinary, turned, shot) > 1);
+    CHECK(changeBetween(ordinary, turned, shot).change > 1);
     shot.turned = {0, 1, -1, 0};
-    CHECK(changeBetween(ordinary, turned, shot) == 0);
-    CHECK(changeBetween(ordinary, flipped, shot) > 1);
+    CHECK(changeBetween(ordinary, turned, shot).change == 0);
+    CHECK(changeBetween(ordinary, flipped, shot).change > 1);
     shot.turned = {1, 0, 0, -1};
-    CHECK(changeBetween(ordinary, flipped, shot) == 0);
+    CHECK(changeBetween(ordinary, flipped, shot).change == 0);
+}
+
+TEST_CASE("A part of a picture, and a shifted one, are compared where they show the same")
+{
+    Image ordinary({4, 4}, 1), quarter({2, 2}, 1), shifted({4, 4}, 1);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) {
+            ordinary.at(x, y) = static_cast<float>(x + 4 * y);
+            if (x >= 2 && y < 2) quarter.at(x - 2, y) = ordinary.at(x, y);
+            if (x >= 1) shifted.at(x - 1, y) = ordinary.at(x, y);
+        }
+    StressShot shot;
+    shot.turned = glm::dmat2(2.0);
+    shot.moved = {-1, 1};
+    CHECK(changeBetween(ordinary, quarter, shot).change == 0);
+    CHECK(changeBetween(ordinary, quarter, shot).ordinary == Approx(4.5));
+    shot.moved = {1, 1};
+    CHECK(changeBetween(ordinary, quarter, shot).change == 2);
+    shot.turned = glm::dmat2(1.0);
+    shot.moved = {-0.5, 0};
+    shot.border_px = 1;
+    CHECK(changeBetween(ordinary, shifted, shot).change == 0);
+    shot.moved = {0, 0};
+    CHECK(changeBetween(ordinary, shifted, shot).change == 1);
+}
+
+TEST_CASE("Frames before the last are those that the case says")
+{
+    const auto named = [](const char* name) -> const StressCase& {
+        for (const StressCase& stress : stressCases())
+            if (stress.name == name) return stress;
+        throw std::runtime_error(name);
+    };
+    const Extent size = {96, 54};
+    for (const char* name : {"history", "cut"}) {
+        const StressCase& stress = named(name);
+        for (std::size_t i = 0; i < stress.steps.size(); ++i) {
+            INFO(name << ", " << stress.steps[i].label);
+            const StressShot shot = stress.shot(stress.steps[i].value, size);
+            REQUIRE(shot.before.size() == 16);
+            int cuts = 0, same = 0;
+            for (const StressFrame& frame : shot.before) {
+                cuts += frame.cut;
+                same += frame.camera.view_from_world == shot.camera.view_from_world &&
+                        frame.camera.clip_from_view == shot.camera.clip_from_view &&
+                        frame.moved == glm::dvec3(0.0) && frame.origin == glm::dvec3(0.0);
+            }
+            const bool is_cut = stress.name == "cut";
+            CHECK(cuts == (is_cut ? 1 : 0));
+            CHECK(shot.before[13].cut == is_cut);
+            CHECK(same == (i == 0 ? 16 : is_cut || i == 1 || i == 6 ? 3 : 0));
+        }
+    }
+    const StressCase& still = named("still");
+    for (const StressStep& step : still.steps)
+        CHECK(still.shot(step.value, size).before.at(0).times + 1 == step.value);
 }
 
 TEST_CASE("Formats resolve as their closed forms say")

@@ -3,6 +3,7 @@
 # crevice stress as a user's shell sees it: what is broken on purpose is reported at the right case.
 #   stress_test.sh CREVICE
 set -euo pipefail
+checkout=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../.." && pwd)
 source "$(dirname -- "${BASH_SOURCE[0]}")/../../support/cli_checks.sh"
 
 # --- arguments, one message each ---
@@ -83,6 +84,9 @@ planted() # name, what it does: the module that a shader of that name spoils
 planted absolute 'Loses occlusion with absolute distance'
 expect 5 '^  units +(VOID.*|holds from 1e-6 to 1e0); breaks at 1e1: mean change ' \
     stress broken/absolute.json --case units --case offset "${small[@]}" --out absolute
+check "that is told first, in words" bash -c \
+    'sed -n 2p stdout.txt | grep -qE "^  AO of .broken/absolute.json. .* where all lengths are more than 1 times as large: at 10, "'
+check "with pictures of before and after" test "$(grep -o '"caption":"[a-z]* at 10*"' absolute/stress.html | wc -l)" -eq 2
 check "an offset changes nothing of that" bash -c '! grep -E "^  offset .*breaks" stdout.txt'
 
 # --- occlusion that is gone, or half of it is ---
@@ -105,8 +109,18 @@ GLSL
     planted "faint_$share" 'A share of the occlusion'
     expect 5 "^  units +VOID: the ordinary picture has (0|4[0-9]) % of the ground truth's occlusion" \
         stress "broken/faint_$share.json" --quick "${small[@]}" --out "faint_$share"
-    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 25
+    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 28
     check "planes do not" bash -c '! grep -E "^  (plane|no_op|empty|lights).*(VOID|breaks)" stdout.txt'
 done
 
+# --- an edit against the run before it: a filter whose weights are swapped fails no case, and differs ---
+mkdir edited
+cp -r -- "$checkout/effects" "$checkout/configs" edited
+sed -i 's/mix(1.0 - share, share, toward)/mix(share, 1.0 - share, toward)/' edited/effects/filter/shaders/upsample.frag
+samples=(stress mobile --case samples --quick --size 128x72)
+"$crevice" "${samples[@]}" --out before >stdout.txt 2>stderr.txt || true
+expect 0 '^0 steps differ from before' "${samples[@]}" --out before --against before
+expect 5 'mobile, samples, 16: rmse .*, was |[1-9] steps differ from before' "${samples[@]}" --effects edited \
+    --out after --against before
+expect 1 "no results can be read from 'nowhere/stress.jsonl'" "${samples[@]}" --out before --against nowhere
 finish

@@ -36,6 +36,12 @@ void addMatrix(ContentHash& hash, const Matrix& matrix)
         for (int row = 0; row < 4; ++row) hash.add(matrix[column][row]);
 }
 
+void addCamera(ContentHash& hash, const Camera& camera)
+{
+    addMatrix(hash, camera.view_from_world);
+    addMatrix(hash, camera.clip_from_view);
+}
+
 template <class Vector>
 void addVector(ContentHash& hash, const Vector& vector)
 {
@@ -64,12 +70,35 @@ void addScene(ContentHash& hash, const Scene& scene)
     }
 }
 
+void addFrame(ContentHash& hash, const StressFrame& frame)
+{
+    addCamera(hash, frame.camera);
+    addVector(hash, frame.moved);
+    addVector(hash, frame.origin);
+    hash.add(frame.cut);
+    hash.add(frame.times);
+}
+
 }  // namespace
+
+StressCase told(StressCase stress, StressWords words)
+{
+    stress.words = std::move(words);
+    return stress;
+}
 
 std::vector<StressStep> steps(std::initializer_list<double> values)
 {
     std::vector<StressStep> all;
     for (const double value : values) all.push_back({value, significant(value, 6)});
+    return all;
+}
+
+std::vector<StressStep> taps(std::initializer_list<double> values)
+{
+    std::vector<StressStep> all = steps(values);
+    for (StressStep& step : all)
+        if (step.value < 0) step.label = "the most";
     return all;
 }
 
@@ -156,7 +185,8 @@ const std::vector<StressCase>& stressCases()
 {
     static const std::vector<StressCase> cases = [] {
         std::vector<StressCase> all = planeCases();
-        for (const auto& list : {sameCases(), cameraCases(), extremeCases(), hostCases()})
+        for (const auto& list :
+             {sameCases(), cameraCases(), frameCases(), extremeCases(), hostCases()})
             all.insert(all.end(), list.begin(), list.end());
         return all;
     }();
@@ -167,8 +197,7 @@ std::string hashOf(const StressShot& shot)
 {
     ContentHash hash;
     addScene(hash, shot.scene);
-    addMatrix(hash, shot.camera.view_from_world);
-    addMatrix(hash, shot.camera.clip_from_view);
+    addCamera(hash, shot.camera);
     hash.add(shot.radius);
     for (const std::string& setting : shot.settings) hash.addText(setting);
     hash.add(shot.samples);
@@ -177,10 +206,14 @@ std::string hashOf(const StressShot& shot)
     hash.add(shot.extent.width);
     hash.add(shot.extent.height);
     for (const double number :
-         {shot.farthest, shot.near_distance, shot.far_distance, shot.coordinates})
+         {shot.farthest, shot.middle, shot.near_distance, shot.far_distance, shot.coordinates})
         hash.add(number);
-    hash.add(shot.shift_px);
-    hash.add(shot.mirrored);
+    for (int i = 0; i < 2; ++i) hash.add(shot.moved[i]);
+    hash.add(shot.border_px);
+    for (const StressFrame& frame : shot.before) addFrame(hash, frame);
+    hash.add(shot.view);
+    if (shot.other_view) addCamera(hash, *shot.other_view);
+    hash.addText(shot.output);
     for (int i = 0; i < 4; ++i) hash.add(shot.turned[i / 2][i % 2]);
     hash.add(shot.block_px);
     for (const glm::ivec2 at : shot.spoiled) {

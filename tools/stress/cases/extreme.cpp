@@ -17,12 +17,21 @@ StressShot sceneRadius(double radius, Extent size)
     return shot;
 }
 
+/// On screen where the room's middle is.
+StressShot sceneRadiusGrowing(double radius, Extent size)
+{
+    StressShot shot = sceneRadius(radius, size);
+    shot.middle = testView().eye.z;
+    return shot;
+}
+
 StressShot cornerRadius(double radius, Extent size)
 {
     StressView view = testView();
     view.eye = {0, 1, 4};
     StressShot shot = sceneShot(view, size, cornerScene());
     shot.radius = radius;
+    shot.middle = view.eye.z;
     return shot;
 }
 
@@ -86,19 +95,36 @@ const char* const kMeshKinds[] = {"ordinary",
                                   "stretched 1e6:1",
                                   "camera within the radius",
                                   "objects behind the camera",
-                                  "camera inside a box"};
+                                  "camera inside a box",
+                                  "texture coordinates of NaN",
+                                  "normal maps of NaN"};
+
+/// A normal map on everything.
+void mapNormals(Scene& scene, float value)
+{
+    scene.textures.push_back({"normals", Image({4, 4}, 4, value)});
+    for (SceneMaterial& material : scene.materials) material.normal_texture = 0;
+}
+
+void setCoordinates(Scene& scene, float value)
+{
+    for (MeshDesc& mesh : scene.meshes)
+        for (Vertex& vertex : mesh.vertices)
+            for (float& part : vertex.uv) part = value;
+}
 
 StressShot sceneMeshes(double kind, Extent size)
 {
     StressView view = testView();
     Scene scene = testScene();
     glm::dmat4& placed_at = scene.instances.back().world_from_model;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto scaled = [](double x, double y, double z) {
         return glm::scale(glm::dmat4(1.0), {x, y, z});
     };
     switch (static_cast<int>(kind)) {
     case 1: setNormals(ball(scene), 0); break;
-    case 2: setNormals(ball(scene), std::numeric_limits<float>::quiet_NaN()); break;
+    case 2: setNormals(ball(scene), nan); break;
     case 3: flattenTriangles(ball(scene)); break;
     case 4: ball(scene).indices.clear(); break;
     case 5: placed_at = scaled(1, 0, 1); break;
@@ -108,6 +134,11 @@ StressShot sceneMeshes(double kind, Extent size)
     case 9: view.eye = {0, 0.125, 3}; break;
     case 10: view.eye = {0, 1, 0}; break;
     case 11: view.eye = {-1.5, 0.5, -1.5}; break;
+    case 12:
+        mapNormals(scene, 0.5f);
+        setCoordinates(scene, nan);
+        break;
+    case 13: mapNormals(scene, nan); break;
     default: break;
     }
     StressShot shot = sceneShot(view, size, std::move(scene));
@@ -155,6 +186,17 @@ StressShot planeLights(double value, Extent size)
     return shot;
 }
 
+/// 0: lit, without occlusion; 1: with it; 2: the occlusion's ambient light alone.
+StressShot lightsAdded(double kind, Extent size)
+{
+    StressShot shot = sceneShot(testView(), size);
+    shot.output = "color";
+    if (kind == 0) shot.settings = {"intensity=0"};
+    if (kind == 2)
+        for (SceneLight& scene_light : shot.scene.lights) scene_light.light.color = glm::vec3(0);
+    return shot;
+}
+
 template <std::size_t count>
 std::vector<StressStep> named(const char* const (&labels)[count])
 {
@@ -168,42 +210,65 @@ std::vector<StressStep> named(const char* const (&labels)[count])
 std::vector<StressCase> extremeCases()
 {
     using E = Expectation;
+    using L = Likelihood;
     return {
-        {"radius_to_zero",
-         "The test scene under ever smaller radii.",
-         "scene units",
-         {{1e-9, "1e-9"},
-          {1e-6, "1e-6"},
-          {1e-4, "1e-4"},
-          {1e-3, "1e-3"},
-          {1e-2, "0.01"},
-          {0.05, "0.05"},
-          {0.1, "0.1"},
-          {0.25, "0.25"},
-          {0.5, "0.5"}},
-         8,
-         E::opens,
-         kSameChange,
-         false,
-         sceneRadius},
-        {"radius_growing", "The test scene under ever larger radii.", "scene units",
-         steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, sceneRadius},
-        {"corner_radius", "An inner corner under larger radii.", "scene units",
-         steps({0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 4, E::darkens, kSameChange,
-         false, cornerRadius},
-        {"samples", "The test scene by few and many depth taps a pixel; -1 is the most.", "taps",
-         steps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, sceneSamples},
-        {"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
-         kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0, E::one, 0,
-         false, noOp},
-        {"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound, 0, false,
-         sceneShape},
-        {"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0, E::one, 0,
-         false, emptyShape},
-        {"meshes", "Broken meshes, singular matrices and a camera in the way.", "",
-         named(kMeshKinds), 0, E::sound, 0, false, sceneMeshes},
-        {"lights", "Lights on the surface, without attenuation, too bright; extreme highlights.",
-         "", named(kLightKinds), 0, E::sound, 0, false, planeLights},
+        told({"radius_to_zero",
+              "The test scene under ever smaller radii.",
+              "scene units",
+              {{1e-9, "1e-9"},
+               {1e-6, "1e-6"},
+               {1e-4, "1e-4"},
+               {1e-3, "1e-3"},
+               {1e-2, "0.01"},
+               {0.05, "0.05"},
+               {0.1, "0.1"},
+               {0.25, "0.25"},
+               {0.5, "0.5"}},
+              8,
+              E::opens,
+              kSameChange,
+              false,
+              sceneRadius},
+             {L::every, "the same radius has few pixels far away", "", {}, kSmallRadius}),
+        told({"radius_growing", "The test scene under ever larger radii.", "scene units",
+              steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, sceneRadiusGrowing},
+             {L::few, "radii larger than the scene are mistakes", "", kTallRadius}),
+        told({"corner_radius", "An inner corner under larger radii.", "scene units",
+              steps({0.001, 0.01, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 6,
+              E::darkens, kSameChange, false, cornerRadius},
+             {L::many, "a radius of the size of a room is a usual setting", "a corner of a room",
+              kTallRadius, kSmallRadius}),
+        told({"samples", "The test scene by few and many depth taps a pixel; -1 is the most.",
+              "taps", taps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, sceneSamples},
+             {L::many, "low levels of quality take few taps", "", kManyTaps, kFewTaps}),
+        told({"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
+              kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0,
+              E::one, 0, false, noOp},
+             {L::many, "players turn occlusion off", "", {"with {}"}}),
+        told({"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound, 0,
+              false, sceneShape},
+             {L::few, "windows are rarely that small", "", kPictureSize}),
+        told({"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0,
+              E::one, 0, false, emptyShape},
+             {L::few, "windows are rarely that small", "only background", kPictureSize}),
+        told({"meshes", "Broken meshes, singular matrices and a camera in the way.", "",
+              named(kMeshKinds), 0, E::sound, 0, false, sceneMeshes},
+             {L::broken,
+              "exporters and physics make such meshes, and cameras get inside",
+              "",
+              {"with {}"}}),
+        told({"lights",
+              "Lights on the surface, without attenuation, too bright; extreme highlights.", "",
+              named(kLightKinds), 0, E::sound, 0, false, planeLights},
+             {L::few, "editors let lights be placed anywhere", "a plane", {"under lights ({})"}}),
+        told({"light_taken", "The test scene's colour as light is taken away: it gets darker.", "",
+              kinds({"no occlusion", "occlusion", "occlusion and no lights"}), 1, E::darkens,
+              kSameChange, false, lightsAdded},
+             {L::every,
+              "lights are dimmed",
+              "",
+              {"in the lit picture with {}"},
+              {"in the lit picture with {}"}}),
     };
 }
 

@@ -77,7 +77,8 @@ StressShot sceneShift(double pixels, Extent size)
     StressView view = testView();
     view.shift_px = static_cast<int>(pixels) * size.width / 256;
     StressShot shot = testShot(view, size);
-    shot.shift_px = view.shift_px;
+    shot.moved.x = -2.0 * view.shift_px / size.width;
+    shot.border_px = size.width / 8;
     shot.block_px = noiseBlock(size);
     return shot;
 }
@@ -89,7 +90,7 @@ StressShot sceneMirrored(double kind, Extent size)
     if (kind == 0) return shot;
     shot.scene = placed(shot.scene, glm::scale(glm::dmat4(1.0), {-1, 1, 1}));
     if (kind == 2) shot.scene = baked(shot.scene);
-    shot.mirrored = true;
+    shot.turned = {-1, 0, 0, 1};
     return shot;
 }
 
@@ -122,30 +123,67 @@ StressShot sceneNarrow(double degrees, Extent size)
 std::vector<StressCase> sameCases()
 {
     using E = Expectation;
+    using L = Likelihood;
+    using Q = Quantity;
     return {
-        {"units", "The test scene in other units, by its model matrices.", "units", decades(-6, 6),
-         6, E::same, kSameChange, false, sceneUnits},
-        {"units_in_vertices", "The test scene in other units, in its vertices.", "units",
-         decades(-6, 6), 6, E::same, kSameChange, false, sceneUnitsInVertices},
-        {"offset", "The test scene far from the origin, by its model matrices.", "radii",
-         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, kSameChange, false, sceneOffset},
-        {"offset_in_vertices", "The same in its vertices, where floats round it.", "radii",
-         steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, kSameChange, false,
-         sceneOffsetInVertices},
-        {"near_far", "The test scene between ever farther near and far planes.", "near:far",
-         nearFarSteps(), 1, E::same, kSameChange, true, sceneNearFar},
-        {"projection", "The test scene through other projections of depth.", "",
-         kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same,
-         kSameChange, true, sceneProjection},
-        {"off_centre",
-         "The test scene through an off-centre frustum: means over the radius that both show.",
-         "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, kSameChange, false, sceneShift},
-        {"mirrored", "The test scene mirrored; noise is not, so means over the radius count.", "",
-         kinds({"ordinary", "by a matrix", "in the vertices"}), 0, E::same, kSameChange, false,
-         sceneMirrored},
-        {"narrow",
-         "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
-         "degrees", steps({0, 0.01, 0.03, 0.1}), 0, E::same, kSameChange, false, sceneNarrow},
+        told({"units", "The test scene in other units, by its model matrices.", "units",
+              decades(-6, 6), 6, E::same, kSameChange, false, sceneUnits},
+             {L::many, "hosts count in centimetres, metres or kilometres", "", kLargeUnits,
+              kSmallUnits}),
+        told({"units_in_vertices", "The test scene in other units, in its vertices.", "units",
+              decades(-6, 6), 6, E::same, kSameChange, false, sceneUnitsInVertices},
+             {L::many, "hosts count in centimetres, metres or kilometres",
+              "a room, scaled in its vertices", kLargeUnits, kSmallUnits}),
+        told(
+            {"offset", "The test scene far from the origin, by its model matrices.", "radii",
+             steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, kSameChange, false, sceneOffset},
+            {L::many,
+             "open worlds reach far from their origin",
+             "",
+             {"more than {} radii from the origin"}}),
+        told({"offset_in_vertices", "The same in its vertices, where floats round it.", "radii",
+              steps({0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}), 0, E::same, kSameChange, false,
+              sceneOffsetInVertices},
+             {L::few,
+              "worlds that large are rarely one mesh",
+              "a room, moved in its vertices",
+              {"where vertices lie more than {} radii from the origin"}}),
+        told({"near_far", "The test scene between ever farther near and far planes.", "near:far",
+              nearFarSteps(), 1, E::same, kSameChange, true, sceneNearFar},
+             {L::many, "near planes at centimetres and far ones at kilometres are common", "",
+              kWideNearFar, kNarrowNearFar}),
+        told({"projection", "The test scene through other projections of depth.", "",
+              kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same,
+              kSameChange, true, sceneProjection},
+             {L::many,
+              "reversed depth and infinite far planes are common",
+              "",
+              {"where the depth projection is {}"}}),
+        told(
+            {"off_centre",
+             "The test scene through an off-centre frustum: means over the radius that both show.",
+             "pixels of 256", steps({-64, -32, 0, 32, 64}), 2, E::same, kSameChange, false,
+             sceneShift},
+            {L::many,
+             "headsets and tiled screens have such frustums",
+             "",
+             {"where the frustum is shifted by more than {} % of the width", Q::value, 100.0 / 256},
+             {"where the frustum is shifted by more than {} % of the width", Q::value,
+              100.0 / 256}}),
+        told({"mirrored", "The test scene mirrored; noise is not, so means over the radius count.",
+              "", kinds({"ordinary", "by a matrix", "in the vertices"}), 0, E::same, kSameChange,
+              false, sceneMirrored},
+             {L::many,
+              "artists mirror parts of their models",
+              "",
+              {"where the scene is mirrored {}"}}),
+        told({"narrow",
+              "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
+              "degrees", steps({0, 0.01, 0.03, 0.1}), 0, E::same, kSameChange, false, sceneNarrow},
+             {L::few,
+              "long lenses from far away are for scopes and films",
+              "a room of one size on screen",
+              {"where the field of view is wider than {} degrees, against an orthographic view"}}),
     };
 }
 
