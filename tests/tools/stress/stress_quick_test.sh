@@ -19,7 +19,7 @@ EOF
 configs=(gtao mobile_low stored.json depth_alone.json)
 cases=(plane_near_far plane_fov plane_zoom plane_grazing plane_orthographic plane_radius plane_radius_px plane_samples
     units near_far projection offset radius_to_zero radius_growing corner_radius samples no_op sizes empty meshes
-    lights inputs host_projection host_encoding host_depth host_normal host_inward)
+    near_camera lights inputs host_projection host_encoding host_depth host_normal host_inward)
 got=0
 "$crevice" stress "${configs[@]}" "${cases[@]/#/--case=}" --quick --size 128x72 --backend "$2" \
     --cache cache --out quick >stdout.txt 2>stderr.txt || got=$?
