@@ -109,7 +109,7 @@ GLSL
     planted "faint_$share" 'A share of the occlusion'
     expect 5 "^  units +VOID: the ordinary picture has (0|4[0-9]) % of the ground truth's occlusion" \
         stress "broken/faint_$share.json" --quick "${small[@]}" --out "faint_$share"
-    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 28
+    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 29
     check "planes do not" bash -c '! grep -E "^  (plane|no_op|empty|lights).*(VOID|breaks)" stdout.txt'
 done
 
