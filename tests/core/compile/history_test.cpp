@@ -138,6 +138,16 @@ TEST_CASE("A frame knows whether there was one before")
     CHECK(sent(rig, "history_valid") == 0.0f);
 }
 
+TEST_CASE("The number of a frame begins again where it would grow without end")
+{
+    Rig rig(true);
+    for (int i = 0; i < kFrameIndices; ++i) rig.draw();
+    CHECK(sent(rig, "frame_index") == kFrameIndices - 1);
+    rig.draw();
+    CHECK(sent(rig, "frame_index") == 0);
+    CHECK(sent(rig, "history_valid") == 1);
+}
+
 TEST_CASE("A frame knows where the camera was in the one before")
 {
     Rig rig(true);
