@@ -247,6 +247,14 @@ TEST_CASE("of a chain of conditions the first that holds counts")
     CHECK(name({{"MODE", "2"}, {"DEEP", ""}}) == "more");
 }
 
+TEST_CASE("conditions that decide nothing may name anything")
+{
+    const std::string text = kVersion +
+                             "#if 1\nuniform float one;\n#elif UNKNOWN > 2\n#endif\n"
+                             "#if 0\n#if UNKNOWN > 2\n#elif UNKNOWN > 1\n#endif\n#endif\n";
+    CHECK(stageOf(text).uniforms.size() == 1);
+}
+
 TEST_CASE("the text's own #define and #undef count from where they stand")
 {
     const GlslStage stage = stageOf(kVersion +
