@@ -89,6 +89,18 @@ TEST_CASE("Levels are ready again in a scene of other traits, and after a reload
     CHECK(rig.renderer->setFeature("quality", "low").diagnostics().empty());
 }
 
+TEST_CASE("What was set by hand after a level stands over it, after a reload too")
+{
+    LevelRig rig;
+    REQUIRE(rig.renderer->setFeature("quality", "high").ok());
+    REQUIRE(rig.renderer->setFeature("soft", "false").ok());
+    REQUIRE(rig.renderer->setParam("samples", 5.0f).ok());
+    REQUIRE(rig.renderer->reload(LevelRig::description(), {rig.renderer->plan().extent}).ok());
+    CHECK(findNamed(rig.renderer->description().features, "soft")->value == 0);
+    CHECK(rig.value("samples") == 5);
+    CHECK(rig.value("edge") == 0.25f);  // of the level
+}
+
 TEST_CASE("A level that the device cannot run is a warning first, and an error when it is set")
 {
     Rig rig;
