@@ -150,6 +150,7 @@ TEST_CASE(
     CHECK(pixels({item}, any) < 400);
     // A pixel is 20 * 2 * tan(0.4) / 100 = 0.169 units there, and a little less at the near end.
     CHECK(pixels({item}, 0.18) == pixels({item}, any));
+    CHECK(pixels({item}, 0.165) == pixels({item}, any));
     CHECK(pixels({item}, 0.15) == 0);
     item.count = 0;
     CHECK(pixels({item}, any) == 0);
