@@ -137,6 +137,8 @@ TEST_CASE(
     caps.sample_counts[static_cast<int>(Format::depth24)] = 1u << 1 | 1u << 7;
     CHECK(planWith(caps, "4").passes[0].samples == 8);
 
+    CHECK(compile(describe(sketched("3")), {}, capsWith({4}), sized()).diagnostics().empty());
+
     const bool any = GENERATE(true, false);
     const Result<Plan> plan =
         compile(describe(sketched("16")), {},
