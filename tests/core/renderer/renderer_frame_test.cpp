@@ -257,6 +257,8 @@ TEST_CASE(
     light.outer_angle_rad = light.inner_angle_rad;
     CHECK(shines(0.29f) > 1.0f);
     CHECK(shines(0.31f) < 0.0f);
+    light.directional = true;
+    CHECK(coneInView(light, place) == glm::vec4(0, 0, 0, 1));
 }
 
 TEST_CASE("An optional import that is absent is black, one that is there is taken")
