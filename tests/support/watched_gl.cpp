@@ -165,7 +165,9 @@ void GL_APIENTRY takeBinary(GLuint program, GLenum format, const void* binary, G
 
 const GLubyte* GL_APIENTRY tellName(GLenum what)
 {
-    const char* name = what == GL_RENDERER ? driver.renderer : "OpenGL ES 3.2 of a test";
+    const char* name = what == GL_VENDOR     ? "a vendor"
+                       : what == GL_RENDERER ? driver.renderer
+                                             : driver.version;
     return reinterpret_cast<const GLubyte*>(name);
 }
 

@@ -24,6 +24,7 @@ struct FakeDriver {
     int binary_formats = 1;     ///< Of program binaries; 0 for a driver without.
     unsigned char build = 'a';  ///< Refuses the binaries of other builds,
     bool silent = false;        ///< ... without an error.
+    const char* version = "OpenGL ES 3.2 of a test";
 };
 
 /// One at a time. Whatever its loader gave must not be called after it died.

@@ -71,6 +71,9 @@ TEST_CASE("Programs are kept apart by both stages and by the driver")
     for (const ProgramDesc& desc : descs) Run(kept.options(), {}, desc);
     CHECK(kept.entries.size() == kOwn + std::size(descs));
     CHECK(compiledBy(kept, {"another test"}) == kOwn + 1);
+    FakeDriver updated;
+    updated.version = "OpenGL ES 3.2 of a newer test";
+    CHECK(compiledBy(kept, updated) == kOwn + 1);
     CHECK(compiledBy(kept) == 0);
     ProgramDesc renamed = program();
     renamed.label = "another name";
