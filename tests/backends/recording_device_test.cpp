@@ -202,6 +202,17 @@ TEST_CASE("Objects that are dead, foreign or of another kind are blamed")
         rig.device.destroy(rig.target);
         CHECK(rig.blamed("before framebuffer 'draw'"));
     }
+    SECTION("a texture that depth is resolved into before its framebuffer")
+    {
+        const TextureId samples =
+            need(rig.device.createTexture({"samples", Format::depth24, {8, 4}, 4}));
+        const TextureId resolved =
+            need(rig.device.createTexture({"resolved", Format::depth24, {8, 4}}));
+        need(rig.device.createFramebuffer({"resolving", {}, samples, {}, resolved}));
+        REQUIRE(rig.device.misuse().empty());
+        rig.device.destroy(resolved);
+        CHECK(rig.blamed("before framebuffer 'resolving'"));
+    }
     SECTION("null is nothing to blame")
     {
         rig.device.destroy(TextureId{});
