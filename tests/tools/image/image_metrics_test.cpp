@@ -65,6 +65,15 @@ TEST_CASE("the 99th percentile passes over one wrong pixel in two hundred")
     CHECK(figures.bad_fraction == Approx(0.005));
 }
 
+TEST_CASE("the 99th percentile of a hundred pixels is the second largest error")
+{
+    Image test = ramp(100);
+    test.at(17, 0) += 0.5f;
+    CHECK(compare(test, ramp(100)).p99 == 0);
+    test.at(80, 0) += 0.25f;
+    CHECK(compare(test, ramp(100)).p99 == Approx(0.25));
+}
+
 TEST_CASE("the fit finds the power that was applied")
 {
     for (const double power : {0.2, 0.5, 1.8, 5.0}) {
@@ -107,6 +116,11 @@ TEST_CASE("a mask counts by any of its colours and not by its alpha")
     const ImageDifference figures = compare(test, ramp(3), &mask);
     CHECK(figures.pixels == 2);
     CHECK(figures.rmse == 0);
+
+    Image grey({3, 1}, 2, 0.0f);
+    for (int x = 0; x < 3; ++x) grey.at(x, 0, 1) = 1;  // opaque
+    grey.at(1, 0, 0) = 0.5f;
+    CHECK(compare(test, ramp(3), &grey).pixels == 1);
 }
 
 TEST_CASE("values that are not finite are counted, and kept out of the figures")
