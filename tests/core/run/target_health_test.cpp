@@ -58,6 +58,16 @@ TEST_CASE("An examination counts what is not finite, and finds the first one")
     CHECK(health.maximum[0] == Approx(1.1f));
 }
 
+TEST_CASE("A pixel that is wrong in two ways counts once")
+{
+    Image image(kSize, 2);
+    image.at(1, 1, 0) = std::numeric_limits<float>::infinity();
+    image.at(1, 1, 1) = std::numeric_limits<float>::quiet_NaN();
+    const TargetHealth health = examine(image, image);
+    CHECK(health.not_numbers == 1);
+    CHECK(health.infinite == 0);
+}
+
 TEST_CASE("Floats show what a format of 8 or 16 bits hides, and rounding is no fault")
 {
     Image floats = ramp();
