@@ -85,6 +85,16 @@ TEST_CASE("joining drops vertices that are unused and keeps those that differ")
     CHECK(mesh.vertices.size() == 4);
 }
 
+TEST_CASE("a normal that is there stays beside one that is missing")
+{
+    MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
+    for (Vertex& vertex : mesh.vertices) std::fill_n(vertex.normal, 3, 0.0f);
+    mesh.vertices[mesh.indices[0]].normal[1] = 1;
+    fillNormals(mesh);
+    CHECK(normalOf(mesh.vertices[mesh.indices[0]]) == glm::vec3(0, 1, 0));
+    CHECK(normalOf(mesh.vertices[mesh.indices[1]]) == glm::vec3(-1, 0, 0));
+}
+
 TEST_CASE("missing normals become those of the face")
 {
     MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
