@@ -307,8 +307,8 @@ TEST_CASE_METHOD(HostileHost, "reading samples of a texture leaves the host's in
     if (device->caps().version < 310) return;  // then it reads none
     const auto storage = reinterpret_cast<PFNGLTEXSTORAGE2DMULTISAMPLEPROC>(
         testContext().loader()("glTexStorage2DMultisample"));
-    GLuint names[2] = {};
-    gl.GenTextures(2, names);
+    GLuint names[3] = {};
+    gl.GenTextures(3, names);
     for (const GLuint name : names) {
         gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, name);
         storage(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA8, 4, 4, GL_TRUE);
@@ -321,20 +321,22 @@ TEST_CASE_METHOD(HostileHost, "reading samples of a texture leaves the host's in
                "void main() { color = texelFetch(host, ivec2(0), 3); }\n")}));
     const FramebufferId into = framebuffer({texture(Format::rgba8)});
     setStrangeState();
-    for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE0 + 1}) {
-        gl.ActiveTexture(unit);
-        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, names[1]);
+    for (const GLuint bound : {names[1], names[2]}) {
+        for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE0 + 1}) {
+            gl.ActiveTexture(unit);
+            gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, bound);
+        }
+        const auto before = snapshot();
+        need(device->beginFrame());
+        device->beginPass(wholePass(into, {4, 4}));
+        device->setProgram(reads, {});
+        device->setTexture(location(reads, "host"), 1, read_from, {});
+        device->drawFullscreen();
+        device->endPass();
+        need(device->endFrame());
+        CHECK(snapshot() == before);
     }
-    const auto before = snapshot();
-    need(device->beginFrame());
-    device->beginPass(wholePass(into, {4, 4}));
-    device->setProgram(reads, {});
-    device->setTexture(location(reads, "host"), 1, read_from, {});
-    device->drawFullscreen();
-    device->endPass();
-    need(device->endFrame());
-    CHECK(snapshot() == before);
-    gl.DeleteTextures(2, names);
+    gl.DeleteTextures(3, names);
 }
 
 TEST_CASE("making a device leaves the host's state as it was")
