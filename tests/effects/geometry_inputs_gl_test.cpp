@@ -229,6 +229,9 @@ TEST_CASE("A normal map tilts the normal towards growing u and v, from whichever
     CHECK(glm::distance(middle("eye=0,0,2e-6;at=0,0,0;fov=25"), tilted) < 0.02f);
     scene.instances[0].world_from_model = glm::mat4(1.0f);
 
+    scene.materials[0].normal_scale = 0.5f;
+    const glm::vec3 flatter = glm::normalize(tilted * glm::vec3(0.5f, 0.5f, 1.0f));
+    CHECK(glm::distance(middle(kFront), flatter) < 0.02f);
     scene.materials[0].normal_scale = 0.0f;
     CHECK(glm::distance(middle(kFront), glm::vec3(0, 0, 1)) < 0.02f);
     scene.materials.push_back({});
