@@ -160,6 +160,19 @@ TEST_CASE("Noise that repeats every four pixels leaves no trace on a plane")
     }
 }
 
+TEST_CASE("Steps of a coarse depth keep no filter from a plane that they are stored of")
+{
+    for (const char* filter : {"bilateral_normal", "atrous", "upsample"}) {
+        Given given = {kTile, filter};
+        given.camera = "eye=0,8,4;at=0,0,0;fov=7.5";
+        given.overrides = {"/targets/depth/format=[\"depth16\"]", "radius=50"};
+        const auto range = rangeInside(filtered(given));
+        INFO(filter << " " << range.first << " to " << range.second);
+        CHECK(range.first > 0.5f - 5.01f / 255);
+        CHECK(range.second < 0.5f + 5.01f / 255);
+    }
+}
+
 TEST_CASE("Gaussian weights leave a hundredth of noise that repeats every four pixels")
 {
     for (const char* filter : {"bilateral", "gaussian"}) {
