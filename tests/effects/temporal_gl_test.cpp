@@ -186,6 +186,25 @@ TEST_CASE("A surface that comes into view has no history of the one before it")
     CHECK(ghost("history_cut=0.5") < 0.5 * without);
 }
 
+TEST_CASE("The outline of a surface keeps its history while it moves by parts of a pixel")
+{
+    for (const char* at : {"0.2,0.1,0", "0.3,0.1,0", "-0.3,0.2,0"}) {
+        Film film("float(frame_index < 1 ? 0.2 : 0.8)", "plane",
+                  {"history_clamp=false", "radius=10"});
+        film.look("eye=0,40,40;at=0,0,0;fov=40");
+        film.draw();
+        film.look(std::string("eye=0,40,40;fov=40;at=") + at);
+        int kept = 0, fresh = 0;  // the mean of both frames, and the second alone
+        for (const float each : film.draw().pixels) {
+            kept += std::abs(each - 0.5f) < 0.1f;
+            fresh += std::abs(each - 0.8f) < 0.1f;
+        }
+        INFO(at);
+        CHECK(kept > 3000);
+        CHECK(fresh == 0);
+    }
+}
+
 TEST_CASE("What is no number is dropped")
 {
     const std::string broken = "(mod(gl_FragCoord.x, 8.0) < 1.0 ? sqrt(-radius) : 0.5)";
