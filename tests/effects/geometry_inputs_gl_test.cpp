@@ -201,6 +201,28 @@ TEST_CASE("The host's own depth and normals give the occlusion that ours give")
     CHECK(meanChange(host.occlusion("host_depth", {"depth"}), ours) < 0.02);
 }
 
+TEST_CASE("Distances of a host count as surfaces above 0 and below the far, and nowhere else")
+{
+    // A sphere kernel shades all surfaces, and no background.
+    const Description description = describeText(R"({"format": 1,
+        "extends": ["geometry/host_linear_depth", "ssao/sphere", "filter/none"],
+        "params": {"linear_far": 10}})");
+    Host host;
+    Frame bare;
+    bare.camera = host.frame.camera;
+    const auto occlusionAt = [&](float distance) {
+        const TextureId image = host.gl.texture(Format::r32f, host.options.extent);
+        need(host.gl.device->writeTexture(image, Image(host.options.extent, 1, distance)));
+        bare.textures = {{"linear_depth", image}};
+        auto renderer =
+            need(Renderer::create(*host.gl.device, description, host.options, traitsOf(bare)));
+        need(renderer->render(bare));
+        return 1 - mean(host.gl.read(renderer->output("ao")));
+    };
+    for (const float distance : {5.0f, 9.9f}) CHECK(occlusionAt(distance) > 0.1);
+    for (const float distance : {-5.0f, 0.0f, 10.0f, 11.0f}) CHECK(occlusionAt(distance) == 0);
+}
+
 TEST_CASE("A host that forgets its depth gets an error")
 {
     Host host;
