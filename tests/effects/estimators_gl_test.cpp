@@ -3,7 +3,13 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 
+#include <crevice/config.h>
+#include <crevice/renderer.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 using namespace crevice;
@@ -29,6 +35,37 @@ Image visibility(const std::string& module, const PictureRequest& request,
                  const char* filter = nullptr)
 {
     return visibility(module, request, need(loadScene(request.scene)), filter);
+}
+
+/// The module's visibility of a host's distances, of which each column of pixels has one; 0 is the
+/// background.
+Image visibilityOf(const std::string& module, Extent extent,
+                   const std::function<float(int)>& distance,
+                   const std::vector<std::string>& overrides)
+{
+    const GivenConfig config({"geometry/host_linear_depth", module});
+    const Node document = need(loadConfig(config.sources(), {"given", {}, overrides}));
+    Image distances(extent, 1);
+    for (int y = 0; y < extent.height; ++y)
+        for (int x = 0; x < extent.width; ++x) distances.at(x, y) = distance(x);
+    GlFixture gl;
+    Frame frame;
+    frame.camera.clip_from_view = glm::perspective(
+        0.8f * extent.height / extent.width, float(extent.width) / extent.height, 0.1f, 100.0f);
+    frame.textures = {{"linear_depth", gl.texture(Format::r32f, extent)}};
+    need(gl.device->writeTexture(frame.textures[0].texture, distances));
+    auto renderer = need(Renderer::create(*gl.device, need(decode(document, config.sources())),
+                                          {extent, {"ao"}, {}}, traitsOf(frame)));
+    need(renderer->render(frame));
+    return gl.read(renderer->output("ao"));
+}
+
+double meanOfColumns(const Image& image, int first, int last)
+{
+    double sum = 0;
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = first; x < last; ++x) sum += image.at(x, y);
+    return sum / ((last - first) * double(image.extent.height));
 }
 
 float least(const Image& image)
@@ -163,6 +200,56 @@ TEST_CASE("Tiles of every fourth pixel give the occlusion of hbao, whatever the 
         CHECK(meanChange(whole, tiled) < 0.01);
         CHECK(mean(whole) < 0.97);
     }
+}
+
+TEST_CASE("Tiles have each pixel's own surface, also where the view is no multiple of four wide")
+{
+    // What the last pixels see lies behind an edge right before them.
+    constexpr int kEdge = 124;
+    const auto distance = [](int x) { return x < kEdge ? 4.85f : 5.0f; };
+    for (const int width : {128, 127, 126}) {
+        INFO(width);
+        for (const char* module : {"ssao/hbao", "ssao/hbao_plus"}) {
+            const Image ao = visibilityOf(module, {width, 24}, distance, {"radius=0.3"});
+            CHECK(meanOfColumns(ao, kEdge, width) < 0.99);
+            CHECK(meanOfColumns(ao, 0, kEdge - 12) == 1.0);
+        }
+    }
+}
+
+TEST_CASE("What stands far in front tells hbao no more than background where thin occluders skip")
+{
+    constexpr int kBar = 57, kStep = 60;
+    const auto drawn = [](float bar, const char* thin) {
+        const auto distance = [bar](int x) {
+            return x == kBar || x == kBar + 1 ? bar : x < kStep ? 5.0f : 4.8f;
+        };
+        return visibilityOf("ssao/hbao", {128, 24}, distance, {"radius=0.3", thin});
+    };
+    const Image none = drawn(0, "thin_occluders=skip");
+    const Image skipped = drawn(1, "thin_occluders=skip");
+    for (const auto& [first, last] : {std::pair(0, kBar), std::pair(kStep, 128)})
+        for (int x = first; x < last; ++x)
+            for (int y = 0; y < 24; ++y) REQUIRE(skipped.at(x, y) == none.at(x, y));
+    CHECK(meanOfColumns(none, kBar - 4, kBar) < 0.99);
+    const Image counted = drawn(1, "thin_occluders=count");
+    CHECK(meanOfColumns(counted, kBar - 4, kBar) < meanOfColumns(none, kBar - 4, kBar) - 0.05);
+}
+
+TEST_CASE("Sheets are as thick to the bitmask from either side, with back faces as without")
+{
+    const Scene corner = need(loadScene("corner"));
+    Scene turned = corner;
+    for (MeshDesc& mesh : turned.meshes)
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    PictureRequest request;
+    request.camera = kTowardsCorner;
+    const Image plain = visibility("ssao/bitmask", request, corner);
+    CHECK(mean(plain) < 0.97);
+    for (const Scene* scene : {&corner, &std::as_const(turned)})
+        CHECK(meanChange(plain, visibility("ssao/bitmask", request, *scene,
+                                           "geometry/back_faces")) < 0.001);
 }
 
 TEST_CASE("hbao counts what stands far in front as solid where thin occluders count")
