@@ -141,6 +141,14 @@ TEST_CASE("The range of draws is of those in view, by what they cover, and unkno
     add(-10, 1);  // behind the camera
     add(50, 1);   // covers a 25th
     CHECK(traitsOf(frame).draws.distance == Approx(10 + 40.0 / 26).epsilon(1e-3));
+    frame.draws.push_back(frame.draws[0]);
+    frame.draws.back().world_from_model[3].z = 0;  // about the camera
+    frame.draws.back().bounds_radius = 6;
+    std::swap(frame.draws.front(), frame.draws.back());
+    frame.draws.resize(1);
+    CHECK(traitsOf(frame).draws.distance == Approx((0.1 + 6) / 2).epsilon(1e-3));
+    frame.draws.clear();
+    add(10, 1);
     frame.draws[0].bounds_center = {0, 0, 1e6f};
     frame.draws[0].world_from_model[3].z -= 1e6;
     CHECK(traitsOf(frame).draws.vertex_step == 0.0625);
