@@ -227,6 +227,11 @@ TEST_CASE("A light that is not finite is left out with a warning, and the pictur
         rig.frame.lights[0].color.y = kNan;
         what = "light 0";
     }
+    SECTION("attenuation")
+    {
+        rig.frame.lights[0].attenuation.z = kNan;
+        what = "light 0";
+    }
     SECTION("cone")
     {
         rig.frame.lights[0].inner_angle_rad = kNan;
