@@ -249,4 +249,9 @@ TEST_CASE("A median is settled by more turns or by steadier ones")
     CHECK(isSettled(steady, 4));
     CHECK(!isSettled(restless, 7));
     CHECK(isSettled(restless, 1000));
+    // The interval that its count leaves is 3 % of the median: 1.57 * 0.1 / 0.03 is the root
+    // of 27.4.
+    const TimeFigures between{1.0, 0.95, 1.05};
+    CHECK(!isSettled(between, 27));
+    CHECK(isSettled(between, 28));
 }
