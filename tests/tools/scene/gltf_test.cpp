@@ -213,6 +213,11 @@ TEST_CASE("a glTF material keeps its normal and occlusion maps as plain numbers"
     CHECK(material.occlusion_strength == Approx(0.75));
     CHECK(scene.textures[0].image.at(1, 0, 0) == Approx(188.0 / 255));
     CHECK(scene.textures.size() == 1);
+
+    std::string stronger = more;
+    stronger.replace(stronger.find("0.75"), 4, "1.75");
+    const Scene most = load(gltf(R"({"mesh": 0})", stronger, R"(, "material": 0)"));
+    CHECK(most.materials[most.instances[0].material].occlusion_strength == 1);
 }
 
 TEST_CASE("a glTF spot keeps its cone")
@@ -260,7 +265,7 @@ TEST_CASE("a texture is found beside the scene, also by an escaped name")
 {
     const std::string more = R"("materials": [{"pbrMetallicRoughness": {
         "baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
-        "images": [{"uri": "my%20skin.pgm"}], )";
+        "images": [{"uri": "my%20skin.pg%6D"}], )";
     const TemporaryFolder folder("scene_gltf_escaped");
     folder.write("my skin.pgm", std::string("P5 1 1 255\n\xff"));
     const auto scene =
