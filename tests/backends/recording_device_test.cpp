@@ -321,6 +321,17 @@ TEST_CASE("A texture whose content a pass discards, or that it loads unwritten, 
     CHECK(rig.blamed("undefined content"));
 }
 
+TEST_CASE("A pass that discards what was there and draws nothing leaves nothing")
+{
+    Rig rig;
+    REQUIRE(rig.device.writeTexture(rig.target, Image({8, 4}, 4)).ok());
+    need(rig.device.beginFrame());
+    rig.device.beginPass(rig.pass());
+    rig.end();
+    need(rig.device.present(rig.target, {}));
+    CHECK(rig.blamed("undefined content"));
+}
+
 TEST_CASE("A pass with other attachments or another size than its framebuffer is blamed")
 {
     Rig rig;
