@@ -33,6 +33,15 @@ Diagnostics unusedIn(const std::string& members, const LoadRequest& extra = {})
     return description->unused;
 }
 
+/// What they are about.
+std::string namesIn(const Diagnostics& all)
+{
+    std::string names;
+    for (const Diagnostic& each : all)
+        names += (names.empty() ? "" : " ") + each.pointer.substr(each.pointer.rfind('/') + 1);
+    return names;
+}
+
 }  // namespace
 
 TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
@@ -59,6 +68,21 @@ TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
     CHECK(error.message.find(message) == 0);
     CHECK(error.help.find(help) == 0);
     CHECK(error.place.source->name.find("mine.json") != std::string::npos);
+}
+
+TEST_CASE("A param that only a target is made by is used")
+{
+    const auto with = [](const std::string& target) {
+        const Diagnostics unused =
+            unusedIn(R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 4},
+                                   "share": {"default": 0.5, "min": 0.1, "max": 1}},
+                        "targets": {"ao": {)" +
+                     target + "}}");
+        return namesIn(unused);
+    };
+    CHECK(with(R"("samples": "msaa", "size": {"scale": "share"})").empty());
+    CHECK(with(R"("samples": "msaa")") == "share");
+    CHECK(with(R"("size": {"scale": "share"})") == "msaa");
 }
 
 TEST_CASE("A name that only a comment in GLSL mentions is unused")
