@@ -535,6 +535,11 @@ TEST_CASE(
     Sketch moved = sketch;  // a vertex shader may put vertices anywhere
     moved.passes[0] = R"(geometry: -> normal | "type": "draw")";
     CHECK_FALSE(bounded(moved));
+    Sketch remembering = sketch;  // which has what was drawn elsewhere in the last frame
+    remembering.passes[2] =
+        R"(ao: normal ao_history -> ao | "mask": "mask", "clear": {"ao": 1}, "scissor": true)";
+    remembering.targets["ao"] = R"({"format": ["r8"], "history": true})";
+    CHECK_FALSE(bounded(remembering));
     Sketch hosts = sketch;
     hosts.passes[0] = "geometry: host -> normal";
     hosts.extra = R"("imports": {"host": {"type": "texture"}},
