@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames that change little: which passes the renderer runs again, on the recording device.
+#include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"
 
 #include <functional>
@@ -59,6 +60,19 @@ TEST_CASE("Another camera, draw or material, or other contents of them, runs all
     CHECK(after([](Frame& frame) { frame.materials[0].ambient = 0.25f; }) == kAll);
     CHECK(after([](Frame& frame) { ++frame.revision; }) == kAll);
     CHECK(after([](Frame&) {}).empty());
+}
+
+TEST_CASE("Another lens or place draws the scene again where its textures are its own")
+{
+    Rig rig;
+    rig.renderer = need(Renderer::create(rig.device, rigDescription(), {{64, 32}, {}, {"aliasing"}},
+                                         traitsOf(rig.frame)));
+    rig.draw();
+    rig.frame.camera.clip_from_view[0][0] = 2;
+    CHECK(passesOf(rig) == kAll);
+    rig.frame.camera.view_from_world[3][0] = 1;
+    CHECK(passesOf(rig) == kAll);
+    CHECK(passesOf(rig).empty());
 }
 
 TEST_CASE("A param runs what reads it and what comes after")
