@@ -227,6 +227,18 @@ TEST_CASE("A frame draws what lies in the view, and all of it with the optimizat
     CHECK(drawn({"frustum_culling"}) == 2);
 }
 
+TEST_CASE("A param that says how far beyond the view draws count does so at once")
+{
+    Description description = describe(kRigConfig, rigSources(""));
+    for (PassDesc& pass : description.passes)
+        if (pass.name == "geometry") pass.frustum_scale_param.name = "radius";
+    RecordingDevice device;
+    const auto renderer = need(Renderer::create(device, description, {{64, 32}}, {}));
+    CHECK(renderer->plan().passes[0].frustum_scale == 0.5f);
+    REQUIRE(renderer->setParam("radius", 2.0f).ok());
+    CHECK(renderer->plan().passes[0].frustum_scale == 2);
+}
+
 TEST_CASE("What lies off the screen and within the guard band is drawn, on either side")
 {
     const auto drawn = [](double x) {
