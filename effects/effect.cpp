@@ -57,6 +57,7 @@ Status checkImport(const Description& description, std::string_view name)
 struct Effect::State {
     Device& device;
     Frame frame = {};
+    bool has_view = false;
     std::vector<HostTexture> textures = {};
     std::unique_ptr<Renderer> renderer = nullptr;
 
@@ -107,12 +108,17 @@ Result<Effect> Effect::create(Device& device, std::string_view config, Extent si
 
 void Effect::setProjection(const float* clip_from_view)
 {
-    state_->frame.camera.clip_from_view = glm::make_mat4(clip_from_view);
+    Camera& camera = state_->frame.camera;
+    camera.clip_from_view = glm::make_mat4(clip_from_view);
+    if (state_->has_view) return;
+    const bool left_handed = camera.clip_from_view[2][3] > 0.0f;
+    camera.view_from_world[2][2] = left_handed ? -1.0 : 1.0;
 }
 
 void Effect::setView(const double* view_from_world)
 {
     state_->frame.camera.view_from_world = glm::make_mat4(view_from_world);
+    state_->has_view = true;
 }
 
 Status Effect::setTexture(std::string_view name, std::uint32_t native_name, Format format,

@@ -123,8 +123,7 @@ ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& c
 
 DrawRange rangeOf(const std::vector<DrawItem>& draws, const Camera& camera)
 {
-    const CameraMatrices matrices = {
-        glm::dmat4(camera.clip_from_view), {}, camera.view_from_world, {}};
+    const CameraMatrices matrices = cameraMatrices(camera);
     const CameraRange planes = rangeOf(camera);
     const bool orthographic = camera.orthographic();
     DrawRange range;

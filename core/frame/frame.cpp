@@ -40,7 +40,7 @@ bool Camera::orthographic() const
 bool Camera::reversedDepth() const
 {
     // The sign of how depth changes with view z, which falls with distance.
-    const glm::dmat4 m = clip_from_view;
+    const glm::dmat4 m = uprightClip(*this);
     return m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0;
 }
 
@@ -70,10 +70,10 @@ bool SceneTraits::operator==(const SceneTraits& other) const
 {
     return lights == other.lights && alpha_tested == other.alpha_tested &&
            specular == other.specular && textured == other.textured &&
-           orthographic == other.orthographic && reversed_depth == other.reversed_depth &&
-           normal_mapped == other.normal_mapped && baked_occlusion == other.baked_occlusion &&
-           material_ambient == other.material_ambient && views == other.views &&
-           camera == other.camera;
+           orthographic == other.orthographic && turned == other.turned &&
+           reversed_depth == other.reversed_depth && normal_mapped == other.normal_mapped &&
+           baked_occlusion == other.baked_occlusion && material_ambient == other.material_ambient &&
+           views == other.views && camera == other.camera;
 }
 
 bool CameraRange::operator==(const CameraRange& other) const
@@ -88,7 +88,7 @@ bool CameraRange::operator==(const CameraRange& other) const
 
 CameraRange rangeOf(const Camera& camera)
 {
-    const glm::dmat4 m = camera.clip_from_view;
+    const glm::dmat4 m = uprightClip(camera);
     const double zoom = std::abs(m[1][1]);
     if (camera.orthographic()) return {0, 2 / std::abs(m[2][2]), zoom};
     const double one = planeDistance(m, -1), other = planeDistance(m, 1);
@@ -101,6 +101,7 @@ SceneTraits steadyTraitsOf(const Frame& frame)
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     traits.orthographic = frame.camera.orthographic();
     traits.reversed_depth = frame.camera.reversedDepth();
+    traits.turned = uprightTurn(frame.camera) != glm::dmat3(1.0);
     traits.camera = rangeOf(frame.camera);
     traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {

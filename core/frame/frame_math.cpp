@@ -58,11 +58,24 @@ bool invertible(const glm::dmat4& columns)
            finite(glm::mat4(glm::inverse(columns)));
 }
 
-// Whether w is above 0 far along -z, where a view looks. A left-handed projection has it below.
+bool mirrors(const glm::dmat4& columns) { return glm::determinant(glm::dmat3(columns)) < 0.0; }
+
+// Whether the camera looks along +z: with perspective, where w grows with z; else where the view
+// mirrors and all of the box lies there.
+bool isLeftHanded(const Camera& camera)
+{
+    constexpr double kRounding = 1e-6;  // of a near plane at 0
+    const glm::dvec4 of_z = camera.clip_from_view[2], of_1 = camera.clip_from_view[3];
+    if (!camera.orthographic()) return of_z.w > 0.0;
+    return mirrors(camera.view_from_world) && -of_1.z * (of_z.z < 0.0 ? -1 : 1) >= 1 - kRounding;
+}
+
+// Whether w is above 0 far along the axis that the view looks along.
 bool looksForward(const Camera& camera)
 {
     const glm::vec4 of_z = camera.clip_from_view[2], of_1 = camera.clip_from_view[3];
-    return of_z.w < 0.0f || (of_z.w == 0.0f && of_1.w > 0.0f);
+    if (of_z.w == 0.0f) return of_1.w > 0.0f;
+    return of_z.w < 0.0f || mirrors(camera.view_from_world);
 }
 
 Diagnostic bad(std::string what, std::string help)
@@ -90,8 +103,8 @@ Status checkCamera(const Camera& camera, std::size_t view)
     if (!looksForward(camera))
         return bad(ownedBy(view, "clip_from_view") +
                        " has w below 0 for what lies in front, along -z: nothing would be seen",
-                   "negate its third column; where the view looks along +z, negate the third row "
-                   "of view_from_world too");
+                   "negate its third column, or, where the view is to look along +z, the third row "
+                   "of view_from_world");
     return check(camera.view_from_world, "view_from_world",
                  "its three axes must be independent and not 0");
 }
@@ -148,11 +161,34 @@ std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, cons
 
 }  // namespace
 
+glm::dmat3 uprightTurn(const Camera& camera)
+{
+    constexpr double kRightAngle = 1e-6;  // cosine of what rounding in floats makes of one
+    const glm::dmat4 clip(camera.clip_from_view);
+    const glm::dvec2 right(clip[0][0], clip[1][0]), up(clip[0][1], clip[1][1]);
+    glm::dvec2 x = right / glm::length(right), y = up / glm::length(up);
+    if (!(std::abs(glm::dot(x, y)) <= kRightAngle)) {  // sheared as well: the nearest right angles
+        const bool upright = std::abs(x.x * y.y) >= std::abs(x.y * y.x);
+        x = upright ? glm::dvec2(std::copysign(1.0, x.x), 0)
+                    : glm::dvec2(0, std::copysign(1.0, x.y));
+        y = upright ? glm::dvec2(0, std::copysign(1.0, y.y))
+                    : glm::dvec2(std::copysign(1.0, y.x), 0);
+    }
+    return {x.x, y.x, 0, x.y, y.y, 0, 0, 0, isLeftHanded(camera) ? -1 : 1};
+}
+
+glm::dmat4 uprightClip(const Camera& camera)
+{
+    return glm::dmat4(camera.clip_from_view) * glm::dmat4(glm::transpose(uprightTurn(camera)));
+}
+
 CameraMatrices cameraMatrices(const Camera& camera)
 {
-    const glm::dmat4 clip_from_view(camera.clip_from_view);
-    return {clip_from_view, glm::inverse(clip_from_view), camera.view_from_world,
-            glm::inverse(camera.view_from_world)};
+    const glm::dmat3 turn = uprightTurn(camera);
+    const glm::dmat4 clip_from_view = uprightClip(camera);
+    const glm::dmat4 view_from_world = glm::dmat4(turn) * camera.view_from_world;
+    return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
+            glm::inverse(view_from_world), turn};
 }
 
 glm::mat3 normalMatrix(const glm::dmat4& matrix)
@@ -170,11 +206,7 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix)
 
 bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
 {
-    const glm::dmat4& clip = camera.clip_from_view;
-    const double upright = clip[0][0] * clip[1][1] - clip[0][1] * clip[1][0];
-    const bool item_mirrors = glm::determinant(glm::dmat3(item.world_from_model)) < 0.0;
-    const bool view_mirrors = glm::determinant(glm::dmat3(camera.view_from_world)) < 0.0;
-    return (item_mirrors != view_mirrors) != (upright < 0.0);
+    return mirrors(item.world_from_model) != mirrors(camera.view_from_world);
 }
 
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)

@@ -9,13 +9,21 @@
 
 namespace crevice {
 
-/// A camera's matrices and their inverses.
+/// A camera's matrices and their inverses, in the view space of shaders: x points right and y up on
+/// the picture, and the view looks along -z.
 struct CameraMatrices {
     glm::dmat4 clip_from_view;
     glm::dmat4 view_from_clip;
     glm::dmat4 view_from_world;
     glm::dmat4 world_from_view;
+    glm::dmat3 view_from_host = glm::dmat3(1.0);  ///< From the view space of the host.
 };
+
+/// Turns, flips and mirrors the host's view space into that of shaders; 1 where they are one.
+glm::dmat3 uprightTurn(const Camera& camera);
+
+/// `clip_from_view` of that space.
+glm::dmat4 uprightClip(const Camera& camera);
 
 /// Frames are counted up to here and from 0 again, which keeps them exact in a mediump int.
 constexpr int kFrameIndices = 1024;

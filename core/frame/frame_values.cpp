@@ -20,6 +20,7 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"view_from_window", GlslType::mat4, 1, kCamera},
     {"view_from_world", GlslType::mat4, 1, kCamera},
     {"world_from_view", GlslType::mat4, 1, kCamera},
+    {"view_from_host", GlslType::mat3, 1, kCamera},
     {"light_count", GlslType::int_, 1, kLights},
     {"light_position", GlslType::vec4, kMaxLights, kLights},
     {"light_color", GlslType::vec3, kMaxLights, kLights},
@@ -43,12 +44,13 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"occlusion_strength", GlslType::float_, 1, kDrawList},
 };
 
-const TraitInfo kTraits[10] = {
+const TraitInfo kTraits[11] = {
     {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
     {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
     {"scene.textured", "SCENE_TEXTURED", &SceneTraits::textured},
     {"camera.orthographic", "CAMERA_ORTHOGRAPHIC", &SceneTraits::orthographic},
+    {"camera.turned", "CAMERA_TURNED", &SceneTraits::turned},
     {"camera.reversed_depth", "CAMERA_REVERSED_DEPTH", &SceneTraits::reversed_depth},
     {"camera.views", "CAMERA_VIEWS", nullptr, &SceneTraits::views, std::numeric_limits<int>::max()},
     {"scene.normal_mapped", "SCENE_NORMAL_MAPPED", &SceneTraits::normal_mapped},

@@ -21,6 +21,7 @@ enum FrameValue : std::size_t {
     view_from_window,
     view_from_world,
     world_from_view,
+    view_from_host,
     light_count,
     light_position,
     light_color,
@@ -79,7 +80,7 @@ struct TraitInfo {
     }
 };
 
-extern const TraitInfo kTraits[10];
+extern const TraitInfo kTraits[11];
 
 /// The trait of that name, or null.
 const TraitInfo* findTrait(std::string_view name);

@@ -82,6 +82,7 @@ void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
     write(view_from_window, glm::mat4(camera.view_from_clip * kClipFromWindow));
     write(view_from_world, glm::mat4(camera.view_from_world));
     write(world_from_view, glm::mat4(camera.world_from_view));
+    write(view_from_host, glm::mat3(camera.view_from_host));
     write(ambient_light, isFinite(frame.ambient_light) ? frame.ambient_light : glm::vec3(0.0f));
     Light dark;
     dark.color = glm::vec3(0.0f);

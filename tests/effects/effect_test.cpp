@@ -9,6 +9,9 @@
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
 using namespace crevice;
 
 namespace {
@@ -55,6 +58,22 @@ TEST_CASE("An effect draws a host's depth and hands out the texture of its outpu
     }
     CHECK(device.live() == 0);
     CHECK(device.misuse().empty());
+}
+
+TEST_CASE("An effect without a view takes projections of either hand, and a view must fit its own")
+{
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    need(effect.setTexture("depth", 7, Format::depth24, kExtent));
+    effect.setProjection(glm::value_ptr(glm::perspectiveLH(1.0f, 1.5f, 0.1f, 10.0f)));
+    need(effect.render());
+    effect.setProjection(kProjection);
+    need(effect.render());
+    effect.setProjection(glm::value_ptr(glm::perspectiveLH(1.0f, 1.5f, 0.1f, 10.0f)));
+    effect.setView(glm::value_ptr(glm::dmat4(1.0)));
+    const Status refused = effect.render();
+    REQUIRE(!refused);
+    CHECK(messagesOf(refused.diagnostics()).find("along +z") != std::string::npos);
 }
 
 TEST_CASE("An effect adopts a texture once, and another in its place")

@@ -133,6 +133,41 @@ std::string hostConfig(const std::string& geometry)
            R"(", "ssao/hemisphere", "filter/bilateral_normal"]})";
 }
 
+/// A view space turned by 90 degrees about z, and left-handed: what x, y and z of the upright one
+/// are.
+const glm::dmat3 kTurn = {0, 1, 0, -1, 0, 0, 0, 0, -1};
+
+/// The occlusion, and the surface as a host has it whose view space is turned.
+const char* const kTurned = R"({"format": 1,
+    "extends": ["geometry/depth_normal", "ssao/gtao", "filter/bilateral_normal", "lighting/blinn_phong"],
+    "targets": {
+        "host_position": {"format": "rgba32f"},
+        "host_distance": {"format": "r32f"},
+        "host_normal": {"format": "rgba16f"}
+    },
+    "shaders": {"turn": {"vertex": "common/fullscreen.vert", "fragment": "configs/turn.frag"}},
+    "passes": {"turn": {"type": "fullscreen", "shader": "turn",
+                        "color": ["host_position", "host_distance", "host_normal"]}},
+    "outputs": {"depth": "depth", "position": "host_position", "linear_depth": "host_distance",
+                "normal": "host_normal"}})";
+const char* const kTurnedShader = R"(#version 300 es
+precision highp float;
+#include <surface>
+in vec2 uv;
+layout(location = 0) out vec4 position;
+layout(location = 1) out vec4 distance_ahead;
+layout(location = 2) out vec4 stored_normal;
+vec3 turned(vec3 v) { return vec3(-v.y, v.x, -v.z); }
+void main()
+{
+    vec3 point;
+    bool seen = viewPosition(uv, point);
+    position = vec4(turned(point), float(seen));
+    distance_ahead = vec4(seen ? -point.z : 0.0);
+    stored_normal = vec4(turned(normalAt(uv)) * 0.5 + 0.5, 1.0);
+}
+)";
+
 /// A host that has drawn depth and normals itself.
 struct Host {
     GlFixture gl;
@@ -221,6 +256,63 @@ TEST_CASE("Distances of a host count as surfaces above 0 and below the far, and 
     };
     for (const float distance : {5.0f, 9.9f}) CHECK(occlusionAt(distance) > 0.1);
     for (const float distance : {-5.0f, 0.0f, 10.0f, 11.0f}) CHECK(occlusionAt(distance) == 0);
+}
+
+TEST_CASE("A turned view space changes no picture, nor does what a host stored in it")
+{
+    GlFixture gl;
+    const Scene scene = need(loadScene("spheres"));
+    const UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
+    CompileOptions options;
+    options.extent = {96, 54};
+    const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", 96.0 / 54.0));
+    const Frame upright = makeFrame(uploaded, camera, options.extent);
+    Frame turned = upright;
+    const glm::dmat4 turn(kTurn);
+    turned.camera.view_from_world = turn * upright.camera.view_from_world;
+    turned.camera.clip_from_view =
+        glm::mat4(glm::dmat4(upright.camera.clip_from_view) * glm::transpose(turn));
+
+    MemorySources mine;
+    mine.add("configs/turn.frag", kTurnedShader);
+    mine.add("configs/host.json", kTurned);
+    const LayeredSources sources({&mine, &shippedSources()});
+    const Description drawn = need(decode(need(loadConfig(sources, {"host"})), sources));
+    const auto rendererOf = [&](const Frame& frame) {
+        auto renderer = need(Renderer::create(*gl.device, drawn, options, traitsOf(frame)));
+        need(renderer->render(frame));
+        return renderer;
+    };
+    const auto host = rendererOf(upright);
+    const auto own = rendererOf(turned);
+    const Image ao = gl.read(host->output("ao"));
+    CHECK(mean(ao) < 0.99);
+    CHECK(meanChange(gl.read(own->output("ao")), ao) == 0.0);
+    CHECK(meanChange(gl.read(own->output("color")), gl.read(host->output("color"))) < 1e-6);
+
+    using Names = std::vector<std::string>;
+    const auto [geometry, textures] = GENERATE(
+        table<std::string, Names>({{"host_depth", {"depth"}},
+                                   {"host_depth_normal", {"depth", "normal"}},
+                                   {"host_linear_depth_normal", {"linear_depth", "normal"}},
+                                   {"host_position_normal", {"position", "normal"}}}));
+    INFO(geometry);
+    const auto occlusion = [&](const Camera& seen_by) {
+        Frame bare;
+        bare.camera = seen_by;
+        for (const std::string& name : textures)
+            bare.textures.push_back({name, host->output(name)});
+        auto renderer = need(
+            Renderer::create(*gl.device,
+                             describeText(R"({"format": 1, "extends": ["geometry/)" + geometry +
+                                          R"(", "ssao/gtao", "filter/bilateral_normal"]})"),
+                             options, traitsOf(bare)));
+        need(renderer->render(bare));
+        return gl.read(renderer->output("ao"));
+    };
+    CHECK(meanChange(occlusion(turned.camera), ao) < (geometry == "host_depth" ? 0.02 : 1e-3));
+    const bool in_view_space = geometry != "host_depth";
+    CHECK((meanChange(occlusion(upright.camera), ao) > 0.02) == in_view_space);
 }
 
 TEST_CASE("A host that forgets its depth gets an error")

@@ -5,6 +5,7 @@
 #include "tools/reference/embree_scene.h"
 
 #include "core/base/numbers.h"
+#include "core/frame/frame_math.h"
 
 #include <glm/matrix.hpp>
 
@@ -69,8 +70,8 @@ public:
     Tracer(const EmbreeScene& scene, const Camera& camera, Extent extent,
            const TraceOptions& options)
         : scene_(scene),
-          view_from_clip_(glm::inverse(glm::dmat4(camera.clip_from_view))),
-          world_from_view_(glm::inverse(camera.view_from_world)),
+          view_from_clip_(cameraMatrices(camera).view_from_clip),
+          world_from_view_(cameraMatrices(camera).world_from_view),
           orthographic_(camera.orthographic()),
           extent_(extent),
           radius_(options.radius),

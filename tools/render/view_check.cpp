@@ -112,12 +112,12 @@ std::optional<double> medianDistance(const Image& depth, const Camera& camera)
     std::nth_element(seen.begin(), middle, seen.end());
     const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(camera.clip_from_view));
     const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, *middle * 2.0 - 1.0, 1);
-    return -view.z / view.w;
+    return std::abs(view.z / view.w);  // a left-handed view looks along +z
 }
 
 double pixelsOf(double length, double distance, const Camera& camera, Extent extent)
 {
-    const double scale = 0.5 * extent.height * std::abs(double{camera.clip_from_view[1][1]});
+    const double scale = 0.5 * extent.height * rangeOf(camera).zoom;
     return length * scale / (camera.orthographic() ? 1.0 : distance);
 }
 

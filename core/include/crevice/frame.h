@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the host supplies for a frame: camera, draw list, materials, lights, textures.
 //
-// GLSL sees them under these names. All vectors are in view space unless the name says otherwise.
+// GLSL sees them under these names. All vectors are in view space unless the name says otherwise:
+// x points right and y up on the picture, and the view looks along -z. Where the host's projection
+// flips, turns or is left-handed, its own view space is another.
 //
 //   camera     mat4 clip_from_view, view_from_clip, view_from_world, world_from_view;
-//              mat4 view_from_window (from uv and depth as a texture holds it, 0..1 each)
+//              mat4 view_from_window (from uv and depth as a texture holds it, 0..1 each);
+//              mat3 view_from_host (from the view space of the host's matrices)
 //   draw list  mat4 clip_from_model, view_from_model; mat3 view_normal_from_model (inverse
 //              transpose); vec4 base_color; float alpha_cutoff; vec3 specular; float shininess;
 //              float material_ambient, normal_scale (0 without a map), occlusion_strength;
@@ -64,7 +67,8 @@ struct GeneratorDesc : Named {
 /// Lights that one frame may have: 16 take 48 of the 224 uniform vectors every device has.
 constexpr int kMaxLights = 16;
 
-/// A right-handed view (the camera looks along -z) and any projection that OpenGL can express.
+/// A right-handed view, which looks along -z, or a left-handed one, which mirrors and looks along
+/// +z; and any projection that OpenGL can express, flipped, turned or off-centre too.
 /// What is placed in the world is double, so that a scene a million radii from the origin keeps its
 /// shape: only matrices relative to the camera become float.
 struct Camera {
@@ -202,6 +206,7 @@ struct SceneTraits {
     bool specular = false;         ///< scene.specular
     bool textured = false;         ///< scene.textured: some material has a base_color_map
     bool orthographic = false;     ///< camera.orthographic
+    bool turned = false;           ///< camera.turned: the host's view space is not that of shaders
     bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
     bool normal_mapped = false;    ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map

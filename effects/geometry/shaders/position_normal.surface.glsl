@@ -2,6 +2,7 @@
 // Interface `surface`, from stored positions and normals.
 
 #include "common/texel.glsl"
+#include "geometry/shaders/host_space.glsl"
 
 uniform highp sampler2D position;
 
@@ -9,7 +10,7 @@ uniform highp sampler2D position;
 bool viewPosition(highp vec2 at, out highp vec3 point)
 {
     highp vec4 stored = texelFetch(position, texelAt(at, vec2(textureSize(position, 0))), 0);
-    point = stored.xyz;
+    point = viewFromHost(stored.xyz);
     return stored.a > 0.5;
 }
 

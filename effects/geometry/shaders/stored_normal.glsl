@@ -5,6 +5,7 @@
 #ifndef SURFACE_WITHOUT_NORMAL
 #include "common/guard_band.glsl"
 #include "common/texel.glsl"
+#include "geometry/shaders/host_space.glsl"
 
 uniform mediump sampler2D normal;
 
@@ -12,6 +13,6 @@ uniform mediump sampler2D normal;
 highp vec3 normalAt(highp vec2 at)
 {
     highp ivec2 texel = texelAt(uvInGuardBand(at), vec2(textureSize(normal, 0)));
-    return normalize(texelFetch(normal, texel, 0).xyz * 2.0 - 1.0);
+    return viewFromHost(normalize(texelFetch(normal, texel, 0).xyz * 2.0 - 1.0));
 }
 #endif

@@ -47,12 +47,13 @@ public:
     Effect& operator=(Effect&&) noexcept;
     ~Effect();
 
-    /// The projection: 16 floats by columns, as for glUniformMatrix4fv. Default: orthographic, of
-    /// the cube [-1, 1].
+    /// The projection: 16 floats by columns, as for glUniformMatrix4fv. It may be off-centre,
+    /// flipped, turned or left-handed. Default: orthographic, of the cube [-1, 1].
     void setProjection(const float* clip_from_view);
 
-    /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z.
-    /// What draws nothing and keeps no history does not depend on it.
+    /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z,
+    /// or along +z under a left-handed projection with perspective; such a view mirrors. What draws
+    /// nothing and keeps no history does not depend on it.
     void setView(const double* view_from_world);
 
     /// Hands over a texture for an import of the config, by its API's name (GLuint). It stays the

@@ -168,7 +168,8 @@ TEST_CASE("Each trait of the scene and the camera can be a condition")
          {"scene.specular", {0, false, true, false, false}},
          {"scene.textured", {0, false, false, true, false}},
          {"camera.orthographic", {0, false, false, false, true}},
-         {"camera.reversed_depth", {0, false, false, false, false, true}}}));
+         {"camera.turned", {0, false, false, false, false, true}},
+         {"camera.reversed_depth", {0, false, false, false, false, false, true}}}));
     const Description description = describe(Sketch{
         {"a: -> x", "b: x -> y | \"when\": {\"" + name + R"(": true}, "bypass": {"y": "x"})"},
         {{"out", "y"}}});

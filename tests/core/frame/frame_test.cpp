@@ -2,9 +2,13 @@
 // What a plan may depend on, drawn from a frame; and the least device.
 #include <crevice/frame.h>
 
+#include "core/frame/frame_math.h"
 #include "tests/support/catch.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace crevice;
 
@@ -32,6 +36,115 @@ TEST_CASE("A camera reverses depth when what is farther has less of it")
         CHECK_FALSE(camera.reversedDepth());
         camera.clip_from_view = flip * clip;
         CHECK(camera.reversedDepth());
+    }
+}
+
+namespace {
+
+const glm::dmat4 kLens = glm::frustum(-0.2, 0.4, -0.1, 0.3, 0.5, 50.0);
+const glm::dmat4 kBox = glm::ortho(-2.0, 3.0, -1.0, 1.0, 0.1, 50.0);
+const glm::dmat4 kView =
+    glm::lookAt(glm::dvec3(1, 2, 3), glm::dvec3(-1, 0.5, 0), glm::dvec3(0, 1, 0));
+
+/// A picture's plane turned or flipped: columns of x and y.
+glm::dmat4 ofPicture(const glm::dvec2& x, const glm::dvec2& y)
+{
+    return glm::dmat4(glm::dmat2(x, y));
+}
+
+bool isTurned(const Camera& camera)
+{
+    Frame frame;
+    frame.camera = camera;
+    return traitsOf(frame).turned;
+}
+
+double largestDifference(const glm::dmat4& a, const glm::dmat4& b)
+{
+    double largest = 0;
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < 4; ++k) largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("Shaders see x to the right, y up and the view along -z, whatever the projection does")
+{
+    const glm::dmat4 to_picture =
+        GENERATE(ofPicture({1, 0}, {0, 1}), ofPicture({-1, 0}, {0, 1}), ofPicture({1, 0}, {0, -1}),
+                 ofPicture({-1, 0}, {0, -1}), ofPicture({0, 1}, {-1, 0}),
+                 ofPicture({0, -1}, {1, 0}), ofPicture({0, 1}, {1, 0}),
+                 ofPicture({0.8, 0.6}, {-0.6, 0.8}), ofPicture({0.96, -0.28}, {-0.28, -0.96}));
+    const glm::dmat4 of_view = GENERATE(glm::dmat4(1.0), glm::scale(glm::dmat4(1.0), {1, 1, -1}));
+    const glm::dmat4 lens = GENERATE(as<glm::dmat4>(), kLens, kBox);
+    // A roll of a wide picture shears it; this one is square.
+    const glm::dmat4 square = glm::scale(glm::dmat4(1.0), {1 / lens[0][0], 1 / lens[1][1], 1.0});
+    const Camera camera = {of_view * kView, glm::mat4(to_picture * square * lens * of_view)};
+
+    const CameraMatrices seen = cameraMatrices(camera);
+    CHECK(seen.clip_from_view[0][0] > 0.99);
+    CHECK(seen.clip_from_view[1][1] > 0.99);
+    CHECK(std::abs(seen.clip_from_view[0][1]) < 1e-6);
+    CHECK(std::abs(seen.clip_from_view[1][0]) < 1e-6);
+    CHECK((camera.orthographic() || seen.clip_from_view[2][3] < 0));
+    CHECK((seen.clip_from_view * glm::dvec4(0, 0, -10, 1)).w > 0);
+    CHECK_FALSE(camera.reversedDepth());
+
+    INFO("the world lands where the host's matrices put it");
+    CHECK(largestDifference(seen.clip_from_view * seen.view_from_world,
+                            glm::dmat4(camera.clip_from_view) * camera.view_from_world) < 1e-12);
+    CHECK(largestDifference(seen.view_from_world,
+                            glm::dmat4(seen.view_from_host) * camera.view_from_world) < 1e-12);
+    const bool turned = to_picture != glm::dmat4(1.0) || of_view != glm::dmat4(1.0);
+    CHECK(isTurned(camera) == turned);
+    CHECK(rangeOf(camera) == rangeOf(Camera{kView, glm::mat4(square * lens)}));
+}
+
+TEST_CASE("Of an upright camera no bit is turned")
+{
+    const glm::dmat4 lens = GENERATE(as<glm::dmat4>(), kLens, kBox, kLens * 3.0,
+                                     glm::infinitePerspective(1.0, 1.5, 1e-3));
+    const bool mirrored = GENERATE(false, true);
+    Camera camera = {kView, glm::mat4(lens)};
+    if (mirrored) camera.view_from_world[0] *= -1.0;  // a planar reflection
+    const CameraMatrices seen = cameraMatrices(camera);
+    CHECK(seen.clip_from_view == glm::dmat4(camera.clip_from_view));
+    CHECK(seen.view_from_world == camera.view_from_world);
+    CHECK(seen.view_from_host == glm::dmat3(1.0));
+    CHECK_FALSE(isTurned(camera));
+}
+
+TEST_CASE("A box is looked at along +z where the view mirrors and all of it lies there")
+{
+    const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), {1, 1, -1});
+    const double near = GENERATE(0.0, 0.1, 5.0);
+    Camera camera = {mirror * kView, glm::mat4(glm::orthoLH_NO(-2.0, 2.0, -1.0, 1.0, near, 50.0))};
+    CHECK(isTurned(camera));
+    CHECK_FALSE(camera.reversedDepth());
+    camera.view_from_world = kView;
+    CHECK_FALSE(isTurned(camera));
+    camera.view_from_world = mirror * kView;
+    INFO("reversed depth of a reflection");
+    camera.clip_from_view = glm::mat4(mirror * glm::orthoRH_NO(-2.0, 2.0, -1.0, 1.0, near, 50.0));
+    CHECK_FALSE(isTurned(camera));
+    CHECK(camera.reversedDepth());
+    INFO("a box around the eye");
+    camera.clip_from_view = glm::mat4(glm::orthoLH_NO(-2.0, 2.0, -1.0, 1.0, -9.0, 50.0));
+    CHECK_FALSE(isTurned(camera));
+}
+
+TEST_CASE("A projection that shears the picture keeps the nearest right angles")
+{
+    const glm::dmat4 shear(glm::dmat2({1, 0.25}, {0.5, 1}));
+    for (const glm::dmat4& turn : {ofPicture({1, 0}, {0, 1}), ofPicture({0, 1}, {-1, 0}),
+                                   ofPicture({0, -1}, {-1, 0}), ofPicture({-1, 0}, {0, 1})}) {
+        const Camera camera = {kView, glm::mat4(turn * shear * kLens)};
+        const CameraMatrices seen = cameraMatrices(camera);
+        const glm::dmat3 square = seen.view_from_host * glm::transpose(seen.view_from_host);
+        CHECK(square == glm::dmat3(1.0));
+        CHECK(seen.clip_from_view[0][0] > std::abs(seen.clip_from_view[1][0]));
+        CHECK(seen.clip_from_view[1][1] > std::abs(seen.clip_from_view[0][1]));
     }
 }
 
@@ -110,6 +223,8 @@ TEST_CASE("Traits differ when any of them does")
     CHECK_FALSE(none == SceneTraits{0, false, true, false, false});
     CHECK_FALSE(none == SceneTraits{0, false, false, true, false});
     CHECK_FALSE(none == SceneTraits{0, false, false, false, true});
+    CHECK_FALSE(none == SceneTraits{0, false, false, false, false, true});
+    CHECK_FALSE(none == SceneTraits{0, false, false, false, false, false, true});
 }
 
 TEST_CASE("The least device renders to what OpenGL ES 3.0 promises and to nothing else")

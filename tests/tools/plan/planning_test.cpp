@@ -39,7 +39,7 @@ TEST_CASE("A pass that fails in some scene or under some camera fails to validat
          {R"("scene.lights": false)", R"("scene.lights": true)", R"("scene.alpha_tested": false)",
           R"("scene.specular": false)", R"("scene.textured": false)",
           R"("camera.orthographic": true)", R"("camera.reversed_depth": true)",
-          R"("camera.views": 2)", R"("scene.normal_mapped": true)",
+          R"("camera.turned": true)", R"("camera.views": 2)", R"("scene.normal_mapped": true)",
           R"("scene.baked_occlusion": true)", R"("scene.material_ambient": true)",
           R"("scene.baked_occlusion": true, "scene.normal_mapped": true)"}) {
         INFO(condition);
