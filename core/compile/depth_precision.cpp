@@ -112,16 +112,6 @@ PrecisionNeed needOfDraws(const SceneTraits& traits, const PrecisionNeed& need, 
     return {radius * share, std::min(need.distance, distance)};
 }
 
-double viewHeights(const SceneTraits& traits, double radius)
-{
-    const double distance = traits.draws.distance;
-    if (!(distance > 0)) return 0;
-    if (traits.orthographic) return radius * traits.camera.zoom / 2;
-    // A sphere of the radius ends at R / sqrt(1 - R^2 / d^2) for the eye, and at most sqrt(5) R.
-    const double share = radius / distance;
-    return share / std::sqrt(std::max(1 - share * share, 0.2)) * traits.camera.zoom / 2;
-}
-
 double formatStep(Format format, double value)
 {
     const FormatInfo& info = formatInfo(format);

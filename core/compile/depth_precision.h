@@ -50,10 +50,6 @@ constexpr double kUnseenHidden = 0.025;
 /// sides.
 constexpr double kUnseenVertex = kUnseenProbed / 4;
 
-/// Heights of the view. Where a radius reaches farther, three of four taps above and below the
-/// middle of the view, spread evenly, lie off the screen.
-constexpr double kMostViewHeights = 2.0;
-
 /// Where a radius covers fewer pixels, estimators fade: nothing is asked of a format there.
 constexpr double kLeastRadiusPixels = 2.0;
 
@@ -102,10 +98,6 @@ PrecisionNeed precisionNeed(const Description& description, const SceneTraits& t
 /// radius; else `need`, of that radius.
 PrecisionNeed needOfDraws(const SceneTraits& traits, const PrecisionNeed& need, double radius,
                           double share);
-
-/// How far a radius reaches across the view where draws lie, in heights of it, as passes march
-/// (effects/ssao/shaders/march.glsl, seenReach); 0 where that is not known.
-double viewHeights(const SceneTraits& traits, double radius);
 
 /// Distance between neighbours of the format at `value` >= 0; infinite above the largest it holds.
 double formatStep(Format format, double value);

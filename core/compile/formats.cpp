@@ -136,7 +136,6 @@ struct Lint {
     // Of a texture, with the place at which its format is named.
     void checkTexture(StoredSurface surface, const Reference& at);
     void checkVertices() const;
-    void checkScreen() const;
 };
 
 void Lint::checkTexture(StoredSurface surface, const Reference& at)
@@ -171,18 +170,6 @@ void Lint::checkVertices() const
         .severity = Severity::warning;
 }
 
-void Lint::checkScreen() const
-{
-    const double heights = viewHeights(state.traits, radius.value[0]);
-    if (!marched || heights <= kMostViewHeights) return;
-    report(state, Code::out_of_range,
-           valueOf(radius) + " reaches " + figure(heights) + " heights of the view at distance " +
-               figure(state.traits.draws.distance) +
-               " of what is drawn, so that most occluders lie off the screen",
-           radius, "lower it")
-        .severity = Severity::warning;
-}
-
 }  // namespace
 
 void chooseFormats(State& state)
@@ -213,7 +200,6 @@ void lintPrecision(State& state)
             lint.checkTexture({Semantic::other, formatFromName(desc.format), false, false},
                               {desc.name, desc.place, desc.pointer});
     lint.checkVertices();
-    lint.checkScreen();
 }
 
 }  // namespace crevice::compiler

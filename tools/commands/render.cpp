@@ -179,16 +179,7 @@ Diagnostics checkPicture(Session& session, const SceneView& view,
 void showSummary(const RenderOptions& options, Session& session, const SceneView& view,
                  const std::vector<Picture>& pictures, double ms, Diagnostics warnings)
 {
-    const Diagnostics seen = checkPicture(session, view, pictures);
-    // What the picture shows of a radius has a way out with a figure; the plan said it without.
-    const auto is_range = [](const Diagnostic& each) { return each.code == Code::out_of_range; };
-    const ParamDesc* radius = resolvedLength(session.renderer->description());
-    const auto is_said = [&](const Diagnostic& each) {
-        return is_range(each) && radius && each.pointer == radius->pointer;
-    };
-    if (std::any_of(seen.begin(), seen.end(), is_range))
-        warnings.erase(std::remove_if(warnings.begin(), warnings.end(), is_said), warnings.end());
-    append(warnings, seen);
+    append(warnings, checkPicture(session, view, pictures));
     if (session.open.programs) append(warnings, session.open.programs->warnings());
     const Summary summary = summaryOf(session, view, ms);
     if (options.json) return printJson(summary, pictures, warnings);

@@ -12,6 +12,7 @@
 //
 // [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
 // of equal angle. Slices are those of ssao/shaders/slice.glsl. That taps join, and that each is clipped to the radius, is ours.
+// Off the screen the surface last seen goes on.
 // Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/methods/bitmask.md says how to measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
@@ -48,6 +49,7 @@ layout(location = 0) out float ao;
 // What a side's last tap has seen.
 struct Trail {
     vec3 offset;   // of its front from the point
+    vec3 way;      // to there from the tap before; 0 where they do not join
     float sector;  // 0..32, of where its front ends within the radius
     float front;   // how far behind the point, along the view, it begins
     float back;    // and ends
@@ -119,7 +121,7 @@ uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, fl
         }
         blocked |= maskOf(sector, trail.sector);
     }
-    trail = Trail(offset, sector, front, front + deep, inside);
+    trail = Trail(offset, joined ? offset - trail.offset : vec3(0.0), sector, front, front + deep, inside);
     return blocked;
 }
 
@@ -147,13 +149,15 @@ float depthOf(highp sampler2D backs, March march, vec2 at, vec3 front)
 uint blockedOn(March march, Slice slice, Side side, float sign)
 {
     vec3 outwards = outward(march, slice, sign);
+    float edge = edgeOf(march, slice, sign);
+    float stride = strideOf(edge);
     uint blocked = 0u;
-    Trail trail = Trail(vec3(0.0), 32.0, 0.0, thickness * radius, true);
+    Trail trail = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, thickness * radius, true);
 #if SECOND_LAYER
-    Trail second = Trail(vec3(0.0), 32.0, 0.0, 0.0, false);
+    Trail second = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, 0.0, false);
 #endif
     for (int i = 0; i < STEPS; ++i) {
-        vec2 at = tapAt(march, slice, sign, i);
+        vec2 at = tapAt(march, slice, sign, stride, i);
         vec3 offset;
         if (!offsetAt(march, at, offset)) {
             trail.inside = false;
@@ -176,6 +180,10 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
         deep = depthOf(depth_second_back, march, at, behind);
         blocked |= blockedBy(march, side, outwards, behind, away, deep, chance, second);
 #endif
+    }
+    if (edge < 1.0 && trail.inside) {
+        vec3 end = goneOn(trail.offset, trail.way);
+        blocked |= maskOf(sectorOf(march, side, outwards, end), trail.sector);
     }
     return blocked;
 }

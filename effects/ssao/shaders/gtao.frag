@@ -8,7 +8,7 @@
 //
 // Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count;
 // where the surface leaves the radius between two taps, the place where it does is interpolated, without
-// which few taps see too low a horizon.
+// which few taps see too low a horizon. Off the screen the surface last seen goes on.
 // [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
 // is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/shaders/march.glsl for its figures.
 precision highp float;  // positions and depths; mediump bands
@@ -31,26 +31,30 @@ float horizonOf(March march, Slice slice, Side side, float sign)
 {
     vec3 outwards = outward(march, slice, sign);
     float horizon = lastCosine(side);
+    float edge = edgeOf(march, slice, sign);
+    float stride = strideOf(edge);
     vec3 before = vec3(0.0);
+    vec3 way = vec3(0.0);
     float before_distance = 0.0;
     float widest = max_gap / float(STEPS) * radius;
     for (int i = 0; i < STEPS; ++i) {
-        vec2 at = tapAt(march, slice, sign, i);
+        vec2 at = tapAt(march, slice, sign, stride, i);
         vec3 offset;
         if (!offsetAt(march, at, offset)) continue;
         float distance_here = length(offset);
         float share = 1.0;
-        if (distance_here > radius) {
-            float gap = abs(dot(offset - before, march.to_camera));
-            bool leaves = before_distance < radius && gap < widest * chanceOf(march, sign, i);
-            share = leaves ? shareWithin(before, offset) : 0.0;
-        }
+        way = offset - before;
+        bool joined = abs(dot(way, march.to_camera)) < widest * chanceOf(march, sign, i);
+        if (!joined) way = vec3(0.0);
+        if (distance_here > radius) share = joined && before_distance < radius ? shareWithin(before, offset) : 0.0;
         vec3 counted = mix(before, offset, share);
         if (distance_here < radius || share > 0.0)
             horizon = max(horizon, cosineOf(march, side, outwards, counted));
         before = offset;
         before_distance = distance_here;
     }
+    if (edge < 1.0 && before_distance < radius)
+        horizon = max(horizon, cosineOf(march, side, outwards, goneOn(before, way)));
     return horizon;
 }
 

@@ -35,28 +35,51 @@ highp float lightBelow(Side side, highp float c)
 #endif
 }
 
-// The blocked light of one side.
+// What is known of a side so far.
+struct Blocked {
+    highp float horizon;  // its cosine
+    highp float open;     // the light below it
+    highp float sum;      // the light that is blocked
+};
+
+// Raises the horizon to `offset`, with the weight of what lies there.
+void raise(March march, Side side, highp vec3 outwards, highp vec3 offset, highp float weight, inout Blocked blocked)
+{
+    highp float rise = cosineOf(march, side, outwards, offset);
+    if (weight <= 0.0 || rise <= blocked.horizon) return;
+    highp float still_open = lightBelow(side, rise);
+    blocked.sum += weight * (blocked.open - still_open);
+    blocked.open = still_open;
+    blocked.horizon = rise;
+}
+
+// The blocked light of one side. Off the screen the surface last seen goes on, with the mean of the weights of both its
+// ends.
 highp float blockedOn(March march, Slice slice, Side side, highp float sign)
 {
     highp vec3 outwards = outward(march, slice, sign);
     highp float angle = radians(angle_bias);
     // The tangent, raised by the bias, at most up to the camera.
     highp float horizon = side.cos_n < sin(angle) ? 1.0 : side.cos_n * sin(angle) - side.sin_n * cos(angle);
-    highp float open = lightBelow(side, horizon);
-    highp float blocked = 0.0;
+    Blocked blocked = Blocked(horizon, lightBelow(side, horizon), 0.0);
+    highp float edge = edgeOf(march, slice, sign);
+    highp float stride = strideOf(edge);
+    highp vec3 before = vec3(0.0);
+    highp vec3 way = vec3(0.0);
     for (int i = 0; i < STEPS; ++i) {
         highp vec3 offset;
-        highp vec2 at = tapAt(march, slice, sign, i);
+        highp vec2 at = tapAt(march, slice, sign, stride, i);
         if (!offsetAt(march, at, offset)) continue;
-        highp float weight = weightOf(march, offset);
-        highp float rise = cosineOf(march, side, outwards, offset);
-        if (weight <= 0.0 || rise <= horizon) continue;
-        highp float still_open = lightBelow(side, rise);
-        blocked += weight * (open - still_open);
-        open = still_open;
-        horizon = rise;
+        raise(march, side, outwards, offset, weightOf(march, offset), blocked);
+        way = offset - before;
+        before = offset;
     }
-    return blocked;
+    highp float weight = weightOf(march, before);
+    if (edge < 1.0 && weight > 0.0) {
+        highp vec3 end = goneOn(before, way);
+        raise(march, side, outwards, end, 0.5 * (weight + weightOf(march, end)), blocked);
+    }
+    return blocked.sum;
 }
 
 // Of all slices, 0..1.

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What plans foretell of formats, vertices and the screen, against what changes, over random
-// set-ups.
+// What plans foretell of formats and vertices, against what changes, over random set-ups.
 //
 // A set-up is a small scene in other units through a config: seen from within or from afar, through
 // planes, formats and projections of any kind. It is drawn as it is, and again in 32 bits between
 // ordinary planes. It changed where the mean change is more than half a step of 8 bits; a warning
 // is false where it is less than an eighth. Scenes have occlusion to lose: planes are open in any
 // format (tests/effects/precision_gl_test.cpp).
-//
-// Of large radii nothing exact can be drawn: there the occlusion over that of the ground truth is
-// compared with the same at an ordinary radius.
 #include "tests/support/gl_fixture.h"
 #include "tests/support/picture.h"
 
@@ -17,7 +13,6 @@
 #include <crevice/shipped.h>
 
 #include "core/base/numbers.h"
-#include "tools/reference/tracer.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/mesh_shapes.h"
 #include "tools/stress/geometry.h"
@@ -40,7 +35,6 @@ constexpr Extent kExtent = {96, 64};
 constexpr double kUnseenChange = 0.0005;
 constexpr double kLeastRecall = 0.99;
 constexpr double kMostFalse = 0.05;
-constexpr double kOrdinaryHeights = 0.12;  // a radius, in heights of the view
 
 class Random {
 public:
@@ -63,7 +57,7 @@ struct Subject {
     const char* geometry = "";
 };
 
-enum class Kind { depth, view_depth, position, vertices, screen };
+enum class Kind { depth, view_depth, position, vertices };
 
 struct Group {
     Kind kind;
@@ -71,8 +65,6 @@ struct Group {
     std::vector<Subject> subjects;
 };
 
-// A sphere kernel's flat walls are grey, so that its large radii mean nothing; nor do those of
-// authors' shaders, which clamp what lies off the screen.
 std::vector<Group> groups()
 {
     const std::vector<Subject> depth = {{"gtao"},           {"mobile"},   {"hbao"},
@@ -95,17 +87,14 @@ std::vector<Group> groups()
              "view depth",
              {{"gtao", "", kLinearGeometry}, {"hemisphere_box", "", kLinearGeometry}}},
             {Kind::position, "positions", position},
-            {Kind::vertices, "vertices", all},
-            {Kind::screen,
-             "radius",
-             {{"gtao"}, {"mobile"}, {"hbao"}, {"bitmask"}, {"balanced"}, {"high"}}}};
+            {Kind::vertices, "vertices", all}};
 }
 
 struct Setup {
     Scene scene, exact_scene;
     StressView view, exact_view;
     Format depth = Format::none, colour = Format::none;  // none: the config's own
-    double unit = 1, radius = 0.5, ordinary_radius = 0.5;
+    double unit = 1, radius = 0.5;
 };
 
 // Boxes on a floor before two walls.
@@ -190,7 +179,7 @@ Setup randomSetup(Random& random, Kind kind)
     setup.scene = randomScene(random);
     const double half = chooseView(random, setup);
     setup.exact_view = setup.view;
-    if (kind != Kind::vertices && kind != Kind::screen) {
+    if (kind != Kind::vertices) {
         choosePlanes(random, setup.view, setup.exact_view, half);
         setup.depth = random.of({Format::depth16, Format::depth24, Format::depth32f});
     }
@@ -199,8 +188,7 @@ Setup randomSetup(Random& random, Kind kind)
                                               : Format::rgba32f;
     setup.unit = random.powerOfTen(-2, 2);
     const double height = 2 * half * setup.unit;
-    setup.ordinary_radius = kOrdinaryHeights * height;
-    setup.radius = height * random.powerOfTen(-1.1, kind == Kind::screen ? 3 : -0.5);
+    setup.radius = height * random.powerOfTen(-1.1, -0.5);
     setup.scene = placed(setup.scene, glm::scale(glm::dmat4(1.0), glm::dvec3(setup.unit)));
     scale(setup.view, setup.unit);
     scale(setup.exact_view, setup.unit);
@@ -294,30 +282,6 @@ struct Tally {
     }
 };
 
-// Share of the ground truth's occlusion that a picture has.
-double strength(const Image& ao, const Setup& setup, double radius)
-{
-    TraceOptions options;
-    options.radius = radius;
-    options.rays = 16;
-    Image truth =
-        need(traceAmbientOcclusion(setup.scene, cameraOf(setup.view, kExtent), kExtent, options));
-    for (float& each : truth.pixels)
-        if (std::isnan(each)) each = 1;
-    return (1 - mean(ao)) / (1 - mean(truth));
-}
-
-void countScreen(Stage& stage, const Subject& subject, const Setup& setup, Tally& tally)
-{
-    const Drawn drawn = stage.draw(subject, setup, false);
-    Setup ordinary = setup;
-    ordinary.radius = setup.ordinary_radius;
-    const Drawn before = stage.draw(subject, ordinary, false);
-    const double kept =
-        strength(drawn.ao, setup, setup.radius) / strength(before.ao, setup, ordinary.radius);
-    tally.add(drawn.warned, kept<kLeastKept, kept> kLeastStrength);
-}
-
 void count(Stage& stage, const Subject& subject, const Setup& setup, Tally& tally)
 {
     const Drawn exact = stage.draw(subject, setup, true);
@@ -333,10 +297,7 @@ Tally tallyOf(Stage& stage, const Group& group, Random& random, int setups)
     for (int i = 0; i < setups; ++i) {
         const Subject& subject = group.subjects[i % group.subjects.size()];
         const Setup setup = randomSetup(random, group.kind);
-        if (group.kind == Kind::screen)
-            countScreen(stage, subject, setup, tally);
-        else
-            count(stage, subject, setup, tally);
+        count(stage, subject, setup, tally);
     }
     return tally;
 }
@@ -356,7 +317,6 @@ TEST_CASE("What changes a picture is foretold, and little that does not")
     Random random(1);
     Tally all;
     for (const Group& group : groups()) {
-        if (group.kind == Kind::screen && !canTrace()) continue;
         const Tally tally = tallyOf(stage, group, random, 60);
         CAPTURE(group.name, tally.changed, tally.missed, tally.warned, tally.false_alarms);
         CHECK(tally.changed >= 10);
@@ -374,7 +334,6 @@ TEST_CASE("Figures of what is foretold", "[.]")
     Random random(1000);
     Tally all;
     for (const Group& group : groups()) {
-        if (group.kind == Kind::screen && !canTrace()) continue;
         const Tally tally = tallyOf(stage, group, random, 600);
         print(group.name, tally);
         CAPTURE(group.name);

@@ -35,6 +35,7 @@ struct Place {
 
 const Place kRoom = {"room"};
 const Place kSpheres = {"spheres"};
+const Place kWalkedUpTo = {"room", "eye=-0.9,0.6,-0.3;at=-1.1,0.4,-1.25"};
 const Place kNearPlane = {"room", "eye=4,2,6;at=0,1,0;near=0.0005"};  // stiff for depth16
 
 struct Edit {
@@ -65,8 +66,12 @@ const Prediction kPredictions[] = {
      kRoom,
      {"balanced"},
      {"balanced", {"filter/upsample=filter/bilateral_normal"}}},
-    {"off screen", kIdealScreen, kRoom, {"gtao", {"guard_band=1"}}, {"gtao", {"guard_band=2"}}},
-    {"off screen", kIdealScreen, kRoom, {"no_band"}, {"gtao", {"guard_band=2"}}, kBar},
+    {"off screen",
+     kIdealScreen,
+     kWalkedUpTo,
+     {"gtao", {"guard_band=1"}},
+     {"gtao", {"guard_band=2"}}},
+    {"off screen", kIdealScreen, kWalkedUpTo, {"no_band"}, {"gtao", {"guard_band=2"}}, kBar},
     {"hidden layers",
      kIdealLayers,
      kRoom,
