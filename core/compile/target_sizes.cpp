@@ -16,12 +16,14 @@ std::string text(const Extent& extent)
     return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
-// In float on purpose: 0.1f is a little above 0.1, and in double 1000 * 0.1f would round up to 101.
+// Rounded up, but for what the rounding of `scale` to a float adds: 1.2f is a little above 1.2, and
+// 360 * 1.2 is 432.
 int scaled(int size, float scale)
 {
-    constexpr float kLargest = 1e9f;  // fits an int; far over what any device takes
-    const float product = static_cast<float>(size) * scale;
-    return static_cast<int>(std::max(1.0f, std::ceil(std::min(product, kLargest))));
+    constexpr double kLargest = 1e9;     // fits an int; far over what any device takes
+    constexpr double kEpsilon = 6.0e-8;  // 2^-24: half a step of floats, relative
+    const double product = size * (scale * (1 - kEpsilon));
+    return static_cast<int>(std::max(1.0, std::ceil(std::min(product, kLargest))));
 }
 
 bool within(const Extent& extent, int limit)

@@ -29,7 +29,21 @@ TEST_CASE("Sizes are rounded up and never vanish")
     CHECK(size("0.5", 101, 64) == Extent{51, 32});
     CHECK(size("0.25", 3, 1) == Extent{1, 1});
     CHECK(size("2", 101, 64) == Extent{202, 128});
-    CHECK(size("0.1", 1000, 10) == Extent{100, 1});  // 0.1f is above 0.1: no 101
+}
+
+TEST_CASE("A scale's own rounding adds no pixel")
+{
+    for (int hundredths = 5; hundredths <= 200; hundredths += 5) {
+        const std::string scale = std::to_string(hundredths / 100.0);
+        const std::string json = R"({"format": ["r8"], "size": {"scale": )" + scale + "}}";
+        const Description description = describe(oneTarget(json));
+        for (const int size : {7, 90, 100, 360, 480, 640, 768, 1000}) {
+            INFO(scale << " of " << size);
+            const int expected = (size * hundredths + 99) / 100;
+            CHECK(planOf(description, {}, sized(size, size)).textures[0].extent ==
+                  Extent{expected, expected});
+        }
+    }
 }
 
 TEST_CASE("A size may follow another target's")
