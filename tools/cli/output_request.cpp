@@ -43,6 +43,25 @@ Diagnostic unknownOutput(const Description& description, const std::string& name
     return error;
 }
 
+/// Where a pattern has the frame's number.
+struct FramePlace {
+    std::size_t at = 0;
+    std::size_t size = 0;  ///< Of what the number takes the place of; 0: there is no such place.
+    std::size_t digits = 0;
+};
+
+/// The first '%', where it begins %d or %0Nd with N of 1 to 9.
+FramePlace framePlaceOf(const std::string& pattern)
+{
+    const std::size_t at = pattern.find('%');
+    if (at == std::string::npos) return {};
+    if (pattern.compare(at, 2, "%d") == 0) return {at, 2, 1};
+    const bool padded = pattern.size() >= at + 4 && pattern[at + 1] == '0' &&
+                        pattern[at + 2] >= '1' && pattern[at + 2] <= '9' && pattern[at + 3] == 'd';
+    if (!padded) return {};
+    return {at, 4, static_cast<std::size_t>(pattern[at + 2] - '0')};
+}
+
 /// Exports a target under a name of its own and returns that name.
 std::string exportTarget(Description& description, const std::string& target)
 {
@@ -70,6 +89,22 @@ Result<OutputRequest> parseOutputRequest(const std::string& text)
         return usageError("the file '" + request.file + "' of --out is neither .png nor .pfm",
                           "PNG holds 8 bits a channel for looking at, PFM 32-bit floats");
     return request;
+}
+
+std::string frameFile(const std::string& pattern, int frame)
+{
+    const FramePlace place = framePlaceOf(pattern);
+    std::string number = std::to_string(frame);
+    if (number.size() < place.digits) number.insert(0, place.digits - number.size(), '0');
+    return pattern.substr(0, place.at) + number + pattern.substr(place.at + place.size);
+}
+
+Status checkFramePattern(const std::string& file)
+{
+    const FramePlace place = framePlaceOf(file);
+    if (place.size > 0 && file.find('%', place.at + 1) == std::string::npos) return {};
+    return usageError("the file '" + file + "' of --out has not one place for the frame's number",
+                      "with --path write a file as 'frame_%03d.png', with one %d or %03d");
 }
 
 Result<OutputSource> exposeOutput(Description& description, const std::string& name)

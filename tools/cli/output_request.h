@@ -19,6 +19,13 @@ struct OutputRequest {
 /// neither PNG nor PFM.
 Result<OutputRequest> parseOutputRequest(const std::string& text);
 
+/// The file of a frame, [0, ...): "frame_%03d.png" gives "frame_007.png". `pattern` is one that
+/// checkFramePattern accepts.
+std::string frameFile(const std::string& pattern, int frame);
+
+/// Errors: CV8001 for a file without one place for the frame's number, written %d or %03d.
+Status checkFramePattern(const std::string& file);
+
 /// How a request is met: the config's output that holds the pixels, and how a view shows them.
 struct OutputSource {
     std::string output;

@@ -189,7 +189,7 @@ void showSummary(const RenderOptions& options, Session& session, const SceneView
 
 int render(const RenderOptions& options)
 {
-    Result<std::vector<Picture>> pictures = readRequests(options.out);
+    Result<std::vector<Picture>> pictures = readRequests(options);
     if (!pictures) return report(pictures.diagnostics(), options.json);
     const bool saves = !options.save_patch.empty();
     if (saves)
@@ -207,11 +207,14 @@ int render(const RenderOptions& options)
     Result<Session> session =
         view ? openSession(options, *view, *description, *outputs, progress) : view.diagnostics();
     progress.begin("drawing");
-    const Result<double> ms = session ? draw(options, *session, *pictures) : session.diagnostics();
+    const bool moves = !options.path.empty();
+    const Result<double> ms = !session ? session.diagnostics()
+                              : moves  ? drawPath(options, *view, *session, *pictures)
+                                       : draw(options, *session, *pictures);
     progress.wipe();
     if (!ms) return report(ms.diagnostics(), options.json);
 
-    const Status written = writePictures(*pictures);
+    const Status written = moves ? Status() : writePictures(*pictures);
     if (!written) return report(written.diagnostics(), options.json);
     if (saves)
         if (const Status patch = savePatch(options.config, sources, options.save_patch); !patch)
@@ -234,9 +237,14 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
         ->capture_default_str();
     app.add_option("--frames", options.frames,
                    "Number of frames to draw; the last one is written. Configs that accumulate "
-                   "over frames need several")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
+                   "over frames need several. Default: 1, or 32 with --path")
+        ->check(CLI::Range(1, 100000));
+    std::string paths = "Move the camera, and write every frame to a file such as frame_%03d.png:";
+    for (const CameraPath& path : kCameraPaths)
+        paths +=
+            std::string(&path == kCameraPaths ? " " : ", ") + path.name + " (" + path.what + ")";
+    app.add_option("--path", options.path, paths + ". The last frame is that of --camera")
+        ->type_name("NAME");
     app.add_option("--save-patch", options.save_patch,
                    "Write a config that extends CONFIG and says what --variant and --set changed")
         ->type_name("FILE.json");
@@ -265,15 +273,21 @@ void addRenderCommand(CLI::App& app, int& exit_code)
             "--watch", options->watch,
             "Draw again whenever a file of the config is saved, until interrupted; after a bad "
             "edit the last pictures stay")
-        ->excludes(json);
+        ->excludes(json)
+        ->excludes("--path");
     command->footer(
         "Examples:\n"
         "  crevice render learnopengl\n"
         "  crevice render learnopengl --scene model.glb --size 1920x1080 --set radius=0.8 \\\n"
         "      --out color=lit.png --out ao=ao.pfm\n"
         "  crevice render my.json --watch\n"
+        "  crevice render gtao_temporal --path pan --out 'ao=frame_%03d.png'\n"
         "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
-    command->callback([options, &exit_code] { exit_code = render(*options); });
+    command->callback([options, command, &exit_code] {
+        if (!options->path.empty() && command->count("--out") == 0)
+            options->out = {"color=color_%03d.png"};
+        exit_code = render(*options);
+    });
 }
 
 }  // namespace crevice

@@ -5,6 +5,7 @@
 #include "tools/cli/output.h"
 #include "tools/image/image_file.h"
 #include "tools/render/read_output.h"
+#include "tools/render/view_check.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +18,18 @@ using Clock = std::chrono::steady_clock;
 double millisecondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Gives the milliseconds by the wall clock, the wait for the GPU included.
+Result<double> timeFirst(Session& session)
+{
+    Device& device = *session.open.device;
+    device.finish();
+    const Clock::time_point start = Clock::now();
+    const Status drawn = session.renderer->render(session.frame);
+    if (!drawn) return drawn.diagnostics();
+    device.finish();
+    return {millisecondsSince(start), drawn.diagnostics()};
 }
 
 Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
@@ -35,12 +48,18 @@ Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
 
 }  // namespace
 
-Result<std::vector<Picture>> readRequests(const std::vector<std::string>& texts)
+Result<std::vector<Picture>> readRequests(const RenderOptions& options)
 {
+    const bool frames = !options.path.empty();
+    if (frames)
+        if (const auto path = findCameraPath(options.path); !path) return path.diagnostics();
     std::vector<Picture> pictures;
-    for (const std::string& text : texts) {
+    for (const std::string& text : options.out) {
         const Result<OutputRequest> request = parseOutputRequest(text);
         if (!request) return request.diagnostics();
+        if (frames)
+            if (const Status known = checkFramePattern(request->file); !known)
+                return known.diagnostics();
         const Status writable = checkWritable(request->file);
         if (!writable) return writable.diagnostics();
         for (const Picture& other : pictures)
@@ -101,21 +120,46 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
 
 Result<double> draw(const RenderOptions& options, Session& session, std::vector<Picture>& pictures)
 {
-    Device& device = *session.open.device;
-    device.finish();
-    const Clock::time_point start = Clock::now();
-    const Status drawn = session.renderer->render(session.frame);
-    if (!drawn) return drawn.diagnostics();
-    device.finish();
-    const double ms = millisecondsSince(start);
+    const Result<double> first = timeFirst(session);
+    if (!first) return first;
     for (int i = 1; i < options.frames; ++i)
         if (const Status again = session.renderer->render(session.frame); !again)
             return again.diagnostics();
     for (Picture& picture : pictures) {
-        const Status read = readPicture(device, *session.renderer, picture);
+        const Status read = readPicture(*session.open.device, *session.renderer, picture);
         if (!read) return read.diagnostics();
     }
-    return {ms, drawn.diagnostics()};
+    return first;
+}
+
+Result<double> drawPath(const RenderOptions& options, const SceneView& view, Session& session,
+                        std::vector<Picture>& pictures)
+{
+    const Result<CameraPath> path = findCameraPath(options.path);
+    if (!path) return path.diagnostics();
+    const Result<Image> depth = drawDepth(*session.open.device, session.frame, view.extent);
+    if (!depth) return depth.diagnostics();
+    const double distance = medianDistance(*depth, session.frame.camera).value_or(1.0);
+    const PathView end = {view.camera, view.extent, distance};
+    const int frames = options.frames > 0 ? options.frames : kPathFrames;
+    const double aspect = double(view.extent.width) / view.extent.height;
+    RenderOptions one = options;
+    one.frames = 1;
+    Result<double> first = 0.0;
+    for (int frame = 0; frame < frames; ++frame) {
+        const SceneCamera camera = cameraAt(*path, end, frame, frames);
+        const auto cameras = eyeCameras(camera, options.stereo, aspect);
+        if (!cameras) return cameras.diagnostics();
+        session.frame = makeFrame(*session.scene, *cameras, view.extent);
+        const Result<double> ms = draw(one, session, pictures);
+        if (!ms) return ms;
+        if (frame == 0) first = ms;
+        std::vector<Picture> named = pictures;
+        for (Picture& picture : named)
+            picture.request.file = frameFile(picture.request.file, frame);
+        if (const Status written = writePictures(named); !written) return written.diagnostics();
+    }
+    return first;
 }
 
 Status writePictures(const std::vector<Picture>& pictures)

@@ -7,6 +7,7 @@
 #include "tools/cli/config_options.h"
 #include "tools/cli/output_request.h"
 #include "tools/device/open_device.h"
+#include "tools/render/camera_path.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/stereo.h"
 #include "tools/scene/options.h"
@@ -20,6 +21,9 @@ namespace crevice {
 
 class Progress;
 
+/// Frames along a path unless another number is asked for.
+constexpr int kPathFrames = 32;
+
 struct RenderOptions {
     ConfigOptions config;
     SceneOptions scene;
@@ -30,7 +34,8 @@ struct RenderOptions {
     std::vector<std::string> out = {"color=color.png"};
     std::vector<std::string> disable;
     std::string save_patch;
-    int frames = 1;
+    std::string path;  ///< A camera path's name; every frame of it is written. Empty: none.
+    int frames = 0;    ///< 0: one, or kPathFrames along a path.
     bool watch = false;
     bool json = false;
 };
@@ -42,9 +47,9 @@ struct Picture {
     Image image = {};
 };
 
-/// Everything about --out that can be wrong, found before anything slow begins.
+/// Everything about --out and --path that can be wrong, found before anything slow begins.
 /// Errors: CV8001, CV7007.
-Result<std::vector<Picture>> readRequests(const std::vector<std::string>& texts);
+Result<std::vector<Picture>> readRequests(const RenderOptions& options);
 
 /// Has the description export every picture, and lists those exports. Errors: CV2209.
 Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures,
@@ -69,6 +74,11 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
 /// Draws the frames and reads every picture of the last one back. Gives the milliseconds of the
 /// first, by the wall clock, the wait for the GPU included.
 Result<double> draw(const RenderOptions& options, Session& session, std::vector<Picture>& pictures);
+
+/// Draws the frames of the camera path of that name, which ends at the view's camera, and writes
+/// every picture of each. Gives what `draw` gives. Errors: CV7007, and those of `draw`.
+Result<double> drawPath(const RenderOptions& options, const SceneView& view, Session& session,
+                        std::vector<Picture>& pictures);
 
 /// Errors: CV7007.
 Status writePictures(const std::vector<Picture>& pictures);
