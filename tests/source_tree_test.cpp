@@ -31,8 +31,8 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
       "renderer"}},
     {"backends", {"gl", "context", "recording"}},
     {"tools",
-     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "measure",
-      "bench", "stress", "report", "commands"}},
+     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "motion",
+      "measure", "bench", "stress", "report", "commands"}},
 };
 
 std::string readText(const fs::path& path)

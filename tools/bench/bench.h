@@ -30,6 +30,7 @@ struct BenchOptions {
     std::string camera = {};
     std::string output = kOcclusionOutput;  ///< The timed passes are those that it needs.
     int rays = 256;
+    bool motion = false;  ///< Measure what changes along camera paths, too.
     Shard shard = {};
     std::string version = {};  ///< Of crevice; part of each key.
 };

@@ -5,6 +5,7 @@
 #include "tools/bench/times.h"
 #include "tools/image/image_file.h"
 #include "tools/image/image_metrics.h"
+#include "tools/motion/measure.h"
 #include "tools/plan/costs.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/render/read_output.h"
@@ -93,7 +94,10 @@ struct BenchMeter::Setting {
     std::string reference;
     UploadedScene scene;
     Frame frame;
-    Result<Image> ground_truth = Image();  ///< Or why there is none.
+    Result<Image> ground_truth = Image();              ///< Or why there is none.
+    std::optional<double> distance;                    ///< Median, in view.
+    std::optional<MotionView> motion;                  ///< None until it is asked for.
+    Result<MotionTruth> motion_truth = MotionTruth();  ///< Of `motion`, or why there is none.
     double radius_px = 0;
     std::unique_ptr<Renderer> depth;
     std::unique_ptr<Renderer> copy;
@@ -115,8 +119,8 @@ Status BenchMeter::Setting::makeCopy(Device& device, const SourceSet& sources, d
     if (const Status done = depth->render(frame); !done) return done;
     const Result<Image> image = readOutput(device, *depth, "depth");
     if (!image) return image.diagnostics();
-    if (const auto distance = medianDistance(*image, frame.camera))
-        radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
+    distance = medianDistance(*image, frame.camera);
+    if (distance) radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
 
     const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
     if (!copied) return copied.diagnostics();
@@ -207,6 +211,7 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     if (!renderer) return renderer.diagnostics();
     const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
+    if (options_.motion) measureMotion(task, **renderer, sample);
     if (sample.output != kOcclusionOutput)
         renderer = setting_->makeRenderer(device_, task.description, {sample.output});
     if (!renderer) return renderer.diagnostics();
@@ -258,6 +263,29 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSa
             figures->rmse, [&](unsigned ideal) { return idealError(task, ideal); },
             sample.budget_failure);
     return {};
+}
+
+/// Whatever keeps it from being measured goes to the sample, whose other figures stay.
+void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, BenchSample& sample)
+{
+    Setting& setting = *setting_;
+    const BenchView& view = setting.view;
+    if (!setting.motion) {
+        const PathView end = {view.camera, view.extent, setting.distance.value_or(1.0)};
+        setting.motion.emplace(
+            MotionView{*view.scene, view.bounds, end, task.sample.radius, options_.cache_folder});
+        setting.motion_truth = traceMotion(*setting.motion, options_.interrupted, options_.tracing);
+    }
+    const Result<MotionTruth>& truth = setting.motion_truth;
+    const auto figures = [&]() -> Result<MotionFigures> {
+        if (!truth) return truth.diagnostics();
+        const MotionStage stage = {device_, renderer, setting.frame};
+        return crevice::measureMotion(stage, *setting.motion, *truth, options_.interrupted);
+    }();
+    if (figures)
+        sample.motion = *figures;
+    else
+        sample.motion_failure = failureText(figures.diagnostics());
 }
 
 /// Kept with all taps, since the other sample counts of a config share it.

@@ -20,6 +20,7 @@ struct MeasureOptions {
     /// Timed turns, at least; up to four times as many where ratios do not settle.
     int repeats = 7;
     bool budget = true;        ///< Measure the error budget.
+    bool motion = false;       ///< Measure what changes along camera paths.
     std::string cache_folder;  ///< For ground truths; empty for none.
     std::string out_folder;    ///< Pictures go to its pictures/; empty for none.
     std::function<bool()> interrupted = [] { return false; };
@@ -44,6 +45,7 @@ private:
 
     Status enter(const BenchTask& task);
     Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
+    void measureMotion(const BenchTask& task, Renderer& renderer, BenchSample& sample);
     Status measureTimes(Renderer& renderer, BenchSample& sample);
     Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
     Result<double> idealError(const BenchTask& task, unsigned ideal);

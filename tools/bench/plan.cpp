@@ -50,7 +50,7 @@ std::string commandHash(const BenchOptions& options)
 
 /// Over all that decides a sample's figures on a device.
 ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
-                  const std::string& content)
+                  const std::string& content, bool motion)
 {
     const BenchSample& sample = task.sample;
     ContentHash hash;
@@ -65,6 +65,7 @@ ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::s
     hash.addText(task.reference);
     hash.addText(content);
     if (sample.output != kOcclusionOutput) hash.addText(sample.output);
+    if (motion) hash.addText("motion");
     return hash;
 }
 
@@ -264,8 +265,8 @@ void Planner::addTask(const Place& place, const std::string& config,
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
     if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
 
-    const ContentHash hash =
-        keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string());
+    const ContentHash hash = keyOf(task, place.radius, overrides,
+                                   loaded ? loaded->content : std::string(), options_.motion);
     sample.key = hash.hex();
     sample.overrides = std::move(overrides);
     if (!keys_.insert(sample.key).second) return;

@@ -22,13 +22,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, taps, filter, half_size, off_screen, hidden_layers,
                                    precision, model)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangeFigures, rms, p99, p999, truth, rmse, changes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncoveredFigures, frames, rmse)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionFigures, paths, settled_after, uncovered, uncovered_rest,
+                                   uncovered_pixels)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, family, output,
                                    scene, camera, extent, radius, rays, radius_px, samples,
                                    triangles, device, software, version, error, error_without_ao,
-                                   budget, budget_failure, clock, repeats, total, cost, passes,
-                                   ratio_copy, ratio_learnopengl, texture_bytes, bytes_read,
-                                   bytes_written, ao_picture, ground_truth_picture,
-                                   difference_picture)
+                                   budget, budget_failure, motion, motion_failure, clock, repeats,
+                                   total, cost, passes, ratio_copy, ratio_learnopengl,
+                                   texture_bytes, bytes_read, bytes_written, ao_picture,
+                                   ground_truth_picture, difference_picture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, bench_samples)
 
 namespace {
@@ -53,6 +57,8 @@ BenchSample parseSample(nlohmann::json json)
 {
     const bool not_finite = replaceNulls(json);
     json.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
+    json.emplace("motion", MotionFigures());
+    json.emplace("motion_failure", "");
     BenchSample sample = json.get<BenchSample>();
     if (not_finite && sample.failure.empty()) sample.failure = "a figure is not finite";
     return sample;
@@ -149,7 +155,13 @@ std::string outputSuffix(const BenchSample& sample)
     return sample.output == kOcclusionOutput ? "" : " output=" + sample.output;
 }
 
-std::string toJsonLine(const BenchSample& sample) { return jsonLine(sample); }
+std::string toJsonLine(const BenchSample& sample)
+{
+    nlohmann::json json = sample;
+    if (sample.motion.paths.empty()) json.erase("motion");
+    if (sample.motion_failure.empty()) json.erase("motion_failure");
+    return jsonLine(json);
+}
 
 std::string toJsonLine(const PlannedBench& planned)
 {

@@ -9,6 +9,8 @@
 // whole.
 #pragma once
 
+#include "tools/motion/figures.h"
+
 #include <crevice/image.h>
 #include <crevice/result.h>
 
@@ -79,6 +81,9 @@ struct BenchSample {
     double error_without_ao = 0;  ///< The rmse that no ambient occlusion at all has here.
     ErrorBudget budget;
     std::string budget_failure;  ///< Why a part of it could not be measured; else empty.
+
+    MotionFigures motion;        ///< Without paths where it was not asked for.
+    std::string motion_failure;  ///< Why it could not be measured; else empty.
 
     std::string clock;  ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
     int repeats = 0;

@@ -51,6 +51,7 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     MeasureOptions measure = command.measure;
     measure.rays = command.bench.rays;
     measure.budget = !command.no_budget;
+    measure.motion = command.bench.motion;
     measure.cache_folder = command.cache.path();
     measure.out_folder = command.run.out;
     measure.interrupted = interrupted;
@@ -177,6 +178,8 @@ void addBenchCommand(CLI::App& app, int& exit_code)
         ->capture_default_str();
     command->add_flag("--no-budget", options->no_budget,
                       "Do not measure what would change the error: much quicker");
+    command->add_flag("--motion", options->bench.motion,
+                      "Measure what changes while the camera moves, too: slow at large sizes");
     addRunOptions(*command, options->run, "bench sample", "results.jsonl and pictures");
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);

@@ -75,6 +75,7 @@ public:
           orthographic_(camera.orthographic()),
           extent_(extent),
           radius_(options.radius),
+          rotated_(options.rotated),
           probes_(makeProbes(options.rays))
     {
     }
@@ -86,7 +87,15 @@ public:
         if (!scene_.intersect(primaryRay(x, y), hit))
             return std::numeric_limits<float>::quiet_NaN();
         if (radius_ <= 0.0) return 1.0f;
-        return visibility(hit, hashed(static_cast<std::uint32_t>(x) + hashed(y)));
+        const std::uint32_t seed = hashed(static_cast<std::uint32_t>(x) + hashed(y));
+        return visibility(hit, rotated_ ? seed : 0u);
+    }
+
+    SurfacePoint surface(int x, int y) const
+    {
+        TraceHit hit;
+        if (!scene_.intersect(primaryRay(x, y), hit)) return {};
+        return {hit.position + scene_.center(), hit.geometric_normal, true};
     }
 
 private:
@@ -152,6 +161,7 @@ private:
     const bool orthographic_;
     const Extent extent_;
     const double radius_;
+    const bool rotated_;
     const std::vector<Probe> probes_;
 };
 
@@ -211,6 +221,20 @@ Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Ex
     traceRows(tracer, image, next_row, options.progress);
     for (std::thread& helper : helpers) helper.join();
     return image;
+}
+
+Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Extent extent)
+{
+    const TraceOptions options;
+    if (const Status status = checkOptions(camera, extent, options); !status)
+        return status.diagnostics();
+    const auto built = EmbreeScene::build(scene, glm::inverse(camera.view_from_world)[3]);
+    if (!built) return built.diagnostics();
+    const Tracer tracer(**built, camera, extent, options);
+    SurfaceMap map{extent, {}};
+    for (int y = 0; y < extent.height; ++y)
+        for (int x = 0; x < extent.width; ++x) map.points.push_back(tracer.surface(x, y));
+    return map;
 }
 
 bool canTrace() { return true; }

@@ -32,6 +32,10 @@ struct TraceOptions {
     int rays = 256;       ///< Rays a pixel, [1, kMaxTraceRays]. Time grows in step with it.
     int threads = 0;      ///< 0 takes one a processor. The picture does not depend on it.
     std::function<void(double done)> progress = {};  ///< Called on the caller's thread, [0, 1].
+    /// Another rotation of the rays in each pixel, so that noise averages out over a picture.
+    /// False: every point takes the same rays about its normal, so that noise cancels in the
+    /// difference of two pictures at nearly one point.
+    bool rotated = true;
 };
 
 /// Ambient visibility, 1 open to 0 blocked, one channel; pixels that see no surface are NaN. Any
@@ -41,6 +45,27 @@ struct TraceOptions {
 /// built without Embree, CV6011 for a projection that has no inverse.
 Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Extent extent,
                                     const TraceOptions& options);
+
+/// What the centre of a pixel sees.
+struct SurfacePoint {
+    glm::dvec3 position;  ///< In the world.
+    glm::dvec3 normal;    ///< The triangle's, towards the eye, of length 1.
+    bool seen = false;    ///< False where there is no surface: the others then mean nothing.
+};
+
+/// Rows from the bottom up, as an image's.
+struct SurfaceMap {
+    Extent extent;
+    std::vector<SurfacePoint> points;
+
+    const SurfacePoint& at(int x, int y) const
+    {
+        return points[static_cast<std::size_t>(y) * extent.width + x];
+    }
+};
+
+/// The surfaces that `traceAmbientOcclusion` shades. Errors: the same.
+Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Extent extent);
 
 /// False when built without Embree.
 bool canTrace();

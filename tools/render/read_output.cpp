@@ -9,13 +9,13 @@ namespace {
 
 constexpr int kGatheringFrames = 32;
 
+}  // namespace
+
 bool remembers(const Plan& plan)
 {
     return std::any_of(plan.targets.begin(), plan.targets.end(),
                        [](const PlanTarget& target) { return target.history_texture >= 0; });
 }
-
-}  // namespace
 
 Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name, int view)
 {

@@ -16,6 +16,9 @@ namespace crevice {
 Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_view name,
                          int view = 0);
 
+/// Whether what a frame shows depends on the frames before it.
+bool remembers(const Plan& plan);
+
 /// Draws the frame and reads an output. A plan with histories draws it 32 times, by when a mean
 /// over frames has gathered what it can, so that the picture does not depend on what was drawn
 /// before.

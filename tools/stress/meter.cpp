@@ -45,12 +45,6 @@ bool isOrdinary(const StressTask& task)
     return task.step == static_cast<int>(task.stress->ordinary);
 }
 
-bool remembers(const Plan& plan)
-{
-    return std::any_of(plan.targets.begin(), plan.targets.end(),
-                       [](const PlanTarget& target) { return target.history_texture >= 0; });
-}
-
 /// Why a config that was put over the shot's geometry is none; null where it is one.
 const char* missingFrom(const Description& description, const StressShot& shot)
 {

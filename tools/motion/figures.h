@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What occlusion does while the camera moves, in figures: `crevice bench --motion`.
+#pragma once
+
+#include <crevice/image.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// Along one camera path. A change is that of one surface point from a frame to the next, less the
+/// ground truth's change at the same place.
+struct ChangeFigures {
+    double rms = 0;         ///< Of the changes.
+    double p99 = 0;         ///< 99th percentile of the absolute change.
+    double p999 = 0;        ///< 99.9th.
+    double truth = 0;       ///< Rms of the ground truth's own change, from interpolation.
+    double rmse = 0;        ///< Of the error while the camera moves.
+    long long changes = 0;  ///< Points that count, over all pairs of frames.
+};
+
+/// Of surfaces that have come into view.
+struct UncoveredFigures {
+    int frames = 0;   ///< Drawn since, from 1.
+    double rmse = 0;  ///< Of the error there.
+};
+
+/// All paths. Nothing where no motion was measured.
+struct MotionFigures {
+    std::map<std::string, ChangeFigures> paths;  ///< By tools/render/camera_path.h's name.
+    /// Frames of a still camera after which no pixel changes any more; 0: not within 32.
+    int settled_after = 0;
+    std::vector<UncoveredFigures> uncovered;
+    double uncovered_rest = 0;  ///< The error there after 32 frames of a still camera.
+    long long uncovered_pixels = 0;
+};
+
+/// The ground truth of consecutive frames, and where each one's points are in the next; one less.
+struct PathTruth {
+    std::vector<Image> frames;
+    std::vector<Image> flows;
+};
+
+/// Figures of drawn frames. Requires as many as the ground truth has, at least two.
+ChangeFigures changeFigures(const std::vector<Image>& frames, const PathTruth& truth);
+
+/// Rms of (frame - truth) where the truth is finite and the mask, if any, is above 0.
+double errorOver(const Image& frame, const Image& truth, const Image* mask = nullptr);
+
+/// After how many of the frames nothing changes; 0 where the last of them still does.
+class Settling {
+public:
+    void add(const Image& frame);
+    int frames() const { return changed_ < count_ || count_ == 1 ? changed_ : 0; }
+
+private:
+    Image last_;
+    int count_ = 0;
+    int changed_ = 0;  ///< The last frame that was another than the one before it.
+};
+
+}  // namespace crevice
