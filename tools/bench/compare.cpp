@@ -46,6 +46,7 @@ public:
         compareError("rmse", before.error.rmse, now.error.rmse);
         compareError("rmse_fit", before.error.rmse_fit, now.error.rmse_fit);
         compareBias(before.error.bias, now.error.bias);
+        compareMotion(before.motion, now.motion);
         if (limits_.errors_only) return;
         if (!same_device) {
             ++result.without_ratios;
@@ -58,12 +59,23 @@ public:
     BenchComparison result;
 
 private:
-    void compareError(const char* figure, double before, double now)
+    void compareError(const std::string& figure, double before, double now)
     {
         if (now > before + most_error_)
             result.worse.push_back({sample_, figure, before, now, before + most_error_});
         else if (now < before - most_error_)
             result.better_errors.push_back({sample_, figure, before, now, before - most_error_});
+    }
+
+    /// Where both were measured.
+    void compareMotion(const MotionFigures& before, const MotionFigures& now)
+    {
+        for (const auto& [path, figures] : before.paths) {
+            const auto same = now.paths.find(path);
+            if (same == now.paths.end()) continue;
+            compareError("motion " + path, figures.rms, same->second.rms);
+            compareError("motion " + path + " rmse", figures.rmse, same->second.rmse);
+        }
     }
 
     /// Of the other sign it is another one, however small.

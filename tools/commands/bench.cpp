@@ -2,19 +2,23 @@
 // crevice bench: error against run time of many configs, scenes, sizes and sample counts.
 #include "tools/bench/ablation.h"
 #include "tools/bench/measure.h"
+#include "tools/bench/views.h"
 #include "tools/cli/long_run.h"
 #include "tools/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/device/open_device.h"
 #include "tools/measure/run_options.h"
+#include "tools/motion/table.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/scene/builtin_scenes.h"
 #include "tools/scene/options.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <memory>
 
 namespace crevice {
@@ -40,6 +44,25 @@ int listTasks(const BenchPlan& plan)
     return exitCodeOf(plan.diagnostics);
 }
 
+/// What the results have of the plan's motion, a table for each view and radius.
+void printMotion(const BenchPlan& plan, const std::vector<BenchSample>& samples,
+                 const std::string& device)
+{
+    std::map<std::string, const BenchSample*> known;
+    for (const BenchSample& sample : samples) known[sample.key] = &sample;
+    std::map<std::string, std::vector<MotionRow>> tables;  // by their titles
+    for (const BenchTask& task : plan.tasks) {
+        const auto found = known.find(keyOnDevice(task.sample.key, device));
+        if (found == known.end() || found->second->motion.paths.empty()) continue;
+        const BenchSample& sample = *found->second;
+        const std::string title = viewName(sample.scene, sample.camera) + ", " +
+                                  extentName(sample.extent) + ", radius " + shortest(sample.radius);
+        tables[title].push_back({sampleLabel(sample), sample.error.rmse, sample.motion});
+    }
+    for (const auto& [title, rows] : tables)
+        print("%s\n\n%s\n", title.c_str(), motionTable(rows).c_str());
+}
+
 int measureErrors(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
                   Device& device, double time_budget)
 {
@@ -61,9 +84,11 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
         benchJob(plan, planned.device, std::move(file->done),
                  [&meter](const BenchTask& task) { return meter.measure(task); });
     const MeasureSummary summary = measureOnConsole(job, file->lines, time_budget, progress);
-    if (const Result<BenchResults> results = readBenchResults({file->lines.path()}); results)
+    if (const Result<BenchResults> results = readBenchResults({file->lines.path()}); results) {
+        if (measure.motion) printMotion(plan, results->samples, planned.device);
         if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
             printMessage("%s\n", part.c_str());
+    }
     return exitCodeOf(summary);
 }
 
@@ -179,7 +204,8 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     command->add_flag("--no-budget", options->no_budget,
                       "Do not measure what would change the error: much quicker");
     command->add_flag("--motion", options->bench.motion,
-                      "Measure what changes while the camera moves, too: slow at large sizes");
+                      "Measure what changes while the camera moves, too, and print it; traces 13 "
+                      "ground truths a view, so choose a small --size");
     addRunOptions(*command, options->run, "bench sample", "results.jsonl and pictures");
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);

@@ -27,7 +27,6 @@ public:
         TraceOptions options;
         options.radius = view_.radius;
         options.rays = kMotionRays;
-        options.rotated = false;
         constexpr double kAll = std::size(kCameraPaths) * kMeasuredFrames;
         if (progress_) options.progress = [this](double done) { progress_((done_ + done) / kAll); };
         const Extent extent = view_.end.extent;

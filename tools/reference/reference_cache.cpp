@@ -128,7 +128,6 @@ std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent
     hash.add(extent.height);
     hash.add(options.radius);
     hash.add(options.rays);
-    if (!options.rotated) hash.addText("the same rays");
     return hash.hex();
 }
 

@@ -28,7 +28,7 @@ struct CacheOptions {
 void addCacheOptions(CLI::App& app, CacheOptions& options);
 
 /// A hash over the scene's triangles and cut-outs, the camera's matrices, the size, the radius, the
-/// number of rays, whether they are rotated, and the tracer's version: 16 hex digits.
+/// number of rays and the tracer's version: 16 hex digits.
 std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent,
                          const TraceOptions& options);
 

@@ -75,7 +75,6 @@ public:
           orthographic_(camera.orthographic()),
           extent_(extent),
           radius_(options.radius),
-          rotated_(options.rotated),
           probes_(makeProbes(options.rays))
     {
     }
@@ -87,8 +86,7 @@ public:
         if (!scene_.intersect(primaryRay(x, y), hit))
             return std::numeric_limits<float>::quiet_NaN();
         if (radius_ <= 0.0) return 1.0f;
-        const std::uint32_t seed = hashed(static_cast<std::uint32_t>(x) + hashed(y));
-        return visibility(hit, rotated_ ? seed : 0u);
+        return visibility(hit, hashed(static_cast<std::uint32_t>(x) + hashed(y)));
     }
 
     SurfacePoint surface(int x, int y) const
@@ -161,7 +159,6 @@ private:
     const bool orthographic_;
     const Extent extent_;
     const double radius_;
-    const bool rotated_;
     const std::vector<Probe> probes_;
 };
 

@@ -32,10 +32,6 @@ struct TraceOptions {
     int rays = 256;       ///< Rays a pixel, [1, kMaxTraceRays]. Time grows in step with it.
     int threads = 0;      ///< 0 takes one a processor. The picture does not depend on it.
     std::function<void(double done)> progress = {};  ///< Called on the caller's thread, [0, 1].
-    /// Another rotation of the rays in each pixel, so that noise averages out over a picture.
-    /// False: every point takes the same rays about its normal, so that noise cancels in the
-    /// difference of two pictures at nearly one point.
-    bool rotated = true;
 };
 
 /// Ambient visibility, 1 open to 0 blocked, one channel; pixels that see no surface are NaN. Any

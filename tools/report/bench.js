@@ -81,13 +81,16 @@ function sampleLists(labels) {
 
 function showMissing(parent) {
   const left = data.advice.flatMap(a => a.elided),
-        partly = benchSamples.filter(p => !p.failure && p.budget_failure);
-  if (!data.failures.length && !left.length && !partly.length) return;
+        partly = benchSamples.filter(p => !p.failure && p.budget_failure),
+        unmoved = benchSamples.filter(p => !p.failure && p.motion_failure);
+  if (!data.failures.length && !left.length && !partly.length && !unmoved.length) return;
   add(parent, "h2", {id: "missing"}, "What is missing");
   const list = add(parent, "ul", {class: "missing"});
   for (const {title, reason} of data.failures) add(list, "li", {}, `${title}: ${reason}`);
   for (const p of partly)
     add(list, "li", {}, `${p.label}, ${p.scene}: a part of its error: ${p.budget_failure}`);
+  for (const p of unmoved)
+    add(list, "li", {}, `${p.label}, ${p.scene}: its motion: ${p.motion_failure}`);
   for (const text of left) add(list, "li", {}, `Not among those to choose from: ${text}`);
 }
 

@@ -195,6 +195,7 @@ function showScene(parent, views, take) {
     draw();
     rest.replaceChildren();
     showBudgets(rest, view);
+    showMotion(rest, view);
     showCurves(rest, view.curves, "How it scales");
     showTable(rest, view, i => {
       select(i);

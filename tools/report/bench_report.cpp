@@ -71,8 +71,9 @@ std::string quoted(const json& value)
     return safe + '"';
 }
 
-/// The columns of the CSV: what they are called, and JSON pointers into a sample. The config comes
-/// first and free of commas, so that awk can distinguish the rows.
+/// The columns of the CSV: what they are called, and JSON pointers into a sample; what it does not
+/// have stays empty. The config comes first and free of commas, so that awk can distinguish the
+/// rows.
 constexpr const char* kColumns[][2] = {
     {"config", "/config"},
     {"overrides", "/overrides"},
@@ -99,6 +100,12 @@ constexpr const char* kColumns[][2] = {
     {"hidden_layers", "/budget/hidden_layers"},
     {"precision", "/budget/precision"},
     {"model", "/budget/model"},
+    {"still_rms", "/motion/paths/still/rms"},
+    {"sub_pixel_rms", "/motion/paths/sub-pixel/rms"},
+    {"pan_rms", "/motion/paths/pan/rms"},
+    {"strafe_rms", "/motion/paths/strafe/rms"},
+    {"pan_rmse", "/motion/paths/pan/rmse"},
+    {"settled_after", "/motion/settled_after"},
     {"clock", "/clock"},
     {"repeats", "/repeats"},
     {"cost_ms", "/cost/median"},
@@ -149,8 +156,10 @@ std::string reportCsv(const std::vector<BenchSample>& samples)
     for (const BenchSample& sample : samples) {
         const json row = json::parse(toJsonLine(sample));
         std::string line;
-        for (const auto& [name, pointer] : kColumns)
-            line += quoted(flat(row.at(json::json_pointer(pointer)))) + ",";
+        for (const auto& [name, pointer] : kColumns) {
+            const json::json_pointer place(pointer);
+            line += (row.contains(place) ? quoted(flat(row[place])) : "") + ",";
+        }
         line.pop_back();
         csv += line + "\r\n";
     }

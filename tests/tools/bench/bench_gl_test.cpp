@@ -37,6 +37,7 @@ std::vector<BenchSample> bench(const BenchOptions& options, const SourceSet& sou
     MeasureOptions measure;
     measure.rays = options.rays;
     measure.repeats = 3;
+    measure.motion = options.motion;
     measure.out_folder = folder.path.string();
     BenchMeter meter(*gl.device, plan, sources, measure);
     PlannedBench planned = plan.planned;
@@ -156,6 +157,57 @@ TEST_CASE("A bench of whole frames times the lighting too, and has the errors of
     CHECK(forward.passes.back().name == "lighting");
     const double drawn = forward.passes.front().ms.median + forward.passes.back().ms.median;
     CHECK(forward.cost.median + 0.5 * drawn < forward.total.median);
+}
+
+TEST_CASE("A bench measures motion: open pictures change as the truth alone, and taps flicker")
+{
+    if (!canTrace()) return;
+    const TemporaryFolder folder("bench_gl_motion");
+    BenchOptions options = smallOptions();
+    options.motion = true;
+    options.configs = {"gtao"};
+    options.overrides = {"intensity=0"};
+    const BenchSample open = bench(options, shippedSources(), folder).at(0);
+    REQUIRE(open.motion_failure.empty());
+    REQUIRE(open.motion.paths.size() == 4);
+    for (const auto& [path, figures] : open.motion.paths) {
+        INFO(path);
+        CHECK(figures.changes > 1000);
+        CHECK(figures.rms == Approx(figures.truth));
+        CHECK((figures.truth > 0.0) == (path != "still"));
+        CHECK(figures.rmse == Approx(open.error_without_ao).epsilon(0.1));
+    }
+    CHECK(open.motion.settled_after == 1);
+
+    options.overrides = {};
+    const BenchSample gtao = bench(options, shippedSources(), folder).at(1);
+    REQUIRE(gtao.motion.paths.size() == 4);
+    CHECK(gtao.motion.paths.at("still").p999 == 0.0);
+    CHECK(gtao.motion.paths.at("pan").rms > gtao.motion.paths.at("sub-pixel").rms);
+    CHECK(gtao.motion.paths.at("pan").p99 > gtao.motion.paths.at("pan").rms);
+    CHECK(gtao.motion.paths.at("still").rmse == Approx(gtao.error.rmse).epsilon(0.1));
+    REQUIRE(gtao.motion.uncovered.size() == 5);
+    // Without a history, what was uncovered is as it is at rest.
+    for (const UncoveredFigures& each : gtao.motion.uncovered)
+        CHECK(each.rmse == gtao.motion.uncovered_rest);
+}
+
+TEST_CASE("A mean over frames is less exact while the camera moves, and settles again")
+{
+    if (!canTrace()) return;
+    const TemporaryFolder folder("bench_gl_temporal");
+    BenchOptions options = smallOptions();
+    options.motion = true;
+    options.configs = {"gtao_temporal"};
+    options.sizes = {"96x54"};
+    const MotionFigures motion = bench(options, shippedSources(), folder).at(0).motion;
+    REQUIRE(motion.paths.size() == 4);
+    CHECK(motion.paths.at("still").rms < motion.paths.at("sub-pixel").rms);
+    CHECK(motion.paths.at("still").rmse < motion.paths.at("pan").rmse);
+    REQUIRE(motion.uncovered.size() == 5);
+    CHECK(motion.uncovered_pixels > 0);
+    CHECK(motion.uncovered.front().frames == 1);
+    CHECK(motion.uncovered.back().frames == 16);
 }
 
 TEST_CASE("Two benches find exactly the same errors")

@@ -64,6 +64,10 @@ TEST_CASE("The key of a sample is the same in every plan and changes with what d
     other.output = "color";
     CHECK(keys(other).front() != first.front());
     CHECK(plan(other).planned.command != plan(options).planned.command);
+    other = options;
+    other.motion = true;  // the same sample with more figures: measured again, compared with both
+    CHECK(keys(other).front() != first.front());
+    CHECK(plannedId(plan(other).tasks[0].sample) == plannedId(plan(options).tasks[0].sample));
 }
 
 TEST_CASE("A bench of another output shares no id, title or curve with one of ao")

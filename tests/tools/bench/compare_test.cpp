@@ -118,6 +118,26 @@ TEST_CASE("a cost ratio is worse beyond its share")
     CHECK(compared(now).worse.empty());
 }
 
+TEST_CASE("motion is compared where both benches have it, along each path that both have")
+{
+    BenchSample before = kBefore, now = kBefore;
+    before.motion.paths["pan"].rms = 0.02;
+    before.motion.paths["pan"].rmse = 0.05;
+    CHECK(!compareBenches({before}, {now}).differs());
+    CHECK(!compareBenches({now}, {before}).differs());
+    now.motion.paths["strafe"].rms = 0.5;
+    CHECK(!compareBenches({before}, {now}).differs());
+    now.motion.paths["pan"] = before.motion.paths["pan"];
+    now.motion.paths["pan"].rms = 0.021;
+    now.motion.paths["pan"].rmse = 0.049;
+    const BenchComparison result = compareBenches({before}, {now});
+    REQUIRE(result.worse.size() == 1);
+    CHECK(result.worse[0].figure == "motion pan");
+    CHECK(result.worse[0].now == 0.021);
+    REQUIRE(result.better_errors.size() == 1);
+    CHECK(result.better_errors[0].figure == "motion pan rmse");
+}
+
 TEST_CASE("on another device errors are compared and ratios are not")
 {
     BenchSample now = kBefore;

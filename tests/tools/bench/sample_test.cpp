@@ -78,6 +78,30 @@ TEST_CASE("a bench sample of another output is another one, and old lines are of
     CHECK(read->at(1).output == "color");
 }
 
+TEST_CASE("motion comes back as it was written, and lines without it have none")
+{
+    const TemporaryFolder folder("bench_sample");
+    BenchSample moving = benchSample("a", 4, 1, 0.1);
+    moving.motion.paths["sub-pixel"] = {0.01, 0.02, 0.3, 0.004, 0.05, 1000};
+    moving.motion.settled_after = 7;
+    moving.motion.uncovered = {{1, 0.3}, {16, 0.1}};
+    moving.motion.uncovered_rest = 0.09;
+    moving.motion.uncovered_pixels = 12;
+    BenchSample failed = benchSample("b", 4, 1, 0.1);
+    failed.motion_failure = "the camera sees no surface";
+    const BenchSample still = benchSample("c", 4, 1, 0.1);
+    CHECK(line(still).find("motion") == std::string::npos);
+    const auto read =
+        readBenchSamples({folder.write("a.jsonl", line(moving) + line(failed) + line(still))});
+    REQUIRE(read.ok());
+    REQUIRE(read->size() == 3);
+    CHECK(line(read->at(0)) == line(moving));
+    CHECK(read->at(0).motion.paths.at("sub-pixel").p999 == 0.3);
+    CHECK(read->at(0).motion.uncovered.at(1).frames == 16);
+    CHECK(read->at(1).motion_failure == failed.motion_failure);
+    CHECK(read->at(2).motion.paths.empty());
+}
+
 TEST_CASE("a bench's folder stands for the results in it")
 {
     const TemporaryFolder folder("bench_sample");

@@ -79,6 +79,23 @@ TEST_CASE("a name is an output before it is a target, and target.NAME reaches th
     CHECK(targetOf(description, plain->output) == "normal");
 }
 
+TEST_CASE("a file pattern has one place for a frame's number, padded where it says so")
+{
+    CHECK(frameFile("frame_%03d.png", 7) == "frame_007.png");
+    CHECK(frameFile("frame_%03d.png", 1234) == "frame_1234.png");
+    CHECK(frameFile("a/%d.pfm", 12) == "a/12.pfm");
+    for (const char* file : {"frame_%03d.png", "%d.pfm", "a/%09d.png"})
+        CHECK(checkFramePattern(file).ok());
+    for (const char* file : {"a.png", "%.png", "%3d.png", "%0d.png", "%00d.png", "%03x.png",
+                             "%s.png", "%d%d.png", "100%_%d.png", "%03"}) {
+        INFO(file);
+        const Status known = checkFramePattern(file);
+        REQUIRE_FALSE(known.ok());
+        CHECK(known.diagnostics().front().code == Code::usage);
+        CHECK(known.diagnostics().front().help.find("frame_%03d.png") != std::string::npos);
+    }
+}
+
 TEST_CASE("asking twice for one target exports it once")
 {
     Description description = smallDescription();

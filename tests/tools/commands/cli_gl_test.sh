@@ -32,6 +32,18 @@ expect 0 '"views": 2' render learnopengl "${small[@]}" --stereo 0.5 --convergenc
     --set intensity=0 --out ao=eyes.pfm --json
 
 # Intensity 0 leaves the whole AO chain out; the constant still fills the picture.
+# A path's last frame is the picture without one; all of its frames are there, and no others.
+expect 0 'wrote path_%02d.pfm' render gtao "${small[@]}" --path pan --frames 3 --out ao=path_%02d.pfm
+check "a path writes as many frames as asked for" test "$(echo path_*.pfm)" = 'path_00.pfm path_01.pfm path_02.pfm'
+expect 0 'wrote' render gtao "${small[@]}" --out ao=end.pfm
+check "a path ends at the camera" cmp -s path_02.pfm end.pfm
+check "a path begins elsewhere" test "$(cmp path_00.pfm path_01.pfm)"
+expect 0 'wrote' render gtao_temporal "${small[@]}" --path still --frames 8 --out ao=path_%d.pfm
+expect 0 'wrote' render gtao_temporal "${small[@]}" --frames 8 --out ao=end.pfm
+check "a path keeps the history of its frames" cmp -s path_7.pfm end.pfm
+expect 0 'wrote color_%03d.png' render gtao "${small[@]}" --path strafe
+check "a path has 32 frames unless told" test -s color_031.png
+
 expect 0 'wrote' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm
 expect 1 'CV7006|CV7005' compare open.pfm "$readme"
 expect 0 'wrote' reference --scene corner --size 96x64 --radius 0 --rays 1 --out one.pfm

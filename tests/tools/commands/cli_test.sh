@@ -7,6 +7,12 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../../support/cli_checks.sh"
 readme=$2
 
 # --- usage ---
+expect 2 "CV8001.*no camera path 'pam'" render gtao --path pam
+expect 2 "help: did you mean 'pan'" render gtao --path pam
+expect 2 "CV8001: the file 'ao.png'.*place for the frame" render gtao --path pan --out ao=ao.png
+expect 2 'frame_%03d.png' render gtao --path pan --out ao=%d%d.png
+expect 2 'not in range' render gtao --path pan --frames 0 --out ao=%d.png
+expect 2 'excludes --watch' render gtao --path pan --watch
 expect 0 '^crevice 0\.1\.0$' --version
 expect 0 'Exit codes' --help
 for command in render validate explain compare reference; do
