@@ -12,8 +12,10 @@ namespace {
 
 std::string figuresText(const BenchSample& sample)
 {
-    return "rmse " + fixed(sample.error.rmse, 4) + ", " + fixed(sample.total.median, 2) + " ms, " +
-           fixed(sample.ratio_copy, 2) + " x copy";
+    const std::string text = "rmse " + fixed(sample.error.rmse, 4) + ", " +
+                             fixed(sample.total.median, 2) + " ms, " + fixed(sample.ratio_copy, 2) +
+                             " x copy";
+    return sample.motion_failure.empty() ? text : text + ", no motion: " + sample.motion_failure;
 }
 
 }  // namespace

@@ -215,7 +215,8 @@ void addBenchCommand(CLI::App& app, int& exit_code)
         ->add_flag("--ablate", options->ablate,
                    "Time frames with all optimizations, without each one and without any, into "
                    "ablation.jsonl")
-        ->excludes("--output");
+        ->excludes("--output")
+        ->excludes("--motion");
     command->add_flag("--list", options->list,
                       "Print the bench samples, each a config in one view, and measure nothing");
     command->footer(

@@ -10,8 +10,8 @@
 
 namespace crevice {
 
-/// Along one camera path. A change is that of one surface point from a frame to the next, less the
-/// ground truth's change at the same place.
+/// Along one camera path; after its jump, of one that has one. A change is that of one surface
+/// point from a frame to the next, less the ground truth's change at the same place.
 struct ChangeFigures {
     double rms = 0;         ///< Of the changes.
     double p99 = 0;         ///< 99th percentile of the absolute change.

@@ -72,13 +72,17 @@ public:
         const Image& mask = truth_.uncovered;
         figures.uncovered_pixels = std::count(mask.pixels.begin(), mask.pixels.end(), 1.0f);
         figures.uncovered_rest = errorOver(rest_, truth_.rest, &mask);
+        std::vector<Image> frames;
         for (int frame = 0; frame < kMotionFrames; ++frame) {
-            const Result<Image> image = draw(path, frame, frame == 0);
+            Result<Image> image = draw(path, frame, frame == 0);
             if (!image) return image.diagnostics();
             const int since = frame + 1 - (kMotionFrames - kFramesAfterJump);
             if (std::count(std::begin(kUncoveredFor), std::end(kUncoveredFor), since) > 0)
                 figures.uncovered.push_back({since, errorOver(*image, truth_.rest, &mask)});
+            if (since >= 1 && since <= kMeasuredFrames) frames.push_back(std::move(*image));
         }
+        // The camera has stopped: the truth is that of a still one.
+        figures.paths[path.name] = changeFigures(frames, truth_.paths.at(kCameraPaths[0].name));
         return {};
     }
 

@@ -6,7 +6,7 @@
 namespace crevice {
 namespace {
 
-constexpr const char* kColumns[] = {"still", "sub-pixel", "pan", "strafe"};
+constexpr const char* kColumns[] = {"still", "sub-pixel", "pan", "strafe", "disocclusion"};
 
 /// Of the frames since surfaces were uncovered, those that the table shows.
 constexpr int kShownFrames[] = {1, 4, 16};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Below each plot: what occlusion does while the camera moves, where that was measured.
 "use strict";
-const PATHS = ["still", "sub-pixel", "pan", "strafe"];
+const PATHS = ["still", "sub-pixel", "pan", "strafe", "disocclusion"];
 
 function showMotion(parent, view) {
   const known = view.bench_samples.filter(i => benchSamples[i].motion)
@@ -29,5 +29,5 @@ function showMotion(parent, view) {
   }
 }
 function changeText(c) {
-  return c ? `${error(c.rms)} (${c.p99.toFixed(3)}, ${c.p999.toFixed(3)})` : "–";
+  return c ? `${c.rms.toFixed(4)} (${c.p99.toFixed(3)}, ${c.p999.toFixed(3)})` : "–";
 }

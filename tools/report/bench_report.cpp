@@ -104,6 +104,7 @@ constexpr const char* kColumns[][2] = {
     {"sub_pixel_rms", "/motion/paths/sub-pixel/rms"},
     {"pan_rms", "/motion/paths/pan/rms"},
     {"strafe_rms", "/motion/paths/strafe/rms"},
+    {"disocclusion_rms", "/motion/paths/disocclusion/rms"},
     {"pan_rmse", "/motion/paths/pan/rmse"},
     {"settled_after", "/motion/settled_after"},
     {"clock", "/clock"},

@@ -74,10 +74,10 @@ TEST_CASE("a crease counts, and the background does not")
         }
     SurfaceMap moved = crease;
     for (SurfacePoint& point : moved.points) {
-        point.position.x += 0.5;
+        point.position.x += 0.25;
         point.position.z = std::max(point.position.x - 20, 0.0);
     }
-    const Image flow = flowTo(crease, moved, plantedCamera(0.5, 0));
+    const Image flow = flowTo(crease, moved, plantedCamera(0.25, 0));
     for (int x = 1; x < kPlanted.width; ++x) CHECK(counts(flow, x));
 
     SurfaceMap open = plantedSurfaces(0, 0);

@@ -207,6 +207,20 @@ TEST_CASE("a report says what failed, even where everything did")
     CHECK(!page({}).empty());
 }
 
+TEST_CASE("a report has motion where it was measured")
+{
+    auto samples = sweep();
+    samples[1].motion.paths["pan"] = {0.0123, 0.05, 0.25, 0.004, 0.0678, 1000};
+    samples[1].motion.settled_after = 3;
+    const auto report = nlohmann::json::parse(reportJson(samples));
+    CHECK_FALSE(report["bench_samples"][0].contains("motion"));
+    CHECK(report["bench_samples"][1]["motion"]["paths"]["pan"]["rms"] == 0.0123);
+    const std::string csv = reportCsv(samples);
+    CHECK(holds(csv, ",pan_rms,"));
+    CHECK(holds(csv, ",0.0123,"));
+    CHECK(holds(csv, ",0.0678,3,"));
+}
+
 TEST_CASE("the CSV has a row a sample, and quotes what needs it")
 {
     auto samples = sweep();

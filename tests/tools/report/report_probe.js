@@ -30,6 +30,7 @@ document.querySelectorAll(".switch button")[1].click();
 found.ratioAxis = document.querySelector(".pareto > svg").textContent.includes("copy of the depth texture");
 found.stillMarks = document.querySelectorAll(".pareto .point").length;
 found.budgets = document.querySelectorAll(".budget").length;
+found.motion = [...document.querySelectorAll("tr.motion")].map(r => r.textContent).join(";");
 found.slopes = [...document.querySelectorAll(".charts .legend")].filter(l => / −?\d\.\d\d/.test(l.textContent)).length;
 found.tableRows = document.querySelectorAll("tbody.bench-samples tr").length;
 found.missing = document.querySelector(".missing").textContent.includes("the shader does not link");
