@@ -58,7 +58,8 @@ bool DrawItem::operator==(const DrawItem& other) const
 {
     return mesh.value == other.mesh.value && first == other.first && count == other.count &&
            world_from_model == other.world_from_model && material == other.material &&
-           bounds_center == other.bounds_center && bounds_radius == other.bounds_radius;
+           bounds_center == other.bounds_center && bounds_radius == other.bounds_radius &&
+           sheet == other.sheet;
 }
 
 const Camera& cameraOf(const Frame& frame, std::size_t view)
@@ -73,7 +74,7 @@ bool SceneTraits::operator==(const SceneTraits& other) const
            orthographic == other.orthographic && turned == other.turned &&
            reversed_depth == other.reversed_depth && normal_mapped == other.normal_mapped &&
            baked_occlusion == other.baked_occlusion && material_ambient == other.material_ambient &&
-           views == other.views && camera == other.camera;
+           sheets == other.sheets && views == other.views && camera == other.camera;
 }
 
 bool CameraRange::operator==(const CameraRange& other) const
@@ -109,6 +110,7 @@ SceneTraits steadyTraitsOf(const Frame& frame)
             continue;
         const Material& material = frame.materials[draw.material];
         traits.alpha_tested = traits.alpha_tested || material.alpha_cutoff > 0.0f;
+        traits.sheets = traits.sheets || isSheet(draw, material);
         traits.specular =
             traits.specular || glm::any(glm::greaterThan(material.specular, glm::vec3(0.0f)));
         traits.textured = traits.textured || material.base_color_map;

@@ -209,6 +209,11 @@ bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
     return mirrors(item.world_from_model) != mirrors(camera.view_from_world);
 }
 
+bool isSheet(const DrawItem& item, const Material& material)
+{
+    return item.sheet || material.alpha_cutoff > 0.0f;
+}
+
 glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world)
 {
     if (!light.directional) return glm::vec4(view_from_world * glm::dvec4(light.position, 1.0));

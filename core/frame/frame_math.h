@@ -48,6 +48,9 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix);
 /// Whether front faces of an item come out as back faces: it, the view or the projection mirrors.
 bool isMirrored(const DrawItem& item, const CameraMatrices& camera);
 
+/// Whether it has no back of its own, so that no pass culls it.
+bool isSheet(const DrawItem& item, const Material& material);
+
 /// Whether nothing of the item shows in a view `wider` times as wide and high as the camera's.
 /// Never true of one without bounds.
 bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider);

@@ -44,9 +44,10 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"occlusion_strength", GlslType::float_, 1, kDrawList},
 };
 
-const TraitInfo kTraits[11] = {
+const TraitInfo kTraits[12] = {
     {"scene.lights", "SCENE_LIGHTS", nullptr, &SceneTraits::lights, kMaxLights},
     {"scene.alpha_tested", "SCENE_ALPHA_TESTED", &SceneTraits::alpha_tested},
+    {"scene.sheets", "SCENE_SHEETS", &SceneTraits::sheets},
     {"scene.specular", "SCENE_SPECULAR", &SceneTraits::specular},
     {"scene.textured", "SCENE_TEXTURED", &SceneTraits::textured},
     {"camera.orthographic", "CAMERA_ORTHOGRAPHIC", &SceneTraits::orthographic},

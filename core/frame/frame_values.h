@@ -80,7 +80,7 @@ struct TraitInfo {
     }
 };
 
-extern const TraitInfo kTraits[11];
+extern const TraitInfo kTraits[12];
 
 /// The trait of that name, or null.
 const TraitInfo* findTrait(std::string_view name);

@@ -11,11 +11,13 @@
 namespace crevice {
 namespace {
 
-// The state that culls what `state` keeps, for draws that are mirrored.
-StateDesc turned(StateDesc state)
+// What to cull of a draw in a pass that culls `cull`: the other side where it is mirrored, and
+// nothing of a sheet.
+Cull cullOf(Cull cull, const DrawItem& item, const Material& material, const CameraMatrices& camera)
 {
-    state.cull = state.cull == Cull::back ? Cull::front : Cull::back;
-    return state;
+    if (cull == Cull::none || isSheet(item, material)) return Cull::none;
+    if (!isMirrored(item, camera)) return cull;
+    return cull == Cull::back ? Cull::front : Cull::back;
 }
 
 /// Null where there is none of that name, or a null id behind it.
@@ -299,17 +301,18 @@ PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& came
 
 void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
 {
-    bool mirrored = false;
+    StateDesc state = pass.state;
     for (const DrawItem& item : drawn_.draws) {
         if (item.count == 0) continue;
         if (pass.plan->frustum_scale > 0.0f && isOutside(item, camera, pass.plan->frustum_scale))
             continue;
-        if (pass.state.cull != Cull::none && isMirrored(item, camera) != mirrored) {
-            mirrored = !mirrored;
-            device_.setProgram(pass.program, mirrored ? turned(pass.state) : pass.state);
+        const Material& material = drawn_.materials[item.material];
+        const Cull cull = cullOf(pass.state.cull, item, material, camera);
+        if (cull != state.cull) {
+            state.cull = cull;
+            device_.setProgram(pass.program, state);
             setTextures(pass.textures);
         }
-        const Material& material = drawn_.materials[item.material];
         values_.setDraw(item, material, camera);
         setUniforms(pass.draw_uniforms);
         for (const TextureBinding& binding : pass.material_textures) {

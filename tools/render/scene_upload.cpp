@@ -2,6 +2,8 @@
 // A scene's objects on a device, and frames of them.
 #include "tools/render/scene_upload.h"
 
+#include "tools/scene/mesh_normals.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -101,7 +103,9 @@ Status UploadedScene::uploadTextures(const Scene& scene)
 
 Status UploadedScene::uploadMeshes(const Scene& scene)
 {
+    std::vector<bool> open;
     for (const MeshDesc& mesh : scene.meshes) {
+        open.push_back(isOpen(mesh));
         meshes_.emplace_back();
         if (mesh.indices.empty()) continue;
         const Result<MeshId> id = device_->createMesh(mesh);
@@ -114,6 +118,7 @@ Status UploadedScene::uploadMeshes(const Scene& scene)
         DrawItem item = {meshes_[instance.mesh], 0, count, instance.world_from_model,
                          instance.material};
         setBounds(item, scene.meshes[instance.mesh]);
+        item.sheet = open[instance.mesh];
         frame_.draws.push_back(item);
     }
     return {};

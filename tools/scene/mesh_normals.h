@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals and shared vertices of imported meshes, in time that grows with n log n whatever the mesh
+// Normals, shared vertices and open edges of imported meshes, in time that grows with n log n whatever the mesh
 // looks like: files hold fans of a million triangles and as many copies of one.
 #pragma once
 
@@ -17,5 +17,10 @@ void fillNormals(MeshDesc& mesh);
 
 /// Makes vertices that are equal in everything one, and drops those that no triangle uses.
 void joinVertices(MeshDesc& mesh);
+
+/// Whether most of the mesh's area is surfaces with open edges, rather than the hull of a body:
+/// leaves, cloth, a floor. A body may have holes whose outline is short for its area, as scanned
+/// models have.
+bool isOpen(const MeshDesc& mesh);
 
 }  // namespace crevice

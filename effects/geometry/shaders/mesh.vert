@@ -17,6 +17,8 @@ layout(location = 0) in vec3 model_point;
 layout(location = 1) in vec3 model_normal;
 layout(location = 2) in vec2 model_uv;
 
+invariant gl_Position;  // a sheet's back is its front, in any pass
+
 out vec3 point;
 out vec3 facing;
 out vec2 uv;

@@ -1,8 +1,8 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Depth of the nearest surface behind another depth.
+// Depth of the nearest surface behind another depth; with AT_ONCE also of one at that depth, as the back of a sheet.
 //
-//   behind  depth texture of the same size
+//   behind  depth texture of the same size, and of the same format as `depth`
 // [Everitt 2001, "Interactive Order-Independent Transparency"]
 precision highp float;
 
@@ -16,9 +16,16 @@ void main()
 {
     float nearer = texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r;
 #if CAMERA_REVERSED_DEPTH
-    if (gl_FragCoord.z >= nearer) discard;
+    float beyond = nearer - gl_FragCoord.z;
 #else
-    if (gl_FragCoord.z <= nearer) discard;
+    float beyond = gl_FragCoord.z - nearer;
+#endif
+    // The depth of one surface, as the texture has it and as it comes, differs by less.
+    float same = 2.0 * (DEPTH_STEP.x + DEPTH_STEP.y * nearer);
+#ifdef AT_ONCE
+    if (beyond < -same) discard;
+#else
+    if (beyond <= same) discard;
 #endif
     materialAlbedo(uv);
 }

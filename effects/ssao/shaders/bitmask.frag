@@ -56,6 +56,11 @@ struct Trail {
     bool inside;   // whether its front is within the radius
 };
 
+// How deep a sheet, whose back is its front, counts in radii: less parts steep sheets between taps, more closes what is
+// open behind leaves. rmse of `high` in a courtyard of open shells and among leaves: 0.037 and 0.129, with 0.1 0.070 and
+// 0.145, with 0.2 0.042 and 0.127, with 0.3 0.035 and 0.134.
+const float kSheet = 0.25;
+
 // Both ends are rounded: 0.0459 and 0.0250. Rounded down and up, about as in the authors' code, 0.0469 and 0.0256.
 uint maskOf(float first, float last)
 {
@@ -136,13 +141,18 @@ vec3 awayAt(March march, vec3 offset)
 }
 
 #if BACK_FACES
-// Thickness of the object whose front is at `front`: up to its back face, or `thickness` where none was drawn.
+// Thickness of the object whose front is at `front`: up to its back face, that of a sheet where the back is the front,
+// or `thickness` where none was drawn.
 float depthOf(highp sampler2D backs, March march, vec2 at, vec3 front)
 {
     vec3 back;
     bool closed = pointIn(backs, at, back);
     float deep = length(back - march.point - front);
-    return closed && back.z < march.point.z + front.z ? deep : thickness * radius;
+    if (closed && back.z < march.point.z + front.z) return deep;
+#if SCENE_SHEETS
+    if (closed) return kSheet * radius;
+#endif
+    return thickness * radius;
 }
 #endif
 

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <limits>
+#include <sstream>
 
 using namespace crevice;
 
@@ -136,6 +137,38 @@ TEST_CASE("What is mirrored is culled the other way round")
     CHECK(culls() == "bf");
     rig.frame.camera.clip_from_view[1][1] *= -1;
     CHECK(culls() == "bfb");  // the view alone
+}
+
+TEST_CASE("Nothing of a sheet is culled")
+{
+    Rig rig;
+    look(rig.frame);
+    Description description = rigDescription();
+    for (PassDesc& pass : description.passes)
+        if (pass.name == "geometry") pass.state.cull = Cull::front;
+    rig.frame.materials.push_back(rig.frame.materials[rig.frame.draws[0].material]);
+    rig.frame.materials.back().alpha_cutoff = 0.5f;
+    DrawItem body = rig.frame.draws[0], sheet = body, leaf = body;
+    sheet.sheet = true;
+    leaf.material = static_cast<int>(rig.frame.materials.size()) - 1;
+    rig.frame.draws = {body, sheet, leaf, body};
+    CHECK(traitsOf(rig.frame).sheets);
+    auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
+    REQUIRE(made.ok());
+    rig.renderer = std::move(*made);
+    const std::string log = rig.draw();
+    INFO(log);
+    std::istringstream lines(log);
+    std::string order;  // what is culled of each draw
+    char cull = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t at = line.find("cull ");
+        if (at != line.npos) cull = line[at + 5];
+        if (line.find("draw ") == 0) order += cull;
+    }
+    CHECK(order == "fnnf");
+    rig.frame.draws = {body};
+    CHECK_FALSE(traitsOf(rig.frame).sheets);
 }
 
 TEST_CASE("Normals stay normal to what they stand on")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals and shared vertices of imported meshes.
+// Normals, shared vertices and open edges of imported meshes.
 #include "tools/scene/mesh_normals.h"
 
 #include "tests/support/catch.h"
@@ -105,4 +105,38 @@ TEST_CASE("missing normals become those of the face")
     mesh.vertices[0].normal[0] = 0;
     fillNormals(mesh);
     CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("a surface with a long outline is open, a body with seams and small holes is not")
+{
+    const MeshDesc quad = makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    CHECK(isOpen(quad));
+    MeshDesc box = makeBox({-1, -1, -1}, {1, 2, 3});
+    CHECK_FALSE(isOpen(box));
+    box.indices.resize(box.indices.size() - 6);  // without one of its faces
+    CHECK(isOpen(box));
+    MeshDesc sphere = makeSphere(2.0f, 24);  // its two sides meet at a seam, where they round apart
+    for (Vertex& vertex : sphere.vertices) vertex.position[0] += 7.0f;
+    CHECK_FALSE(isOpen(sphere));
+    MeshDesc holed = sphere;
+    holed.indices.erase(holed.indices.begin() + 600, holed.indices.begin() + 606);
+    CHECK_FALSE(isOpen(holed));
+    MeshDesc half = sphere;
+    half.indices.resize(half.indices.size() / 2);
+    CHECK(isOpen(half));
+    CHECK_FALSE(isOpen(MeshDesc{}));
+}
+
+TEST_CASE("of several surfaces in one mesh those with most of the area decide")
+{
+    const auto joined = [](MeshDesc mesh, const MeshDesc& other) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+        for (const std::uint32_t index : other.indices) mesh.indices.push_back(index + first);
+        return mesh;
+    };
+    const MeshDesc box = makeBox({0, 0, 0}, {1, 1, 1});
+    const auto leaf = [](float size) { return makeQuad({3, 0, 0}, {size, 0, 0}, {0, size, 0}); };
+    CHECK_FALSE(isOpen(joined(box, leaf(2.0f))));
+    CHECK(isOpen(joined(box, leaf(3.0f))));
 }
