@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Normals, shared vertices and open edges of imported meshes, in time that grows with n log n whatever the mesh
-// looks like: files hold fans of a million triangles and as many copies of one.
+// Normals, shared vertices and open edges of imported meshes, in time that grows with n log n
+// whatever the mesh looks like: files hold fans of a million triangles and as many copies of one.
 #pragma once
 
 #include <crevice/device.h>

@@ -35,14 +35,20 @@ bool hereAt(highp vec2 at, out Here here)
     return known;
 }
 
-// 0..1; 0 in the background.
-highp float nearnessOf(highp vec2 at, Here here)
+// How far a neighbour lies off the plane, by itself and as a slope: 1 and more does not count; very far in the background.
+highp float cutsOf(highp vec2 at, Here here)
 {
     highp vec3 point;
     bool known = viewPosition(at, point);
     highp vec3 way = point - here.point;
     highp float off = abs(dot(way, here.normal));
     highp float slope = max(off - here.step, 0.0) * inversesqrt(max(dot(way, way), 1e-30));
-    highp float weight = here.whole - off * here.per_length - slope / slope_cut;
-    return known ? clamp(weight, 0.0, 1.0) : 0.0;
+    const highp float kFarOff = 1e4;  // whose square a float holds
+    return known ? min(off * here.per_length + slope / slope_cut, kFarOff) : kFarOff;
+}
+
+// 0..1; 0 in the background.
+highp float nearnessOf(highp vec2 at, Here here)
+{
+    return clamp(here.whole - cutsOf(at, here), 0.0, 1.0);
 }

@@ -53,7 +53,11 @@ struct Prediction {
 };
 
 const Prediction kPredictions[] = {
-    {"taps", kIdealTaps, kRoom, {"gtao"}, {"gtao", {"slices=16", "steps=32"}}},
+    {"taps",
+     kIdealTaps,
+     kRoom,
+     {"gtao", {"slices=1", "steps=2"}},
+     {"gtao", {"slices=16", "steps=32"}}},
     {"taps", kIdealTaps, kRoom, {"lettier", {"samples=4"}}, {"lettier", {"samples=128"}}, kBar},
     {"filter", kIdealFilter, kRoom, {"gtao"}, {"gtao", {"filter/bilateral_normal=filter/none"}}},
     {"filter",
@@ -75,8 +79,8 @@ const Prediction kPredictions[] = {
     {"hidden layers",
      kIdealLayers,
      kRoom,
-     {"bitmask", {"thickness=2"}},
-     {"bitmask_layers", {"slices=2", "steps=4", "thickness=2"}}},
+     {"bitmask", {"thickness=0.2"}},
+     {"bitmask_layers", {"slices=2", "steps=4", "thickness=0.2"}}},
     {"precision",
      kIdealFormats,
      kNearPlane,
