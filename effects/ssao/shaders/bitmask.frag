@@ -53,6 +53,7 @@ struct Trail {
     float sector;  // 0..32, of where its front ends within the radius
     float front;   // how far behind the point, along the view, it begins
     float back;    // and ends
+    float step;    // from the front of the tap before
     bool inside;   // whether its front is within the radius
 };
 
@@ -92,8 +93,10 @@ bool isJoined(Trail trail, float front, float deep, float chance)
     const float kWidest = 1.5;
     float share = max_gap / float(STEPS);
     float most = kWidest * radius;
-    return trail.inside && front - trail.back < chance * min(share * (trail.back - trail.front), most) &&
-           trail.front - front - deep < chance * min(share * deep, most);
+    float thick = trail.back - trail.front;
+    float uneven = unevenStep(front - trail.front, trail.step);
+    return trail.inside && uneven - thick < chance * min(share * thick, most) &&
+           -uneven - deep < chance * min(share * deep, most);
 }
 
 // The sectors blocked by something whose front is at `offset` and which is `deep` along the ray `away`,
@@ -126,7 +129,7 @@ uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, fl
         }
         blocked |= maskOf(sector, trail.sector);
     }
-    trail = Trail(offset, joined ? offset - trail.offset : vec3(0.0), sector, front, front + deep, inside);
+    trail = Trail(offset, joined ? offset - trail.offset : vec3(0.0), sector, front, front + deep, front - trail.front, inside);
     return blocked;
 }
 
@@ -162,9 +165,9 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
     float edge = edgeOf(march, slice, sign);
     float stride = strideOf(edge);
     uint blocked = 0u;
-    Trail trail = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, thickness * radius, true);
+    Trail trail = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, thickness * radius, 0.0, true);
 #if SECOND_LAYER
-    Trail second = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, 0.0, false);
+    Trail second = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, 0.0, 0.0, false);
 #endif
     for (int i = 0; i < STEPS; ++i) {
         vec2 at = tapAt(march, slice, sign, stride, i);

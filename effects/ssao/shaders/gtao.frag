@@ -36,6 +36,7 @@ float horizonOf(March march, Slice slice, Side side, float sign)
     vec3 before = vec3(0.0);
     vec3 way = vec3(0.0);
     float before_distance = 0.0;
+    float before_step = 0.0;
     float widest = max_gap / float(STEPS) * radius;
     for (int i = 0; i < STEPS; ++i) {
         vec2 at = tapAt(march, slice, sign, stride, i);
@@ -44,7 +45,8 @@ float horizonOf(March march, Slice slice, Side side, float sign)
         float distance_here = length(offset);
         float share = 1.0;
         way = offset - before;
-        bool joined = abs(dot(way, march.to_camera)) < widest * chanceOf(march, sign, i);
+        float step_here = dot(way, march.to_camera);
+        bool joined = abs(unevenStep(step_here, before_step)) < widest * chanceOf(march, sign, i);
         if (!joined) way = vec3(0.0);
         if (distance_here > radius) share = joined && before_distance < radius ? shareWithin(before, offset) : 0.0;
         vec3 counted = mix(before, offset, share);
@@ -52,6 +54,7 @@ float horizonOf(March march, Slice slice, Side side, float sign)
             horizon = max(horizon, cosineOf(march, side, outwards, counted));
         before = offset;
         before_distance = distance_here;
+        before_step = step_here;
     }
     if (edge < 1.0 && before_distance < radius)
         horizon = max(horizon, cosineOf(march, side, outwards, goneOn(before, way)));

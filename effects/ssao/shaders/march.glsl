@@ -163,6 +163,14 @@ highp float chanceOf(March march, highp float sign, int i)
     return 2.0 * fract(9.888 * march.noise.x + march.noise.y + 0.618 * float(i) + 0.3 * sign);
 }
 
+// What of a step in depth between two taps is not one slope with the step before it: 0 on a plane, however steep. Ours:
+// rmse of gtao in the room 0.0459, with the step as it is 0.0471, and of bitmask 0.0458 and 0.0465.
+highp float unevenStep(highp float step_here, highp float step_before)
+{
+    highp float uneven = step_here - step_before;
+    return abs(uneven) < abs(step_here) ? uneven : step_here;
+}
+
 // Where a way from a place within the radius leaves it: t of |from + t way| = radius.
 highp float leavesAt(highp vec3 from, highp vec3 way)
 {
