@@ -6,7 +6,7 @@
 //   ROTATION_GRADIENT  each 3x3 pixels see numbers well apart, and no tile repeats: for a mean over frames
 //   ROTATION_NONE      the same for all pixels: bands, but nothing to filter
 //
-// With MOVING_NOISE both move on by golden ratios from frame to frame, for a mean over frames.
+// With MOVING_NOISE both move on by golden ratios from frame to frame, for a mean over frames, in cycles of kNoiseCycle.
 //
 // [Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" - the gradient, its constants]
 // [Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - R1, steps of 0.61803399, the golden
@@ -35,11 +35,13 @@ highp vec2 stillNoise(highp vec2 pixel)
 #endif
 
 #if MOVING_NOISE
+#include "common/noise_cycle.glsl"
+
 uniform highp int frame_index;
 
 highp vec2 pixelNoise(highp vec2 pixel)
 {
-    return fract(stillNoise(pixel) + float(frame_index) * vec2(0.61803399, 0.75487767));
+    return fract(stillNoise(pixel) + float(frame_index % kNoiseCycle) * vec2(0.61803399, 0.75487767));
 }
 #else
 highp vec2 pixelNoise(highp vec2 pixel) { return stillNoise(pixel); }

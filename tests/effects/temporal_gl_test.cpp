@@ -25,9 +25,10 @@ const char* const kGiven = R"({
     "shaders": {"ssao": {"vertex": "common/fullscreen.vert", "fragment": "ssao/given.frag"}},
     "passes": {"ssao": {"type": "fullscreen", "shader": "ssao", "color": ["ao"]}}})";
 
-// Another number in 0..1 for each pixel and frame.
+// Another number in 0..1 for each pixel and frame of a cycle of eight.
 const char* const kNoise =
-    "fract(sin(dot(gl_FragCoord.xy + float(frame_index) * 7.31, vec2(12.9898, 78.233))) * 43758.5)";
+    "fract(sin(dot(gl_FragCoord.xy + float(frame_index % 8) * 7.31, "
+    "vec2(12.9898, 78.233))) * 43758.5)";
 // Leaves the filter out.
 const char* const kRaw = "/outputs/ao=ao";
 // Stripes that stand still in the world.
@@ -128,20 +129,36 @@ TEST_CASE("The first frame is the picture without a history, and so is the one a
 TEST_CASE("Under a still camera noise falls and the mean stays")
 {
     for (const char* clamp : {"history_clamp=true", "history_clamp=false"}) {
-        Film film(kNoise, "plane", {"history_weight=0.98", clamp});
+        Film film(kNoise, "plane", {clamp});
         const Image first = film.draw();
         const Image fourth = film.draw(3);
-        const Image late = film.draw(60);
+        const Image late = film.draw(28);
         INFO(clamp);
         CHECK(spread(fourth) < 0.6 * spread(first));
-        CHECK(spread(late) < 0.2 * spread(first));
+        CHECK(spread(late) < 0.4 * spread(first));
         CHECK(mean(late) == Approx(mean(first)).margin(0.01));
+        CHECK(meanChange(late, film.draw(1)) == 0.0);
+        CHECK(meanChange(late, film.draw(8)) == 0.0);
     }
 }
 
-TEST_CASE("What changes comes in by the history's weight, and at first each frame counts alike")
+TEST_CASE("A mean that stands still notices within a cycle that something changed")
 {
-    const std::vector<std::string> half = {"history_weight=0.5", "history_clamp=false"};
+    // By less than the clamp finds, in noise.
+    const std::string changes =
+        std::string("0.4 + 0.2 * ") + kNoise + " + (frame_index < 48 ? 0.0 : 0.1)";
+    Film film(changes);
+    film.draw(40);
+    const double before = mean(film.draw(8));
+    const double after = mean(film.draw(16));  // the change comes in its first frame
+    CHECK(after == Approx(before + 0.1).margin(0.01));
+    const Image rest = film.draw(8);
+    CHECK(meanChange(rest, film.draw(1)) == 0.0);
+}
+
+TEST_CASE("What changes comes in by the history's frames, and at first each frame counts alike")
+{
+    const std::vector<std::string> half = {"history_frames=2", "history_clamp=false"};
     Film late("float(frame_index < 30 ? 0.2 : 0.8)", "plane", half);
     late.draw(30);
     CHECK(mean(late.draw(1)) == Approx(0.5).margin(0.01));
@@ -213,9 +230,9 @@ TEST_CASE("What is no number is dropped")
     CHECK(allVisibility(film.draw(4)));
 }
 
-TEST_CASE("With weight 0 every frame stands for itself")
+TEST_CASE("With one frame every frame stands for itself")
 {
-    Film film(kNoise, "plane", {"history_weight=0"});
+    Film film(kNoise, "plane", {"history_frames=1"});
     Film raw(kNoise, "plane", {kRaw});
     CHECK(meanChange(film.draw(5), raw.draw(5)) == 0.0);
 }
@@ -232,7 +249,7 @@ TEST_CASE("The noise of an estimator moves from frame to frame under the mean ov
     const Frame frame = makeFrame(uploaded, camera, kExtent);
     auto renderer =
         need(Renderer::create(*gl.device, description, {kExtent, {"ao"}, {}}, traitsOf(frame)));
-    need(renderer->setParam("history_weight", 0.0f));
+    need(renderer->setParam("history_frames", 1.0f));
     need(renderer->render(frame));
     const Image first = gl.read(renderer->output("ao"));
     need(renderer->render(frame));
