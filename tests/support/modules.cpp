@@ -72,6 +72,15 @@ void readShaders(const Node& document, Module& module)
     }
 }
 
+/// The target that holds it: of "ao_history", which is the last frame's, "ao".
+std::string ownerOf(const std::string& read)
+{
+    const std::string history = "_history";
+    const bool is_last = read.size() > history.size() &&
+                         read.compare(read.size() - history.size(), history.size(), history) == 0;
+    return is_last ? read.substr(0, read.size() - history.size()) : read;
+}
+
 Module describe(const std::string& name, const Node& document)
 {
     Module module;
@@ -88,7 +97,7 @@ Module describe(const std::string& name, const Node& document)
     }
     for (const Member& pass : membersOf(document, "passes"))
         for (const std::string& read : readBy(pass.value))
-            if (module.targets.count(read) == 0) module.needs.insert(read);
+            if (module.targets.count(ownerOf(read)) == 0) module.needs.insert(read);
     readShaders(document, module);
     return module;
 }

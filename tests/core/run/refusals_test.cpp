@@ -53,18 +53,24 @@ void forPairs(const std::vector<Module>& modules, Check&& check)
             if (&one != &other) check(one, other);
 }
 
-bool extends(const Module& module, const Module& base)
+/// Itself or through others of `all`.
+bool extends(const Module& module, const Module& base, const std::vector<Module>& all)
 {
     const std::string& text = shippedSources().find(module.name + ".json")->text;
-    return text.find("\"" + base.name + "\"") != std::string::npos;
+    const auto names = [&text](const Module& other) {
+        return text.find("\"" + other.name + "\"") != std::string::npos;
+    };
+    return names(base) || std::any_of(all.begin(), all.end(), [&](const Module& between) {
+               return between.name != module.name && names(between) && extends(between, base, all);
+           });
 }
 
 /// One extends the other, or both add to a third, and then they may go together.
 bool related(const Module& one, const Module& other, const std::vector<Module>& all)
 {
-    return extends(one, other) || extends(other, one) ||
+    return extends(one, other, all) || extends(other, one, all) ||
            std::any_of(all.begin(), all.end(), [&](const Module& base) {
-               return extends(one, base) && extends(other, base);
+               return extends(one, base, all) && extends(other, base, all);
            });
 }
 
