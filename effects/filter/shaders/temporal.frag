@@ -138,5 +138,6 @@ void main()
     ao_filtered = frames > 0.0 ? mix(now, history.x, weight) : now;
     float counted = min(frames + (usable ? 1.0 : 0.0), history_frames);
     ao_depth = vec4(known ? digitsOf(point.z) : vec3(0.0), known ? counted / kMostFrames : 0.0);
-    ao_cycle = begins || frames == 0.0 ? now : cycle;
+    // What a moving camera has gathered is no mean to stand still: nothing is like its noise.
+    ao_cycle = still ? (begins ? now : cycle) : 1.0 - step(0.5, now);
 }

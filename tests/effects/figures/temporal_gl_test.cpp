@@ -97,6 +97,24 @@ TEST_CASE("Under a still camera the picture stands still after 32 frames, also a
     }
 }
 
+TEST_CASE("What a moving camera has gathered gives way to what a still one sees")
+{
+    for (const Pair& pair : kPairs) {
+        Preset preset(pair.preset, {});
+        preset.look(kHere);
+        const Image fresh = preset.draw(kSettled);
+        for (int step = 1; step <= 24; ++step) {
+            const std::string x = std::to_string(3.2 - 0.01 * (24 - step));
+            preset.look(("eye=" + x + ",2,4.2;at=0,0.6,0;fov=50").c_str());
+            preset.draw(1);
+        }
+        const double gathered = rmseOf(preset.draw(1), fresh);
+        const double later = rmseOf(preset.draw(kSettled), fresh);
+        INFO(pair.preset << ": " << gathered << ", then " << later);
+        CHECK(later < 0.25 * gathered);
+    }
+}
+
 TEST_CASE("A mean over frames errs less than each frame does, at rest and four frames after a jump")
 {
     if (!canTrace()) return;
