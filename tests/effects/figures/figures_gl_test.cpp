@@ -64,8 +64,10 @@ const Row kOcclusion[] = {
     {"hbao", kWide, {}, 0.0856, -0.0226},
     {"ssdo", kClose, {}, 0.1300, 0.0276},
     {"ssdo", kWide, {}, 0.2273, 0.0135},
-    {"gtao_temporal", kClose, {}, 0.0958, 0.0425},
-    {"gtao_temporal", kWide, {}, 0.0954, -0.0111},
+    {"gtao_temporal", kClose, {}, 0.0910, 0.0410},
+    {"gtao_temporal", kWide, {}, 0.0978, -0.0144},
+    {"mobile_temporal", kClose, {}, 0.0996, 0.0460},
+    {"balanced_temporal", kWide, {}, 0.0834, -0.0145},
     {"mobile", kClose, {"intensity=1.6", "power=1.7"}, 0.2174, -0.1635},
     {"high", kWide, {"intensity=0.6", "power=2.5"}, 0.0854, -0.0549},
     {"hbao", kClose, {"intensity=0.7", "power=1.5"}, 0.2121, 0.1489},
@@ -86,7 +88,7 @@ const Row kOcclusion[] = {
     {"ssdo", kClose, {"bias_length=0.05", "bias_along=normal"}, 0.1250, 0.0034},
     {"mobile", kWide, {"ao_scale=0.3"}, 0.0929, -0.0043},
     {"gtao", kWide, {"rotation=gradient", "slices=1", "steps=5"}, 0.0963, -0.0160},
-    {"gtao_temporal", kWide, {"intensity=1.5", "bias=0.05"}, 0.1043, -0.0647},
+    {"gtao_temporal", kWide, {"intensity=1.5", "bias=0.05"}, 0.1148, -0.0730},
 };
 
 const Row kLight[] = {
