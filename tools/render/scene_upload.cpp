@@ -105,12 +105,13 @@ Status UploadedScene::uploadMeshes(const Scene& scene)
 {
     std::vector<bool> open;
     for (const MeshDesc& mesh : scene.meshes) {
-        open.push_back(isOpen(mesh));
+        open.push_back(false);
         meshes_.emplace_back();
         if (mesh.indices.empty()) continue;
         const Result<MeshId> id = device_->createMesh(mesh);
         if (!id) return id.diagnostics();
         meshes_.back() = *id;
+        open.back() = isOpen(mesh);
     }
     for (const SceneInstance& instance : scene.instances) {
         if (!meshes_[instance.mesh]) continue;

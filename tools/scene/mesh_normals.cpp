@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace crevice {
@@ -171,15 +172,16 @@ double cornerAngle(const std::vector<Vertex>& corners, std::uint32_t corner)
 // has to be long.
 Indices welded(std::vector<Vertex> vertices)
 {
-    glm::dvec3 low(0.0), high(0.0);
+    glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
     for (const Vertex& vertex : vertices) {
         low = glm::min(low, positionOf(vertex));
         high = glm::max(high, positionOf(vertex));
     }
     const double cell = std::max(glm::length(high - low), 1e-30) * kWeld;
     for (Vertex& vertex : vertices)
-        for (float& coordinate : vertex.position)
-            coordinate = static_cast<float>(std::round(coordinate / cell)) + 0.0f;  // no -0
+        for (int axis = 0; axis < 3; ++axis)
+            vertex.position[axis] =
+                static_cast<float>(std::round((vertex.position[axis] - low[axis]) / cell));
     return firstEqual(vertices, sizeof(Vertex::position));
 }
 

@@ -20,7 +20,7 @@ void joinVertices(MeshDesc& mesh);
 
 /// Whether most of the mesh's area is surfaces with open edges, rather than the hull of a body:
 /// leaves, cloth, a floor. A body may have holes whose outline is short for its area, as scanned
-/// models have.
+/// models have. Requires indices below the number of vertices.
 bool isOpen(const MeshDesc& mesh);
 
 }  // namespace crevice

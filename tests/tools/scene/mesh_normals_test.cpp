@@ -125,6 +125,8 @@ TEST_CASE("a surface with a long outline is open, a body with seams and small ho
     half.indices.resize(half.indices.size() / 2);
     CHECK(isOpen(half));
     CHECK_FALSE(isOpen(MeshDesc{}));
+    for (Vertex& vertex : half.vertices) vertex.position[1] += 1e6f;
+    CHECK(isOpen(half));
 }
 
 TEST_CASE("of several surfaces in one mesh those with most of the area decide")
