@@ -225,6 +225,16 @@ TEST_CASE("Traits differ when any of them does")
     CHECK_FALSE(none == SceneTraits{0, false, false, false, true});
     CHECK_FALSE(none == SceneTraits{0, false, false, false, false, true});
     CHECK_FALSE(none == SceneTraits{0, false, false, false, false, false, true});
+    SceneTraits sheets;
+    sheets.sheets = true;
+    CHECK_FALSE(none == sheets);
+}
+
+TEST_CASE("A draw that becomes a sheet is another draw")
+{
+    DrawItem sheet;
+    sheet.sheet = true;
+    CHECK_FALSE(sheet == DrawItem{});
 }
 
 TEST_CASE("The least device renders to what OpenGL ES 3.0 promises and to nothing else")
