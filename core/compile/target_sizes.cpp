@@ -16,11 +16,12 @@ std::string text(const Extent& extent)
     return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
+constexpr double kLargest = 1e9;  // fits an int; far over what any device takes
+
 // Rounded up, but for what the rounding of `scale` to a float adds: 1.2f is a little above 1.2, and
 // 360 * 1.2 is 432.
 int scaled(int size, float scale)
 {
-    constexpr double kLargest = 1e9;     // fits an int; far over what any device takes
     constexpr double kEpsilon = 6.0e-8;  // 2^-24: half a step of floats, relative
     const double product = size * (scale * (1 - kEpsilon));
     return static_cast<int>(std::max(1.0, std::ceil(std::min(product, kLargest))));
@@ -31,6 +32,15 @@ bool within(const Extent& extent, int limit)
     return extent.width <= limit && extent.height <= limit;
 }
 
+// With whole pixels added on either side, rounded up but for what the rounding of `scale` adds.
+// Shaders find `size` from what this returns: effects/common/guard_band.glsl.
+int bordered(int size, float scale)
+{
+    constexpr double kEpsilon = 0.01;  // of a pixel, as there
+    const double border = std::ceil(0.5 * size * (double(scale) - 1.0) - kEpsilon);
+    return static_cast<int>(std::min(size + 2.0 * std::max(0.0, border), kLargest));
+}
+
 // Sizes do not follow each other in a circle: decode sees to that.
 Extent followedExtent(const State& state, const SizeDesc& size)
 {
@@ -38,7 +48,8 @@ Extent followedExtent(const State& state, const SizeDesc& size)
     const Extent extent = followed ? followedExtent(state, followed->size) : state.options.extent;
     const ParamDesc* param = findNamed(state.description.params, size.scale_param.name);
     const float scale = param ? param->value[0] : size.scale;
-    return {scaled(extent.width, scale), scaled(extent.height, scale)};
+    const auto factor = size.border ? bordered : scaled;
+    return {factor(extent.width, scale), factor(extent.height, scale)};
 }
 
 void checkKind(State& state, const Reference& at, bool depth)

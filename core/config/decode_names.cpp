@@ -106,9 +106,10 @@ void checkTakers(const Node& document, const Description& description, Report& r
                    report);
     for (const TargetDesc& each : description.targets) {
         const std::string what = "target '" + each.name + "'";
-        checkTaken(document, description,
-                   {what, "scale", each.size.scale_param, false, kSmallestScale, kLargestScale},
-                   report);
+        checkTaken(
+            document, description,
+            {what, "scale", each.size.scale_param, false, smallestScale(each.size), kLargestScale},
+            report);
         checkTaken(document, description,
                    {what, "samples", each.samples_param, true, 1.0, double(kMaxSamples)}, report);
     }

@@ -123,9 +123,14 @@ template <class V>
 void fields(V& v, SizeDesc& s)
 {
     v.field("of", s.of, "The target whose size this follows; the output's when absent.");
+    v.field("border", s.border,
+            "Whether what `scale` adds is a border, of as many whole pixels on either side: a "
+            "`scale` of at least 1 then gives followed + 2 * ceil(followed * (scale - 1) / 2).");
     v.field("scale", NumberOrName<float>{s.scale, s.scale_param},
             "Factor in each direction, 0.5 for half resolution; or the name of a float param.",
-            range(kSmallestScale, kLargestScale));
+            range(smallestScale(s), kLargestScale));
+    if (!v.has("scale"))
+        v.refuse("border", Code::bad_enum, "there is no 'scale' that adds a border");
 }
 
 template <class V>

@@ -7,8 +7,14 @@
 // a hall of boxes falls from 0.0546 to 0.0536.
 const highp float kTie = 1.0 / 256.0;
 
+// The texel at `at`, counted in texels, of a texture of `size` texels.
+highp ivec2 texelUnder(highp vec2 at, highp vec2 size)
+{
+    return ivec2(clamp(floor(at - kTie), vec2(0.0), size - 1.0));
+}
+
 // The texel at `place`, 0..1 over a texture of `size` texels.
 highp ivec2 texelAt(highp vec2 place, highp vec2 size)
 {
-    return ivec2(clamp(floor(place * size - kTie), vec2(0.0), size - 1.0));
+    return texelUnder(place * size, size);
 }

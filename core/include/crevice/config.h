@@ -88,13 +88,18 @@ struct GeneratedDesc : GeneratorDesc {
 constexpr double kSmallestScale = 1.0 / 64.0;
 constexpr double kLargestScale = 4.0;
 
-/// How large a target is: max(1, ceil(followed * scale)) in each direction.
+/// How large a target is in each direction: max(1, ceil(followed * scale)); with `border`
+/// followed + 2 * ceil(followed * (scale - 1) / 2).
 struct SizeDesc {
     Reference of = {};           ///< Another target; empty follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
     float scale = 1.0f;          ///< [kSmallestScale, kLargestScale].
+    bool border = false;         ///< What `scale`, 1 or more, adds is whole pixels on either side.
     Place place = {};            ///< Of the value that was set last.
 };
+
+/// The least that its scale may be.
+inline double smallestScale(const SizeDesc& size) { return size.border ? 1.0 : kSmallestScale; }
 
 /// What a target of a colour format holds for finding surfaces; a depth format holds window
 /// depth, or 0 and 1 with `mask`.

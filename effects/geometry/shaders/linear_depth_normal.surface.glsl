@@ -3,7 +3,6 @@
 //
 //   linear_depth  above 0; 0 or less, LINEAR_FAR or more, and what is no number, in the background
 
-#include "common/texel.glsl"
 #include "common/view_space.glsl"
 
 uniform highp sampler2D linear_depth;
@@ -16,9 +15,9 @@ uniform highp sampler2D linear_depth;
 bool viewPosition(highp vec2 at, out highp vec3 point)
 {
     highp vec2 size = vec2(textureSize(linear_depth, 0));
-    highp ivec2 texel = texelAt(uvInGuardBand(at), size);
+    highp ivec2 texel = texelInGuardBand(at, size);
     highp float stored = texelFetch(linear_depth, texel, 0).r;
-    point = viewFromDepth(uvFromGuardBand((vec2(texel) + 0.5) / size), -stored);
+    point = viewFromDepth(uvFromGuardBand(texel, size), -stored);
     return stored > 0.0 && stored < LINEAR_FAR;
 }
 

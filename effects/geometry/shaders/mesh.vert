@@ -12,6 +12,7 @@ precision highp float;
 uniform mat4 clip_from_model;
 uniform mat4 view_from_model;
 uniform mat3 view_normal_from_model;
+uniform vec2 viewport_size;  // with the guard band
 
 layout(location = 0) in vec3 model_point;
 layout(location = 1) in vec3 model_normal;
@@ -29,5 +30,5 @@ void main()
     facing = view_normal_from_model * model_normal;
     uv = model_uv;
     gl_Position = clip_from_model * vec4(model_point, 1.0);
-    gl_Position.xy /= GUARD_BAND;
+    gl_Position.xy *= viewShareOf(viewport_size);
 }

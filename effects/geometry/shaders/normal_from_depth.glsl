@@ -10,7 +10,6 @@
 // leans half as much as that to either.
 // [Wu 2020, "Accurate Normal Reconstruction from Depth Buffer" - the choice by two texels a side]
 
-#include "common/texel.glsl"
 #include "common/view_space.glsl"
 
 // How far apart texels are at most, in texels. What allows for normals that lean keeps to neighbours and is quicker: it
@@ -29,7 +28,7 @@ const highp float kLean = 0.02;
 // `stored` is as in viewStepOf.
 highp float leanAt(highp vec2 size, highp vec2 stored, highp vec3 point)
 {
-    highp vec2 texels = size / GUARD_BAND * uvOfUnit(point);
+    highp vec2 texels = viewSizeIn(size) * uvOfUnit(point);
     return viewStepOf(stored, point) * max(texels.x, texels.y);
 }
 
@@ -70,7 +69,7 @@ highp float sideError(highp sampler2D depths, highp ivec2 texel, highp ivec2 ste
 
 highp vec3 pointOfTexel(highp vec2 size, highp ivec2 texel, highp float stored)
 {
-    return viewFromWindow(uvFromGuardBand((vec2(texel) + 0.5) / size), stored);
+    return viewFromWindow(uvFromGuardBand(texel, size), stored);
 }
 
 // The way along `axis` on the texel's surface, of no certain length. `noise` is the error of a side that steps of
@@ -108,7 +107,7 @@ highp vec3 alongSurface(highp sampler2D depths, highp ivec2 texel, highp ivec2 a
 highp vec3 rebuiltNormal(highp sampler2D depths, highp vec2 stored, highp vec2 at)
 {
     highp vec2 size = vec2(textureSize(depths, 0));
-    highp ivec2 texel = texelAt(uvInGuardBand(at), size);
+    highp ivec2 texel = texelInGuardBand(at, size);
     highp float here = texelFetch(depths, texel, 0).r;
     highp vec3 point = pointOfTexel(size, texel, here);
     highp int stride = strideFor(leanAt(size, stored, point));

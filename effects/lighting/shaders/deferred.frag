@@ -90,11 +90,12 @@ void main()
         color = background();
         return;
     }
-    vec4 stored = texture(albedo, uvInGuardBand(uv));
+    highp ivec2 texel = texelInGuardBand(uv, vec2(textureSize(albedo, 0)));
+    vec4 stored = texelFetch(albedo, texel, 0);
     s.albedo = stored.rgb;
     s.gloss = stored.a;
 #ifdef AMBIENT_BY_MATERIAL
-    s.ambient = texture(ambient_factor, uvInGuardBand(uv)).r;
+    s.ambient = texelFetch(ambient_factor, texel, 0).r;
 #endif
 #if SCENE_LIGHTS > 0
     s.normal = normalAt(uv);

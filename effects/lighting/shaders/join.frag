@@ -17,5 +17,6 @@ layout(location = 0) out float ao_joined;
 
 void main()
 {
-    ao_joined = min(texture(ao_filtered, uv).r, texture(baked_ao, uvInGuardBand(uv)).r);
+    highp ivec2 texel = texelInGuardBand(uv, vec2(textureSize(baked_ao, 0)));
+    ao_joined = min(texture(ao_filtered, uv).r, texelFetch(baked_ao, texel, 0).r);
 }

@@ -12,7 +12,6 @@
 precision highp float;
 precision highp int;
 
-#include "common/texel.glsl"
 #include <surface>
 #include "ssao/shaders/tiles.glsl"
 
@@ -23,7 +22,7 @@ layout(location = 0) out vec4 normal_tiles;
 void main()
 {
     vec2 at = uvOfPixel(pixelOfTexel(ivec2(gl_FragCoord.xy), ivec2(viewport_size) / 4));
-    ivec2 texel = texelAt(uvInGuardBand(at), vec2(textureSize(stored_depth, 0)));
+    ivec2 texel = texelInGuardBand(at, vec2(textureSize(stored_depth, 0)));
     gl_FragDepth = texelFetch(stored_depth, texel, 0).r;
     normal_tiles = vec4(normalAt(at) * 0.5 + 0.5, 1.0);
 }

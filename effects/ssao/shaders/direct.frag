@@ -32,5 +32,6 @@ void main()
         }
     }
 #endif
-    direct = vec4(light * texture(albedo, uvInGuardBand(uv)).rgb, 1.0);
+    highp ivec2 texel = texelInGuardBand(uv, vec2(textureSize(albedo, 0)));
+    direct = vec4(light * texelFetch(albedo, texel, 0).rgb, 1.0);
 }

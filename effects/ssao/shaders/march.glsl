@@ -124,7 +124,8 @@ bool offsetAt(March march, inout highp vec2 at, out highp vec3 offset)
 }
 
 // Where a side leaves what the screen and its guard band show, in reaches: the captured volume in clip space is |x| and
-// |y| < GUARD_BAND w. `room` is how far the point lies within its four planes, `used` what one reach takes of that.
+// |y| < GUARD_BAND w, and up to a pixel more, which is not used. `room` is how far the point lies within its four planes,
+// `used` what one reach takes of that.
 highp float edgeOf(March march, Slice slice, highp float sign)
 {
     highp vec3 way = slice.clip * sign;

@@ -8,7 +8,6 @@
 
 #if DEPTH_LEVELS && !defined SEEN_IN_TILES
 #include "common/depth_levels.glsl"
-#include "common/texel.glsl"
 #include "common/view_space.glsl"
 
 uniform highp sampler2D depth_levels;
@@ -20,13 +19,13 @@ uniform highp float near_taps;
 bool samplePosition(highp vec2 from, inout highp vec2 at, out highp vec3 point)
 {
     highp ivec2 size = textureSize(depth_levels, 0);
-    highp vec2 pixels = (at - from) * vec2(size) / GUARD_BAND;
+    highp vec2 pixels = (at - from) * viewSizeIn(vec2(size));
     highp float doublings = 0.5 * log2(max(dot(pixels, pixels), 1e-6) / (near_taps * near_taps));
     highp int level = min(int(doublings + 1.0), kDepthLevels);
     if (doublings < 0.0 || min(size.x, size.y) >> level == 0) return viewPosition(at, point);
-    highp ivec2 texel = min(texelAt(uvInGuardBand(at), vec2(size)) >> level, (size >> level) - 1);
+    highp ivec2 texel = min(texelInGuardBand(at, vec2(size)) >> level, (size >> level) - 1);
     highp float stored = texelFetch(depth_levels, levelCorner(level, size) + texel, 0).r;
-    at = uvFromGuardBand((vec2(levelSource(level, texel)) + 0.5) / vec2(size));
+    at = uvFromGuardBand(levelSource(level, texel), vec2(size));
     point = viewFromWindow(at, stored);
     return isDrawn(stored);
 }

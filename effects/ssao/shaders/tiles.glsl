@@ -9,7 +9,7 @@ uniform highp sampler2D stored_depth;  // as the geometry pass wrote it; it has 
 // Of the view, without its guard band.
 highp ivec2 viewPixels()
 {
-    return ivec2(vec2(textureSize(stored_depth, 0)) / GUARD_BAND + 1e-3);
+    return ivec2(viewSizeIn(vec2(textureSize(stored_depth, 0))));
 }
 
 highp vec2 uvOfPixel(highp ivec2 pixel)

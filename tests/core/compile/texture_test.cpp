@@ -46,6 +46,23 @@ TEST_CASE("A scale's own rounding adds no pixel")
     }
 }
 
+TEST_CASE("A border is as many whole pixels on either side")
+{
+    const auto size = [](const std::string& scale, int width, int height) {
+        const std::string json =
+            R"({"format": ["r8"], "size": {"border": true, "scale": )" + scale + "}}";
+        return planOf(describe(oneTarget(json)), {}, sized(width, height)).textures[0].extent;
+    };
+    CHECK(size("1", 101, 64) == Extent{101, 64});
+    CHECK(size("1.2", 640, 360) == Extent{768, 432});
+    CHECK(size("1.4", 480, 270) == Extent{672, 378});
+    CHECK(size("1.4", 256, 144) == Extent{360, 202});
+    CHECK(size("1.2", 1366, 768) == Extent{1640, 922});
+    CHECK(size("1.35", 333, 187) == Extent{451, 253});
+    CHECK(size("2", 75, 64) == Extent{151, 128});
+    CHECK(size("4", 1, 2) == Extent{5, 8});
+}
+
 TEST_CASE("A size may follow another target's")
 {
     const Plan plan =
@@ -114,6 +131,16 @@ TEST_CASE("A texture larger than the device holds is refused")
         const Diagnostic alone = error({"first: -> big", "last: -> x"});
         CHECK(alone.code == Code::too_big_for_device);
         CHECK(alone.pointer == "/targets/x");
+    }
+    SECTION("at the target when its border is to blame")
+    {
+        const char* const bordered = R"({"format": ["r8"], "size": {"scale": 4, "border": true}})";
+        for (const int size : {1000, 2000}) {
+            const Diagnostic error =
+                onlyError(describe(oneTarget(bordered)), {}, ampleCaps(), sized(size, 16));
+            CHECK(error.code == Code::too_big_for_device);
+            CHECK(error.pointer == "/targets/x");
+        }
     }
     SECTION("even when the size is absurd")
     {

@@ -130,13 +130,17 @@ TEST_CASE("a target follows the output unless it says otherwise", "[decode]")
 {
     const Description d = decoded({{"targets", R"({"depth": {"format": "depth24"},
         "ao": {"format": ["r8", "rgba8"]},
-        "ao_filtered": {"format": "r16f", "size": {"of": "ao", "scale": 0.5}}})"}});
+        "ao_filtered": {"format": "r16f", "size": {"of": "ao", "scale": 0.5}},
+        "wide": {"format": "r16f", "size": {"scale": 1.5, "border": true}}})"}});
     CHECK(d.targets.at(0).formats == std::vector<Format>{Format::depth24});
     CHECK(d.targets.at(0).size.of.empty());
     CHECK(d.targets.at(0).size.scale == 1.0f);
+    CHECK_FALSE(d.targets.at(0).size.border);
     CHECK(d.targets.at(1).formats == std::vector<Format>{Format::r8, Format::rgba8});
     CHECK(d.targets.at(2).size.of.name == "ao");
     CHECK(d.targets.at(2).size.scale == 0.5f);
+    CHECK(d.targets.at(3).size.scale == 1.5f);
+    CHECK(d.targets.at(3).size.border);
 }
 
 TEST_CASE("defines are text as GLSL writes it", "[decode]")
