@@ -170,6 +170,17 @@ void addMask(const Pass& pass, PlanPass& into)
     into.depth.load = LoadOp::load;
 }
 
+// As the config says, or more where a target's border of whole pixels shows more.
+float frustumScale(const State& state, const Pass& pass)
+{
+    const ParamDesc* param =
+        findNamed(state.description.params, pass.desc->frustum_scale_param.name);
+    const float scale = param ? param->value[0] : pass.desc->frustum_scale;
+    const std::vector<int> written = writtenBy(pass);
+    if (scale <= 0.0f || written.empty()) return scale;
+    return std::max(scale, viewsOf(state, written.front()));
+}
+
 void addPass(const State& state, const Pass& pass, Plan& plan)
 {
     const PassDesc& desc = *pass.desc;
@@ -184,11 +195,7 @@ void addPass(const State& state, const Pass& pass, Plan& plan)
         result.extent = state.targets[written.front()].extent;
         result.samples = state.targets[written.front()].samples;
     }
-    if (state.applies("frustum_culling")) {
-        const ParamDesc* within =
-            findNamed(state.description.params, desc.frustum_scale_param.name);
-        result.frustum_scale = within ? within->value[0] : desc.frustum_scale;
-    }
+    if (state.applies("frustum_culling")) result.frustum_scale = frustumScale(state, pass);
     addInputs(state, pass, result, plan);
     for (const int target : pass.color)
         result.color.push_back(attachment(state, pass, target, false, plan));

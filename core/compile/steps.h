@@ -66,6 +66,9 @@ std::optional<Source> resolveTarget(const State& state, int target);
 // target_sizes.cpp
 /// How large the target is, in pixels.
 Extent sizeOf(const State& state, int target);
+/// How many views a target shows that has a border or follows one, in the direction in which that
+/// is more; 0 without a border.
+float viewsOf(const State& state, int target);
 void chooseExtents(State& state);
 void checkFormats(State& state);
 /// Whether `fact` is the same of all that the pass writes. Otherwise it reports the first that

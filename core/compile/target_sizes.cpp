@@ -122,6 +122,18 @@ Extent sizeOf(const State& state, int target)
     return followedExtent(state, state.description.targets[target].size);
 }
 
+float viewsOf(const State& state, int target)
+{
+    const std::vector<TargetDesc>& targets = state.description.targets;
+    const TargetDesc* sized = &targets[target];
+    while (sized && !sized->size.border) sized = findNamed(targets, sized->size.of.name);
+    if (!sized) return 0.0f;
+    const Extent size = sizeOf(state, target);
+    const Extent view = state.options.extent;
+    return std::max(static_cast<float>(size.width) / static_cast<float>(view.width),
+                    static_cast<float>(size.height) / static_cast<float>(view.height));
+}
+
 void chooseExtents(State& state)
 {
     const int limit = state.caps.max_texture_size;

@@ -239,6 +239,24 @@ TEST_CASE("A param that says how far beyond the view draws count does so at once
     CHECK(renderer->plan().passes[0].frustum_scale == 2);
 }
 
+TEST_CASE("What the guard band shows by being whole pixels is drawn as well")
+{
+    const auto scales = [](const char* config, const char* band, const Extent& extent) {
+        RecordingDevice device;
+        const LoadRequest request = {config, {}, {std::string("guard_band=") + band}};
+        const Description description =
+            need(decode(need(loadConfig(shippedSources(), request)), shippedSources()));
+        const auto renderer = need(Renderer::create(device, description, {extent}, {}));
+        std::vector<float> all;
+        for (const PlanPass& pass : renderer->plan().passes)
+            if (pass.frustum_scale > 0) all.push_back(pass.frustum_scale);
+        return all;
+    };
+    CHECK(scales("gtao", "1.4", {640, 320}) == std::vector<float>{1.4f});
+    CHECK(scales("gtao", "1.4", {64, 32}) == std::vector<float>{46.0f / 32.0f});
+    CHECK(scales("bitmask_layers", "2", {64, 33}) == std::vector<float>(4, 67.0f / 33.0f));
+}
+
 TEST_CASE("What lies off the screen and within the guard band is drawn, on either side")
 {
     const auto drawn = [](double x) {
