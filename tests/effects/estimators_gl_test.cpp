@@ -275,6 +275,29 @@ TEST_CASE("Light passes behind a sheet, and not behind a body with the same fron
     CHECK(none - sheet > 0);
 }
 
+TEST_CASE("Light passes behind a sheet that another hides")
+{
+    const auto floorUnder = [](const MeshDesc& hidden) {
+        Scene scene = need(loadScene("plane"));
+        for (const MeshDesc& mesh :
+             {makeQuad({-0.5f, 1.2f, 0.5f}, {1, 0, 0}, {0, 0, -1}), hidden}) {
+            scene.meshes.push_back(mesh);
+            scene.instances.push_back(scene.instances[0]);
+            scene.instances.back().mesh = static_cast<int>(scene.meshes.size()) - 1;
+        }
+        PictureRequest request;
+        request.camera = "eye=0,6,4;at=0,0.4,0;fov=30";
+        request.overrides = {"radius=1", "slices=4", "steps=8", "thickness=8"};
+        return mean(visibility("ssao/bitmask", request, scene, "geometry/second_layer"));
+    };
+    const double none = floorUnder(makeBox({0, -3, 0}, {0.1f, -2, 0.1f}));
+    const double sheet = floorUnder(makeQuad({-0.5f, 0.8f, 0.5f}, {1, 0, 0}, {0, 0, -1}));
+    const double body = floorUnder(makeBox({-0.5f, 0.02f, -0.5f}, {0.5f, 0.8f, 0.5f}));
+    INFO(none << ' ' << sheet << ' ' << body);
+    CHECK(none - sheet < 0.8 * (none - body));
+    CHECK(none - sheet > 0);
+}
+
 TEST_CASE("hbao counts what stands far in front as solid where thin occluders count")
 {
     PictureRequest request;

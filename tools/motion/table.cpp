@@ -2,11 +2,10 @@
 #include "tools/motion/table.h"
 
 #include "core/base/numbers.h"
+#include "tools/render/camera_path.h"
 
 namespace crevice {
 namespace {
-
-constexpr const char* kColumns[] = {"still", "sub-pixel", "pan", "strafe", "disocclusion"};
 
 /// Of the frames since surfaces were uncovered, those that the table shows.
 constexpr int kShownFrames[] = {1, 4, 16};
@@ -33,7 +32,8 @@ std::string uncoveredCell(const MotionFigures& motion, int frames)
 std::string motionTable(const std::vector<MotionRow>& rows)
 {
     std::string head = "| config | at rest |", line = "|---|---|";
-    for (const char* path : kColumns) head += " " + std::string(path) + " |", line += "---|";
+    for (const CameraPath& path : kCameraPaths)
+        head += " " + std::string(path.name) + " |", line += "---|";
     head += " error in the pan | settles after |";
     for (const int frames : kShownFrames) head += " uncovered " + std::to_string(frames) + " |";
     head += " there at rest |\n";
@@ -41,7 +41,8 @@ std::string motionTable(const std::vector<MotionRow>& rows)
     for (const MotionRow& row : rows) {
         const MotionFigures& motion = row.motion;
         text += "| `" + row.name + "` | " + figure(row.rest) + " |";
-        for (const char* path : kColumns) text += " " + changeCell(motion, path) + " |";
+        for (const CameraPath& path : kCameraPaths)
+            text += " " + changeCell(motion, path.name) + " |";
         const auto pan = motion.paths.find("pan");
         text += " " + (pan == motion.paths.end() ? "" : figure(pan->second.rmse)) + " |";
         const int settled = motion.settled_after;

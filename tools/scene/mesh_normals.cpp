@@ -20,8 +20,8 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr std::uint32_t kNone = ~0u;
 
 // A surface is open where its outline squared is more than this times its area. A square sheet has
-// 16, half a sphere 6, a box without its lid 3, a pipe 0.4 at a length of 30 diameters; the holes
-// of a scanned bunny come to 0.02.
+// 16, half a sphere 6, a box without its lid 3, a pipe 0.4 at a length of 30 diameters, a sphere
+// 0.03 with a round hole of a tenth of its width.
 constexpr double kOpenOutline = 1.0;
 
 // Of the mesh's size, from corner to corner: above what floats round, below what anyone models.

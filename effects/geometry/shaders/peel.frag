@@ -1,6 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Depth of the nearest surface behind another depth; with AT_ONCE also of one at that depth, as the back of a sheet.
+// Depth of the nearest surface behind another depth; with OR_EQUAL also of one at that depth, as the back of a sheet.
 //
 //   behind  depth texture of the same size, and of the same format as `depth`
 // [Everitt 2001, "Interactive Order-Independent Transparency"]
@@ -22,7 +22,7 @@ void main()
 #endif
     // The depth of one surface, as the texture has it and as it comes, differs by less.
     float same = 2.0 * (DEPTH_STEP.x + DEPTH_STEP.y * nearer);
-#ifdef AT_ONCE
+#ifdef OR_EQUAL
     if (beyond < -same) discard;
 #else
     if (beyond <= same) discard;

@@ -72,6 +72,17 @@ void checkNormal(const glm::mat4& matrix)
     CHECK(glm::dot(sent, linear * glm::cross(u, v)) > 0);
 }
 
+/// Has the rig's geometry pass cull `cull`, in the scene of its frame.
+void cullGeometry(Rig& rig, Cull cull)
+{
+    Description description = rigDescription();
+    for (PassDesc& pass : description.passes)
+        if (pass.name == "geometry") pass.state.cull = cull;
+    auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
+    REQUIRE(made.ok());
+    rig.renderer = std::move(*made);
+}
+
 }  // namespace
 
 TEST_CASE("Shaders get the camera's matrices and their inverses")
@@ -111,12 +122,7 @@ TEST_CASE("What is mirrored is culled the other way round")
 {
     Rig rig;
     look(rig.frame);
-    Description description = rigDescription();
-    for (PassDesc& pass : description.passes)
-        if (pass.name == "geometry") pass.state.cull = Cull::back;
-    auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
-    REQUIRE(made.ok());
-    rig.renderer = std::move(*made);
+    cullGeometry(rig, Cull::back);
     DrawItem mirrored = rig.frame.draws[0];
     mirrored.world_from_model = glm::scale(mirrored.world_from_model, glm::dvec3(1, 1, -1));
     rig.frame.draws = {rig.frame.draws[0], mirrored, rig.frame.draws[0]};
@@ -143,9 +149,6 @@ TEST_CASE("Nothing of a sheet is culled")
 {
     Rig rig;
     look(rig.frame);
-    Description description = rigDescription();
-    for (PassDesc& pass : description.passes)
-        if (pass.name == "geometry") pass.state.cull = Cull::front;
     rig.frame.materials.push_back(rig.frame.materials[rig.frame.draws[0].material]);
     rig.frame.materials.back().alpha_cutoff = 0.5f;
     DrawItem body = rig.frame.draws[0], sheet = body, leaf = body;
@@ -153,9 +156,7 @@ TEST_CASE("Nothing of a sheet is culled")
     leaf.material = static_cast<int>(rig.frame.materials.size()) - 1;
     rig.frame.draws = {body, sheet, leaf, body};
     CHECK(traitsOf(rig.frame).sheets);
-    auto made = Renderer::create(rig.device, description, {{64, 32}}, traitsOf(rig.frame));
-    REQUIRE(made.ok());
-    rig.renderer = std::move(*made);
+    cullGeometry(rig, Cull::front);
     const std::string log = rig.draw();
     INFO(log);
     std::istringstream lines(log);
