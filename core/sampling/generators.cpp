@@ -28,12 +28,37 @@ glm::dvec3 inCube(Stream& stream)
     return {x, y, z};
 }
 
+/// Points that fill the cube (-1, 1)^3 evenly however many are taken, from a start of the seed's:
+/// R3 of Roberts 2018. Integers step round, so that every platform has the same.
+class EvenPoints {
+public:
+    explicit EvenPoints(unsigned seed)
+    {
+        for (unsigned i = 0; i < 3; ++i) at_[i] = randomBits(seed, i);
+    }
+
+    glm::dvec3 next()
+    {
+        // 2^32 over g, g^2 and g^3, where g^4 = g + 1.
+        constexpr std::uint32_t kSteps[3] = {3518319155u, 2882110345u, 2360945575u};
+        glm::dvec3 point;
+        for (int i = 0; i < 3; ++i) {
+            at_[i] += kSteps[i];
+            point[i] = (at_[i] >> 8) * 0x1p-23 - 1.0 + 0x1p-24;
+        }
+        return point;
+    }
+
+private:
+    std::uint32_t at_[3];
+};
+
 /// Uniform in volume, by rejection. The squared length has at most 50 bits, so a double holds
 /// it exactly and every platform rejects the same points.
-glm::dvec3 inBall(Stream& stream)
+glm::dvec3 inBall(EvenPoints& points)
 {
-    glm::dvec3 point = inCube(stream);
-    while (glm::dot(point, point) > 1.0) point = inCube(stream);
+    glm::dvec3 point = points.next();
+    while (glm::dot(point, point) > 1.0) point = points.next();
     return point;
 }
 
@@ -51,10 +76,10 @@ double lengthScale(Lengths lengths, int index, int count)
     return kInnermost + (1.0 - kInnermost) * (lengths == Lengths::linear ? t : t * t);
 }
 
-/// A point of the whole cube or ball, times `scale`.
+/// A point of the whole cube or on one of its rays, times `scale`.
 glm::dvec3 randomOffset(Stream& stream, Shape shape, double scale)
 {
-    const glm::dvec3 point = shape == Shape::ball ? inBall(stream) : inCube(stream);
+    const glm::dvec3 point = inCube(stream);
     if (shape == Shape::rays) scale *= stream.number() / std::sqrt(glm::dot(point, point));
     return point * scale;
 }
@@ -116,10 +141,13 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
         return rangeError("count", desc.count, kMaxKernelSize);
 
     Stream stream(desc.seed);
+    EvenPoints points(desc.seed);
     std::vector<glm::vec3> kernel;
     for (int i = 0; i < desc.count; ++i) {
         const double scale = lengthScale(Lengths(*lengths), i, desc.count);
-        const glm::dvec3 offset = randomOffset(stream, Shape(*shape), scale);
+        const glm::dvec3 offset = Shape(*shape) == Shape::ball
+                                      ? inBall(points) * scale
+                                      : randomOffset(stream, Shape(*shape), scale);
         kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
     }
     return kernel;

@@ -5,6 +5,7 @@
 //   Mittring 2007, "Finding Next Gen: CryEngine 2", SIGGRAPH course, chapter 8 - the sphere.
 //   Filion, McNaughton 2008, "StarCraft II: Effects & Techniques" - the hemisphere.
 //   Chapman 2013, "SSAO Tutorial" - offsets that cluster near the origin, a small tiled rotation.
+//   Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences" - R3, for the ball.
 //   core/sampling/random.h names that of the numbers behind them.
 #pragma once
 
@@ -39,9 +40,10 @@ struct KernelDesc {
 Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc);
 
 /// Where the offsets of a kernel lie:
-///   "ball"  uniform in the volume of the unit ball
-///   "cube"  uniform in the cube (-1, 1)^3, not cut to the ball (OGLdev 45)
-///   "rays"  a vector in the cube, normalised, times a random length (LearnOpenGL and others)
+///   "ball"  in the unit ball, uniform in volume, and evenly however few they are [Roberts 2018]
+///   "cube"  at random in the cube (-1, 1)^3, not cut to the ball (OGLdev 45)
+///   "rays"  a random vector in the cube, normalised, times a random length (LearnOpenGL and
+///   others)
 const std::vector<std::string>& shapeNames();
 
 /// What offset i of n is multiplied by:
