@@ -34,7 +34,7 @@ void main()
     vec2 y = vec2(0.0, texel.y);
     vec2 sum = 4.0 * vec2(texture(ao, uv).r, 1.0);
     Here here;
-    if (hereAt(uv, here)) {
+    if (hereAt(uv, normalAt(uv), here)) {
         sum += 2.0 * (tapAt(uv - x, here) + tapAt(uv + x, here));
         sum += 2.0 * (tapAt(uv - y, here) + tapAt(uv + y, here));
         sum += tapAt(uv - texel, here) + tapAt(uv + texel, here);

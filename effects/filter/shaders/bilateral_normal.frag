@@ -3,6 +3,7 @@
 // One direction of a separable mean over four pixels that stops at steps and edges.
 //
 //   surface      interface: point and normal in view space
+//   normal_low   with NEIGHBOUR_NORMALS: those normals, read instead
 //   ao           what is filtered
 //   ao_filtered  the weighted mean; unchanged in the background and where no neighbour counts
 //   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
@@ -26,12 +27,21 @@ vec2 tapAt(vec2 at, Here here)
     return nearnessOf(at, here) * vec2(texture(ao, at).r, 1.0);
 }
 
+vec3 ownNormal()
+{
+#ifdef NEIGHBOUR_NORMALS
+    return lowNormalAt(uv);
+#else
+    return normalAt(uv);
+#endif
+}
+
 void main()
 {
     vec2 texel = AXIS / vec2(textureSize(ao, 0));
     vec2 sum = vec2(texture(ao, uv).r, 1.0);
     Here here;
-    if (hereAt(uv, here)) {
+    if (hereAt(uv, ownNormal(), here)) {
         sum += tapAt(uv - texel, here) + tapAt(uv + texel, here);
         sum += 0.5 * (tapAt(uv - 2.0 * texel, here) + tapAt(uv + 2.0 * texel, here));
     }

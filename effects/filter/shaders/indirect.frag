@@ -29,7 +29,7 @@ void main()
     vec2 texel = AXIS / vec2(textureSize(indirect, 0));
     vec4 sum = vec4(texture(indirect, uv).rgb, 1.0);
     Here here;
-    if (hereAt(uv, here)) {
+    if (hereAt(uv, normalAt(uv), here)) {
         sum += tapAt(uv - texel, here) + tapAt(uv + texel, here);
         sum += 0.5 * (tapAt(uv - 2.0 * texel, here) + tapAt(uv + 2.0 * texel, here));
     }

@@ -2,9 +2,14 @@
 // How much a neighbour counts: less the farther it lies off the pixel's tangent plane, both by itself and as a slope,
 // so that neither a step nor an edge is smoothed over. A plane is filtered alike however it lies to the camera.
 //
-// What is across an edge lies on a slope about half as steep as the normals turn, and needs no normal of its own.
-// Both weights fall in a straight line, which is ours; normals of neighbours cost half as much again and err more, by
-// 0.3 to 11 %.
+// What is across an edge lies on a slope about half as steep as the normals turn, and at full size needs no normal of its
+// own: those of neighbours cost half as much again and err more, by 0.3 to 11 %. At a lower resolution a neighbour just
+// across the near edge of a box lies almost in the plane of its top, which then has dark dots along the edge: a shader
+// with NEIGHBOUR_NORMALS takes the mean of the slopes off either plane. Both weights fall in a straight line, which is ours.
+//
+//   surface     interface: point and normal in view space
+//   normal_low  with NEIGHBOUR_NORMALS: normals at the resolution of the neighbours
+//
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 
 #define WIDEST_NORMAL 1
@@ -13,6 +18,16 @@
 uniform highp float radius;
 uniform highp float depth_cut;
 uniform highp float slope_cut;
+
+#ifdef NEIGHBOUR_NORMALS
+uniform mediump sampler2D normal_low;
+
+// The normal in view space at the centre of a pixel of the lower resolution, to within its rounding of length 1.
+highp vec3 lowNormalAt(highp vec2 at)
+{
+    return texture(normal_low, at).xyz * 2.0 - 1.0;
+}
+#endif
 
 // A pixel's point, its tangent plane, and what that is to its neighbours.
 struct Here {
@@ -24,10 +39,10 @@ struct Here {
 };
 
 // False in the background, where nothing is to be filtered.
-bool hereAt(highp vec2 at, out Here here)
+bool hereAt(highp vec2 at, highp vec3 normal, out Here here)
 {
     bool known = viewPosition(at, here.point);
-    here.normal = normalAt(at);
+    here.normal = normal;
     highp float cut = depth_cut * radius;
     here.per_length = 1.0 / max(cut, 1e-30);
     here.whole = cut * here.per_length;
@@ -35,13 +50,17 @@ bool hereAt(highp vec2 at, out Here here)
     return known;
 }
 
-// How far a neighbour lies off the plane, by itself and as a slope: 1 and more does not count; very far in the background.
+// How far a neighbour lies off the plane, by itself and as a slope, in cuts: at 1 and more it does not count. The
+// background is very far off.
 highp float cutsOf(highp vec2 at, Here here)
 {
     highp vec3 point;
     bool known = viewPosition(at, point);
     highp vec3 way = point - here.point;
     highp float off = abs(dot(way, here.normal));
+#ifdef NEIGHBOUR_NORMALS
+    off = 0.5 * (off + abs(dot(way, lowNormalAt(at))));
+#endif
     highp float slope = max(off - here.step, 0.0) * inversesqrt(max(dot(way, way), 1e-30));
     const highp float kFarOff = 1e4;  // whose square a float holds
     return known ? min(off * here.per_length + slope / slope_cut, kFarOff) : kFarOff;

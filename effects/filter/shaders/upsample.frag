@@ -4,6 +4,7 @@
 // screen and to the pixel's tangent plane.
 //
 //   surface      interface: point and normal in view space, at full size
+//   normal_low   normals at that of ao_low
 //   ao_low       occlusion at a lower resolution, each pixel that of the surface at its uv
 //   ao_filtered  the weighted mean; 1 in the background
 //
@@ -18,8 +19,8 @@ uniform mediump sampler2D ao_low;
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
 
-// Share of its weight on the screen that a neighbour off the plane keeps, the less the farther: without any, thin objects
-// would have no value at all, and with one that does not fall, round ones take on what lies behind them.
+// Share of its weight on the screen that a neighbour off the plane keeps, the less the farther: without any, thin
+// objects would have no value at all, and with one that does not fall, round ones take on what lies behind them.
 const float kMinWeight = 0.03;
 
 // What the low-resolution pixel adds to the weighted sum, and its weight.
@@ -36,7 +37,7 @@ void main()
 {
     ao_filtered = 1.0;
     Here here;
-    if (!hereAt(uv, here)) return;
+    if (!hereAt(uv, normalAt(uv), here)) return;
     vec2 size = vec2(textureSize(ao_low, 0));
     vec2 place = uv * size - 0.5;
     vec2 share = fract(place);
