@@ -1,6 +1,6 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 32
+// Ambient occlusion from bit masks over slices through the hemisphere: each side of a slice has 31
 // sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
 // passes behind thin objects.
 //
@@ -50,26 +50,25 @@ layout(location = 0) out float ao;
 struct Trail {
     vec3 offset;   // of its front from the point
     vec3 way;      // to there from the tap before; 0 where they do not join
-    float sector;  // 0..32, of where its front ends within the radius
+    float sector;  // 0..kSectors, of where its front ends within the radius
     float front;   // how far behind the point, along the view, it begins
     float back;    // and ends
     float step;    // from the front of the tap before
     bool inside;   // whether its front is within the radius
 };
 
+// Of a side. One less than an int has bits, so that the bit beyond the last is one too.
+const float kSectors = 31.0;
+
 // How deep a sheet, whose back is its front, counts in radii: less parts steep sheets between taps, more closes what is
 // open behind leaves. rmse of `high` in a courtyard of open shells and among leaves: 0.037 and 0.129, with 0.1 0.070 and
 // 0.145, with 0.2 0.042 and 0.127, with 0.3 0.035 and 0.134.
 const float kSheet = 0.25;
 
-// Both ends are rounded: 0.0459 and 0.0250. Rounded down and up, about as in the authors' code, 0.0469 and 0.0256.
+// Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
 uint maskOf(float first, float last)
 {
-    uint from = uint(min(first, last) + 0.5);
-    uint to = uint(max(first, last) + 0.5);
-    uint below_to = to >= 32u ? 0xffffffffu : (1u << to) - 1u;
-    uint below_from = from >= 32u ? 0xffffffffu : (1u << from) - 1u;
-    return below_to & ~below_from;
+    return (1u << uint(max(first, last) + 0.5)) - (1u << uint(min(first, last) + 0.5));
 }
 
 // [Anderson 2005, "Bit Twiddling Hacks" - counting bits set, in parallel]
@@ -82,31 +81,28 @@ float countOf(uint mask)
 
 float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
 {
-    return 32.0 * cosineArcIntegral(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
+    return kSectors * cosineArcIntegral(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
 }
 
-// Whether what lies between two neighbouring taps is filled: it is at most as large in depth as the nearer of
-// them is deep, times `max_gap` and the spacing of the taps, and at most kWidest radii, each times `chance`. With wide
-// bridges, as in `balanced`, 0.0457 and 0.0343; with kWidest 1 0.0519 and 0.0294, with 3 0.0442 and 0.0400.
-bool isJoined(Trail trail, float front, float deep, float chance)
+// How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them is
+// deep, times `max_gap` and the spacing of the taps, or as the radius.
+float filledBetween(Trail trail, float front, float deep)
 {
-    const float kWidest = 1.5;
     float share = max_gap / float(STEPS);
-    float most = kWidest * radius;
     float thick = trail.back - trail.front;
     float uneven = unevenStep(front - trail.front, trail.step);
-    return trail.inside && uneven - thick < chance * min(share * thick, most) &&
-           -uneven - deep < chance * min(share * deep, most);
+    float behind = (uneven - thick) / max(min(share * thick, radius), 1e-30);
+    float before = (-uneven - deep) / max(min(share * deep, radius), 1e-30);
+    return trail.inside ? filledShare(max(max(behind, before), 0.0)) : 0.0;
 }
 
 // The sectors blocked by something whose front is at `offset` and which is `deep` along the ray `away`,
 // as far as it lies within the radius; and by the surface that joins it to the tap before, without which
 // few taps would miss most of what blocks.
-uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, float chance,
-               inout Trail trail)
+uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, inout Trail trail)
 {
     float front = -dot(offset, march.to_camera);
-    bool joined = isJoined(trail, front, deep, chance);
+    float filled = filledBetween(trail, front, deep);
 
     // The ray is within the radius from -along - root to root - along: |offset + s away| = radius, solved for s.
     float along = dot(offset, away);
@@ -116,20 +112,22 @@ uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, fl
     float first = max(-along - root, 0.0);
     float last = min(deep, root - along);
     uint blocked = 0u;
-    float sector = 32.0;
+    float sector = kSectors;
     if (square > 0.0 && first <= last) {
         sector = sectorOf(march, side, outwards, offset + away * first);
         blocked = maskOf(sector, sectorOf(march, side, outwards, offset + away * last));
     }
     bool inside = reached < radius;
-    if (joined) {
+    if (filled > 0.0) {
         if (!inside) {
             vec3 leaves = mix(trail.offset, offset, shareWithin(trail.offset, offset));
             sector = sectorOf(march, side, outwards, leaves);
         }
-        blocked |= maskOf(sector, trail.sector);
+        float part = 0.5 * filled * (trail.sector - sector);  // from either end
+        blocked |= maskOf(sector, sector + part) | maskOf(trail.sector - part, trail.sector);
     }
-    trail = Trail(offset, joined ? offset - trail.offset : vec3(0.0), sector, front, front + deep, front - trail.front, inside);
+    vec3 way = filled > 0.5 ? offset - trail.offset : vec3(0.0);
+    trail = Trail(offset, way, sector, front, front + deep, front - trail.front, inside);
     return blocked;
 }
 
@@ -165,9 +163,9 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
     float edge = edgeOf(march, slice, sign);
     float stride = strideOf(edge);
     uint blocked = 0u;
-    Trail trail = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, thickness * radius, 0.0, true);
+    Trail trail = Trail(vec3(0.0), vec3(0.0), kSectors, 0.0, thickness * radius, 0.0, true);
 #if SECOND_LAYER
-    Trail second = Trail(vec3(0.0), vec3(0.0), 32.0, 0.0, 0.0, 0.0, false);
+    Trail second = Trail(vec3(0.0), vec3(0.0), kSectors, 0.0, 0.0, 0.0, false);
 #endif
     for (int i = 0; i < STEPS; ++i) {
         vec2 at = tapAt(march, slice, sign, stride, i);
@@ -177,12 +175,11 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
             continue;
         }
         vec3 away = awayAt(march, offset);
-        float chance = chanceOf(march, sign, i);
         float deep = thickness * radius;
 #if BACK_FACES
         deep = depthOf(depth_back, march, at, offset);
 #endif
-        blocked |= blockedBy(march, side, outwards, offset, away, deep, chance, trail);
+        blocked |= blockedBy(march, side, outwards, offset, away, deep, trail);
 #if SECOND_LAYER
         vec3 behind;
         if (!pointIn(depth_second, at, behind)) {
@@ -191,7 +188,7 @@ uint blockedOn(March march, Slice slice, Side side, float sign)
         }
         behind -= march.point;
         deep = depthOf(depth_second_back, march, at, behind);
-        blocked |= blockedBy(march, side, outwards, behind, away, deep, chance, second);
+        blocked |= blockedBy(march, side, outwards, behind, away, deep, second);
 #endif
     }
     if (edge < 1.0 && trail.inside) {
@@ -216,7 +213,7 @@ void main()
         float weight = slice.projected_length;
         for (float sign = -1.0; sign < 2.0; sign += 2.0) {
             Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
-            float share = countOf(blockedOn(march, slice, side, sign)) / 32.0;
+            float share = countOf(blockedOn(march, slice, side, sign)) / kSectors;
             blocked += weight * side.whole * share;
             whole += weight * side.whole;
         }

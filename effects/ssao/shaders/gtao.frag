@@ -30,7 +30,7 @@ layout(location = 1) out vec4 bent_normal;
 float horizonOf(March march, Slice slice, Side side, float sign)
 {
     vec3 outwards = outward(march, slice, sign);
-    float horizon = lastCosine(side);
+    float lift = 0.0;  // of the horizon
     float edge = edgeOf(march, slice, sign);
     float stride = strideOf(edge);
     vec3 before = vec3(0.0);
@@ -43,22 +43,23 @@ float horizonOf(March march, Slice slice, Side side, float sign)
         vec3 offset;
         if (!offsetAt(march, at, offset)) continue;
         float distance_here = length(offset);
-        float share = 1.0;
         way = offset - before;
         float step_here = dot(way, march.to_camera);
-        bool joined = abs(unevenStep(step_here, before_step)) < widest * chanceOf(march, sign, i);
-        if (!joined) way = vec3(0.0);
-        if (distance_here > radius) share = joined && before_distance < radius ? shareWithin(before, offset) : 0.0;
-        vec3 counted = mix(before, offset, share);
-        if (distance_here < radius || share > 0.0)
-            horizon = max(horizon, cosineOf(march, side, outwards, counted));
+        float filled = filledShare(unevenStep(step_here, before_step) / widest);
+        if (filled < 0.5) way = vec3(0.0);
+        if (distance_here < radius) {
+            lift = max(lift, liftOf(march, side, outwards, offset));
+        } else if (before_distance < radius) {
+            vec3 leaves = mix(before, offset, shareWithin(before, offset));
+            lift += filled * max(liftOf(march, side, outwards, leaves) - lift, 0.0);
+        }
         before = offset;
         before_distance = distance_here;
         before_step = step_here;
     }
     if (edge < 1.0 && before_distance < radius)
-        horizon = max(horizon, cosineOf(march, side, outwards, goneOn(before, way)));
-    return horizon;
+        lift = max(lift, liftOf(march, side, outwards, goneOn(before, way)));
+    return cosineOfLift(side, lift);
 }
 
 void main()

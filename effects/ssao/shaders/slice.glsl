@@ -44,19 +44,27 @@ highp vec2 openDirection(Side side, highp float c)
                 side.cos_n * s3 + side.sin_n * (2.0 - 3.0 * c + c3)) / 3.0;
 }
 
-// Cosine of the angle of what rises over the surface: `rise` is the cosine between its direction and the
-// normal, `leads` whether it lies on this side of the normal.
+// How far up on a side something lies: 0 on the surface and where it lies on the other side of the camera, 1 along the
+// normal, above 1 beyond the normal, towards the camera. `rise` is the cosine between its direction and the normal,
+// `leads` whether it lies on this side of the normal.
 //
 // A texel's centre lies somewhat off the slice. On a surface at a grazing angle, its angle to the camera may then
 // place it high above that surface, and its rise does not. Ours: planes are open at every angle. The paper takes the
 // angle to the camera, lines 23 and 24.
-highp float cosineOfRise(Side side, highp float rise, bool leads)
+highp float liftOf(Side side, highp float rise, bool leads)
 {
     highp float up = clamp(rise / side.projected_length, 0.0, 1.0);
+    if (leads) return up;
+    bool before_camera = side.sin_n > 0.0 && up > side.cos_n;
+    return before_camera ? 2.0 - up : 0.0;
+}
+
+// Cosine of the angle of what lies so far up.
+highp float cosineOfLift(Side side, highp float lift)
+{
+    highp float up = min(lift, 2.0 - lift);
     highp float level = sqrt(1.0 - up * up);
-    if (leads) return side.cos_n * up - side.sin_n * level;
-    bool on_this_side = side.sin_n * up > side.cos_n * level;  // between the normal and the camera
-    return on_this_side ? side.cos_n * up + side.sin_n * level : lastCosine(side);
+    return side.cos_n * up + side.sin_n * (lift > 1.0 ? level : -level);
 }
 
 // `sin_n` is positive where the normal leans towards this side.

@@ -56,7 +56,7 @@ const Prediction kPredictions[] = {
     {"taps",
      kIdealTaps,
      kRoom,
-     {"gtao", {"slices=1", "steps=2"}},
+     {"gtao", {"slices=1", "steps=1"}},
      {"gtao", {"slices=16", "steps=32"}}},
     {"taps", kIdealTaps, kRoom, {"lettier", {"samples=4"}}, {"lettier", {"samples=128"}}, kBar},
     {"filter", kIdealFilter, kRoom, {"gtao"}, {"gtao", {"filter/bilateral_normal=filter/none"}}},
