@@ -124,7 +124,10 @@ MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
         if (face.mNumIndices == 3)
             mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
     }
-    if (!from.HasNormals()) smoothNormals(mesh, crease_degrees);
+    if (from.HasNormals())
+        windByNormals(mesh);
+    else
+        smoothNormals(mesh, crease_degrees);
     fillNormals(mesh);
     joinVertices(mesh);
     return mesh;

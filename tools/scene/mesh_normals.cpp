@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace crevice {
 
@@ -236,6 +237,24 @@ void smoothNormals(MeshDesc& mesh, double crease_degrees)
         sums[groups.find(corner)] += normals[corner / 3] * cornerAngle(mesh.vertices, corner);
     for (std::uint32_t corner = 0; corner < sums.size(); ++corner)
         setNormal(mesh.vertices[corner], unit(sums[groups.find(corner)]));
+}
+
+void windByNormals(MeshDesc& mesh)
+{
+    double facing = 0;
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        const Vertex* corners[3];
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[first + k]];
+        const glm::dvec3 origin = positionOf(*corners[0]);
+        const glm::dvec3 area =
+            glm::cross(positionOf(*corners[1]) - origin, positionOf(*corners[2]) - origin);
+        for (const Vertex* corner : corners)
+            facing +=
+                glm::dot(area, glm::dvec3(corner->normal[0], corner->normal[1], corner->normal[2]));
+    }
+    if (!(facing < 0)) return;
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3)
+        std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
 }
 
 void fillNormals(MeshDesc& mesh)

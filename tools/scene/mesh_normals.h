@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Normals, shared vertices and open edges of imported meshes, in time that grows with n log n
-// whatever the mesh looks like: files hold fans of a million triangles and as many copies of one.
+// Normals, winding, shared vertices and open edges of imported meshes, in time that grows with n
+// log n whatever the mesh looks like: files hold fans of a million triangles and as many copies of
+// one.
 #pragma once
 
 #include <crevice/device.h>
@@ -11,6 +12,10 @@ namespace crevice {
 /// `crease_degrees` are one smooth surface, weighted by their angles at the vertex; others keep the
 /// edge. Afterwards each triangle has vertices of its own; joinVertices shares them again.
 void smoothNormals(MeshDesc& mesh, double crease_degrees);
+
+/// Winds the triangles the other way round where most of their area faces away from the normals of
+/// its vertices: the file's normals say which side is out.
+void windByNormals(MeshDesc& mesh);
 
 /// Normals of length zero become their face's, or +z where the face has no area.
 void fillNormals(MeshDesc& mesh);

@@ -111,7 +111,8 @@ struct Material {
     bool operator==(const Material& other) const;
 };
 
-/// A mesh at a place.
+/// A mesh at a place. Seen from outside its triangles run counter-clockwise: back faces and layers
+/// of depth tell by that where a body ends.
 struct DrawItem {
     MeshId mesh = {};
     std::uint32_t first = 0;  ///< First index.
@@ -167,6 +168,10 @@ struct Frame {
     /// else now: ids of what was destroyed are given out again.
     std::uint64_t revision = 0;
     bool camera_cut = false;  ///< The last frame no longer applies: histories are cleared.
+    /// How far the world's origin has moved since the last frame, in scene units: what was at p is
+    /// at p - origin_shift now, in all matrices of this frame. So a host that keeps its origin near
+    /// the camera keeps histories. What is not finite is a cut.
+    glm::dvec3 origin_shift = glm::dvec3(0.0);
 };
 
 /// The camera of a view: 0 is `frame.camera`. Requires 0 <= view <= other_views.size().

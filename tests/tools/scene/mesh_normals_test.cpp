@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace crevice;
 
@@ -46,6 +47,19 @@ TEST_CASE("faces that meet at less than the crease share a normal, others do not
     }
     CHECK(gentle.vertices.size() == 6);
     CHECK(sharp.vertices.size() == 8);
+}
+
+TEST_CASE("A mesh is wound as its normals face")
+{
+    const MeshDesc box = makeBox({0, 0, 0}, {1, 2, 3});
+    MeshDesc reversed = box;
+    for (std::size_t i = 0; i < reversed.indices.size(); i += 3)
+        std::swap(reversed.indices[i + 1], reversed.indices[i + 2]);
+    windByNormals(reversed);
+    CHECK(reversed.indices == box.indices);
+    MeshDesc same = box;
+    windByNormals(same);
+    CHECK(same.indices == box.indices);
 }
 
 TEST_CASE("faces that merely touch at a point keep their own normals")
