@@ -251,6 +251,7 @@ Status checkFrame(const Frame& frame)
 }
 
 bool isFinite(const glm::vec3& vector) { return finite(vector); }
+bool isFinite(const glm::dvec3& vector) { return finite(vector); }
 
 bool isFinite(const Material& material)
 {

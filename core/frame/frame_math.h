@@ -81,6 +81,7 @@ glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world);
 Status checkFrame(const Frame& frame);
 
 bool isFinite(const glm::vec3& vector);
+bool isFinite(const glm::dvec3& vector);
 bool isFinite(const Material& material);
 bool isFinite(const Light& light);
 

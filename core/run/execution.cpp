@@ -2,7 +2,10 @@
 // Running a prepared plan: no allocation, no creation, no decision that could be made before.
 #include "core/run/execution.h"
 
+#include "core/frame/frame_math.h"
 #include "core/frame/frame_values.h"
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -167,8 +170,12 @@ bool Execution::beginView(const Frame& frame, PreparedView& view, const Camera& 
     const bool changed = matrices.clip_from_view != view.camera.clip_from_view ||
                          matrices.view_from_world != view.camera.view_from_world;
     FrameHistory& history = view.history;
-    history.valid = history.valid && !frame.camera_cut;
-    if (!history.valid) history.camera = matrices;
+    history.valid = history.valid && !frame.camera_cut && isFinite(frame.origin_shift);
+    if (history.valid)
+        history.camera.view_from_world =
+            glm::translate(history.camera.view_from_world, frame.origin_shift);
+    else
+        history.camera = matrices;
     view.camera = matrices;
     view.before = history;
     setView(frame, view);

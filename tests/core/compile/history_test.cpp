@@ -8,6 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <cmath>
+
 using namespace crevice;
 
 namespace {
@@ -167,5 +169,24 @@ TEST_CASE("A frame knows where the camera was in the one before")
     rig.frame.camera_cut = true;
     rig.frame.camera.view_from_world = glm::mat4(1.0f);
     rig.draw();
+    CHECK(same(sentMatrix(rig, "previous_view_from_view"), glm::mat4(1.0f)));
+}
+
+TEST_CASE("A camera that moves with the world's origin has not moved")
+{
+    Rig rig(true);
+    rig.frame.camera.view_from_world =
+        glm::lookAt(glm::dvec3(3e6, 2, 5), glm::dvec3(3e6, 1, 0), glm::dvec3(0, 1, 0));
+    rig.draw();
+    rig.frame.origin_shift = {3e6, -7, 0.5};
+    rig.frame.camera.view_from_world =
+        glm::translate(rig.frame.camera.view_from_world, rig.frame.origin_shift);
+    rig.draw();
+    CHECK(same(sentMatrix(rig, "previous_view_from_view"), glm::mat4(1.0f)));
+    CHECK(sent(rig, "history_valid") == 1);
+
+    rig.frame.origin_shift = {NAN, 0, 0};
+    rig.draw();
+    CHECK(sent(rig, "history_valid") == 0);
     CHECK(same(sentMatrix(rig, "previous_view_from_view"), glm::mat4(1.0f)));
 }
