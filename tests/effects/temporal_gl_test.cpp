@@ -190,6 +190,30 @@ TEST_CASE("What the camera moves past comes along and leaves no ghost on a wall"
     }
 }
 
+TEST_CASE("What moves by itself keeps its history where the host gives velocities")
+{
+    // Noise on stripes that go to the right by 3 pixels a frame, under a still camera.
+    const std::string stripes =
+        "(fract((gl_FragCoord.x - 3.0 * float(frame_index)) / 32.0) < 0.5 ? 0.2 : 0.6)";
+    const std::string noisy = stripes + " + 0.4 * " + kNoise;
+    const auto error = [&](float pixels, const char* told) {
+        Film film(noisy, "plane", {"history_clamp=false", told});
+        Film exact(stripes + " + 0.2", "plane", {kRaw});
+        const TextureId velocity = film.gl.texture(Format::rg16f, kExtent);
+        Image moved(kExtent, 2);
+        for (std::size_t i = 0; i < moved.pixels.size(); i += 2)
+            moved.pixels[i] = pixels / float(kExtent.width);
+        need(film.gl.device->writeTexture(velocity, moved));
+        film.frame.textures = {{"velocity", velocity}};
+        exact.draw(23);
+        return meanChange(film.draw(24), exact.draw());
+    };
+    const double raw = 0.1;  // of noise over 0..0.4, from its middle
+    CHECK(error(3, "host_velocity=true") < 0.6 * raw);
+    CHECK(error(-3, "host_velocity=true") > raw);
+    CHECK(error(3, "host_velocity=false") > raw);
+}
+
 TEST_CASE("A surface that comes into view has no history of the one before it")
 {
     // Spheres are dark, what they stand before is bright.

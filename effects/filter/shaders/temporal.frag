@@ -8,6 +8,7 @@
 //   ao_filtered_history  the mean up to the last frame
 //   ao_depth_history     where that was: rgb view depth, a the frames in the mean, over 255
 //   ao_cycle_history     the pixel's `ao` when a cycle of noise last began
+//   velocity             with HOST_VELOCITY: how far on the screen what a pixel sees has come since the last frame, in uv
 //   ao_filtered          the mean; `ao` itself where there is no earlier frame
 //   ao_depth, ao_cycle   for the next frame
 //
@@ -35,6 +36,9 @@ uniform mediump sampler2D ao;
 uniform mediump sampler2D ao_filtered_history;
 uniform highp sampler2D ao_depth_history;
 uniform mediump sampler2D ao_cycle_history;
+#if HOST_VELOCITY
+uniform highp sampler2D velocity;
+#endif
 
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
@@ -53,13 +57,19 @@ const float kSameNoise = 1.5 / 255.0;
 bool isVisibility(float value) { return value >= 0.0 && value <= 1.0; }  // false for NaN
 
 // Where the last frame saw the point that this one sees at `uv`; false behind its camera. The way a point
-// goes, and not where it comes from: so a still camera finds the same texel whatever the G-buffer's size.
+// goes, and not where it comes from: so a still camera finds the same texel whatever the G-buffer's size. Along the view
+// a point that moves by itself is taken to stand still: history_cut allows for that.
 bool previousUv(vec3 point, out vec2 before)
 {
+#if HOST_VELOCITY
+    before = uv - texelFetch(velocity, texelAt(uv, vec2(textureSize(velocity, 0))), 0).xy;
+    return true;
+#else
     vec4 clip = clip_from_view * vec4(point, 1.0);
     vec4 previous = previous_clip_from_view * vec4(point, 1.0);
     before = uv + 0.5 * (previous.xy / max(previous.w, kSmallestW) - clip.xy / max(clip.w, kSmallestW));
     return previous.w > 0.0;
+#endif
 }
 
 // Mean and count of frames of the point; 0 frames where the last frame did not see it. `slope` is how far the
