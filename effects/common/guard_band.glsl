@@ -33,7 +33,7 @@ highp vec2 viewShareOf(highp vec2 size)
 // The texel at the view's uv, in a texture of `size` texels.
 highp ivec2 texelInGuardBand(highp vec2 uv, highp vec2 size)
 {
-    return texelUnder(uv * viewSizeIn(size) + bandOf(size), size);
+    return texelUnder(uv * viewSizeIn(size), bandOf(size), size);
 }
 
 // The view's uv at the centre of a texel, in a texture of `size` texels.

@@ -164,7 +164,7 @@ TEST_CASE("In half floats all that shipped configs draw is finite, and occlusion
     if (!applies()) return;
     const Scene room = need(loadScene("room"));
     const std::vector<Setting> settings = {{room, {256, 144}},
-                                           {need(loadScene("plane")), {64, 36}},
+                                           {need(loadScene("plane")), {128, 72}},
                                            {inUnits(room, 1e-3f), {4096, 1}, 1e-3f},
                                            {inUnits(room, 1e3f), {2600, 2}, 1e3f}};
     Stage full(Mediump::full, settings), half(Mediump::half, settings);

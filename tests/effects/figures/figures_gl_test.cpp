@@ -48,11 +48,11 @@ struct Row {
 };
 
 const Row kOcclusion[] = {
-    {"mobile", kClose, {}, 0.0737, 0.0217},
+    {"mobile", kClose, {}, 0.0736, 0.0210},
     {"mobile", kWide, {}, 0.0925, -0.0165},
-    {"balanced", kClose, {}, 0.0607, -0.0053},
+    {"balanced", kClose, {}, 0.0617, -0.0068},
     {"balanced", kWide, {}, 0.0748, -0.0071},
-    {"high", kClose, {}, 0.0324, -0.0009},
+    {"high", kClose, {}, 0.0327, -0.0034},
     {"high", kWide, {}, 0.0382, -0.0010},
     {"gtao", kClose, {}, 0.0719, 0.0198},
     {"gtao", kWide, {}, 0.0938, -0.0208},
@@ -68,7 +68,7 @@ const Row kOcclusion[] = {
     {"gtao_temporal", kWide, {}, 0.0931, -0.0191},
     {"mobile_temporal", kClose, {}, 0.0991, 0.0457},
     {"balanced_temporal", kWide, {}, 0.0704, -0.0093},
-    {"mobile", kClose, {"intensity=1.6", "power=1.7"}, 0.2229, -0.1697},
+    {"mobile", kClose, {"intensity=1.6", "power=1.7"}, 0.2230, -0.1689},
     {"high", kWide, {"intensity=0.6", "power=2.5"}, 0.0716, -0.0507},
     {"hbao", kClose, {"intensity=0.7", "power=1.5"}, 0.2121, 0.1489},
     {"ssdo", kWide, {"intensity=1.5", "power=0.6"}, 0.2290, -0.0327},
@@ -97,7 +97,7 @@ const Row kLight[] = {
     {"gtao", kClose, {"specular_occlusion=ao", "ambient=0", "specular_power=20"}, 0.0030, -0.0007},
     {"gtao", kWide, {"specular_occlusion=ao", "ambient=0", "specular_power=4"}, 0.0198, -0.0094},
     {"gtao", kWide, {"ambient=1", "multi_bounce=true"}, 0.0685, -0.0272},
-    {"balanced", kClose, {"ambient=0.7", "ao_on=everything"}, 0.1311, -0.0751},
+    {"balanced", kClose, {"ambient=0.7", "ao_on=everything"}, 0.1329, -0.0760},
     {"ssdo", kWide, {"bounce=3"}, 0.0386, -0.0125},
     {"ssdo", kClose, {}, 0.0348, -0.0172},
     {"mobile", kWide, {"ambient=1"}, 0.1092, -0.0566},
