@@ -111,19 +111,17 @@ uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, fl
     float root = sqrt(max(square, 0.0));
     float first = max(-along - root, 0.0);
     float last = min(deep, root - along);
+    bool inside = reached < radius;
+    bool within = square > 0.0 && first <= last;
+    // Of a front beyond the radius, where what joins it leaves the radius.
+    vec3 begin = offset + away * first;
+    if (!inside && filled > 0.0) begin = mix(trail.offset, offset, shareWithin(trail.offset, offset));
     uint blocked = 0u;
     float sector = kSectors;
-    if (square > 0.0 && first <= last) {
-        sector = sectorOf(march, side, outwards, offset + away * first);
-        blocked = maskOf(sector, sectorOf(march, side, outwards, offset + away * last));
-    }
-    bool inside = reached < radius;
-    if (filled > 0.0) {
-        if (!inside) {
-            vec3 leaves = mix(trail.offset, offset, shareWithin(trail.offset, offset));
-            sector = sectorOf(march, side, outwards, leaves);
-        }
+    if (within || filled > 0.0) {
+        sector = sectorOf(march, side, outwards, begin);
         float part = 0.5 * filled * (trail.sector - sector);  // from either end
+        if (within) blocked = maskOf(sector, sectorOf(march, side, outwards, offset + away * last));
         blocked |= maskOf(sector, sector + part) | maskOf(trail.sector - part, trail.sector);
     }
     vec3 way = filled > 0.5 ? offset - trail.offset : vec3(0.0);
