@@ -2,14 +2,14 @@
 // Which texel of a texture a place in it names.
 
 // At half the size pixel centres lie where four texels meet. There rounding would decide, pixel by pixel and for depth
-// and normals apart; so the texel is a little to one side, by more than the error of a uv and less than any distance that
-// matters: of 8192 texels the last bit of a uv is 1/2048 of one.
+// and normals apart; so the texel is a little to one side, by more than the error of a uv and less than any distance
+// that matters: of 8192 texels the last bit of a uv is 1/2048 of one.
 const highp float kTie = 1.0 / 256.0;
 
-// The texel at `at`, counted in texels from texel `first` of a texture of `size` texels. Ours: the side changes from row to row and from
-// column to column, so that half of a picture is no shift of it and thin things are met by one pixel or the next. At half
-// size it turned by half a turn changes by 0.003 where it did by 0.010 with one side for all, and the mean rmse of `high` in
-// six scenes falls from 0.0456 to 0.0448.
+// The texel at `at`, counted in texels from texel `first` of a texture of `size` texels. Ours: the side changes from
+// row to row and from column to column, so that half of a picture is no shift of it and thin things are met by one
+// pixel or the next. At half size it turned by half a turn changes by 0.003 where it did by 0.010 with one side for
+// all, and the mean rmse of `high` in six scenes falls from 0.0456 to 0.0448.
 highp ivec2 texelUnder(highp vec2 at, highp vec2 first, highp vec2 size)
 {
     highp vec2 odd = mod(floor(0.5 * at.yx), 2.0);

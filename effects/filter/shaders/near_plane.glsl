@@ -2,10 +2,11 @@
 // How much a neighbour counts: less the farther it lies off the pixel's tangent plane, both by itself and as a slope,
 // so that neither a step nor an edge is smoothed over. A plane is filtered alike however it lies to the camera.
 //
-// What is across an edge lies on a slope about half as steep as the normals turn, and at full size needs no normal of its
-// own: those of neighbours cost half as much again and err more, by 0.3 to 11 %. At a lower resolution a neighbour just
-// across the near edge of a box lies almost in the plane of its top, which then has dark dots along the edge: a shader
-// with NEIGHBOUR_NORMALS takes the mean of the slopes off either plane. Both weights fall in a straight line, which is ours.
+// What is across an edge lies on a slope about half as steep as the normals turn, and at full size needs no normal of
+// its own: those of neighbours cost half as much again and err more, by 0.3 to 11 %. At a lower resolution a neighbour
+// just across the near edge of a box lies almost in the plane of its top, which then has dark dots along the edge: a
+// shader with NEIGHBOUR_NORMALS takes the mean of the slopes off either plane. Both weights fall in a straight line,
+// which is ours.
 //
 //   surface     interface: point and normal in view space
 //   normal_low  with NEIGHBOUR_NORMALS: normals at the resolution of the neighbours

@@ -56,9 +56,9 @@ const float kSameNoise = 1.5 / 255.0;
 
 bool isVisibility(float value) { return value >= 0.0 && value <= 1.0; }  // false for NaN
 
-// Where the last frame saw the point that this one sees at `uv`; false behind its camera. The way a point
-// goes, and not where it comes from: so a still camera finds the same texel whatever the G-buffer's size. Along the view
-// a point that moves by itself is taken to stand still: history_cut allows for that.
+// Where the last frame saw the point that this one sees at `uv`; false behind its camera. The way a point goes, and not
+// where it comes from: so a still camera finds the same texel whatever the G-buffer's size. Along the view a point that
+// moves by itself is taken to stand still: history_cut allows for that.
 bool previousUv(vec3 point, out vec2 before)
 {
 #if HOST_VELOCITY

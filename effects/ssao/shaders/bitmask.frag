@@ -11,9 +11,9 @@
 //   ao                 visibility, 1 open .. 0 blocked; 1 in the background
 //
 // [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
-// of equal angle. Slices are those of ssao/shaders/slice.glsl. That taps join, and that each is clipped to the radius, is ours.
-// Off the screen the surface last seen goes on.
-// Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/methods/bitmask.md says how to measure.
+// of equal angle. Slices are those of ssao/shaders/slice.glsl. That taps join, and that each is clipped to the radius,
+// is ours. Off the screen the surface last seen goes on. Figures are rmse in the room and on the spheres, 480x270,
+// radius 1; docs/methods/bitmask.md says how to measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
 
@@ -61,8 +61,8 @@ struct Trail {
 const float kSectors = 31.0;
 
 // How deep a sheet, whose back is its front, counts in radii: less parts steep sheets between taps, more closes what is
-// open behind leaves. rmse of `high` in a courtyard of open shells and among leaves: 0.037 and 0.129, with 0.1 0.070 and
-// 0.145, with 0.2 0.042 and 0.127, with 0.3 0.035 and 0.134.
+// open behind leaves. rmse of `high` in a courtyard of open shells and among leaves: 0.037 and 0.129, with 0.1 0.070
+// and 0.145, with 0.2 0.042 and 0.127, with 0.3 0.035 and 0.134.
 const float kSheet = 0.25;
 
 // Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
@@ -84,8 +84,8 @@ float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
     return kSectors * cosineArcIntegral(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
 }
 
-// How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them is
-// deep, times `max_gap` and the spacing of the taps, or as the radius.
+// How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them
+// is deep, times `max_gap` and the spacing of the taps, or as the radius.
 float filledBetween(Trail trail, float front, float deep)
 {
     float share = max_gap / float(STEPS);

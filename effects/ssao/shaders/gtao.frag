@@ -10,7 +10,8 @@
 // where the surface leaves the radius between two taps, the place where it does is interpolated, without
 // which few taps see too low a horizon. Off the screen the surface last seen goes on.
 // [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
-// is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/shaders/march.glsl for its figures.
+// is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/shaders/march.glsl for its
+// figures.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 

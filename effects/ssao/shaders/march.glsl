@@ -130,8 +130,8 @@ bool offsetAt(March march, inout highp vec2 at, out highp vec3 offset)
 }
 
 // Where a side leaves what the screen and its guard band show, in reaches: the captured volume in clip space is |x| and
-// |y| < GUARD_BAND w, and up to a pixel more, which is not used. `room` is how far the point lies within its four planes,
-// `used` what one reach takes of that.
+// |y| < GUARD_BAND w, and up to a pixel more, which is not used. `room` is how far the point lies within its four
+// planes, `used` what one reach takes of that.
 highp float edgeOf(March march, Slice slice, highp float sign)
 {
     highp vec3 way = slice.clip * sign;
@@ -141,9 +141,10 @@ highp float edgeOf(March march, Slice slice, highp float sign)
     return min(min(edges.x, edges.y), min(edges.z, edges.w));
 }
 
-// From tap to tap of a side, in reaches: evenly from the pixel to somewhat beyond the radius, so that the surface
-// is seen to leave it, and at most up to the edge. Ours: of four steps the last lies at 0.9 to 1.2 radii. rmse of gtao
-// in the room and on the spheres: 0.0466 and 0.0307, with 0.3 in place of 0.6 0.0465 and 0.0309, with 0.9 0.0486 and 0.0321.
+// From tap to tap of a side, in reaches: evenly from the pixel to somewhat beyond the radius, so that the surface is
+// seen to leave it, and at most up to the edge. Ours: of four steps the last lies at 0.9 to 1.2 radii. rmse of gtao in
+// the room and on the spheres: 0.0466 and 0.0307, with 0.3 in place of 0.6 0.0465 and 0.0309, with 0.9 0.0486 and
+// 0.0321.
 highp float strideOf(highp float edge)
 {
     return min(1.0 / (float(STEPS) - 0.6), edge / float(STEPS));
@@ -160,9 +161,9 @@ highp vec2 tapAt(March march, Slice slice, highp float sign, highp float stride,
 }
 
 // How much of the hidden space between two neighbouring taps counts as filled: the wider the gap, the likelier it is
-// open. `gap` is in units of one that is filled by half. Ours. Where each pixel takes it as all filled or all open, by its
-// noise, walls keep blotches that no filter of 4x4 pixels takes out; the mean rmse of gtao in six scenes is 1.5 % larger,
-// of bitmask 4 %.
+// open. `gap` is in units of one that is filled by half. Ours. Where each pixel takes it as all filled or all open, by
+// its noise, walls keep blotches that no filter of 4x4 pixels takes out; the mean rmse of gtao in six scenes is 1.5 %
+// larger, of bitmask 4 %.
 highp float filledShare(highp float gap)
 {
     return 1.0 / (1.0 + gap * gap);
@@ -191,8 +192,8 @@ highp float shareWithin(highp vec3 from, highp vec3 to)
     return clamp(leavesAt(from, to - from), 0.0, 1.0);
 }
 
-// Where the surface last seen on a side leaves the radius, if it goes on beyond the screen's edge in the direction of the
-// last two taps: `way` is from one to the other, 0 where they lie on two surfaces.
+// Where the surface last seen on a side leaves the radius, if it goes on beyond the screen's edge in the direction of
+// the last two taps: `way` is from one to the other, 0 where they lie on two surfaces.
 highp vec3 goneOn(highp vec3 seen, highp vec3 way)
 {
     return seen + way * max(leavesAt(seen, way), 0.0);
