@@ -93,10 +93,10 @@ error_rows() {
         "\`thesis\` against \`bilateral_2d\`, room: $(difference rmse one.pfm two.pfm), with 10 fetches of AO instead of 25" 'yes'
     row 'Tiles of noise beyond 8x8 do not pay' 'Habr' \
         "\`hemisphere_box\`, 8 samples, a box of the tile's size, room: 2x2 $(tile 2), 4x4 $(tile 4), 8x8 $(tile 8), 16x16 $(tile 16)" \
-        'yes: the wider filter blurs away what more directions gain'
+        'yes, nor beyond 4x4: the wider filter blurs away what more directions gain'
     row 'Without rotation about 200 samples are needed, with it and a filter 16' 'Wikipedia, "Screen space ambient occlusion"' \
         "\`hemisphere_box\`, room, and from its own picture of 250 rotated samples unfiltered: 16 rotated and filtered $(noisy samples=16); unrotated, unfiltered 64 $(unrotated 64), 128 $(unrotated 128), 250 $(unrotated 250)" \
-        'yes: 128 are noisier than the 16, and 250 are not'
+        'no, for offsets that fill the ball evenly: 64 are as good as the 16; of random ones it took 128 to 250'
     row 'Without a range check there are halos' 'Chapman; LearnOpenGL' \
         "\`learnopengl\`, spheres: with $(error spheres learnopengl), without $(error spheres learnopengl --variant no_range_check)" \
         'yes'
