@@ -3,7 +3,24 @@
 
 #include "effects/catalog_data.h"
 
+#include <algorithm>
+
 namespace crevice {
+
+namespace {
+
+constexpr std::string_view kConfigs = "configs/";
+
+bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) == kConfigs; }
+
+/// One part of a checkout may link to another.
+std::vector<std::string> withFolder(std::vector<std::string> roots, const std::string& folder)
+{
+    roots.push_back(folder);
+    return roots;
+}
+
+}  // namespace
 
 const SourceSet& shippedSources()
 {
@@ -14,6 +31,39 @@ const SourceSet& shippedSources()
         return filled;
     }();
     return sources;
+}
+
+CheckoutSources::CheckoutSources(std::string folder, std::vector<std::string> roots)
+    : used_(!folder.empty()),
+      effects_(folder + "/effects", withFolder(roots, folder)),
+      configs_(folder + "/configs", withFolder(roots, folder))
+{
+}
+
+SourceRef CheckoutSources::find(std::string_view path) const
+{
+    if (used_) {
+        if (!isConfig(path)) {
+            if (SourceRef module = effects_.find(path)) return module;
+        } else if (const SourceRef found = configs_.find(path.substr(kConfigs.size()))) {
+            SourceText config = *found;
+            config.path = path;  // by which configs are told from modules
+            return std::make_shared<const SourceText>(std::move(config));
+        }
+    }
+    return shippedSources().find(path);
+}
+
+std::vector<std::string> CheckoutSources::list() const
+{
+    std::vector<std::string> paths = shippedSources().list();
+    if (used_) {
+        for (std::string& path : effects_.list()) paths.push_back(std::move(path));
+        for (const std::string& path : configs_.list()) paths.push_back(kConfigs.data() + path);
+    }
+    std::sort(paths.begin(), paths.end());
+    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+    return paths;
 }
 
 }  // namespace crevice

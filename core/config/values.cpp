@@ -97,9 +97,6 @@ void applyLevel(Description& description, std::string_view feature)
     }
 }
 
-namespace {
-
-// The values that a description has where nothing but features that set others was changed.
 Values untouched(const Values& loaded, const Description& now)
 {
     Description base = now;
@@ -112,6 +109,8 @@ Values untouched(const Values& loaded, const Description& now)
         if (!base.features[i].sets.empty()) values.features[i] = loaded.features[i];
     return values;
 }
+
+namespace {
 
 void carryParam(const ParamDesc& old, Description& next, Diagnostics& warnings)
 {

@@ -23,6 +23,10 @@ Values valuesOf(const Description& description);
 /// Gives params and features the values that the present word of a feature sets, if it sets any.
 void applyLevel(Description& description, std::string_view feature);
 
+/// The values that `now` would have, were nothing changed in it since `loaded` but features that
+/// set values: what differs from them was set by itself.
+Values untouched(const Values& loaded, const Description& now);
+
 /// Whether the param may have that value. Errors: CV4001, CV4003, CV3006.
 Status checkValue(const ParamDesc& param, const float* values, int count);
 

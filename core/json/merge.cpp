@@ -12,6 +12,15 @@ namespace {
 
 bool isObject(const Node& node) { return node.kind == Node::Kind::object; }
 
+// Whether two values, not both objects, say the same: 2 and 2.0 do.
+bool isSame(const Node& a, const Node& b)
+{
+    if (a.kind != b.kind) return false;
+    if (a.kind == Node::Kind::number) return a.number == b.number;
+    return std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), isSame) &&
+           (a.kind == Node::Kind::array || toJson(a) == toJson(b));
+}
+
 // "an object", for a sentence.
 std::string oneOf(const Node& node)
 {
@@ -126,6 +135,24 @@ Node objectOf(std::string_view key, const Place& place, Node value)
     object.place = place;
     object.members.push_back({std::string(key), place, std::move(value)});
     return object;
+}
+
+Node patchBetween(const Node& base, const Node& now)
+{
+    Node patch;
+    patch.kind = Node::Kind::object;
+    for (const Member& member : now.members) {
+        const Node* before = base.find(member.key);
+        if (before && isObject(*before) && isObject(member.value)) {
+            Node below = patchBetween(*before, member.value);
+            if (!below.members.empty()) patch.members.push_back({member.key, {}, std::move(below)});
+        } else if (!before || !isSame(*before, member.value)) {
+            patch.members.push_back(member);
+        }
+    }
+    for (const Member& member : base.members)
+        if (!now.find(member.key)) patch.members.push_back({member.key, {}, Node()});
+    return patch;
 }
 
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics)

@@ -17,4 +17,8 @@ Node objectOf(std::string_view key, const Place& place, Node value);
 /// to `diagnostics`; the merge goes on so that every error is found.
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics);
 
+/// The smallest patch that makes `now` of `base`; it has no member where they are the same.
+/// Requires two objects.
+Node patchBetween(const Node& base, const Node& now);
+
 }  // namespace crevice

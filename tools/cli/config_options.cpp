@@ -3,21 +3,15 @@
 #include "tools/cli/config_options.h"
 
 #include <crevice/compile.h>
-#include <crevice/shipped.h>
 
 #include "core/base/content_hash.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace crevice {
 namespace {
-
-constexpr std::string_view kConfigs = "configs/";
-
-bool isConfig(std::string_view path) { return path.substr(0, kConfigs.size()) == kConfigs; }
 
 void addNode(ContentHash& hash, const Node& node)
 {
@@ -30,13 +24,6 @@ void addNode(ContentHash& hash, const Node& node)
         hash.addText(member.key);
         addNode(hash, member.value);
     }
-}
-
-/// One part of a checkout may link to another.
-std::vector<std::string> withFolder(std::vector<std::string> roots, const std::string& folder)
-{
-    roots.push_back(folder);
-    return roots;
 }
 
 /// CLI11's kind of check: "" is fine, anything else is what is wrong.
@@ -105,39 +92,6 @@ void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
         ->type_name("NAME")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(names));
-}
-
-CheckoutSources::CheckoutSources(std::string folder, std::vector<std::string> roots)
-    : used_(!folder.empty()),
-      effects_(folder + "/effects", withFolder(roots, folder)),
-      configs_(folder + "/configs", withFolder(roots, folder))
-{
-}
-
-SourceRef CheckoutSources::find(std::string_view path) const
-{
-    if (used_) {
-        if (!isConfig(path)) {
-            if (SourceRef module = effects_.find(path)) return module;
-        } else if (const SourceRef found = configs_.find(path.substr(kConfigs.size()))) {
-            SourceText config = *found;
-            config.path = path;  // by which configs are told from modules
-            return std::make_shared<const SourceText>(std::move(config));
-        }
-    }
-    return shippedSources().find(path);
-}
-
-std::vector<std::string> CheckoutSources::list() const
-{
-    std::vector<std::string> paths = shippedSources().list();
-    if (used_) {
-        for (std::string& path : effects_.list()) paths.push_back(std::move(path));
-        for (const std::string& path : configs_.list()) paths.push_back(kConfigs.data() + path);
-    }
-    std::sort(paths.begin(), paths.end());
-    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
-    return paths;
 }
 
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources)

@@ -3,8 +3,7 @@
 #pragma once
 
 #include <crevice/config.h>
-
-#include "tools/cli/directory_sources.h"
+#include <crevice/shipped.h>
 
 #include <string>
 #include <vector>
@@ -38,22 +37,6 @@ void addRootOption(CLI::App& app, std::vector<std::string>& roots);
 
 /// Adds --disable: optimizations of <crevice/compile.h> that are switched off.
 void addDisableOption(CLI::App& app, std::vector<std::string>& disable);
-
-/// The embedded modules and configs; those in effects/ and configs/ below a folder hide them.
-class CheckoutSources : public SourceSet {
-public:
-    /// `folder` empty: only what is embedded. Links in it lead to what is below it or below
-    /// `roots`.
-    explicit CheckoutSources(std::string folder, std::vector<std::string> roots = {});
-
-    SourceRef find(std::string_view path) const override;
-    std::vector<std::string> list() const override;
-
-private:
-    bool used_;
-    DirectorySources effects_;
-    DirectorySources configs_;
-};
 
 /// Loads, merges and decodes. Errors: those of loadConfig and decode.
 Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources);

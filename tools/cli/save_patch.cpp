@@ -5,6 +5,7 @@
 #include <crevice/config.h>
 
 #include "core/base/text.h"
+#include "core/json/merge.h"
 #include "core/json/override.h"
 #include "tools/cli/output_request.h"
 #include "tools/image/image_file.h"
@@ -47,30 +48,7 @@ void shorten(nlohmann::ordered_json& patch, const Node& base)
     }
 }
 
-using Json = nlohmann::ordered_json;
-
-Json between(const Json& base, const Json& now)
-{
-    Json patch = Json::object();
-    for (const auto& [key, value] : now.items()) {
-        const auto before = base.find(key);
-        if (before == base.end() || !before->is_object() || !value.is_object()) {
-            if (before == base.end() || *before != value) patch[key] = value;
-        } else if (const Json below = between(*before, value); !below.empty()) {
-            patch[key] = below;
-        }
-    }
-    for (const auto& [key, value] : base.items())
-        if (!now.contains(key)) patch[key] = nullptr;
-    return patch;
-}
-
 }  // namespace
-
-std::string patchBetween(const Node& base, const Node& now)
-{
-    return between(Json::parse(toJson(base)), Json::parse(toJson(now))).dump();
-}
 
 Status checkPatchFile(const ConfigOptions& options, const std::string& file)
 {
@@ -97,7 +75,7 @@ Status savePatch(const ConfigOptions& options, const SourceSet& sources, const s
     }
     nlohmann::ordered_json json = {
         {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};
-    auto patch = Json::parse(patchBetween(*base, *now));
+    auto patch = nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now)));
     shorten(patch, *base);
     json.update(patch);
     return writeFile(file, json.dump(2) + '\n');

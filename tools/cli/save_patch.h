@@ -8,10 +8,6 @@
 
 namespace crevice {
 
-/// The smallest RFC 7396 patch that makes `now` of `base`, as JSON; it has no member where they are
-/// the same. Requires two objects.
-std::string patchBetween(const Node& base, const Node& now);
-
 /// Checks what can be known before drawing. Errors: CV8001 where `file` is the config or does not
 /// end in .json, CV7007 where it cannot be written.
 Status checkPatchFile(const ConfigOptions& options, const std::string& file);

@@ -144,3 +144,31 @@ TEST_CASE("a copy of a document changes alone")
     CHECK(toJson(original) == R"({"a": {"b": 1}})");
     CHECK(original.find("a")->find("b")->origins.empty());
 }
+
+TEST_CASE("the patch between two documents is the smallest that makes one of the other")
+{
+    struct Case {
+        const char* base;
+        const char* now;
+        const char* patch;
+    };
+    const Case kCases[] = {
+        {R"({"a": 1, "b": {"c": 2}})", R"({"b": {"c": 2.0}, "a": 1})", "{}"},
+        {R"({"a": 1, "b": {"c": 2, "d": 3}})", R"({"a": 1, "b": {"c": 2, "d": 4}})",
+         R"({"b":{"d":4}})"},
+        {R"({"a": {"b": 1}, "c": 1})", R"({"a": {}})", R"({"a":{"b":null},"c":null})"},
+        {R"({"a": [1, 2]})", R"({"a": [1, 3], "b": {"c": true}})", R"({"a":[1,3],"b":{"c":true}})"},
+        {R"({"a": "x"})", R"({"a": "y"})", R"({"a":"y"})"},
+        {R"({"a": true})", R"({"a": false})", R"({"a":false})"},
+    };
+    for (const Case& one : kCases) {
+        INFO(one.base << " to " << one.now);
+        const Node patch = patchBetween(valueOf(one.base), valueOf(one.now));
+        CHECK(toJson(patch) == toJson(valueOf(one.patch)));
+        Node again = valueOf(one.base);
+        Diagnostics errors;
+        mergePatch(again, patch, errors);
+        CHECK(errors.empty());
+        CHECK(patchBetween(again, valueOf(one.now)).members.empty());
+    }
+}

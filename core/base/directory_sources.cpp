@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A folder as a set of texts.
-#include "tools/cli/directory_sources.h"
+#include <crevice/directory_sources.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"
