@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Installs crevice, builds tests/outside against the installed tree alone, and runs it.
+# Installs crevice, builds tests/outside against the installed tree alone, and runs it; builds a C program by
+# pkg-config too, and looks whether tests/outside could be built with crevice as a folder of its own.
 #   cmake -D BUILD=<build folder> -D SOURCE=<tests/outside> -D WORK=<scratch folder>
-#         -D CXX=<compiler> -D FLAGS=<compiler flags> -P outside_project.cmake
+#         -D CXX=<compiler> -D CC=<compiler> -D FLAGS=<compiler flags> -P outside_project.cmake
 file(REMOVE_RECURSE "${WORK}")
 
 function(run)
@@ -18,10 +19,33 @@ string(REGEX MATCH "<!-- example.cpp -->\n```cpp\n(.*)" example "${readme}")
 string(REGEX REPLACE "\n```.*" "\n" example "${CMAKE_MATCH_1}")
 file(WRITE "${WORK}/example.cpp" "${example}")
 
-run("${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" -B "${WORK}/build" "-DEXAMPLE=${WORK}/example.cpp"
-  "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
+set(c_program "${SOURCE}/../c_api/api_test.c")
+set(configure "${CMAKE_COMMAND}" -G Ninja -S "${SOURCE}" "-DEXAMPLE=${WORK}/example.cpp" "-DC_PROGRAM=${c_program}"
+  "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_C_FLAGS=${FLAGS}"
   -DCMAKE_BUILD_TYPE=Release)
+run(${configure} -B "${WORK}/build" "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
+
+# The libraries are made by the tests already: here it is enough that all that they need is found.
+foreach(shared ON OFF)
+  run(${configure} -B "${WORK}/within_${shared}" "-DSUBDIRECTORY=${SOURCE}/../.." -DBUILD_SHARED_LIBS=${shared})
+  run(ninja -C "${WORK}/within_${shared}" -n --quiet)
+endforeach()
+
+# crevice.pc, of a tree that was moved.
+find_program(pkg_config NAMES pkgconf pkg-config)
+if(pkg_config)
+  file(COPY "${WORK}/prefix/" DESTINATION "${WORK}/moved")
+  file(GLOB_RECURSE pc "${WORK}/moved/*/crevice.pc")
+  get_filename_component(pc_dir "${pc}" DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} "${pc_dir}")
+  set(ENV{LD_LIBRARY_PATH} "${pc_dir}/..")
+  execute_process(COMMAND "${pkg_config}" --static --cflags --libs crevice OUTPUT_VARIABLE flags RESULT_VARIABLE code)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run("${CC}" ${FLAGS} -std=c99 -pedantic -Wall -Wextra -Werror "${c_program}" -o "${WORK}/by_pkg_config" ${flags})
+else()
+  message(STATUS "pkg-config is not here: crevice.pc is not tried")
+endif()
 
 # Every installed header must compile alone, so that none leans on one that stays behind; beside a host's
 # headers of the same names; and as the strictest host builds.
@@ -44,9 +68,14 @@ if(code EQUAL 0 OR NOT said MATCHES "GLM_FORCE_DEFAULT_ALIGNED_GENTYPES")
   message(FATAL_ERROR "aligned GLM types are not refused: ${said}")
 endif()
 
-execute_process(COMMAND "${WORK}/build/outside" RESULT_VARIABLE code)
-if(code EQUAL 77 AND NOT "$ENV{CREVICE_REQUIRE_GL}")
-  message("SKIPPED: there is no GL context on this machine")
-elseif(NOT code EQUAL 0)
-  message(FATAL_ERROR "the outside project failed (${code})")
-endif()
+foreach(program build/outside build/outside_c by_pkg_config)
+  if(NOT EXISTS "${WORK}/${program}")
+    continue()
+  endif()
+  execute_process(COMMAND "${WORK}/${program}" RESULT_VARIABLE code)
+  if(code EQUAL 77 AND NOT "$ENV{CREVICE_REQUIRE_GL}")
+    message("SKIPPED: there is no GL context on this machine")
+  elseif(NOT code EQUAL 0)
+    message(FATAL_ERROR "${program} failed (${code})")
+  endif()
+endforeach()

@@ -20,6 +20,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"core", {"core"}},
     {"backends", {"backends", "core"}},
     {"effects", {"effects", "core"}},
+    {"effects/c_api", {"effects", "core", "backends"}},
     {"tools", {"tools", "core", "backends", "effects"}},
     {"tests", {"tests", "tools", "core", "backends", "effects"}},
 };
@@ -32,7 +33,7 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
     {"backends", {"gl", "context", "recording"}},
     {"tools",
      {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "motion",
-      "measure", "bench", "stress", "report", "commands"}},
+      "measure", "bench", "stress", "report", "commands", "examples"}},
 };
 
 std::string readText(const fs::path& path)
@@ -61,6 +62,17 @@ bool isCpp(const fs::path& path) { return path.extension() == ".h" || path.exten
 
 /// The folder of the checkout that a file belongs to.
 std::string topFolder(const fs::path& path) { return path.begin()->string(); }
+
+/// Whose includes a file may have: its top folder's, but for the one place that knows effects and
+/// backends both.
+std::string libraryOf(const fs::path& path)
+{
+    const bool c_api = path.string().rfind("effects/c_api/", 0) == 0;
+    return c_api ? "effects/c_api" : topFolder(path);
+}
+
+/// An application that uses crevice, as a reader's would: it prints, and calls GL.
+bool isExample(const fs::path& path) { return path.string().rfind("tools/examples/", 0) == 0; }
 
 /// The code without comments, and without the content of string literals if `strings` is false.
 std::string codeOf(const std::string& text, bool strings)
@@ -94,7 +106,7 @@ std::vector<std::string> includesOf(const std::string& text)
     std::vector<std::string> paths = matches(code, R"re((?:^|\n)\s*#\s*include "([^"]+)")re", 1);
     for (const std::string& name :
          matches(code, R"re((?:^|\n)\s*#\s*include <crevice/([^>]+)>)re", 1))
-        for (const char* library : {"core", "backends", "effects"}) {
+        for (const char* library : {"core", "backends", "effects", "effects/c_api"}) {
             const std::string path = std::string(library) + "/include/crevice/" + name;
             if (fs::exists(fs::path(CREVICE_SOURCE_DIR) / path)) paths.push_back(path);
         }
@@ -223,6 +235,9 @@ TEST_CASE("the include check finds an include that points sideways or upwards")
     CHECK(wrongIncludes("core", "#include \"backends/context/context.h\"\n").size() == 1);
     CHECK(wrongIncludes("effects", "#include \"backends/context/context.h\"\n").size() == 1);
     CHECK(wrongIncludes("backends", "#include \"effects/catalog.h\"\n").size() == 1);
+    CHECK(wrongIncludes("effects", "#include <crevice/gl_device.h>\n").size() == 1);
+    CHECK(wrongIncludes("effects/c_api", "#include <crevice/gl_device.h>\n").empty());
+    CHECK(wrongIncludes("effects/c_api", "#include \"tools/image/image_file.h\"\n").size() == 1);
     CHECK(wrongIncludes("core", "#include \"plan.h\"\n").size() == 1);
     CHECK(wrongIncludes("core", "// #include \"tools/scene/scene.h\"\n").empty());
     CHECK(graphicsHeaders("#include <GLES3/gl3.h>\n").size() == 1);
@@ -237,10 +252,24 @@ TEST_CASE("includes point downwards only")
         if (!isCpp(path) || path.string().rfind("tests/outside/", 0) == 0) continue;
         ++files;
         for (const std::string& include :
-             wrongIncludes(topFolder(path), readText(fs::path(CREVICE_SOURCE_DIR) / path)))
+             wrongIncludes(libraryOf(path), readText(fs::path(CREVICE_SOURCE_DIR) / path)))
             FAIL_CHECK(path.string() << " includes " << include);
     }
     CHECK(files > 30);
+}
+
+TEST_CASE("examples include public headers alone, and are at most 120 lines long")
+{
+    int examples = 0;
+    for (const fs::path& path : projectFiles({"tools"})) {
+        if (!isExample(path) || path.filename() == "CMakeLists.txt") continue;
+        ++examples;
+        INFO(path.string());
+        const std::string text = readText(fs::path(CREVICE_SOURCE_DIR) / path);
+        CHECK(std::count(text.begin(), text.end(), '\n') <= 120);
+        CHECK(matches(text, R"re((?:^|\n)\s*#\s*include "[^"]+")re", 0).empty());
+    }
+    CHECK(examples >= 2);
 }
 
 TEST_CASE("the tier check finds an include that climbs to a later room")
@@ -303,7 +332,7 @@ TEST_CASE("what runs a plan knows no config and no JSON")
 TEST_CASE("graphics headers are included in backends alone")
 {
     for (const fs::path& path : projectFiles({"core", "effects", "tools", "tests"})) {
-        if (!isCpp(path)) continue;
+        if (!isCpp(path) || isExample(path)) continue;
         for (const std::string& header :
              graphicsHeaders(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
             FAIL_CHECK(path.string() << " includes " << header);
@@ -324,7 +353,7 @@ TEST_CASE("the number check finds what a locale changes")
 TEST_CASE("numbers are formatted and parsed in core/base/numbers alone")
 {
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
-        if (!isCpp(path)) continue;
+        if (!isCpp(path) || isExample(path)) continue;
         for (const std::string& found :
              numbersByLocale(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
             FAIL_CHECK(path.string()
@@ -335,7 +364,7 @@ TEST_CASE("numbers are formatted and parsed in core/base/numbers alone")
 TEST_CASE("core, effects and tools name nothing of GL")
 {
     for (const fs::path& path : projectFiles({"core", "effects", "tools"})) {
-        if (!isCpp(path)) continue;
+        if (!isCpp(path) || isExample(path)) continue;
         for (const std::string& name : graphicsNames(readText(fs::path(CREVICE_SOURCE_DIR) / path)))
             FAIL_CHECK(path.string() << " names " << name);
     }
@@ -344,7 +373,9 @@ TEST_CASE("core, effects and tools name nothing of GL")
 TEST_CASE("text is printed in one place, which keeps control characters off the terminal")
 {
     for (const fs::path& path : projectFiles({"core", "backends", "effects", "tools"})) {
-        if (!isCpp(path) || path.parent_path() / path.stem() == "tools/cli/output") continue;
+        if (!isCpp(path) || isExample(path) ||
+            path.parent_path() / path.stem() == "tools/cli/output")
+            continue;
         const std::string code = codeOf(readText(fs::path(CREVICE_SOURCE_DIR) / path), false);
         for (const std::string& name : matches(code, kPrints, 0))
             FAIL_CHECK(path.string() << " prints by " << name);
@@ -383,8 +414,8 @@ TEST_CASE("no library source names a config")
 
 TEST_CASE("every source file carries the licence line")
 {
-    static const std::set<std::string> kKinds = {".h",    ".cpp",  ".cmake", ".sh", ".frag",
-                                                 ".vert", ".glsl", ".comp",  ".in"};
+    static const std::set<std::string> kKinds = {".h",    ".c",    ".cpp",  ".cmake", ".sh",
+                                                 ".frag", ".vert", ".glsl", ".comp",  ".in"};
     for (const fs::path& path :
          projectFiles({"core", "backends", "effects", "configs", "tools", "tests", ".ci"})) {
         const bool listed = kKinds.count(path.extension().string()) != 0;

@@ -25,6 +25,8 @@ function(crevice_library name)
   set_target_properties(crevice_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(crevice_${name} PUBLIC cxx_std_17)
   target_compile_options(crevice_${name} PRIVATE -fno-exceptions -fno-rtti)
+  # A host's own shared object that links it exports none of it.
+  set_target_properties(crevice_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_link_libraries(crevice_${name} PRIVATE $<BUILD_INTERFACE:crevice_flags>)
   target_include_directories(crevice_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: MIT
-# `cmake --install`: the three libraries with their headers, so that find_package(crevice) gives
-# crevice::core, crevice::backends and crevice::effects; and the command, where it is built.
+# `cmake --install`: libcrevice, which is the C API, and the three C++ libraries, with their headers, so that
+# find_package(crevice) gives crevice::crevice, and crevice::core, crevice::backends and crevice::effects; crevice.pc;
+# and the command, where it is built. A component is a Debian package (tools/cmake/packages.cmake).
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/crevice)
 
+install(TARGETS crevice_c EXPORT creviceTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS crevice_core crevice_backends crevice_effects EXPORT creviceTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 
 # Only what a host may include, as <crevice/...>; all other headers are the libraries' own.
-foreach(library core backends effects)
-  install(DIRECTORY ${library}/include/crevice DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+foreach(library core backends effects effects/c_api)
+  install(DIRECTORY ${library}/include/crevice DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endforeach()
-install(EXPORT creviceTargets NAMESPACE crevice:: DESTINATION ${config_dir})
+install(EXPORT creviceTargets NAMESPACE crevice:: DESTINATION ${config_dir} COMPONENT development)
 
 # Before 1.0 a minor version may break what the last one had.
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/creviceConfigVersion.cmake
@@ -22,8 +26,17 @@ configure_package_config_file(tools/cmake/creviceConfig.cmake.in creviceConfig.c
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/creviceConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/creviceConfigVersion.cmake
-  DESTINATION ${config_dir})
+  DESTINATION ${config_dir} COMPONENT development)
+
+# The prefix is where the file is found, so that an installed tree may be moved.
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH PC_PREFIX /prefix/${pc_dir} /prefix)
+if(NOT BUILD_SHARED_LIBS)
+  set(PC_PRIVATE "-lcrevice_effects -lcrevice_backends -lcrevice_core -lstdc++ -lm -ldl")
+endif()
+configure_file(effects/c_api/crevice.pc.in crevice.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crevice.pc DESTINATION ${pc_dir} COMPONENT development)
 
 if(TARGET crevice)
-  install(TARGETS crevice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS crevice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
 endif()

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+// crevice from C: a depth texture of yours goes in, a texture of ambient occlusion comes out.
+//
+// C99 or later, and C++. Your own OpenGL context draws; no GL library is linked and none of its
+// headers is needed here. In full, without the handling of errors (tools/examples/hello.c has it):
+//
+//     crevice_device_desc device_desc = {.struct_size = sizeof device_desc, .loader = find_gl};
+//     crevice_device* device;
+//     crevice_device_create(&device_desc, &device);
+//
+//     crevice_effect_desc desc = {.struct_size = sizeof desc, .width = 1920, .height = 1080};
+//     desc.config = "{\"format\": 1, \"name\": \"ao\", \"extends\": [\"geometry/host_depth\","
+//                   "\"ssao/gtao\", \"filter/bilateral_normal\"]}";
+//     crevice_effect* effect;
+//     crevice_effect_create(device, &desc, &effect);
+//
+//     crevice_texture depth = {.struct_size = sizeof depth, .name = my_depth,
+//                              .format = "depth24", .width = 1920, .height = 1080};
+//     crevice_effect_set_projection(effect, my_projection);
+//     crevice_effect_set_texture(effect, "depth", &depth);
+//     crevice_effect_render(effect);                            // each frame
+//
+//     crevice_output ao = {.struct_size = sizeof ao};
+//     crevice_effect_get_output(effect, "ao", &ao);             // bind ao.texture; red: 1 is open
+//
+// Errors      What can fail returns an error, or null where all went well. An error is yours: read
+//             it, then free it. A null handle, a null pointer and a struct of another size are
+//             errors as well (CV6011). After an error everything is as it was before the call. No
+//             C++ exception leaves a function.
+// Structs     The first member is the struct's own size. Set all others to zero but those that you
+//             mean: zero is the default. Later versions append members and take the sizes of
+//             earlier ones.
+// Ownership   What _create gives is yours, to be handed to _destroy, which takes null as well.
+//             Effects keep their device alive: destroy them in any order. Of what you hand over,
+//             strings, arrays and structs are copied; textures stay yours.
+// Strings     UTF-8. Those of an error live as long as it, those of an effect until it is reloaded
+//             or destroyed. None that is handed out is null: what is absent is "".
+// Threads     A device, its effects and its context belong to one thread at a time, the one that
+//             the context is current on. Devices in different contexts run side by side. Errors
+//             and crevice_version belong to no thread.
+// GL state    It is as before after each call, if your context was current (see
+//             crevice_device_desc); docs/host.md says what must be at its default.
+//
+// The configs, params and outputs are those of configs/README.md and docs/methods.
+#ifndef CREVICE_CREVICE_H
+#define CREVICE_CREVICE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifndef CREVICE_API
+#define CREVICE_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// The version of this header, by semantic versioning. Before 1.0 a minor version may break what
+/// the last one had.
+#define CREVICE_VERSION_MAJOR 0
+#define CREVICE_VERSION_MINOR 1
+#define CREVICE_VERSION_PATCH 0
+#define CREVICE_VERSION \
+    (CREVICE_VERSION_MAJOR * 10000 + CREVICE_VERSION_MINOR * 100 + CREVICE_VERSION_PATCH)
+
+/// CREVICE_VERSION of the library that runs, which may be another than the header's.
+CREVICE_API int crevice_version(void);
+
+typedef struct crevice_error crevice_error;
+typedef struct crevice_context crevice_context;
+typedef struct crevice_device crevice_device;
+typedef struct crevice_effect crevice_effect;
+
+// ---- Errors ------------------------------------------------------------------------------------
+
+/// One message of an error.
+typedef struct crevice_diagnostic {
+    size_t struct_size;
+    bool warning;         ///< Not an error by itself.
+    int code;             ///< 2103 of CV2103; core/include/crevice/codes.h lists them.
+    const char* message;  ///< One sentence: what was found, and what was wanted.
+    const char* help;     ///< The way out: the nearest valid name, the allowed set, a command.
+    const char* file;     ///< Where it is: a path, or "(JSON text)".
+    int line, column;     ///< From 1; 0 where it is nowhere.
+    const char* pointer;  ///< RFC 6901 pointer into the config.
+    const char* text;     ///< All of it with the line in question, for people; ends in a newline.
+} crevice_diagnostic;
+
+/// All messages for people, one after the other; "" of null.
+CREVICE_API const char* crevice_error_text(const crevice_error* error);
+
+/// The code of the first message; 0 of null.
+CREVICE_API int crevice_error_code(const crevice_error* error);
+
+/// How many messages there are: every mistake of a config at once. 0 of null.
+CREVICE_API int crevice_error_count(const crevice_error* error);
+
+/// Fills in one of them. False where there is none such, or the struct's size is wrong.
+CREVICE_API bool crevice_error_get(const crevice_error* error, int index,
+                                   crevice_diagnostic* diagnostic);
+
+CREVICE_API void crevice_error_free(crevice_error* error);
+
+// ---- Context: for tools, tests and servers; an application has its own --------------------------
+
+/// Makes an offscreen context and makes it current: by "egl", OpenGL ES, or "osmesa", desktop
+/// OpenGL on the CPU; null takes the first of them that there is.
+///
+/// Errors: CV6001, CV6002, CV6012.
+CREVICE_API crevice_error* crevice_context_create(const char* backend, crevice_context** context);
+
+CREVICE_API crevice_error* crevice_context_make_current(crevice_context* context);
+
+/// A crevice_loader whose `user` is the context.
+CREVICE_API void* crevice_context_find(const char* name, void* context);
+
+/// Destroy first what was made in it.
+CREVICE_API void crevice_context_destroy(crevice_context* context);
+
+// ---- Device: one OpenGL context -----------------------------------------------------------------
+
+/// Finds a GL function by name ("glClear") in the current context; null where there is none. A
+/// wrapped eglGetProcAddress, SDL_GL_GetProcAddress or glfwGetProcAddress.
+typedef void* (*crevice_loader)(const char* name, void* user);
+
+typedef struct crevice_device_desc {
+    size_t struct_size;
+    crevice_loader loader;  ///< Required.
+    void* user;             ///< Handed to the loader.
+
+    /// Leaves GL state as it comes, which saves some 130 queries a frame: set all that you rely on.
+    bool leave_state;
+
+    /// Asks neither for GL errors nor whether the context is lost or another one.
+    bool skip_checks;
+
+    /// Pretends a bare OpenGL ES 3.0 without extensions: for testing what falls back.
+    bool ignore_extensions;
+
+    /// Keeps linked programs between runs, so that the next one starts without compiling
+    /// (docs/program_cache.md). Either may be null. A key is 16 hex digits. `cache_load` gives the
+    /// bytes that were stored, which must stay until the next call of either, and their count; or
+    /// null. They are called where programs are made, and must not call GL or crevice. Keep the
+    /// bytes where nobody else can write: drivers run them.
+    const void* (*cache_load)(const char* key, size_t* count, void* cache_user);
+    void (*cache_store)(const char* key, const void* bytes, size_t count, void* cache_user);
+    void* cache_user;
+} crevice_device_desc;
+
+typedef struct crevice_device_info {
+    size_t struct_size;
+    const char* name;      ///< Renderer and version, as the driver reports them. Of the device.
+    int version;           ///< 300, 310 or 320; a desktop context counts as what it can do.
+    bool software;         ///< Drawn by the CPU.
+    int max_texture_size;  ///< Pixels along a side.
+} crevice_device_info;
+
+/// A device in the current context, which must be current in all calls on it and its effects.
+///
+/// Errors: CV6003, CV6004 for no context or one that is too old, CV6005, CV6009, CV6016.
+CREVICE_API crevice_error* crevice_device_create(const crevice_device_desc* desc,
+                                                 crevice_device** device);
+
+CREVICE_API crevice_error* crevice_device_get_info(const crevice_device* device,
+                                                   crevice_device_info* info);
+
+/// Says that the context is gone, where you know before the driver reports it (CV6016). No GL is
+/// called from then on; destroy the device and its effects whenever you like.
+CREVICE_API void crevice_device_abandon(crevice_device* device);
+
+CREVICE_API void crevice_device_destroy(crevice_device* device);
+
+// ---- Effect: a config that runs -----------------------------------------------------------------
+
+typedef struct crevice_effect_desc {
+    size_t struct_size;
+
+    /// The name of a config, the path of a file that ends in ".json", or JSON text that begins with
+    /// '{'. Files that JSON text names are found as those of a file in the current folder.
+    const char* config;
+
+    /// A folder with modules and configs of your own, or null: FOLDER/effects/ssao/mine.json is the
+    /// module "ssao/mine", FOLDER/configs/mine.json the config "mine". They hide shipped ones.
+    const char* folder;
+
+    /// JSON to lay over the config, or null: what crevice_effect_get_patch gave.
+    const char* patch;
+
+    int width, height;  ///< Of the outputs, in pixels.
+
+    /// Names of the outputs that are wanted, such as "ao". What none of them needs is not run. None
+    /// means all.
+    const char* const* outputs;
+    int output_count;
+} crevice_effect_desc;
+
+/// Loads the config and makes all that it needs, shaders too.
+///
+/// Errors: CV1xxx to CV5xxx for mistakes in it, all at once with their places; CV6xxx for what the
+/// device cannot do.
+CREVICE_API crevice_error* crevice_effect_create(crevice_device* device,
+                                                 const crevice_effect_desc* desc,
+                                                 crevice_effect** effect);
+
+/// Reads the config again, or another one, with the folder, patch and outputs of before; null is
+/// the same config, whose files may have changed. Values that were set stay; a warning CV4006 names
+/// what no longer has a place. Errors: those of crevice_effect_create.
+CREVICE_API crevice_error* crevice_effect_reload(crevice_effect* effect, const char* config);
+
+/// Another size of the outputs, in pixels. Errors: CV4005, CV6007, CV6009.
+CREVICE_API crevice_error* crevice_effect_resize(crevice_effect* effect, int width, int height);
+
+CREVICE_API void crevice_effect_destroy(crevice_effect* effect);
+
+/// Warnings of the last call on the effect that could give some (create, reload, resize, set,
+/// render), or null. They are the effect's: do not free them, and read them before the next such
+/// call.
+CREVICE_API const crevice_error* crevice_effect_warnings(const crevice_effect* effect);
+
+// ---- What a frame is drawn from -----------------------------------------------------------------
+
+/// The matrix that drew the depth: 16 floats by columns, as for glUniformMatrix4fv. It may be
+/// off-centre, flipped, turned, reversed or left-handed. Default: orthographic, of the cube
+/// [-1, 1].
+CREVICE_API crevice_error* crevice_effect_set_projection(crevice_effect* effect,
+                                                         const float* clip_from_view);
+
+/// Where the camera stands: 16 doubles by columns. Only configs that keep a history need it.
+/// Default: at the origin, looking along -z, or along +z under a left-handed perspective.
+CREVICE_API crevice_error* crevice_effect_set_view(crevice_effect* effect,
+                                                   const double* view_from_world);
+
+/// Before the first frame after a cut: histories are cleared.
+CREVICE_API crevice_error* crevice_effect_cut(crevice_effect* effect);
+
+/// Before the first frame after the origin of the world moved: what was at p is at p - shift now.
+/// Three doubles, in scene units.
+CREVICE_API crevice_error* crevice_effect_shift_origin(crevice_effect* effect, const double* shift);
+
+/// A GL_TEXTURE_2D of yours.
+typedef struct crevice_texture {
+    size_t struct_size;
+    uint32_t name;       ///< The GLuint.
+    const char* format;  ///< As configs have it: "depth16", "depth24", "depth32f", "rgba8" ...
+    int width, height;   ///< In pixels.
+} crevice_texture;
+
+/// Hands over a texture for an import of the config. It must live for as long as it is rendered
+/// from; its content may change with every frame. Costs nothing where all is as before.
+///
+/// Errors: CV2102 for a name that the config does not import, CV6011 for what is no such texture.
+CREVICE_API crevice_error* crevice_effect_set_texture(crevice_effect* effect, const char* import,
+                                                      const crevice_texture* texture);
+
+/// Sets a param: as many floats as it has components. Costs nothing for most; a warning CV5010 says
+/// where shaders were compiled.
+///
+/// Errors: CV4004 for an unknown name, CV4001 for a value out of range, CV4003, CV3006.
+CREVICE_API crevice_error* crevice_effect_set_param(crevice_effect* effect, const char* name,
+                                                    const float* values, int count);
+
+/// Sets a feature to one of its words: "true", "false" or those of an enum. Plans again, and may
+/// compile shaders. Errors: CV2105, CV2106.
+CREVICE_API crevice_error* crevice_effect_set_feature(crevice_effect* effect, const char* name,
+                                                      const char* word);
+
+/// Draws what has changed since the last frame. docs/host.md has a table of errors and what to do
+/// after each; skip the effect in that frame.
+CREVICE_API crevice_error* crevice_effect_render(crevice_effect* effect);
+
+// ---- What comes out -----------------------------------------------------------------------------
+
+typedef struct crevice_output {
+    size_t struct_size;
+
+    /// The GLuint of a GL_TEXTURE_2D with one level, row 0 at the bottom: sample it, and neither
+    /// write nor delete it. Good until the next call that renders, resizes, reloads or sets: ask
+    /// after each frame.
+    uint32_t texture;
+    const char* format;  ///< Such as "r8".
+    int channels;        ///< 1 to 4.
+
+    /// In pixels: that of the effect, unless the config scales it, and 1 x 1 where the output is
+    /// constant (AO of intensity 0), so sample it by texture(), not texelFetch().
+    int width, height;
+} crevice_output;
+
+/// How many outputs there are, and their names; 0 and "" where there is none such.
+CREVICE_API int crevice_effect_output_count(const crevice_effect* effect);
+CREVICE_API const char* crevice_effect_output_name(const crevice_effect* effect, int index);
+
+/// Errors: CV2102 for an unknown name.
+CREVICE_API crevice_error* crevice_effect_get_output(const crevice_effect* effect, const char* name,
+                                                     crevice_output* output);
+
+/// Reads an output into width * height * channels floats, rows from the bottom up. Waits for the
+/// GPU: for tests and tools.
+///
+/// Errors: CV2102, CV7006 for another `count`, CV6004.
+CREVICE_API crevice_error* crevice_effect_read_output(const crevice_effect* effect,
+                                                      const char* name, float* pixels,
+                                                      size_t count);
+
+// ---- What there is to set: for user interfaces --------------------------------------------------
+
+typedef struct crevice_param {
+    size_t struct_size;
+    const char* name;
+    const char* label;    ///< For people; the name where it has none.
+    const char* group;    ///< The heading to put it under.
+    const char* unit;     ///< "scene units", "pixels", "1" ...
+    const char* tooltip;  ///< One sentence: what it does, and what a higher value costs.
+    int components;       ///< Floats, 1 to 4.
+    bool integer;         ///< Takes whole numbers alone.
+    bool compiles;        ///< Each new value compiles shaders: not for a slider that is dragged.
+    double min, max;      ///< Of each component, inclusive; others are errors. 1e30: no bound.
+    double soft_max;      ///< Upper end of a slider.
+    double step;          ///< Of a slider; 0 for none.
+    float default_value[4];
+    float value[4];  ///< As it is now.
+} crevice_param;
+
+CREVICE_API int crevice_effect_param_count(const crevice_effect* effect);
+CREVICE_API crevice_error* crevice_effect_get_param(const crevice_effect* effect, int index,
+                                                    crevice_param* param);
+
+typedef struct crevice_feature {
+    size_t struct_size;
+    const char* name;
+    bool boolean;              ///< Its words are "false" and "true".
+    const char* const* words;  ///< What it may be set to.
+    int word_count;
+    int default_word;  ///< Into `words`.
+    int word;          ///< As it is now.
+} crevice_feature;
+
+CREVICE_API int crevice_effect_feature_count(const crevice_effect* effect);
+CREVICE_API crevice_error* crevice_effect_get_feature(const crevice_effect* effect, int index,
+                                                      crevice_feature* feature);
+
+/// What the config wants of its host. The C API supplies textures and the camera; configs that draw
+/// meshes themselves are for C++ (<crevice/frame.h>).
+typedef struct crevice_import {
+    size_t struct_size;
+    const char* name;
+    const char* type;    ///< "texture", "camera", "draw_list" or "lights".
+    const char* format;  ///< Of a texture: the one whose steps shaders allow for.
+    bool optional;       ///< It draws without.
+} crevice_import;
+
+CREVICE_API int crevice_effect_import_count(const crevice_effect* effect);
+CREVICE_API crevice_error* crevice_effect_get_import(const crevice_effect* effect, int index,
+                                                     crevice_import* import);
+
+/// All that was set, as the smallest JSON patch over the config: {"params": {"radius": {"default":
+/// 0.8}}}, or {} where nothing was. Give it to crevice_effect_create, or write "format" and
+/// "extends" in front of it for a config of its own. Of the effect, until the next such call.
+CREVICE_API crevice_error* crevice_effect_get_patch(crevice_effect* effect, const char** patch);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
