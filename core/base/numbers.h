@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers to text and back. The only place that does so: printf, strtod and streams write and read
-// a decimal comma once the host has called setlocale, as every Qt and GTK program does.
+// a decimal comma once the host has called setlocale, as every Qt and GTK program does, and libc++
+// 13 (Emscripten, iOS, Android) has no <charconv> of floats, whose texts these are.
 //
 // What is not finite becomes "nan", "inf" or "-inf".
 #pragma once
