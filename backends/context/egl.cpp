@@ -194,7 +194,7 @@ std::unique_ptr<Context> trySurfaceless(const EglApi& egl, Notes& notes)
         notes.push_back({{}, "surfaceless: EGL_MESA_platform_surfaceless is not there"});
         return nullptr;
     }
-    EGLDisplay display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    EGLDisplay display = get_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     return openDisplay(egl, display, "surfaceless", notes);
 }
 

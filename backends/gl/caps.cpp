@@ -161,6 +161,7 @@ Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)
     const std::string version = text(gl, GL_VERSION);
     const char* const prefix = "OpenGL ES ";
     info.desktop = version.rfind(prefix, 0) != 0;
+    info.web = version.find("WebGL") != version.npos;
     const char* number = version.c_str() + (info.desktop ? 0 : std::strlen(prefix));
     int major = 0;
     int minor = 0;
@@ -224,6 +225,7 @@ DeviceCaps readCaps(GlApi& gl, const GlInfo& info)
     caps.name = renderer + ", " + text(gl, GL_VERSION);
     caps.version = std::min(info.version, 320);
     caps.software = isSoftware(renderer);
+    caps.equal_attachments = info.web;  // WebGL 2.0, 4.1.5: else a framebuffer is incomplete
     caps.max_texture_size = integer(gl, GL_MAX_TEXTURE_SIZE);
     caps.max_color_attachments = std::min({integer(gl, GL_MAX_COLOR_ATTACHMENTS),
                                            integer(gl, GL_MAX_DRAW_BUFFERS), kMaxColorAttachments});

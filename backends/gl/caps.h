@@ -16,6 +16,7 @@ constexpr int kMaxTextureUnits = 32;
 
 struct GlInfo {
     bool desktop = false;
+    bool web = false;                     ///< WebGL 2, as Emscripten shows it.
     bool bare = false;                    ///< Pretends to have no extensions.
     int native_version = 0;               ///< 320 for OpenGL ES 3.2, 450 for desktop OpenGL 4.5.
     int version = 0;                      ///< OpenGL ES version that it is, or is compatible with.

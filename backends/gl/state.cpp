@@ -33,13 +33,14 @@ constexpr GLenum kSampleAlphaToOne = 0x809F;
 constexpr GLenum kPackSwapBytes = 0x0D00;
 constexpr GLenum kUnpackSwapBytes = 0x0CF0;
 
-// Wanted off but for one; passes turn on what they need. Blending stands with the draw buffers.
+// Wanted off but for one; passes turn on what they need. Blending stands with the draw buffers. In
+// WebGL 2 fixed-index restart is always on, and no index of a mesh is the one that restarts.
 constexpr Switch kSwitches[] = {
     {GL_CULL_FACE, Where::everywhere},
     {GL_DEPTH_TEST, Where::everywhere},
     {GL_DITHER, Where::everywhere},
     {GL_POLYGON_OFFSET_FILL, Where::everywhere},
-    {GL_PRIMITIVE_RESTART_FIXED_INDEX, Where::everywhere},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, Where::not_web},
     {GL_RASTERIZER_DISCARD, Where::everywhere},
     {GL_SAMPLE_ALPHA_TO_COVERAGE, Where::everywhere},
     {GL_SAMPLE_COVERAGE, Where::everywhere},
@@ -69,6 +70,7 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     : gl_(gl),
       restore_(restore),
       desktop_(info.desktop),
+      web_(info.web),
       sample_mask_(info.native_version >= (info.desktop ? 320 : 310)),
       sample_shading_(info.native_version >= (info.desktop ? 400 : 320))
 {
@@ -86,6 +88,7 @@ bool GlState::has(GlWhere where) const
 {
     switch (where) {
     case Where::desktop: return desktop_;
+    case Where::not_web: return !web_;
     case Where::sample_mask: return sample_mask_;
     case Where::sample_shading: return sample_shading_;
     default: return true;

@@ -26,7 +26,7 @@
 namespace crevice {
 
 /// Which contexts have a piece of state.
-enum class GlWhere { everywhere, desktop, sample_mask, sample_shading };
+enum class GlWhere { everywhere, desktop, not_web, sample_mask, sample_shading };
 
 class GlState {
 public:
@@ -89,6 +89,7 @@ private:
     const GlApi& gl_;
     bool restore_;
     bool desktop_;
+    bool web_;
     bool sample_mask_;
     bool sample_shading_;
     int mask_count_ = 1;   // draw buffers that are masked apart

@@ -148,10 +148,12 @@ Result<TextureId> RecordingDevice::adoptTexture(std::uint32_t native_name, const
     return TextureId{add(std::move(object), Call::adopt_texture)};
 }
 
-/// All that is drawn into has as many samples, and what that is resolved into has one.
+/// All that is drawn into has as many samples, and what that is resolved into has one; and one
+/// size, where the device wants that.
 void RecordingDevice::checkAttachments(const FramebufferDesc& desc)
 {
     int samples = 0;
+    Extent extent;
     const auto check = [&](TextureId id, bool resolved) {
         const Object* texture = id ? find(id, "createFramebuffer") : nullptr;
         if (!texture) return;
@@ -160,6 +162,10 @@ void RecordingDevice::checkAttachments(const FramebufferDesc& desc)
             blame("framebuffer '" + desc.label + "' cannot have '" + texture->label + "' with " +
                   std::to_string(found) + " samples");
         if (!resolved) samples = found;
+        if (caps_.equal_attachments && extent != Extent() && texture->texture.extent != extent)
+            blame("framebuffer '" + desc.label + "' cannot have '" + texture->label +
+                  "' of another size");
+        extent = texture->texture.extent;
     };
     for (const TextureId id : desc.color) check(id, false);
     check(desc.depth, false);

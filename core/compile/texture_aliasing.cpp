@@ -24,7 +24,7 @@ public:
     }
 
     // One that is free by `first_pass`, or a new one. For what no pass reads, a part of a larger
-    // one will do as well.
+    // one will do as well, on devices that take it.
     int take(const PlanTexture& wanted, int first_pass, int last_pass, bool part)
     {
         for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
@@ -67,9 +67,10 @@ void shareTextures(const State& state, Plan& plan)
         const bool depth = formatInfo(found.format).format_class == FormatClass::depth;
         const bool unread = target.last_pass == target.first_pass;
         const bool resolved = found.samples > 1 && !unread;
+        const bool part = depth && unread && !state.caps.equal_attachments;
         const int last_drawn = resolved ? target.first_pass : target.last_pass;
         target.texture = target.drawn_texture =
-            slots.take(texture, target.first_pass, last_drawn, depth && unread);
+            slots.take(texture, target.first_pass, last_drawn, part);
         if (!resolved) continue;
         texture.samples = 1;
         target.texture = slots.take(texture, target.first_pass, target.last_pass, false);

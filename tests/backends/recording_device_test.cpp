@@ -220,6 +220,19 @@ TEST_CASE("Objects that are dead, foreign or of another kind are blamed")
     }
 }
 
+TEST_CASE("Attachments of two sizes are blamed on a device that wants one")
+{
+    for (const bool equal : {false, true}) {
+        DeviceCaps caps = generousCaps();
+        caps.equal_attachments = equal;
+        RecordingDevice device(caps);
+        const TextureId color = need(device.createTexture({"color", Format::rgba8, {8, 4}}));
+        const TextureId depth = need(device.createTexture({"depth", Format::depth24, {9, 4}}));
+        need(device.createFramebuffer({"draw", {color}, depth}));
+        CHECK(device.misuse().size() == (equal ? 1 : 0));
+    }
+}
+
 TEST_CASE("Calls out of order are blamed")
 {
     Rig rig;

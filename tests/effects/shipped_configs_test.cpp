@@ -70,6 +70,28 @@ TEST_CASE("Every shipped config plans on a full and on a bare device")
     }
 }
 
+TEST_CASE(
+    "Every attachment of a shipped config is as large as its pass, on a device that wants it so")
+{
+    DeviceCaps caps = RecordingDevice().caps();
+    caps.equal_attachments = true;
+    for (const std::string& name : configNames(shippedSources())) {
+        INFO(name);
+        const Result<Plan> plan = compile(describe({name}), {}, caps, {{256, 144}, {}, {}});
+        REQUIRE(plan.ok());
+        for (const PlanPass& pass : plan->passes) {
+            std::vector<PlanAttachment> attachments = pass.color;
+            if (pass.has_depth) attachments.push_back(pass.depth);
+            for (const PlanAttachment& each : attachments) {
+                if (each.target < 0) continue;
+                const PlanTarget& target = plan->targets[each.target];
+                CHECK(plan->textures[target.texture].extent == pass.extent);
+                CHECK(plan->textures[target.drawn_texture].extent == pass.extent);
+            }
+        }
+    }
+}
+
 TEST_CASE("250 offsets without rotation plan on a device that holds them, and say so on others")
 {
     const LoadRequest request{

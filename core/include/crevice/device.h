@@ -126,6 +126,10 @@ struct DeviceCaps {
     int max_vertex_uniform_vectors = 256;
     bool renderable[kFormatCount + 1] = {};  ///< By Format.
 
+    /// All attachments of a framebuffer must have one size, as in WebGL 2: depth that is larger
+    /// than its pass (FramebufferDesc::depth) is refused.
+    bool equal_attachments = false;
+
     /// By Format: bit n is set when a pixel may have n + 1 samples; bit 0 is not looked at.
     std::uint32_t sample_counts[kFormatCount + 1] = {};
 
@@ -147,7 +151,8 @@ struct TextureDesc {
 struct FramebufferDesc {
     std::string label = {};
     std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
-    /// May be larger than a pass that clears it first and keeps nothing of it.
+    /// May be larger than a pass that clears it first and keeps nothing of it, unless
+    /// DeviceCaps::equal_attachments.
     TextureId depth = {};
 
     /// Where the above have several samples: what those whose StoreOp is store are resolved into as
