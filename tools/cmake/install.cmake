@@ -40,3 +40,4 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crevice.pc DESTINATION ${pc_dir} COMPO
 if(TARGET crevice)
   install(TARGETS crevice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
 endif()
+include(tools/cmake/packages.cmake)
