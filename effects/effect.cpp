@@ -17,11 +17,9 @@ namespace {
 constexpr const char* kOwnText = "configs/(JSON text).json";
 
 /// A texture of the host's under an id of the device.
-struct HostTexture {
-    std::string name;
-    std::uint32_t native_name = 0;
-    Format format = Format::none;
-    Extent size;
+struct SetTexture {
+    std::string import;
+    HostTexture host;
     TextureId id;
 };
 
@@ -58,30 +56,30 @@ struct Effect::State {
     Device& device;
     Frame frame = {};
     bool has_view = false;
-    std::vector<HostTexture> textures = {};
+    std::vector<SetTexture> textures = {};
     std::unique_ptr<Renderer> renderer = nullptr;
 
     explicit State(Device& of) : device(of) {}
     ~State()
     {
         renderer.reset();
-        for (const HostTexture& texture : textures) device.destroy(texture.id);
+        for (const SetTexture& texture : textures) device.destroy(texture.id);
     }
 
     /// That of the name, with a null id where it is new.
-    HostTexture& texture(std::string_view name)
+    SetTexture& texture(std::string_view name)
     {
-        for (HostTexture& each : textures)
-            if (each.name == name) return each;
-        textures.push_back({std::string(name), 0, Format::none, {}, {}});
+        for (SetTexture& each : textures)
+            if (each.import == name) return each;
+        textures.push_back({std::string(name), {}, {}});
         return textures.back();
     }
 
     void importTextures()
     {
         frame.textures.clear();
-        for (const HostTexture& each : textures)
-            if (each.id) frame.textures.push_back({each.name, each.id, 0});
+        for (const SetTexture& each : textures)
+            if (each.id) frame.textures.push_back({each.import, each.id, 0});
     }
 };
 
@@ -121,25 +119,40 @@ void Effect::setView(const double* view_from_world)
     state_->has_view = true;
 }
 
-Status Effect::setTexture(std::string_view name, std::uint32_t native_name, Format format,
-                          Extent size)
+void Effect::setClipControl(const ClipControl& control)
+{
+    state_->frame.camera.clip_control = control;
+}
+
+Status Effect::setTexture(std::string_view name, const HostTexture& host)
 {
     const Status known = checkImport(state_->renderer->description(), name);
     if (!known) return known;
-    HostTexture& texture = state_->texture(name);
-    if (texture.id && texture.native_name == native_name && texture.format == format &&
-        texture.size == size)
-        return {};
-    TextureDesc desc;
-    desc.label = name;
-    desc.format = format;
-    desc.extent = size;
-    const Result<TextureId> adopted = state_->device.adoptTexture(native_name, desc);
+    SetTexture& texture = state_->texture(name);
+    if (texture.id && texture.host == host) return {};
+    HostTexture labelled = host;
+    labelled.label = name;
+    const Result<TextureId> adopted = state_->device.adoptTexture(labelled);
     if (!adopted) return adopted.diagnostics();
+    const Status planned = state_->renderer->setImportFormat(name, host.format);
+    if (!planned) {
+        state_->device.destroy(*adopted);
+        return planned;
+    }
     state_->device.destroy(texture.id);
-    texture = {texture.name, native_name, format, size, *adopted};
+    texture = {texture.import, std::move(labelled), *adopted};
     state_->importTextures();
-    return {};
+    return planned;
+}
+
+Status Effect::setTexture(std::string_view name, std::uint32_t native_name, Format format,
+                          Extent size)
+{
+    HostTexture host;
+    host.name = native_name;
+    host.format = format;
+    host.extent = size;
+    return setTexture(name, host);
 }
 
 Status Effect::setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
@@ -156,11 +169,38 @@ Status Effect::setFeature(std::string_view name, std::string_view value)
 
 Status Effect::resize(Extent size) { return state_->renderer->resize(size); }
 
-Status Effect::render() { return state_->renderer->render(state_->frame); }
+Status Effect::render()
+{
+    for (const SetTexture& texture : state_->textures)
+        if (texture.id && texture.host.copied())
+            if (Status status = state_->device.refresh(texture.id); !status) return status;
+    return state_->renderer->render(state_->frame);
+}
 
 std::uint32_t Effect::nativeName(std::string_view name) const
 {
     return state_->device.nativeName(output(name));
+}
+
+OutputTexture Effect::outputTexture(std::string_view name) const
+{
+    const Plan& plan = state_->renderer->plan();
+    const PlanOutput* output = findNamed(plan.outputs, name);
+    if (!output) return {};
+    OutputTexture texture{nativeName(name), Format::rgba8, {1, 1}};
+    if (output->constant >= 0) return texture;
+    const PlanTexture& drawn = plan.textures[plan.targets[output->target].texture];
+    return {texture.native_name, drawn.format, drawn.extent};
+}
+
+Status Effect::present(std::string_view output, const HostFramebuffer& target)
+{
+    const Plan& plan = state_->renderer->plan();
+    if (findNamed(plan.outputs, output))
+        return state_->device.present(state_->renderer->output(output), target);
+    Diagnostic unknown{Code::output_missing, "there is no output '" + std::string(output) + "'"};
+    unknown.help = suggestName(output, namesOf(plan.outputs), "outputs");
+    return unknown;
 }
 
 TextureId Effect::output(std::string_view name) const { return state_->renderer->output(name); }

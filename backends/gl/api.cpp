@@ -4,6 +4,8 @@
 #include "backends/gl/failure.h"
 
 #include <algorithm>
+#include <cstring>
+#include <vector>
 
 namespace crevice {
 
@@ -22,6 +24,17 @@ Diagnostic contextLost(const std::string& what)
     return failure(Code::context_lost, what + " found the GL context lost",
                    "destroy what was made in it, make a new context, and in that a new device and "
                    "renderer");
+}
+
+/// What desktop OpenGL alone may lack.
+std::vector<const char*> missingOnEs(const GlApi& gl)
+{
+    std::vector<const char*> missing;
+    const GLubyte* version = gl.GetString ? gl.GetString(GL_VERSION) : nullptr;
+    const bool es = version && std::strstr(reinterpret_cast<const char*>(version), "OpenGL ES");
+    if (es && !gl.DepthRangef) missing.push_back("DepthRangef");
+    if (es && !gl.TexStorage2D) missing.push_back("TexStorage2D");
+    return missing;
 }
 
 template <class Value, class... Arguments>
@@ -45,6 +58,9 @@ Result<GlApi> loadGlApi(const GlLoader& load)
         errors.push_back(failure(Code::gl_function, "the context has no function gl" #name, kHelp));
     CREVICE_GL_FUNCTIONS(CREVICE_GL_LOAD)
 #undef CREVICE_GL_LOAD
+    for (const char* name : missingOnEs(api))
+        errors.push_back(failure(Code::gl_function,
+                                 "the context has no function gl" + std::string(name), kHelp));
     if (!errors.empty()) return errors;
     if (api.GetString(GL_VERSION)) return api;
     if (api.GetError() == GL_CONTEXT_LOST) return contextLost("makeGlDevice");
@@ -80,6 +96,14 @@ const char* framebufferStatusName(GLenum status)
     case GL_FRAMEBUFFER_UNSUPPORTED: return "GL_FRAMEBUFFER_UNSUPPORTED";
     default: return "an unknown framebuffer status";
     }
+}
+
+void setDepthRange(const GlApi& gl, float near_depth, float far_depth)
+{
+    if (gl.DepthRangef)
+        gl.DepthRangef(near_depth, far_depth);
+    else if (gl.DepthRange)
+        gl.DepthRange(near_depth, far_depth);
 }
 
 Status takeErrors(GlApi& gl, const char* what, const char* label)

@@ -14,11 +14,15 @@
 
 namespace crevice {
 
+/// Of desktop OpenGL before 4.1.
+typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_value);
+
 // X(name, NAME, required): a context that lacks a required one is refused. The others are null
 // where the context does not promise them; `settleOptional` sees to that.
 #define CREVICE_GL_FUNCTIONS(X) \
     X(ActiveTexture, ACTIVETEXTURE, true) \
     X(AttachShader, ATTACHSHADER, true) \
+    X(BeginConditionalRender, BEGINCONDITIONALRENDERNV, false) \
     X(BeginQuery, BEGINQUERY, false) \
     X(BindBuffer, BINDBUFFER, true) \
     X(BindFramebuffer, BINDFRAMEBUFFER, true) \
@@ -35,7 +39,9 @@ namespace crevice {
     X(BlitFramebuffer, BLITFRAMEBUFFER, true) \
     X(BufferData, BUFFERDATA, true) \
     X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS, true) \
+    X(Clear, CLEAR, true) \
     X(ClearBufferfv, CLEARBUFFERFV, true) \
+    X(ClipControl, CLIPCONTROLEXT, false) \
     X(ColorMask, COLORMASK, true) \
     X(ColorMaski, COLORMASKI, false) \
     X(CompileShader, COMPILESHADER, true) \
@@ -53,7 +59,8 @@ namespace crevice {
     X(DeleteVertexArrays, DELETEVERTEXARRAYS, true) \
     X(DepthFunc, DEPTHFUNC, true) \
     X(DepthMask, DEPTHMASK, true) \
-    X(DepthRangef, DEPTHRANGEF, true) \
+    X(DepthRange, DEPTHRANGE, false) \
+    X(DepthRangef, DEPTHRANGEF, false) \
     X(DetachShader, DETACHSHADER, true) \
     X(Disable, DISABLE, true) \
     X(Disablei, DISABLEI, false) \
@@ -63,10 +70,12 @@ namespace crevice {
     X(Enable, ENABLE, true) \
     X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY, true) \
     X(Enablei, ENABLEI, false) \
+    X(EndConditionalRender, ENDCONDITIONALRENDERNV, false) \
     X(EndQuery, ENDQUERY, false) \
     X(Finish, FINISH, true) \
     X(FramebufferRenderbuffer, FRAMEBUFFERRENDERBUFFER, true) \
     X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D, true) \
+    X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER, true) \
     X(FrontFace, FRONTFACE, true) \
     X(GenBuffers, GENBUFFERS, true) \
     X(GenFramebuffers, GENFRAMEBUFFERS, true) \
@@ -79,6 +88,7 @@ namespace crevice {
     X(GetBooleanv, GETBOOLEANV, true) \
     X(GetError, GETERROR, true) \
     X(GetFloatv, GETFLOATV, true) \
+    X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV, true) \
     X(GetGraphicsResetStatus, GETGRAPHICSRESETSTATUS, false) \
     X(GetIntegeri_v, GETINTEGERI_V, true) \
     X(GetIntegerv, GETINTEGERV, true) \
@@ -87,11 +97,15 @@ namespace crevice {
     X(GetProgramInfoLog, GETPROGRAMINFOLOG, true) \
     X(GetProgramiv, GETPROGRAMIV, true) \
     X(GetQueryObjectui64v, GETQUERYOBJECTUI64VEXT, false) \
-    X(GetQueryiv, GETQUERYIV, false) \
+    X(GetQueryObjectuiv, GETQUERYOBJECTUIV, true) \
+    X(GetQueryiv, GETQUERYIV, true) \
+    X(GetRenderbufferParameteriv, GETRENDERBUFFERPARAMETERIV, true) \
     X(GetShaderInfoLog, GETSHADERINFOLOG, true) \
     X(GetShaderiv, GETSHADERIV, true) \
     X(GetString, GETSTRING, true) \
     X(GetStringi, GETSTRINGI, true) \
+    X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV, false) \
+    X(GetTexParameteriv, GETTEXPARAMETERIV, true) \
     X(GetUniformLocation, GETUNIFORMLOCATION, true) \
     X(GetVertexAttribiv, GETVERTEXATTRIBIV, true) \
     X(InvalidateFramebuffer, INVALIDATEFRAMEBUFFER, false) \
@@ -101,17 +115,21 @@ namespace crevice {
     X(IsVertexArray, ISVERTEXARRAY, true) \
     X(LinkProgram, LINKPROGRAM, true) \
     X(ObjectLabel, OBJECTLABEL, false) \
+    X(PauseTransformFeedback, PAUSETRANSFORMFEEDBACK, false) \
     X(PixelStorei, PIXELSTOREI, true) \
+    X(PolygonMode, POLYGONMODENV, false) \
     X(ProgramBinary, PROGRAMBINARY, false) \
     X(ProgramParameteri, PROGRAMPARAMETERI, false) \
     X(ReadBuffer, READBUFFER, true) \
     X(ReadPixels, READPIXELS, true) \
     X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE, true) \
+    X(ResumeTransformFeedback, RESUMETRANSFORMFEEDBACK, false) \
     X(SamplerParameteri, SAMPLERPARAMETERI, true) \
     X(Scissor, SCISSOR, true) \
     X(ShaderSource, SHADERSOURCE, true) \
+    X(TexImage2D, TEXIMAGE2D, true) \
     X(TexParameteri, TEXPARAMETERI, true) \
-    X(TexStorage2D, TEXSTORAGE2D, true) \
+    X(TexStorage2D, TEXSTORAGE2D, false) \
     X(TexSubImage2D, TEXSUBIMAGE2D, true) \
     X(Uniform1fv, UNIFORM1FV, true) \
     X(Uniform1i, UNIFORM1I, true) \
@@ -135,6 +153,7 @@ struct GlApi {
 #define CREVICE_GL_MEMBER(name, upper, required) PFNGL##upper##PROC name = nullptr;
     CREVICE_GL_FUNCTIONS(CREVICE_GL_MEMBER)
 #undef CREVICE_GL_MEMBER
+    bool glsl_330 = false;  ///< Takes shaders of desktop OpenGL 3.3, and none of OpenGL ES.
 };
 
 /// Errors: CV6003 for each required function that the context lacks, and CV6004 when no context is
@@ -146,6 +165,9 @@ const char* glErrorName(GLenum error);
 
 /// "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT" and the like.
 const char* framebufferStatusName(GLenum status);
+
+/// Where window depth goes to: glDepthRangef, or glDepthRange where that is missing.
+void setDepthRange(const GlApi& gl, float near_depth, float far_depth);
 
 /// Takes all pending errors. Allocates nothing when there is none.
 ///

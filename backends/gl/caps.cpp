@@ -14,6 +14,9 @@ namespace crevice {
 
 namespace {
 
+constexpr GLenum kMaxFragmentUniformComponents = 0x8B49;
+constexpr GLenum kMaxVertexUniformComponents = 0x8B4A;
+
 std::string text(const GlApi& gl, GLenum name)
 {
     const GLubyte* string = gl.GetString(name);
@@ -44,7 +47,7 @@ int compatibleVersion(const GlInfo& info)
     if (info.has("GL_ARB_ES3_2_compatibility")) return 320;
     if (info.has("GL_ARB_ES3_1_compatibility") || info.native_version >= 450) return 310;
     if (info.has("GL_ARB_ES3_compatibility") || info.native_version >= 430) return 300;
-    return 0;
+    return info.native_version >= 330 ? 300 : 0;  // with shaders of its own
 }
 
 bool isSoftware(const std::string& renderer)
@@ -71,14 +74,15 @@ bool tryRender(GlApi& gl, const FormatInfo& format)
     constexpr int kSize = 4;
     auto texture = GlTexture::make(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.name());
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, glFormat(format.format).internal, kSize, kSize);
+    allocateTexture(gl, glFormat(format.format).internal, {kSize, kSize});
     auto framebuffer = GlFramebuffer::make(gl);
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     const GLenum point =
         format.format_class == FormatClass::depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0;
     gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.name(), 0);
     const GLenum buffer = point == GL_DEPTH_ATTACHMENT ? GL_NONE : GL_COLOR_ATTACHMENT0;
     gl.DrawBuffers(1, &buffer);
+    gl.ReadBuffer(buffer);  // desktop OpenGL before 4.1 wants what is read to be there
     const bool complete = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     const bool quiet = takeErrors(gl, "").ok();
     return complete && quiet;
@@ -141,6 +145,15 @@ void dropWhatIsMissing(GlApi& gl, const GlInfo& info)
         gl.GetInternalformativ = nullptr;
     if (info.desktop && info.native_version < 430 && !info.has("GL_ARB_invalidate_subdata"))
         gl.InvalidateFramebuffer = nullptr;
+    const auto lacks = [&info](int version, const char* extension) {
+        return info.desktop && info.native_version < version && !info.has(extension);
+    };
+    if (lacks(420, "GL_ARB_texture_storage")) gl.TexStorage2D = nullptr;
+    if (lacks(410, "GL_ARB_ES2_compatibility")) gl.DepthRangef = nullptr;
+    if (lacks(400, "GL_ARB_transform_feedback2"))
+        gl.PauseTransformFeedback = gl.ResumeTransformFeedback = nullptr;
+    if (!info.desktop && info.native_version < 310) gl.GetTexLevelParameteriv = nullptr;
+    if (!info.desktop || info.bare) gl.BeginConditionalRender = nullptr;
     if (info.desktop && info.native_version < 410 && !info.has("GL_ARB_get_program_binary")) {
         gl.GetProgramBinary = nullptr;
         gl.ProgramBinary = nullptr;
@@ -172,8 +185,7 @@ Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)
     if (info.version < 300)
         return failure(Code::gl_version,
                        "the context is '" + version +
-                           "'; crevice wants OpenGL ES 3.0 or newer, "
-                           "or desktop OpenGL with GL_ARB_ES3_compatibility",
+                           "'; crevice wants OpenGL ES 3.0 or newer, or desktop OpenGL 3.3",
                        "ask for a newer context, or update the driver of " + text(gl, GL_RENDERER));
     if (ignore_extensions) {
         info.bare = true;
@@ -206,11 +218,18 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.EndQuery, "glEndQuery", timers);
     find(gl.GenQueries, "glGenQueries", timers);
     find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", timers);
-    find(gl.GetQueryiv, "glGetQueryiv", timers);
 
     find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatus", resetSuffix(info));
 
     dropWhatIsMissing(gl, info);
+
+    const bool clips = info.desktop ? info.native_version >= 450 || info.has("GL_ARB_clip_control")
+                                    : info.has("GL_EXT_clip_control");
+    find(gl.ClipControl, "glClipControl", !clips ? nullptr : info.desktop ? "" : "EXT");
+    const bool modes = info.desktop || info.has("GL_NV_polygon_mode");
+    find(gl.PolygonMode, "glPolygonMode", !modes ? nullptr : info.desktop ? "" : "NV");
+    gl.glsl_330 = info.desktop && !info.bare && info.native_version < 430 &&
+                  !info.has("GL_ARB_ES3_compatibility");
 
     const bool core_labels = info.native_version >= (info.desktop ? 430 : 320);
     const char* labels = core_labels || info.desktop ? "" : "KHR";
@@ -230,8 +249,13 @@ DeviceCaps readCaps(GlApi& gl, const GlInfo& info)
     caps.max_color_attachments = std::min({integer(gl, GL_MAX_COLOR_ATTACHMENTS),
                                            integer(gl, GL_MAX_DRAW_BUFFERS), kMaxColorAttachments});
     caps.max_texture_units = std::min(integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS), kMaxTextureUnits);
-    caps.max_fragment_uniform_vectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_VECTORS);
-    caps.max_vertex_uniform_vectors = integer(gl, GL_MAX_VERTEX_UNIFORM_VECTORS);
+    if (info.desktop) {  // whose names in vectors came with 4.1
+        caps.max_fragment_uniform_vectors = integer(gl, kMaxFragmentUniformComponents) / 4;
+        caps.max_vertex_uniform_vectors = integer(gl, kMaxVertexUniformComponents) / 4;
+    } else {
+        caps.max_fragment_uniform_vectors = integer(gl, GL_MAX_FRAGMENT_UNIFORM_VECTORS);
+        caps.max_vertex_uniform_vectors = integer(gl, GL_MAX_VERTEX_UNIFORM_VECTORS);
+    }
     for (const FormatInfo& format : allFormats()) {
         if (!mayRender(info, format) || !tryRender(gl, format)) continue;
         caps.renderable[static_cast<int>(format.format)] = true;

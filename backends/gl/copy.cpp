@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends/gl/copy.h"
 
+#include "backends/gl/formats.h"
+
 namespace crevice {
 
 namespace {
@@ -71,7 +73,7 @@ Result<Image> GlCopier::read(GlApi& gl, GlState& state, GLuint texture, GLuint n
 {
     auto target = GlTexture::make(gl);
     state.bindTexture(0, target.name(), 0);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32UI, extent.width, extent.height);
+    allocateTexture(gl, GL_RGBA32UI, extent);
     auto framebuffer = GlFramebuffer::make(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.name(), 0);

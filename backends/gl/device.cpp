@@ -44,9 +44,11 @@ Status GlDevice::checkCurrent()
         deleteRetired();
         return {};
     }
-    noticeReset(gl_);
+    HostErrors of_other;
+    of_other.take(gl_);
     const Status status = takeErrors(gl_, "the device");
     if (tellsLoss(status.diagnostics())) return status;
+    of_other.raise(gl_);
     const bool none = !gl_.GetString(GL_VERSION);
     return failure(Code::gl_version,
                    none ? "no GL context is current on this thread"
@@ -107,19 +109,13 @@ Result<TextureId> GlDevice::createTexture(const TextureDesc& desc)
     Scope scope(*this);
     auto texture = GlTexture::make(gl_);
     state_.bindTexture(0, texture.name(), 0);
-    // The device samples through sampler objects; this is for hosts. What no filter reads is whole
-    // so.
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    gl_.TexStorage2D(GL_TEXTURE_2D, 1, glFormat(desc.format).internal, desc.extent.width,
-                     desc.extent.height);
+    allocateTexture(gl_, glFormat(desc.format).internal, desc.extent);
     if (Status status = takeErrors(gl_, "createTexture", desc.label.c_str()); !status)
         return status.diagnostics();
     setLabel(gl_, GL_TEXTURE, texture.name(), desc.label);
     const GLuint name = texture.name();
-    return TextureId{textures_.add({std::move(texture), {}, name, desc.format, desc.extent})};
+    return TextureId{
+        textures_.add({std::move(texture), {}, name, desc.format, desc.extent, 1, {}})};
 }
 
 Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
@@ -135,28 +131,58 @@ Result<TextureId> GlDevice::createMultisampled(const TextureDesc& desc)
     setLabel(gl_, GL_RENDERBUFFER, buffer.name(), desc.label);
     const GLuint name = buffer.name();
     return TextureId{
-        textures_.add({{}, std::move(buffer), name, desc.format, desc.extent, desc.samples})};
+        textures_.add({{}, std::move(buffer), name, desc.format, desc.extent, desc.samples, {}})};
 }
 
-Result<TextureId> GlDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
+/// What can be said of it without looking into it.
+Status GlDevice::checkName(const HostTexture& host)
 {
-    if (Status status = checkCurrent(); !status) return status.diagnostics();
-    dropHostErrors();
-    if (!gl_.IsTexture(native_name)) {
-        if (Status status = takeErrors(gl_, "adoptTexture", desc.label.c_str()); !status)
-            return status.diagnostics();
+    const bool texture =
+        host.kind == HostTexture::Kind::texture || host.kind == HostTexture::Kind::layer;
+    if (texture && !gl_.IsTexture(host.name)) {
+        if (Status status = takeErrors(gl_, "adoptTexture", host.label.c_str()); !status)
+            return status;
         return failure(Code::bad_input,
-                       "the host's texture '" + desc.label + "' has the name " +
-                           std::to_string(native_name) + ", which is no texture of this context",
+                       "the host's texture '" + host.label + "' has the name " +
+                           std::to_string(host.name) + ", which is no texture of this context",
                        "make it in the device's context, or in one that shares with it");
     }
-    if (desc.samples > 1 && caps_.version < 310)
+    if (host.samples > 1 && !host.copied() && caps_.version < 310)
         return failure(Code::sampler_version,
-                       "the host's texture '" + desc.label + "' has " +
-                           std::to_string(desc.samples) +
+                       "the host's texture '" + host.label + "' has " +
+                           std::to_string(host.samples) +
                            " samples a pixel, and OpenGL ES 3.0 reads none of them",
-                       "resolve it to one sample, with glBlitFramebuffer");
-    return TextureId{textures_.add({{}, {}, native_name, desc.format, desc.extent, desc.samples})};
+                       "set HostTexture::part, and crevice reads a resolved copy");
+    return {};
+}
+
+Result<TextureId> GlDevice::adoptTexture(const HostTexture& host)
+{
+    if (Status status = checkCurrent(); !status) return status.diagnostics();
+    Scope scope(*this);
+    if (Status status = checkName(host); !status) return status.diagnostics();
+    TextureSlot slot{{}, {}, host.name, host.format, host.extent, host.samples, {}};
+    if (host.copied()) {
+        Result<GlHostCopy> copy = GlHostCopy::make(gl_, state_, host);
+        if (!copy) return copy.diagnostics();
+        slot.copy = std::move(*copy);
+        slot.name = slot.copy.texture();
+        slot.samples = 1;
+    } else if (Status status = checkHostTexture(gl_, state_, host); !status) {
+        return status.diagnostics();
+    }
+    return TextureId{textures_.add(std::move(slot))};
+}
+
+Status GlDevice::refresh(TextureId id)
+{
+    if (Status status = checkCurrent(); !status) return status;
+    if (Status status = checkReadable(*this, id); !status) return status;
+    const TextureSlot& texture = textures_.at(id.value);
+    if (texture.copy.texture() == 0) return {};
+    Scope scope(*this);
+    if (Status status = state_.checkHost(check_errors_); !status) return status;
+    return texture.copy.update(gl_);
 }
 
 void GlDevice::attach(GLenum point, TextureId id)
@@ -181,6 +207,10 @@ Status GlDevice::fill(GlFramebuffer& framebuffer, const std::string& label,
     }
     if (depth) attach(GL_DEPTH_ATTACHMENT, depth);
     gl_.DrawBuffers(std::max(count, 1), buffers.data());
+    // Desktop OpenGL before 4.1 wants what is read to be there.
+    const auto first =
+        std::find_if(buffers.begin(), buffers.end(), [](GLenum b) { return b != GL_NONE; });
+    gl_.ReadBuffer(first == buffers.end() ? GL_NONE : *first);
     const GLenum complete = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (Status status = takeErrors(gl_, "createFramebuffer", label.c_str()); !status) return status;
     if (complete != GL_FRAMEBUFFER_COMPLETE)
@@ -236,7 +266,7 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
 Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 {
     if (Status status = checkCurrent(); !status) return status.diagnostics();
-    dropHostErrors();
+    const ErrorScope scope(*this);
     Result<GlLinkedProgram> program = makeProgram(gl_, program_cache_, desc);
     if (!program) return program.diagnostics();
     return ProgramId{programs_.add(std::move(*program))};
@@ -321,6 +351,7 @@ Result<Image> GlDevice::readTexture(TextureId id)
     if (Status status = checkReadable(*this, id); !status) return status.diagnostics();
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
+    if (Status status = state_.checkHost(check_errors_); !status) return status.diagnostics();
     const GLuint nearest = sampler({Filter::nearest, Wrap::clamp}, texture.format);
     Result<Image> rgba = copier_.read(gl_, state_, texture.name, nearest, texture.extent);
     if (!rgba) return rgba;

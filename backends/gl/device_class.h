@@ -5,6 +5,8 @@
 #include <crevice/gl_device.h>
 
 #include "backends/gl/copy.h"
+#include "backends/gl/host_errors.h"
+#include "backends/gl/host_texture.h"
 #include "backends/gl/timers.h"
 
 namespace crevice {
@@ -30,7 +32,9 @@ public:
     Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
-    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    Result<TextureId> adoptTexture(const HostTexture& host) override;
+    Status refresh(TextureId id) override;
+    ClipControl clipControl() const override { return state_.clipControl(); }
     ObjectInfo info(ObjectId id) const override;
     void destroy(ObjectId id) override;
     Status writeTexture(TextureId id, const Image& image) override;
@@ -66,6 +70,7 @@ private:
         Format format;
         Extent extent;
         int samples = 1;
+        GlHostCopy copy;  // nothing where no copy is kept of the host's
 
         GLenum target() const { return samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D; }
     };
@@ -82,18 +87,38 @@ private:
         std::uint32_t index_count = 0;
     };
 
-    /// Brackets a call that may come outside of a frame.
+    /// Sets the host's errors aside in a call that may come outside of a frame.
+    class ErrorScope {
+    public:
+        explicit ErrorScope(GlDevice& device)
+            : device_(device),
+              outermost_(!device.state_.entered())
+        {
+            if (outermost_) device_.host_errors_.take(device_.gl_);
+        }
+        ~ErrorScope()
+        {
+            if (outermost_) device_.host_errors_.raise(device_.gl_);
+        }
+        ErrorScope(const ErrorScope&) = delete;
+
+    private:
+        GlDevice& device_;
+        bool outermost_;
+    };
+
+    /// The same with the host's state.
     class Scope {
     public:
-        explicit Scope(GlDevice& device) : state_(device.state_)
+        explicit Scope(GlDevice& device) : errors_(device), state_(device.state_)
         {
-            if (!state_.entered()) device.dropHostErrors();
             state_.enter();
         }
         ~Scope() { state_.leave(); }
         Scope(const Scope&) = delete;
 
     private:
+        ErrorScope errors_;
         GlState& state_;
     };
 
@@ -112,16 +137,13 @@ private:
     GLuint sampler(const SamplerDesc& desc, Format format) const;
     void makeSamplers();
     Result<TextureId> createMultisampled(const TextureDesc& desc);
+    Status checkName(const HostTexture& host);
     void attach(GLenum point, TextureId id);
     Status fill(GlFramebuffer& framebuffer, const std::string& label,
                 const std::vector<TextureId>& color, TextureId depth);
 
     /// Leaves the running pass's framebuffer with nothing to store.
     void resolve(const FramebufferSlot& framebuffer);
-
-    /// Before the first call of something: what the host left is not its fault. Abandons a lost
-    /// context.
-    void dropHostErrors();
 
     /// Keeps the errors of a call that returns none, for endFrame.
     void noteErrors(const char* what, const char* label = "");
@@ -143,6 +165,7 @@ private:
     GlPool<GlLinkedProgram> programs_;
     GlPool<FramebufferSlot> framebuffers_;
     PassInfo pass_ = {};
+    HostErrors host_errors_;
     Diagnostics errors_;  // of this frame's passes
 };
 

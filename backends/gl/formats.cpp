@@ -27,6 +27,22 @@ const GlFormat kFormats[] = {
     {Format::depth32f, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
 };
 
+/// Those that the device alone asks for.
+constexpr GlFormat kOtherFormats[] = {
+    {Format::none, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
+    {Format::none, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
+    {Format::none, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
+};
+
+const GlFormat& formatOfInternal(GLenum internal)
+{
+    for (const GlFormat& each : kFormats)
+        if (each.internal == internal) return each;
+    for (const GlFormat& each : kOtherFormats)
+        if (each.internal == internal) return each;
+    return glFormat(Format::depth32f);  // GL_DEPTH_COMPONENT32, of desktop OpenGL
+}
+
 using Pixel = std::array<float, 4>;
 
 /// `value` in steps of 1 / (2^bits - 1).
@@ -78,6 +94,22 @@ const GlFormat& glFormat(Format format)
 {
     assert(format != Format::none);
     return kFormats[static_cast<int>(format) - 1];
+}
+
+void allocateTexture(const GlApi& gl, GLenum internal, Extent extent)
+{
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    if (gl.TexStorage2D) {
+        gl.TexStorage2D(GL_TEXTURE_2D, 1, internal, extent.width, extent.height);
+        return;
+    }
+    const GlFormat& format = formatOfInternal(internal);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), extent.width, extent.height, 0,
+                  format.upload_format, format.upload_type, nullptr);
 }
 
 std::vector<std::uint8_t> packPixels(const Image& image, Format format)

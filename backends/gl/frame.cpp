@@ -50,12 +50,6 @@ GLuint GlDevice::sampler(const SamplerDesc& desc, Format format) const
     return samplers_[static_cast<int>(filter)][static_cast<int>(desc.wrap)].name();
 }
 
-void GlDevice::dropHostErrors()
-{
-    noticeReset(gl_);
-    (void)takeErrors(gl_, "the host");
-}
-
 void GlDevice::noteErrors(const char* what, const char* label)
 {
     if (!check_errors_ || tellsLoss(errors_)) return;
@@ -67,8 +61,13 @@ Status GlDevice::beginFrame()
 {
     if (check_errors_) {
         if (Status status = checkCurrent(); !status) return status;
-        dropHostErrors();
+        host_errors_.take(gl_);
     }
+    if (Status status = state_.checkHost(check_errors_); !status) {
+        host_errors_.raise(gl_);
+        return status;
+    }
+    timers_.beginFrame(gl_);
     state_.enter();
     return {};
 }
@@ -77,8 +76,10 @@ Status GlDevice::endFrame()
 {
     state_.leave();
     noteErrors("endFrame");
-    Diagnostics errors;
-    errors.swap(errors_);
+    Diagnostics errors = host_errors_.takeMemoryWarning();
+    append(errors, errors_);
+    errors_.clear();
+    host_errors_.raise(gl_);
     return errors;
 }
 
@@ -90,7 +91,7 @@ void GlDevice::beginPass(const PassInfo& pass)
     state_.unmask();
     invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
     clear(gl_, pass);
-    if (pass.at_depth >= 0.0f) gl_.DepthRangef(pass.at_depth, pass.at_depth);
+    if (pass.at_depth >= 0.0f) setDepthRange(gl_, pass.at_depth, pass.at_depth);
     if (!pass.within_area) return;
     state_.setEnabled(GL_SCISSOR_TEST, true);
     gl_.Scissor(pass.area.x, pass.area.y, pass.area.extent.width, pass.area.extent.height);
@@ -120,7 +121,7 @@ void GlDevice::resolve(const FramebufferSlot& framebuffer)
 void GlDevice::endPass()
 {
     if (pass_.within_area) state_.setEnabled(GL_SCISSOR_TEST, false);
-    if (pass_.at_depth >= 0.0f) gl_.DepthRangef(0.0f, 1.0f);
+    if (pass_.at_depth >= 0.0f) setDepthRange(gl_, 0.0f, 1.0f);
     const FramebufferSlot& framebuffer = framebuffers_.at(pass_.framebuffer.value);
     if (framebuffer.resolved.name() != 0) resolve(framebuffer);
     invalidate(gl_, pass_, pass_.color_store, pass_.depth_store, StoreOp::discard);
@@ -161,7 +162,25 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
     if (Status status = checkReadable(*this, id); !status) return status;
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
+    if (Status status = state_.checkHost(check_errors_); !status) return status;
+    GlFramebuffer own;
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host.name);
+    if (host.texture != 0) {
+        own = GlFramebuffer::make(gl_);
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, own.name());
+        gl_.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                 host.texture, host.level);
+    }
+    if (const GLenum complete = gl_.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+        complete != GL_FRAMEBUFFER_COMPLETE && check_errors_) {
+        (void)takeErrors(gl_, "present");
+        return failure(Code::gl_error,
+                       "the host's " +
+                           std::string(host.texture != 0 ? "texture " : "framebuffer ") +
+                           std::to_string(host.texture != 0 ? host.texture : host.name) +
+                           " cannot be drawn into: " + framebufferStatusName(complete),
+                       "give it storage of a colour format that this device renders to");
+    }
     gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
     copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format));
     return check_errors_ ? takeErrors(gl_, "present") : Status();

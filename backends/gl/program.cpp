@@ -54,12 +54,24 @@ Diagnostics explain(GlApi& gl, const GlslStage& stage, Code code, const std::str
     return diagnostics;
 }
 
+/// The text for contexts that take no shaders of OpenGL ES: GLSL 3.30 has all that they may use,
+/// precisions included, under another first line.
+std::string desktopText(const std::string& text)
+{
+    const std::size_t version = text.find("#version");
+    if (version == std::string::npos) return text;
+    const std::size_t end = text.find('\n', version);
+    return text.substr(0, version) + "#version 330" +
+           (end == std::string::npos ? "" : text.substr(end));
+}
+
 Result<GlShader> compileStage(GlApi& gl, GLenum kind, const GlslStage& stage,
                               const std::string& label)
 {
     GlShader shader(gl, gl.CreateShader(kind));
-    const GLchar* text = stage.text.data();
-    const auto length = static_cast<GLint>(stage.text.size());
+    const std::string whole = gl.glsl_330 ? desktopText(stage.text) : stage.text;
+    const GLchar* text = whole.data();
+    const auto length = static_cast<GLint>(whole.size());
     gl.ShaderSource(shader.name(), 1, &text, &length);
     gl.CompileShader(shader.name());
     GLint compiled = GL_FALSE;

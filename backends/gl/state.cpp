@@ -2,6 +2,8 @@
 // Saves the host's GL state, sets what drawing needs, and restores the host's.
 #include "backends/gl/state.h"
 
+#include "backends/gl/failure.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -30,6 +32,19 @@ constexpr GLenum kFramebufferSrgb = 0x8DB9;
 constexpr GLenum kPrimitiveRestart = 0x8F9D;
 constexpr GLenum kMultisample = 0x809D;
 constexpr GLenum kSampleAlphaToOne = 0x809F;
+constexpr GLenum kPolygonSmooth = 0x0B41;
+constexpr GLenum kPolygonStipple = 0x0B42;
+constexpr GLenum kAlphaTest = 0x0BC0;
+constexpr GLenum kPolygonMode = 0x0B40;
+constexpr GLenum kFill = 0x1B02;
+constexpr GLenum kClipDistance0 = 0x3000;
+constexpr GLenum kMaxClipDistances = 0x0D32;
+constexpr GLenum kContextProfileMask = 0x9126;
+constexpr GLint kCompatibilityProfile = 2;
+constexpr GLenum kSamplesPassed = 0x8914;
+constexpr GLenum kFirstStatistic = 0x82EE;  // GL_VERTICES_SUBMITTED, the first of eleven
+constexpr GLenum kLastStatistic = 0x82F8;
+constexpr GLenum kQueryNoWait = 0x8E14;
 constexpr GLenum kPackSwapBytes = 0x0D00;
 constexpr GLenum kUnpackSwapBytes = 0x0CF0;
 
@@ -40,7 +55,7 @@ constexpr Switch kSwitches[] = {
     {GL_DEPTH_TEST, Where::everywhere},
     {GL_DITHER, Where::everywhere},
     {GL_POLYGON_OFFSET_FILL, Where::everywhere},
-    {GL_PRIMITIVE_RESTART_FIXED_INDEX, Where::not_web},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, Where::fixed_restart},
     {GL_RASTERIZER_DISCARD, Where::everywhere},
     {GL_SAMPLE_ALPHA_TO_COVERAGE, Where::everywhere},
     {GL_SAMPLE_COVERAGE, Where::everywhere},
@@ -54,6 +69,9 @@ constexpr Switch kSwitches[] = {
     {kMultisample, Where::desktop, true},
     {kSampleAlphaToOne, Where::desktop},
     {kPrimitiveRestart, Where::desktop},
+    {kPolygonSmooth, Where::desktop},
+    {kAlphaTest, Where::compatibility},
+    {kPolygonStipple, Where::compatibility},
 };
 
 constexpr PixelStore kPixelStores[] = {
@@ -64,16 +82,35 @@ constexpr PixelStore kPixelStores[] = {
     {kPackSwapBytes, 0, Where::desktop},           {kUnpackSwapBytes, 0, Where::desktop},
 };
 
+Diagnostic busy(const std::string& what, const char* help)
+{
+    return failure(Code::host_busy, what + ", which drawing would spoil", help);
+}
+
 }  // namespace
 
 GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     : gl_(gl),
       restore_(restore),
       desktop_(info.desktop),
-      web_(info.web),
+      fixed_restart_(info.desktop
+                         ? info.native_version >= 430 || info.has("GL_ARB_ES3_compatibility")
+                         : !info.web),
+      asks_feedback_(!info.desktop || info.native_version >= 400 ||
+                     info.has("GL_ARB_transform_feedback2")),
+      query_version_(info.native_version),
       sample_mask_(info.native_version >= (info.desktop ? 320 : 310)),
       sample_shading_(info.native_version >= (info.desktop ? 400 : 320))
 {
+    if (desktop_ && !info.bare) {
+        GLint profile = 0;
+        gl_.GetIntegerv(kMaxClipDistances, &clip_distance_count_);
+        if (info.native_version >= 320) gl_.GetIntegerv(kContextProfileMask, &profile);
+        compatibility_ = (profile & kCompatibilityProfile) != 0;
+    } else if (info.has("GL_EXT_clip_cull_distance")) {
+        gl_.GetIntegerv(kMaxClipDistances, &clip_distance_count_);
+    }
+    clip_distance_count_ = std::clamp(clip_distance_count_, 0, 32);
     static_assert(std::size(kSwitches) <= kMaxSwitches);
     static_assert(std::size(kPixelStores) <= kMaxPixelStores);
     static_assert(kMaxTextureUnits <= 32);
@@ -88,7 +125,8 @@ bool GlState::has(GlWhere where) const
 {
     switch (where) {
     case Where::desktop: return desktop_;
-    case Where::not_web: return !web_;
+    case Where::compatibility: return compatibility_;
+    case Where::fixed_restart: return fixed_restart_;
     case Where::sample_mask: return sample_mask_;
     case Where::sample_shading: return sample_shading_;
     default: return true;
@@ -105,7 +143,8 @@ void GlState::enter()
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     gl_.FrontFace(GL_CCW);
-    gl_.DepthRangef(0.0f, 1.0f);
+    setDepthRange(gl_, 0.0f, 1.0f);
+    neutralizeClipping();
     unmask();
 }
 
@@ -177,6 +216,9 @@ void GlState::save()
             gl_.GetIntegerv(kPixelStores[i].parameter, &s.pixel_stores[i]);
     for (int i = 0; i < mask_count_; ++i) saveMask(i);
     for (int i = 0; i < blend_count_; ++i) saveBlend(i);
+    saveClipping();
+    s.pauses_feedback = gl_.PauseTransformFeedback && feedbackRuns();
+    if (s.pauses_feedback) gl_.PauseTransformFeedback();
 }
 
 void GlState::restore()
@@ -194,7 +236,7 @@ void GlState::restore()
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, s.unpack_buffer);
     gl_.Viewport(s.viewport[0], s.viewport[1], s.viewport[2], s.viewport[3]);
     gl_.Scissor(s.scissor[0], s.scissor[1], s.scissor[2], s.scissor[3]);
-    gl_.DepthRangef(s.depth_range[0], s.depth_range[1]);
+    setDepthRange(gl_, s.depth_range[0], s.depth_range[1]);
     gl_.DepthFunc(s.depth_function);
     gl_.DepthMask(s.depth_mask);
     gl_.CullFace(s.cull_mode);
@@ -206,6 +248,117 @@ void GlState::restore()
             gl_.PixelStorei(kPixelStores[i].parameter, s.pixel_stores[i]);
     for (int i = 0; i < mask_count_; ++i) restoreMask(i);
     for (int i = 0; i < blend_count_; ++i) restoreBlend(i);
+    restoreClipping();
+    if (s.pauses_feedback) gl_.ResumeTransformFeedback();
+}
+
+void GlState::saveClipping()
+{
+    Saved& s = saved_;
+    if (gl_.ClipControl) {
+        gl_.GetIntegerv(GL_CLIP_ORIGIN_EXT, &s.clip_origin);
+        gl_.GetIntegerv(GL_CLIP_DEPTH_MODE_EXT, &s.clip_depth);
+    }
+    // A core profile has one mode for both sides, and some drivers write it once.
+    s.polygon_mode[0] = s.polygon_mode[1] = 0;
+    if (gl_.PolygonMode) gl_.GetIntegerv(kPolygonMode, s.polygon_mode);
+    s.clip_distances = 0;
+    for (int i = 0; i < clip_distance_count_; ++i)
+        if (gl_.IsEnabled(kClipDistance0 + i)) s.clip_distances |= std::uint32_t(1) << i;
+}
+
+void GlState::neutralizeClipping() const
+{
+    if (gl_.ClipControl) gl_.ClipControl(GL_LOWER_LEFT_EXT, GL_NEGATIVE_ONE_TO_ONE_EXT);
+    if (gl_.PolygonMode) gl_.PolygonMode(GL_FRONT_AND_BACK, kFill);
+    for (int i = 0; i < clip_distance_count_; ++i) gl_.Disable(kClipDistance0 + i);
+}
+
+void GlState::restoreClipping() const
+{
+    const Saved& s = saved_;
+    if (gl_.ClipControl) gl_.ClipControl(s.clip_origin, s.clip_depth);
+    if (gl_.PolygonMode && compatibility_) {
+        gl_.PolygonMode(GL_FRONT, s.polygon_mode[0]);
+        gl_.PolygonMode(GL_BACK, s.polygon_mode[1]);
+    } else if (gl_.PolygonMode) {
+        gl_.PolygonMode(GL_FRONT_AND_BACK, s.polygon_mode[0]);
+    }
+    for (int i = 0; i < clip_distance_count_; ++i)
+        setEnabled(kClipDistance0 + i, s.clip_distances >> i & 1);
+}
+
+ClipControl GlState::clipControl() const
+{
+    if (!gl_.ClipControl) return {};
+    GLint origin = 0, depth = 0;
+    gl_.GetIntegerv(GL_CLIP_ORIGIN_EXT, &origin);
+    gl_.GetIntegerv(GL_CLIP_DEPTH_MODE_EXT, &depth);
+    return {depth == GL_ZERO_TO_ONE_EXT, origin == GL_UPPER_LEFT_EXT};
+}
+
+bool GlState::feedbackRuns() const
+{
+    GLboolean active = GL_FALSE, paused = GL_FALSE;
+    if (asks_feedback_) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
+    if (active) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
+    return active && !paused;
+}
+
+/// GL has no query for it; a second conditional rendering is refused.
+bool GlState::rendersConditionally()
+{
+    if (!gl_.BeginConditionalRender) return false;
+    if (probe_.name() == 0) {
+        probe_ = GlQuery::make(gl_);
+        gl_.BeginQuery(kSamplesPassed, probe_.name());
+        gl_.EndQuery(kSamplesPassed);
+    }
+    gl_.BeginConditionalRender(probe_.name(), kQueryNoWait);
+    const bool refused = gl_.GetError() != GL_NO_ERROR;
+    if (!refused) gl_.EndConditionalRender();
+    return refused;
+}
+
+Status GlState::checkQueries() const
+{
+    const auto active = [this](GLenum target) {
+        GLint query = 0;
+        gl_.GetQueryiv(target, GL_CURRENT_QUERY, &query);
+        return query != 0;
+    };
+    const char* const help = "end it before the call, and begin another one after";
+    const bool conservative = !desktop_ || query_version_ >= 430;
+    const bool primitives = query_version_ >= 320;
+    if ((desktop_ && active(kSamplesPassed)) || active(GL_ANY_SAMPLES_PASSED) ||
+        (conservative && active(GL_ANY_SAMPLES_PASSED_CONSERVATIVE)))
+        return busy("an occlusion query of the host is active", help);
+    if (primitives && active(GL_PRIMITIVES_GENERATED))
+        return busy("a query of primitives of the host is active", help);
+    for (GLenum each = kFirstStatistic; desktop_ && query_version_ >= 460 && each <= kLastStatistic;
+         ++each)
+        if (active(each)) return busy("a query of pipeline statistics of the host is active", help);
+    return {};
+}
+
+Status GlState::checkHost(bool asks_errors)
+{
+    if (depth_ > 1) return {};  // within a frame, which asked
+    if (Status status = checkQueries(); !status) return status;
+    if (asks_errors && rendersConditionally())
+        return busy("the host renders conditionally", "call glEndConditionalRender first");
+    if (!(gl_.PauseTransformFeedback && restore_) && feedbackRuns())
+        return busy("transform feedback of the host is active, and cannot be paused",
+                    "end it before the call");
+    GLint program = 0, deleted = GL_FALSE;
+    gl_.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+    if (program != 0 && restore_)
+        gl_.GetProgramiv(static_cast<GLuint>(program), GL_DELETE_STATUS, &deleted);
+    if (deleted)
+        return busy(
+            "the host's current program " + std::to_string(program) + " is marked for deletion",
+            "call glUseProgram(0) before the call, or delete the program later");
+    return {};
 }
 
 void GlState::restoreUnits()

@@ -13,20 +13,29 @@
 //                rasterizer discard, primitive restart with fixed index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
 //   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes,
-//                multisampling, sample alpha to one
+//                multisampling, sample alpha to one, polygon mode and smoothing; in a compatibility
+//                profile the alpha test and polygon stipple too
+//   clip space   clip control, clip distances
+//   feedback     transform feedback is paused
 //
-// Never touched: all else; clear values and polygon offset among it. Must be at its default, for
-// nothing here changes it: clip control, polygon mode, clip distances. Must not be active:
-// transform feedback, queries that count samples, conditional rendering; nor, while the device's
-// timers run, queries that measure time. Errors that are pending when a frame begins are dropped.
+// Never touched: all else; clear values and polygon offset among it. Drawing is refused where it
+// would spoil what cannot be set aside (`checkHost`).
 #pragma once
 
 #include "backends/gl/caps.h"
+#include "backends/gl/objects.h"
 
 namespace crevice {
 
 /// Which contexts have a piece of state.
-enum class GlWhere { everywhere, desktop, not_web, sample_mask, sample_shading };
+enum class GlWhere {
+    everywhere,
+    desktop,
+    compatibility,
+    fixed_restart,
+    sample_mask,
+    sample_shading
+};
 
 class GlState {
 public:
@@ -41,6 +50,16 @@ public:
 
     bool entered() const { return depth_ > 0; }
 
+    /// Whether the host may be drawn beside. Errors: CV6017 for an active query that would count
+    /// what is drawn, for conditional rendering, for transform feedback that cannot be paused, and
+    /// for a program that is current and marked for deletion, since it would end with another one's
+    /// use.
+    /// `asks_errors` off leaves out what asks glGetError.
+    Status checkHost(bool asks_errors);
+
+    /// The host's clip control now.
+    ClipControl clipControl() const;
+
     /// Binds to a unit and leaves that unit active.
     void bindTexture(int unit, GLuint texture, GLuint sampler, GLenum target = GL_TEXTURE_2D);
 
@@ -50,7 +69,7 @@ public:
     void setEnabled(GLenum capability, bool enabled) const;
 
 private:
-    static constexpr int kMaxSwitches = 20;
+    static constexpr int kMaxSwitches = 24;
     static constexpr int kMaxPixelStores = 10;
 
     struct DrawBuffer {
@@ -71,6 +90,10 @@ private:
         GLint scissor[4];
         GLfloat depth_range[2];
         GLint depth_function, cull_mode, front_face;
+        GLint clip_origin, clip_depth;
+        GLint polygon_mode[2];
+        std::uint32_t clip_distances;  // a bit for each
+        bool pauses_feedback;
         GLboolean depth_mask;
         bool switches[kMaxSwitches];
         GLint pixel_stores[kMaxPixelStores];
@@ -84,12 +107,22 @@ private:
     void restoreMask(int index) const;
     void restoreBlend(int index) const;
     void restoreUnits();
+    void saveClipping();
+    void neutralizeClipping() const;
+    void restoreClipping() const;
+    bool feedbackRuns() const;
+    bool rendersConditionally();
+    Status checkQueries() const;
     bool has(GlWhere where) const;
 
     const GlApi& gl_;
     bool restore_;
     bool desktop_;
-    bool web_;
+    bool compatibility_ = false;  // a context with the fixed functions of old
+    bool fixed_restart_;
+    bool asks_feedback_;  // whether transform feedback is active
+    int query_version_;   // desktop OpenGL's as it is; OpenGL ES 3.2 as 320
+    int clip_distance_count_ = 0;
     bool sample_mask_;
     bool sample_shading_;
     int mask_count_ = 1;   // draw buffers that are masked apart
@@ -97,6 +130,7 @@ private:
     int depth_ = 0;
     Saved saved_ = {};
     Unit units_[kMaxTextureUnits] = {};
+    GlQuery probe_;                         // tells whether rendering is conditional
     std::uint32_t saved_units_ = 0;         // a bit for each
     std::uint32_t saved_multisampled_ = 0;  // likewise
 };

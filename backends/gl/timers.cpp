@@ -17,6 +17,14 @@ GlTimers GlTimers::make(const GlApi& gl, const GlInfo& info)
     return timers;
 }
 
+void GlTimers::beginFrame(const GlApi& gl)
+{
+    if (queries_.empty()) return;
+    GLint query = 0;
+    gl.GetQueryiv(GL_TIME_ELAPSED_EXT, GL_CURRENT_QUERY, &query);
+    host_measures_ = query != 0;
+}
+
 bool GlTimers::begin(const GlApi& gl, int slot)
 {
     if (queries_.empty()) return false;
@@ -25,6 +33,7 @@ bool GlTimers::begin(const GlApi& gl, int slot)
         disturbed_ = false;
         measured_.reset();
     }
+    if (host_measures_) return true;  // and the slot stays void
     measured_[slot] = true;
     gl.BeginQuery(GL_TIME_ELAPSED_EXT, queries_[slot].name());
     return true;

@@ -21,14 +21,21 @@ public:
     /// nothing, 1.1 ms for a pass of 240 ms.
     static GlTimers make(const GlApi& gl, const GlInfo& info);
 
+    /// Nothing is measured in a frame within a timer query of the host.
+    void beginFrame(const GlApi& gl);
+
     bool begin(const GlApi& gl, int slot);
-    void end(const GlApi& gl) const { gl.EndQuery(GL_TIME_ELAPSED_EXT); }
+    void end(const GlApi& gl) const
+    {
+        if (!host_measures_) gl.EndQuery(GL_TIME_ELAPSED_EXT);
+    }
     double read(const GlApi& gl, int slot);
 
 private:
     bool takeDisjoint(const GlApi& gl) const;
 
     std::vector<GlQuery> queries_;  // by slot; empty where there are no timers
+    bool host_measures_ = false;    // this frame
     bool tells_disjoint_ = false;   // desktop OpenGL does not
     std::bitset<kMaxTimers> measured_;
     bool read_ = true;        // since the last timer began, or none began yet

@@ -137,15 +137,25 @@ Result<TextureId> RecordingDevice::createTexture(const TextureDesc& desc)
     return TextureId{add(std::move(object), Call::create_texture)};
 }
 
-Result<TextureId> RecordingDevice::adoptTexture(std::uint32_t native_name, const TextureDesc& desc)
+Result<TextureId> RecordingDevice::adoptTexture(const HostTexture& host)
 {
     Diagnostics errors;
-    if (failsNow(errors, "texture '" + desc.label + "'")) return errors;
-    Object object{ObjectId::Kind::texture, desc.label};
-    object.texture = desc;
-    object.native_name = native_name;
+    if (failsNow(errors, "texture '" + host.label + "'")) return errors;
+    Object object{ObjectId::Kind::texture, host.label};
+    object.texture = {host.label, host.format, host.extent, host.copied() ? 1 : host.samples};
+    object.native_name = host.copied() ? 0 : host.name;
+    object.copied = host.copied();
     object.defined = true;
     return TextureId{add(std::move(object), Call::adopt_texture)};
+}
+
+Status RecordingDevice::refresh(TextureId id)
+{
+    const Object* object = find(id, "refresh");
+    if (!object) return checkReadable(*this, id);
+    if (in_frame_) blame("texture '" + object->label + "' is refreshed inside a frame");
+    if (object->copied) record(Call::refresh, id.value);
+    return checkContext("texture '" + object->label + "'");
 }
 
 /// All that is drawn into has as many samples, and what that is resolved into has one; and one

@@ -12,11 +12,12 @@ namespace crevice {
 namespace {
 
 constexpr const char* kCallNames[] = {
-    "createTexture", "createFramebuffer", "createProgram", "createMesh", "adoptTexture",
-    "destroy",       "writeTexture",      "readTexture",   "beginFrame", "endFrame",
-    "beginPass",     "endPass",           "setProgram",    "setTexture", "setUniform",
-    "draw",          "drawFullscreen",    "present",       "finish",     "beginTimer",
-    "endTimer",      "readTimer",
+    "createTexture", "createFramebuffer", "createProgram", "createMesh",
+    "adoptTexture",  "refresh",           "destroy",       "writeTexture",
+    "readTexture",   "beginFrame",        "endFrame",      "beginPass",
+    "endPass",       "setProgram",        "setTexture",    "setUniform",
+    "draw",          "drawFullscreen",    "present",       "finish",
+    "beginTimer",    "endTimer",          "readTimer",
 };
 constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer"};
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
@@ -216,6 +217,7 @@ std::string RecordingDevice::arguments(const Record& call) const
     case Call::create_framebuffer:
     case Call::create_program:
     case Call::create_mesh:
+    case Call::refresh:
     case Call::adopt_texture:
         return line.add(object).text() + createdText(objects_.at(call.object));
     case Call::destroy:

@@ -60,12 +60,24 @@ bool invertible(const glm::dmat4& columns)
 
 bool mirrors(const glm::dmat4& columns) { return glm::determinant(glm::dmat3(columns)) < 0.0; }
 
+// `clip_from_view` as it would be under OpenGL's own clip control. In double: of a far plane the
+// numbers from 0 to 1 keep what those from -1 to 1 round away.
+glm::dmat4 plainClip(const Camera& camera)
+{
+    const ClipControl control = camera.clip_control.value_or(ClipControl());
+    glm::dmat4 rows = glm::transpose(glm::dmat4(camera.clip_from_view));
+    if (control.zero_to_one) rows[2] = 2.0 * rows[2] - rows[3];
+    if (control.upper_left) rows[1] = -rows[1];
+    return glm::transpose(rows);
+}
+
 // Whether the camera looks along +z: with perspective, where w grows with z; else where the view
 // mirrors and all of the box lies there.
 bool isLeftHanded(const Camera& camera)
 {
     constexpr double kRounding = 1e-6;  // of a near plane at 0
-    const glm::dvec4 of_z = camera.clip_from_view[2], of_1 = camera.clip_from_view[3];
+    const glm::dmat4 clip = plainClip(camera);
+    const glm::dvec4 of_z = clip[2], of_1 = clip[3];
     if (!camera.orthographic()) return of_z.w > 0.0;
     return mirrors(camera.view_from_world) && -of_1.z * (of_z.z < 0.0 ? -1 : 1) >= 1 - kRounding;
 }
@@ -164,7 +176,7 @@ std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, cons
 glm::dmat3 uprightTurn(const Camera& camera)
 {
     constexpr double kRightAngle = 1e-6;  // cosine of what rounding in floats makes of one
-    const glm::dmat4 clip(camera.clip_from_view);
+    const glm::dmat4 clip = plainClip(camera);
     const glm::dvec2 right(clip[0][0], clip[1][0]), up(clip[0][1], clip[1][1]);
     glm::dvec2 x = right / glm::length(right), y = up / glm::length(up);
     if (!(std::abs(glm::dot(x, y)) <= kRightAngle)) {  // sheared as well: the nearest right angles
@@ -179,7 +191,7 @@ glm::dmat3 uprightTurn(const Camera& camera)
 
 glm::dmat4 uprightClip(const Camera& camera)
 {
-    return glm::dmat4(camera.clip_from_view) * glm::dmat4(glm::transpose(uprightTurn(camera)));
+    return plainClip(camera) * glm::dmat4(glm::transpose(uprightTurn(camera)));
 }
 
 CameraMatrices cameraMatrices(const Camera& camera)

@@ -65,7 +65,6 @@ struct Renderer::State {
     CompileOptions options;
     SceneTraits traits;
     std::unique_ptr<Execution> execution = nullptr;
-
     /// Plans and makes the objects. `previous` may be null; it is left as it is.
     static Result<std::unique_ptr<State>> make(Device& device, Description description,
                                                const CompileOptions& options,
@@ -193,8 +192,20 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
     return {std::unique_ptr<Renderer>(new Renderer(std::move(*state))), std::move(all)};
 }
 
-Status Renderer::render(const Frame& frame)
+const Frame& Renderer::withClipControl(const Frame& frame)
 {
+    const ClipControl host = state_->device.clipControl();
+    if (host == ClipControl()) return frame;
+    clipped_ = frame;
+    if (!clipped_.camera.clip_control) clipped_.camera.clip_control = host;
+    for (FrameView& view : clipped_.other_views)
+        if (!view.camera.clip_control) view.camera.clip_control = host;
+    return clipped_;
+}
+
+Status Renderer::render(const Frame& given)
+{
+    const Frame& frame = withClipControl(given);
     const Status prepared = State::prepare(state_, frame);
     if (!prepared) return prepared;
     Diagnostics all = prepared.diagnostics();
@@ -202,8 +213,9 @@ Status Renderer::render(const Frame& frame)
     return all;
 }
 
-Result<FrameTimes> Renderer::renderTimed(const Frame& frame)
+Result<FrameTimes> Renderer::renderTimed(const Frame& given)
 {
+    const Frame& frame = withClipControl(given);
     const Status prepared = State::prepare(state_, frame);
     if (!prepared) return prepared.diagnostics();
     auto timed = state_->execution->runTimed(frame);
@@ -242,6 +254,19 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
     const Reference at{param->name, param->place, param->pointer};
     const Status status = State::replan(state_, std::move(description), state_->options);
     return withCompiled(status, *state_->execution, cause, at);
+}
+
+Status Renderer::setImportFormat(std::string_view name, Format format)
+{
+    Description description = state_->description;
+    const int index = indexOf(description.imports, name);
+    if (index < 0)
+        return unknown(Code::reference_missing, "import", name, namesOf(description.imports),
+                       "imports");
+    ImportDesc& import = description.imports[index];
+    if (import.format == formatInfo(format).name) return {};
+    import.format = formatInfo(format).name;
+    return State::replan(state_, std::move(description), state_->options);
 }
 
 Status Renderer::setFeature(std::string_view name, std::string_view value)

@@ -293,11 +293,11 @@ TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the d
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     gl.BindTexture(GL_TEXTURE_2D, 0);
 
-    const TextureId id = need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}));
+    const TextureId id = need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}));
     CHECK(read(id).pixels == std::vector<float>{1, 0, 1, 0});
     device->destroy(id);
     CHECK(gl.IsTexture(name));
-    need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}));
+    need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}));
     device.reset();
     CHECK(gl.IsTexture(name));
     gl.DeleteTextures(1, &name);
@@ -306,7 +306,7 @@ TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the d
 TEST_CASE_METHOD(GlFixture, "a name that is no texture cannot be adopted")
 {
     for (std::uint32_t name : {0u, 123456u})
-        CHECK(onlyCode(device->adoptTexture(name, {}).diagnostics()) == Code::bad_input);
+        CHECK(onlyCode(device->adoptTexture({name}).diagnostics()) == Code::bad_input);
 }
 
 TEST_CASE_METHOD(GlFixture, "objects carry their labels where the context has labels")

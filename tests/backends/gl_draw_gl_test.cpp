@@ -2,6 +2,8 @@
 // Drawing on the GL device: uniforms, samplers, fixed-function state, load and store, present.
 #include "tests/support/gl_fixture.h"
 
+#include "backends/gl/objects.h"
+
 #include <algorithm>
 
 namespace crevice {
@@ -279,7 +281,7 @@ TEST_CASE_METHOD(GlFixture, "presenting fills the host's rectangle and nothing e
     need(device->present(source, {host, 2, 1, {3, 4}}));
     need(device->endFrame());
     const Image image =
-        read(need(device->adoptTexture(host_texture, {"host", Format::rgba8, size})));
+        read(need(device->adoptTexture({host_texture, "host", Format::rgba8, size})));
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             CHECK(image.at(x, y) == (x >= 2 && x < 5 && y >= 1 && y < 5 ? 1.0f : 0.0f));
@@ -302,13 +304,35 @@ TEST_CASE_METHOD(SquareFixture, "a driver's error comes out of endFrame with the
     need(device->endFrame());
 }
 
-TEST_CASE_METHOD(SquareFixture, "an error that the host left is not blamed on a pass")
+TEST_CASE_METHOD(SquareFixture, "errors that the host left are not blamed on a pass, and stay")
 {
-    gl.Enable(0xFFFF);
-    need(device->beginFrame());
-    need(device->endFrame());
-    gl.Enable(0xFFFF);
-    texture(Format::r8);
+    const auto raise = [&](GLenum error) {
+        if (error == GL_INVALID_ENUM) gl.Enable(0xFFFF);
+        if (error == GL_INVALID_VALUE) gl.Viewport(0, 0, -1, -1);
+        if (error == GL_INVALID_OPERATION) gl.UseProgram(0x7FFFFFFF), (void)gl.GetError();
+        if (error == GL_INVALID_OPERATION) gl.Uniform1i(5, 1);
+        if (error == GL_INVALID_FRAMEBUFFER_OPERATION) {
+            auto empty = GlFramebuffer::make(gl);
+            gl.BindFramebuffer(GL_FRAMEBUFFER, empty.name());
+            gl.Clear(GL_COLOR_BUFFER_BIT);
+        }
+    };
+    gl.UseProgram(0);
+    const TextureId shown = texture(Format::rgba8);
+    for (const GLenum error : {GL_INVALID_ENUM, GL_INVALID_VALUE, GL_INVALID_OPERATION,
+                               GL_INVALID_FRAMEBUFFER_OPERATION}) {
+        INFO(glErrorName(error));
+        raise(error);
+        need(device->beginFrame());
+        need(device->endFrame());
+        CHECK(gl.GetError() == error);
+        raise(error);
+        texture(Format::r8);
+        program("out vec4 color; void main() { color = vec4(1.0); }");
+        read(shown);
+        CHECK(gl.GetError() == error);
+        CHECK(gl.GetError() == GL_NO_ERROR);
+    }
 }
 
 }  // namespace crevice

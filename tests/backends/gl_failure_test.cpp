@@ -65,7 +65,7 @@ struct Host {
 
     Status adopt()
     {
-        const auto made = device->adoptTexture(1, {"host", Format::r8, {2, 2}});
+        const auto made = device->adoptTexture({1, "host", Format::r8, {2, 2}});
         if (made) device->destroy(*made);
         return made.diagnostics();
     }

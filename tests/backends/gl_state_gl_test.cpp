@@ -314,7 +314,7 @@ TEST_CASE_METHOD(HostileHost, "reading samples of a texture leaves the host's in
         storage(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA8, 4, 4, GL_TRUE);
     }
     const TextureId read_from =
-        need(device->adoptTexture(names[0], {"host", Format::rgba8, {4, 4}, 4}));
+        need(device->adoptTexture({names[0], "host", Format::rgba8, {4, 4}, 4}));
     const ProgramId reads = need(device->createProgram(
         {"reads", stage("#version 310 es\nvoid main() { gl_Position = vec4(0.0); }\n"),
          stage("#version 310 es\nuniform highp sampler2DMS host;\nout highp vec4 color;\n"

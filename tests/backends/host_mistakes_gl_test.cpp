@@ -65,7 +65,7 @@ void checkRefused(Stage& host)
           Code::gl_version);
     CHECK(onlyCode(device.createFramebuffer({}).diagnostics()) == Code::gl_version);
     CHECK(onlyCode(device.createMesh(square(0)).diagnostics()) == Code::gl_version);
-    CHECK(onlyCode(device.adoptTexture(1, {"t", Format::r8, {4, 4}}).diagnostics()) ==
+    CHECK(onlyCode(device.adoptTexture({1, "t", Format::r8, {4, 4}}).diagnostics()) ==
           Code::gl_version);
     CHECK(
         onlyCode(

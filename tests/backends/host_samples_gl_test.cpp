@@ -141,7 +141,7 @@ private:
         storage(GL_TEXTURE_2D_MULTISAMPLE, kSamples, internal, extent.width, extent.height,
                 GL_TRUE);
         gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-        return need(device->adoptTexture(names_.back(), {"host", format, extent, kSamples}));
+        return need(device->adoptTexture({names_.back(), "host", format, extent, kSamples}));
     }
 
     Drawn draw(TextureId depth, TextureId normal)

@@ -148,7 +148,7 @@ TEST_CASE_METHOD(Host, "An adopted texture's native name is the host's own")
     gl.GenTextures(1, &name);
     gl.BindTexture(GL_TEXTURE_2D, name);
     gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
-    CHECK(device->nativeName(need(device->adoptTexture(name, {"host", Format::rgba8, {1, 1}}))) ==
+    CHECK(device->nativeName(need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}))) ==
           name);
     gl.DeleteTextures(1, &name);
 }

@@ -166,7 +166,7 @@ TEST_CASE("The n-th attempt fails with CV6009, once")
 TEST_CASE("A texture reads back what was written, and zeros otherwise")
 {
     Rig rig;
-    const TextureId host = rig.device.adoptTexture(7, {"host", Format::rg8, {3, 2}}).value();
+    const TextureId host = rig.device.adoptTexture({7, "host", Format::rg8, {3, 2}}).value();
     const Image zeros = rig.device.readTexture(host).value();
     CHECK(zeros.extent == Extent{3, 2});
     CHECK(zeros.channels == 2);

@@ -85,11 +85,118 @@ TEST_CASE("An effect adopts a texture once, and another in its place")
     const int attempts = device.attempts();
     need(effect.setTexture("depth", 7, Format::depth24, kExtent));
     CHECK(device.attempts() == attempts);
-    need(effect.setTexture("depth", 8, Format::depth32f, {128, 72}));
+    need(effect.setTexture("depth", 8, Format::depth24, {128, 72}));
     CHECK(device.live() == live);
     REQUIRE(effect.frame().textures.size() == 1);
     CHECK(device.nativeName(effect.frame().textures[0].texture) == 8);
     need(effect.render());
+}
+
+TEST_CASE("Under any clip control the same view is computed from the same window depth")
+{
+    const glm::mat4 lenses[] = {glm::perspective(1.0f, 1.5f, 0.1f, 10.0f),
+                                glm::perspective(1.0f, 1.5f, 10.0f, 0.1f),
+                                glm::infinitePerspective(1.0f, 1.5f, 0.1f),
+                                glm::frustum(-0.1f, 0.3f, -0.2f, 0.1f, 0.1f, 9.0f),
+                                glm::ortho(-3.0f, 2.0f, -1.0f, 2.0f, 0.1f, 10.0f)};
+    for (const glm::mat4& lens : lenses) {
+        RecordingDevice device;
+        Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+        need(effect.setTexture("depth", 7, Format::depth24, kExtent));
+        effect.setProjection(glm::value_ptr(lens));
+        need(effect.render());
+        const std::vector<float> plain = device.lastUniform("view_from_window");
+        REQUIRE(plain.size() == 16);
+        for (const ClipControl control :
+             {ClipControl{true, false}, ClipControl{false, true}, ClipControl{true, true}}) {
+            INFO(control.zero_to_one << control.upper_left);
+            glm::mat4 rows = glm::transpose(lens);
+            if (control.zero_to_one) rows[2] = 0.5f * (rows[2] + rows[3]);
+            if (control.upper_left) rows[1] = -rows[1];
+            effect.setProjection(glm::value_ptr(glm::transpose(rows)));
+            device.setClipControl(control);
+            need(effect.render());
+            const std::vector<float> same = device.lastUniform("view_from_window");
+            REQUIRE(same.size() == 16);
+            for (int i = 0; i < 16; ++i) CHECK(same[i] == Approx(plain[i]).margin(2e-5));
+        }
+        // What the host says goes before what its context is set to.
+        effect.setClipControl({});
+        effect.setProjection(glm::value_ptr(lens));
+        need(effect.render());
+        CHECK(device.lastUniform("view_from_window") == plain);
+    }
+}
+
+TEST_CASE("A reversed infinite view keeps its far depths under a clip control from 0 to 1")
+{
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    need(effect.setTexture("depth", 7, Format::depth32f, kExtent));
+    const float near = 0.1f, far = 1e5f;
+    glm::mat4 lens(0.0f);
+    lens[0][0] = 1.0f;
+    lens[1][1] = 1.5f;
+    lens[2][2] = near / (far - near);
+    lens[2][3] = -1.0f;
+    lens[3][2] = near * far / (far - near);
+    effect.setProjection(glm::value_ptr(lens));
+    effect.setClipControl({true, false});
+    need(effect.render());
+    const std::vector<float> uniform = device.lastUniform("view_from_window");
+    REQUIRE(uniform.size() == 16);
+    const glm::mat4 view_from_window = glm::make_mat4(uniform.data());
+    for (const float distance : {0.5f, 100.0f, 5e4f}) {
+        const glm::vec4 clip = lens * glm::vec4(0, 0, -distance, 1);
+        const glm::vec4 view = view_from_window * glm::vec4(0.5f, 0.5f, clip.z / clip.w, 1);
+        CHECK(-view.z / view.w == Approx(distance).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("An effect hands out what an output is drawn into, and copies what no shader reads")
+{
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    HostTexture layer{7, "", Format::depth16, kExtent};
+    layer.kind = HostTexture::Kind::layer;
+    layer.layer = 2;
+    need(effect.setTexture("depth", layer));
+    device.clearLog();
+    need(effect.render());
+    need(effect.render());
+    const std::string log = device.log();
+    CHECK(log.find("refresh 'depth'") != log.rfind("refresh 'depth'"));
+    const OutputTexture ao = effect.outputTexture("ao");
+    CHECK(ao.native_name == effect.nativeName("ao"));
+    CHECK(ao.format == Format::r8);
+    CHECK(ao.extent == kExtent);
+    CHECK(effect.outputTexture("colour").native_name == 0);
+    HostFramebuffer target;
+    target.extent = kExtent;
+    need(effect.present("ao", target));
+    const Status unknown = effect.present("oa", target);
+    REQUIRE(!unknown);
+    CHECK(unknown.diagnostics()[0].code == Code::output_missing);
+    CHECK(messagesOf(unknown.diagnostics()).find("did you mean 'ao'") != std::string::npos);
+    need(effect.setParam("intensity", 0));
+    CHECK(effect.outputTexture("ao").extent == Extent{1, 1});
+    CHECK(device.misuse().empty());
+}
+
+TEST_CASE("A host's depth of another format plans again, for its own steps")
+{
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    const auto formatOf = [&] {
+        for (const ImportDesc& import : effect.renderer().description().imports)
+            if (import.name == "depth") return import.format;
+        return std::string();
+    };
+    CHECK(formatOf() == "depth24");
+    need(effect.setTexture("depth", 7, Format::depth16, kExtent));
+    CHECK(formatOf() == "depth16");
+    need(effect.render());
+    CHECK(!effect.renderer().setImportFormat("dept", Format::depth16));
 }
 
 TEST_CASE("An effect refuses what its config does not know, with a way out")

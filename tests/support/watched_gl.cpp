@@ -24,7 +24,8 @@ constexpr bool kTakesMemory =
     isAny<M, &GlApi::BufferData, &GlApi::CheckFramebufferStatus, &GlApi::CompileShader,
           &GlApi::CreateProgram, &GlApi::CreateShader, &GlApi::DrawArrays, &GlApi::DrawElements,
           &GlApi::GetProgramBinary, &GlApi::LinkProgram, &GlApi::ProgramBinary, &GlApi::ReadPixels,
-          &GlApi::RenderbufferStorageMultisample, &GlApi::TexStorage2D, &GlApi::TexSubImage2D>;
+          &GlApi::RenderbufferStorageMultisample, &GlApi::TexImage2D, &GlApi::TexStorage2D,
+          &GlApi::TexSubImage2D>;
 
 template <auto M>
 constexpr bool kCreates = isAny<M, &GlApi::CreateProgram, &GlApi::CreateShader>;
@@ -183,6 +184,15 @@ void GL_APIENTRY tellLimit(GLenum name, GLint* value)
     if (name == GL_PROGRAM_BINARY_FORMATS && driver.binary_formats > 0) *value = kBinaryFormat;
 }
 
+/// Every image holds as many bits as any format has.
+void GL_APIENTRY tellHeld(GLenum, GLenum, GLenum what, GLint* value)
+{
+    constexpr GLint kMostBits = 32;
+    *value = what == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING   ? GL_LINEAR
+             : what == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE ? GL_UNSIGNED_NORMALIZED
+                                                                : kMostBits;
+}
+
 template <class Value, class... Arguments>
 void doNothing(Value(GL_APIENTRY*& function)(Arguments...))
 {
@@ -206,6 +216,7 @@ GlApi noGl()
     gl.GetIntegerv = tellLimit;
     gl.GetProgramBinary = giveBinary;
     gl.ProgramBinary = takeBinary;
+    gl.GetFramebufferAttachmentParameteriv = tellHeld;
     gl.GetString = tellName;
     gl.GetError = [] { return std::exchange(fake_error, GLenum(GL_NO_ERROR)); };
     gl.CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_COMPLETE; };

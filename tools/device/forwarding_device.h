@@ -26,10 +26,12 @@ public:
         return device_.createProgram(desc);
     }
     Result<MeshId> createMesh(const MeshDesc& desc) override { return device_.createMesh(desc); }
-    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override
+    Result<TextureId> adoptTexture(const HostTexture& host) override
     {
-        return device_.adoptTexture(native_name, desc);
+        return device_.adoptTexture(host);
     }
+    Status refresh(TextureId id) override { return device_.refresh(id); }
+    ClipControl clipControl() const override { return device_.clipControl(); }
     ObjectInfo info(ObjectId id) const override { return device_.info(id); }
     void destroy(ObjectId id) override { device_.destroy(id); }
     Status writeTexture(TextureId id, const Image& image) override

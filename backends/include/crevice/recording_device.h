@@ -58,6 +58,9 @@ public:
     /// with CV6004.
     void setCurrent(bool current) { current_ = current; }
 
+    /// What clipControl reports.
+    void setClipControl(const ClipControl& control) { clip_control_ = control; }
+
     /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
     /// read as void, and none at all takes the timers away.
     void setTimers(std::vector<double> times_ms) { timers_ms_ = std::move(times_ms); }
@@ -78,7 +81,9 @@ public:
     Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
-    Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) override;
+    Result<TextureId> adoptTexture(const HostTexture& host) override;
+    Status refresh(TextureId id) override;
+    ClipControl clipControl() const override { return clip_control_; }
 
     /// The native name of a texture that was not adopted is its id.
     ObjectInfo info(ObjectId id) const override;
@@ -114,6 +119,7 @@ private:
         create_program,
         create_mesh,
         adopt_texture,
+        refresh,
         destroy,
         write_texture,
         read_texture,
@@ -147,6 +153,7 @@ private:
         bool alive = true;
         TextureDesc texture = {};
         std::uint32_t native_name = 0;
+        bool copied = false;   // of what the host has
         bool defined = false;  // something is in the texture
         Image image = {};
         FramebufferDesc framebuffer = {};
@@ -179,6 +186,7 @@ private:
     std::string arguments(const Record& call) const;
 
     DeviceCaps caps_;
+    ClipControl clip_control_;
     std::map<std::uint32_t, Object> objects_;  // by id; the dead ones too, while the log names them
     std::uint32_t last_id_ = 0;                // ids are never used again
     std::vector<Record> records_;

@@ -148,6 +148,50 @@ struct TextureDesc {
     int samples = 1;
 };
 
+/// A picture in an object of the host's, to be read.
+struct HostTexture {
+    enum class Kind {
+        texture,       ///< GL_TEXTURE_2D, or with samples GL_TEXTURE_2D_MULTISAMPLE,
+        layer,         ///< ... one `layer` of a GL_TEXTURE_2D_ARRAY,
+        renderbuffer,  ///< ... a renderbuffer,
+        framebuffer,   ///< ... or the depth of a framebuffer; 0 is the default one.
+    };
+
+    std::uint32_t name = 0;  ///< The API's own (GLuint).
+    std::string label = {};  ///< For messages.
+    /// depth24 also stands for GL_DEPTH24_STENCIL8, and depth32f for GL_DEPTH32F_STENCIL8.
+    Format format = Format::depth24;
+    Extent extent = {};  ///< Of the picture, in pixels.
+    int samples = 1;     ///< Above 1 only of a texture: all else is copied, and so resolved.
+    Kind kind = Kind::texture;
+    int layer = 0;  ///< From 0.
+    /// The lower left pixel of the picture, where it is a part of a larger one: then `part` is
+    /// true.
+    bool part = false;
+    int x = 0, y = 0;
+
+    bool operator==(const HostTexture& other) const
+    {
+        return name == other.name && format == other.format && extent == other.extent &&
+               samples == other.samples && kind == other.kind && layer == other.layer &&
+               part == other.part && x == other.x && y == other.y;
+    }
+
+    /// Whether no shader can read it as it is, so that the device keeps a copy.
+    bool copied() const { return kind != Kind::texture || part; }
+};
+
+/// How the host's clip space relates to pictures: what glClipControl sets.
+struct ClipControl {
+    bool zero_to_one = false;  ///< Depth runs from 0 to 1 in clip space; else from -1.
+    bool upper_left = false;   ///< Row 0 of a picture lies at the top of clip space.
+
+    bool operator==(const ClipControl& other) const
+    {
+        return zero_to_one == other.zero_to_one && upper_left == other.upper_left;
+    }
+};
+
 struct FramebufferDesc {
     std::string label = {};
     std::vector<TextureId> color = {};  ///< A null id leaves that location without a texture.
@@ -243,11 +287,14 @@ struct PassInfo {
     PixelArea area = {};
 };
 
-/// The host's own framebuffer and the rectangle to fill in it, in pixels from the lower left.
+/// The host's own framebuffer or texture, and the rectangle to fill in it, in pixels from the lower
+/// left.
 struct HostFramebuffer {
-    std::uint32_t name = 0;  ///< The API's own name.
+    std::uint32_t name = 0;  ///< The API's own name; 0 is the default framebuffer.
     int x = 0, y = 0;
     Extent extent = {};
+    std::uint32_t texture = 0;  ///< A GL_TEXTURE_2D instead of a framebuffer, where it is not 0.
+    int level = 0;              ///< ... of which this level is drawn into.
 };
 
 /// One context's worth of graphics. Every function must be called with that context current. Where
@@ -267,9 +314,21 @@ public:
     virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
     virtual Result<MeshId> createMesh(const MeshDesc& desc) = 0;
 
-    /// Wraps a texture that the host owns; `destroy` forgets it and leaves it alive.
-    /// Errors: CV6004; CV6011; CV6014 for samples that the device cannot read.
-    virtual Result<TextureId> adoptTexture(std::uint32_t native_name, const TextureDesc& desc) = 0;
+    /// Takes a picture that the host owns; `destroy` forgets it and leaves it alive. A texture is
+    /// read as it is. Of all else (`HostTexture::copied`) the device keeps a copy in a texture of
+    /// its own, made here and by `refresh`.
+    /// Errors: CV6004; CV6011 with the reason where the object is none of the context, or its kind,
+    /// format, size or samples are not those given; CV6014 for samples that the device cannot read;
+    /// CV6017; those of createTexture.
+    virtual Result<TextureId> adoptTexture(const HostTexture& host) = 0;
+
+    /// Copies what was adopted so again, once the host has drawn into it; does nothing for textures
+    /// that are read as they are. Outside of frames.
+    /// Errors: CV6004, CV6005, CV6011, CV6016, CV6017.
+    virtual Status refresh(TextureId id) = 0;
+
+    /// What glClipControl was last set to by the host.
+    virtual ClipControl clipControl() const = 0;
 
     /// What is known of an object of any kind, or that there is none.
     virtual ObjectInfo info(ObjectId id) const = 0;
@@ -323,8 +382,10 @@ public:
     /// Draws one triangle that covers the viewport; the vertex shader builds it from gl_VertexID.
     virtual void drawFullscreen() = 0;
 
-    /// Copies a colour texture into the host's framebuffer, scaled to its rectangle.
-    /// Errors: those of writeTexture.
+    /// Draws a colour texture into the host's framebuffer or texture, scaled to its rectangle: all
+    /// channels that it has, 0 for others, alpha 1. To half the size, each pixel is the mean of
+    /// four. The rest stays as it is.
+    /// Errors: those of writeTexture, CV6017; CV6005 where GL draws into no such target.
     virtual Status present(TextureId id, const HostFramebuffer& host) = 0;
 
     /// Waits until everything issued is done.

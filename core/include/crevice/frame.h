@@ -34,6 +34,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace crevice {
@@ -74,6 +75,10 @@ constexpr int kMaxLights = 16;
 struct Camera {
     glm::dmat4 view_from_world = glm::dmat4(1.0);
     glm::mat4 clip_from_view = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
+
+    /// The clip control that `clip_from_view` is made for and the host's textures were drawn with.
+    /// Default: as the host's is when the frame is rendered; that of OpenGL for all else.
+    std::optional<ClipControl> clip_control = {};
 
     /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
     bool orthographic() const;

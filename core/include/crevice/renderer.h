@@ -72,6 +72,12 @@ public:
     Status setParam(std::string_view name, const float* values, int count);
     Status setParam(std::string_view name, float value) { return setParam(name, &value, 1); }
 
+    /// Says which format the host's texture for an import has, where it is another than the
+    /// config's: shaders allow for its steps. Plans again.
+    ///
+    /// Errors: CV2102; those of `create`, and then the old format stays.
+    Status setImportFormat(std::string_view name, Format format);
+
     /// Sets a feature ("true", "false" or an enum's word), and what that word sets; plans again.
     /// Warns with CV5010 where that compiled a shader. The words of a feature that sets values,
     /// such as `quality`, compile none: all that they run was compiled by `create`, `reload` or the
@@ -105,7 +111,12 @@ public:
 private:
     struct State;
     explicit Renderer(std::unique_ptr<State> state);
+
+    /// The frame, with the host's clip control where its cameras have none.
+    const Frame& withClipControl(const Frame& frame);
+
     std::unique_ptr<State> state_;
+    Frame clipped_;                   // the last frame that had to take it
     std::unique_ptr<Values> loaded_;  // those that the config gave
 };
 

@@ -29,6 +29,14 @@ namespace crevice {
 class Renderer;
 struct Frame;
 
+/// What an output is drawn into.
+struct OutputTexture {
+    std::uint32_t native_name = 0;  ///< The API's (GLuint), a GL_TEXTURE_2D; 0 for no such output.
+    Format format = Format::none;
+    /// In pixels: 1x1 where the output is known to be constant, so sample it with texture().
+    Extent extent = {};
+};
+
 class Effect {
 public:
     /// Loads a config and creates every object that it needs on the device, which must outlive the
@@ -56,12 +64,22 @@ public:
     /// nothing and keeps no history does not depend on it.
     void setView(const double* view_from_world);
 
-    /// Hands over a texture for an import of the config, by its API's name (GLuint). It stays the
-    /// host's, and must have that format and size. Its content may change with every frame. Costs
-    /// nothing where all is as before.
+    /// The clip control (glClipControl) that the projection is made for and the host's textures
+    /// were drawn with. Default: as it is when `render` is called.
+    void setClipControl(const ClipControl& control);
+
+    /// Hands over a picture for an import of the config: a texture, a layer or part of one, a
+    /// renderbuffer or the depth of a framebuffer. It stays the host's, and must be what it is said
+    /// to be. Its content may change with every frame. A texture is read where it is; of all else
+    /// `render` takes a copy, one blit a frame. Costs nothing where all is as before; hand it over
+    /// again after giving it other storage. Another format than before plans again, since shaders
+    /// allow for its steps.
     ///
-    /// Errors: CV2102 for a name that the config does not import; those of Device::adoptTexture;
-    /// the texture of before stays.
+    /// Errors: CV2102 for a name that the config does not import; those of Device::adoptTexture and
+    /// Renderer::setImportFormat; the texture of before stays.
+    Status setTexture(std::string_view name, const HostTexture& texture);
+
+    /// The same of a GL_TEXTURE_2D with one sample a pixel, by its API's name (GLuint).
     Status setTexture(std::string_view name, std::uint32_t native_name, Format format, Extent size);
 
     /// Sets a param: as many floats as it has components; or a feature: "true", "false" or an
@@ -80,6 +98,14 @@ public:
     /// nor delete it. Ask again after each frame. 0 where the config has no such output, or none
     /// was drawn.
     std::uint32_t nativeName(std::string_view output) const;
+
+    /// The same with format and size. Good until the next call of `render`, `resize`, `setParam` or
+    /// `setFeature`, and as long as the effect.
+    OutputTexture outputTexture(std::string_view name) const;
+
+    /// Draws an output into a framebuffer or texture of the host's, scaled to a rectangle in it.
+    /// Errors: CV2209 for an output that the config does not have; those of Device::present.
+    Status present(std::string_view output, const HostFramebuffer& target);
 
     /// The same as an id of the device, for Device::present and Device::readTexture.
     TextureId output(std::string_view name) const;

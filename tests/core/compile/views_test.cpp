@@ -206,7 +206,7 @@ TEST_CASE("A view has its own textures for imports, and the frame's for the othe
 {
     StereoRig rig;
     const auto texture = [&](const char* name) {
-        return rig.device.adoptTexture(3, {name, Format::rgba8, {4, 4}}).value();
+        return rig.device.adoptTexture({3, name, Format::rgba8, {4, 4}}).value();
     };
     const TextureId left = texture("left"), right = texture("right");
     rig.frame.textures = {{"decal", left}};

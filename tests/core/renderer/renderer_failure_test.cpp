@@ -114,7 +114,7 @@ TEST_CASE("A frame of other traits that lacks an import leaves the old plan and 
     REQUIRE(renderer.ok());
     Frame frame;
     frame.textures = {
-        {"depth", device.adoptTexture(1, {"depth", Format::depth24, {8, 8}}).value()}};
+        {"depth", device.adoptTexture({1, "depth", Format::depth24, {8, 8}}).value()}};
     REQUIRE((*renderer)->render(frame).ok());
     const int live = device.live();
     const TextureId ao = (*renderer)->output("ao");

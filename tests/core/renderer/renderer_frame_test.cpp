@@ -222,7 +222,7 @@ TEST_CASE("A material without a map is white, one with a map is that")
 {
     Rig rig;
     CHECK(contains(rig.draw(), "setTexture base_color_map unit 0 <- texture 'white'"));
-    const TextureId bricks = rig.device.adoptTexture(9, {"bricks", Format::rgba8, {4, 4}}).value();
+    const TextureId bricks = rig.device.adoptTexture({9, "bricks", Format::rgba8, {4, 4}}).value();
     rig.frame.materials[0].base_color_map = bricks;
     CHECK(contains(rig.draw(), "base_color_map unit 0 <- texture 'bricks' linear repeat"));
     CHECK(rig.device.misuse().empty());
@@ -299,7 +299,7 @@ TEST_CASE("An optional import that is absent is black, one that is there is take
 {
     Rig rig;
     CHECK(contains(rig.draw(), "<- texture 'black'"));
-    const TextureId decal = rig.device.adoptTexture(3, {"sticker", Format::rgba8, {4, 4}}).value();
+    const TextureId decal = rig.device.adoptTexture({3, "sticker", Format::rgba8, {4, 4}}).value();
     rig.frame.textures = {{"other", {}}, {"decal", decal}};
     CHECK(contains(rig.draw(), "setTexture decal unit 2 <- texture 'sticker' nearest clamp"));
     rig.frame.textures[1].texture = {};

@@ -147,9 +147,8 @@ TEST_CASE(
     }
     SECTION("a map of samples")
     {
-        TextureDesc desc{"samples", Format::rgba8, {4, 4}};
-        desc.samples = 4;
-        scene.material().normal_map = need(rig.device.adoptTexture(7, desc));
+        const HostTexture host{7, "samples", Format::rgba8, {4, 4}, 4};
+        scene.material().normal_map = need(rig.device.adoptTexture(host));
         why = "as normal_map, which has several samples a pixel";
     }
     INFO(why);
@@ -337,7 +336,7 @@ TEST_CASE("A device knows its objects, and what is none of them")
     CHECK_FALSE(rig.device.info(TextureId{rig.mesh.value}).exists);
     CHECK_FALSE(rig.device.info(MeshId{}).exists);
     CHECK_FALSE(rig.device.info(MeshId{kPoison}).exists);
-    const TextureId adopted = need(rig.device.adoptTexture(77, {"host", Format::r8, {4, 4}}));
+    const TextureId adopted = need(rig.device.adoptTexture({77, "host", Format::r8, {4, 4}}));
     CHECK(rig.device.nativeName(adopted) == 77);
     CHECK(rig.device.nativeName(rig.renderer->output("ao")) != 0);
     CHECK(rig.device.nativeName({}) == 0);

@@ -223,7 +223,7 @@ Status drawnWith(int samples, const std::string& sampler)
     auto renderer = Renderer::create(device, reading(kHostTexture, sampler), sized(), {});
     REQUIRE(renderer.ok());
     Frame frame;
-    frame.textures = {{"host", *device.adoptTexture(7, {"host", Format::r8, {64, 32}, samples})}};
+    frame.textures = {{"host", *device.adoptTexture({7, "host", Format::r8, {64, 32}, samples})}};
     const Status status = (*renderer)->render(frame);
     CHECK(device.misuse().empty());
     return status;
