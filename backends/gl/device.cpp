@@ -164,14 +164,21 @@ Result<TextureId> GlDevice::adoptTexture(const HostTexture& host)
     TextureSlot slot{{}, {}, host.name, host.format, host.extent, host.samples, {}};
     if (host.copied()) {
         Result<GlHostCopy> copy = GlHostCopy::make(gl_, state_, host);
-        if (!copy) return copy.diagnostics();
+        if (!copy) return unlessLost(copy.diagnostics(), "adoptTexture").diagnostics();
         slot.copy = std::move(*copy);
         slot.name = slot.copy.texture();
         slot.samples = 1;
     } else if (Status status = checkHostTexture(gl_, state_, host); !status) {
-        return status.diagnostics();
+        return unlessLost(status, "adoptTexture").diagnostics();
     }
     return TextureId{textures_.add(std::move(slot))};
+}
+
+Status GlDevice::unlessLost(const Status& failed, const char* what)
+{
+    noticeReset(gl_);
+    const Status status = takeErrors(gl_, what);
+    return tellsLoss(status.diagnostics()) ? status : failed;
 }
 
 Status GlDevice::refresh(TextureId id)
@@ -182,7 +189,8 @@ Status GlDevice::refresh(TextureId id)
     if (texture.copy.texture() == 0) return {};
     Scope scope(*this);
     if (Status status = state_.checkHost(check_errors_); !status) return status;
-    return texture.copy.update(gl_);
+    const Status status = texture.copy.update(gl_);
+    return status ? status : unlessLost(status, "refresh");
 }
 
 void GlDevice::attach(GLenum point, TextureId id)

@@ -138,6 +138,9 @@ private:
     void makeSamplers();
     Result<TextureId> createMultisampled(const TextureDesc& desc);
     Status checkName(const HostTexture& host);
+
+    /// A failure, or CV6016 where the reason is that the context is lost.
+    Status unlessLost(const Status& failed, const char* what);
     void attach(GLenum point, TextureId id);
     Status fill(GlFramebuffer& framebuffer, const std::string& label,
                 const std::vector<TextureId>& color, TextureId depth);

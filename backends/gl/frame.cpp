@@ -173,13 +173,13 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
     }
     if (const GLenum complete = gl_.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
         complete != GL_FRAMEBUFFER_COMPLETE && check_errors_) {
-        (void)takeErrors(gl_, "present");
-        return failure(Code::gl_error,
-                       "the host's " +
-                           std::string(host.texture != 0 ? "texture " : "framebuffer ") +
-                           std::to_string(host.texture != 0 ? host.texture : host.name) +
-                           " cannot be drawn into: " + framebufferStatusName(complete),
-                       "give it storage of a colour format that this device renders to");
+        const Status failed =
+            failure(Code::gl_error,
+                    "the host's " + std::string(host.texture != 0 ? "texture " : "framebuffer ") +
+                        std::to_string(host.texture != 0 ? host.texture : host.name) +
+                        " cannot be drawn into: " + framebufferStatusName(complete),
+                    "give it storage of a colour format that this device renders to");
+        return unlessLost(failed, "present");
     }
     gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
     copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format));
