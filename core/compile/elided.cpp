@@ -58,7 +58,7 @@ void addElided(const State& state, const Pass& pass, std::vector<Elided>& elided
 
 std::vector<Elided> elided(const State& state)
 {
-    std::vector<Elided> elided;
+    std::vector<Elided> elided = state.elided;
     for (const Pass& pass : state.passes) addElided(state, pass, elided);
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const TargetDesc& desc = state.description.targets[i];

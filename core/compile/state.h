@@ -80,6 +80,7 @@ struct State {
     std::vector<int> order = {};          ///< Active passes by data flow.
     std::vector<int> outputs = {};        ///< Those asked for.
     std::set<std::string> unplaced = {};  ///< Shader outputs that no target of their pass takes.
+    std::vector<Elided> elided = {};      ///< Before there were passes.
     Diagnostics diagnostics = {};
 
     /// False when the options switch the optimization off.

@@ -33,6 +33,9 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     table::checkReferences(document, sources, description, report);
     table::readShaderFiles(document, sources, description, report);
     description.deleted = table::deletedNames(document);
+    for (const Member& each : document.deleted)
+        if (each.value.kind == Node::Kind::string)
+            description.left_out.push_back({each.key, each.value.text});
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
     for (const FeatureDesc& each : description.features) applyLevel(description, each.name);

@@ -60,6 +60,9 @@ void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry
         if (member.value.kind == Node::Kind::object) declared.push_back(member.key);
     error.help = suggestName(entry.key, std::move(declared), section.key) +
                  "; to declare one of your own, write {\"default\": " + brief(entry.node) + "}";
+    for (const Member& gone : section.node.deleted)
+        if (gone.key == entry.key)
+            error.notes.push_back({gone.key_place, "what declared it was left out here"});
 }
 
 void Reader::refuse(const char* key, Code code, const char* reason)
@@ -95,7 +98,8 @@ bool Reader::finish()
 bool Reader::reportUnknown()
 {
     bool reported = false;
-    if (cursor_.pointer.empty()) keys_.insert(keys_.end(), {"extends", "variants"});
+    if (cursor_.pointer.empty())
+        keys_.insert(keys_.end(), {"extends", "needs", "replaces", "variants"});
     for (const Member& member : cursor_.node.members) {
         if (contains(keys_, member.key) || isExtension(member.key)) continue;
         std::string help = suggestName(member.key, keys_, "keys");

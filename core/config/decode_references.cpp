@@ -86,7 +86,9 @@ void Checker::run()
         expect(each.count_param, "generated '" + each.name + "' takes its count from", params_);
     for (const TargetDesc& each : description_.targets) {
         const std::string who = "target '" + each.name + "' ";
-        expect(each.size.of, who + "follows the size of", targets_);
+        const ImportDesc* import = findNamed(description_.imports, each.size.of.name);
+        if (!import || import->type != ImportType::texture)
+            expect(each.size.of, who + "follows the size of", targets_);
         expect(each.size.scale_param, who + "takes its scale from", params_);
         expect(each.samples_param, who + "takes its samples from", params_);
     }
@@ -300,7 +302,8 @@ std::vector<Named> deletedNames(const Node& document)
 {
     std::vector<Named> names;
     for (const Member& section : document.deleted)
-        names.push_back({section.key, section.key_place, memberPointer("", section.key)});
+        if (section.value.kind == Node::Kind::null)
+            names.push_back({section.key, section.key_place, memberPointer("", section.key)});
     for (const Member& section : document.members) {
         const std::string pointer = memberPointer("", section.key);
         for (const Member& each : section.value.deleted)

@@ -122,7 +122,10 @@ void fields(V& v, GeneratedDesc& g)
 template <class V>
 void fields(V& v, SizeDesc& s)
 {
-    v.field("of", s.of, "The target whose size this follows; the output's when absent.");
+    v.field(
+        "of", s.of,
+        "The target whose size this follows; the output's when absent, and where a texture of the "
+        "host has that name.");
     v.field("border", s.border,
             "Whether what `scale` adds is a border, of as many whole pixels on either side: a "
             "`scale` of at least 1 then gives followed + 2 * ceil(followed * (scale - 1) / 2).");

@@ -4,6 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/config/left_out.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"
 
@@ -78,29 +79,26 @@ Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer,
             std::move(help), found.place, std::move(pointer)};
 }
 
+// True for "+geometry/host_depth", which lays a module over the config.
+bool adds(const std::string& override) { return startsWith(override, "+"); }
+
 // True for "filter/box=filter/median", which swaps a module for another.
 bool swaps(const std::string& override)
 {
     const std::size_t slash = override.find('/');
-    return slash != 0 && slash < override.find('=');
+    return !adds(override) && slash != 0 && slash < override.find('=');
 }
 
-// Both are taken out of each file, so what is still there was laid over the config.
+// These are taken out of each file, so what is still there was laid over the config.
 void checkTaken(const Node& document, Diagnostics& errors)
 {
     for (const Member& member : document.members)
-        if (member.key == "extends" || member.key == "variants")
+        if (contains({"extends", "variants", "needs", "replaces"}, member.key))
             errors.push_back({Code::unknown_key,
                               "found '" + member.key + "' in a variant or an override",
                               "write it into a file; --set OLD=NEW swaps a module",
                               member.key_place, memberPointer("", member.key)});
 }
-
-// Where a file was asked for: nowhere for the config itself.
-struct Asked {
-    Place place = {};
-    std::string pointer = {};
-};
 
 // Reads a config's files, each once and each after all that it extends.
 class FileLoader {
@@ -113,34 +111,30 @@ public:
     }
 
     void load(const SourceRef& found, const Asked& asked);
+    void loadAdded();
     void checkClashes();
     void checkSwaps();
 
-    std::vector<Node> bodies;      // without `extends` and `variants`
-    std::vector<Member> variants;  // in the same order; a name may come more than once
+    std::vector<LoadedFile> files;  // in the order of merging
     Diagnostics errors;
 
 private:
-    struct File {
-        std::string identity;
-        std::string name;
-        Asked asked;
-    };
-
     void readSwaps();
     const Node& swapped(const Node& entry);
-    bool mayOpen(const File& file);
+    bool mayOpen(const LoadedFile& file);
+    bool isDone(const std::string& identity);
     Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
     void loadExtended(const Node& list);
+    void loadEntry(const Node& entry, const std::string& pointer);
     void checkFormat(const Node& document);
     void checkKeys(const Node& document);
-    void takeVariants(Node& document);
+    std::vector<std::string> takeWords(Node& document, const char* key);
+    std::vector<Member> takeVariants(Node& document);
 
     const SourceSet& sources_;
     const LoadRequest& request_;
-    std::vector<File> open_;  // from the config to the file being read
-    std::set<std::string> done_;
-    std::vector<File> read_;  // in the order of `bodies`
+    std::vector<LoadedFile> open_;  // from the config to the file being read
+    int named_ = 0;                 // so many files, the same ones again included
     std::vector<Override> swaps_;
     std::vector<std::string> extends_;                       // all that configs name
     std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
@@ -164,10 +158,22 @@ SourceRef copyFor(const SourceText& found, const Place& asked)
     return std::make_shared<const SourceText>(std::move(text));
 }
 
+// Whether it was read before; then it was named once more.
+bool FileLoader::isDone(const std::string& identity)
+{
+    for (LoadedFile& file : files) {
+        if (file.identity != identity) continue;
+        file.named = named_++;
+        return true;
+    }
+    return false;
+}
+
 void FileLoader::load(const SourceRef& found, const Asked& asked)
 {
-    const File file{identityOf(*found), found->name, asked};
-    if (done_.count(file.identity) > 0 || !mayOpen(file)) return;
+    LoadedFile file{identityOf(*found), found->name, asked};
+    if (isDone(file.identity) || !mayOpen(file)) return;
+    file.named = named_++;
     const SourceRef source = asked.place.source ? copyFor(*found, asked.place) : found;
     Result<Node> document = parseDocument(source);
     append(errors, document.diagnostics());
@@ -176,14 +182,30 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
         checkKeys(*document);
         takeMember(*document, "$schema");  // by which editors find what checks the file
         const std::optional<Node> extends = takeMember(*document, "extends");
-        takeVariants(*document);
+        file.needs = takeWords(*document, "needs");
+        file.replaces = takeWords(*document, "replaces");
+        file.variants = takeVariants(*document);
         open_.push_back(file);
         if (extends) loadExtended(*extends);
         open_.pop_back();
-        bodies.push_back(std::move(*document));
-        read_.push_back(file);
+        file.extended = extended_[file.identity];
+        file.body = std::move(*document);
     }
-    done_.insert(file.identity);
+    files.push_back(std::move(file));
+}
+
+// What overrides lay over the config, as if it were at the end of its `extends`.
+void FileLoader::loadAdded()
+{
+    for (const std::string& text : request_.overrides) {
+        if (!adds(text)) continue;
+        const Place place = overridePlace(text, rootsOf(request_));
+        if (text.size() == 1)
+            errors.push_back({Code::override_syntax, "found '+' where +MODULE was wanted",
+                              "write +geometry/host_depth", place});
+        else
+            loadEntry(textNode(text.substr(1), place), "");
+    }
 }
 
 void FileLoader::readSwaps()
@@ -243,31 +265,41 @@ std::optional<std::string> madeByBoth(const Node& one, const Node& other)
     return std::nullopt;
 }
 
+// One that replaces the other takes its place only where it is named later.
+std::string clashHelp(const LoadedFile& first, const LoadedFile& later)
+{
+    const bool early =
+        std::any_of(later.needs.begin(), later.needs.end(),
+                    [&](const std::string& need) { return contains(first.replaces, need); });
+    return early ? "name '" + first.name + "' last in 'extends', so that it takes the other's place"
+                 : "keep one of the two in 'extends'";
+}
+
 // Reports one clash, that of the files read last: those before are often what they extend.
 void FileLoader::checkClashes()
 {
-    for (std::size_t later = read_.size(); later-- > 1;)
+    for (std::size_t later = files.size(); later-- > 1;)
         for (std::size_t first = later; first-- > 0;) {
             // A file is read after all that it extends.
-            if (extended_[read_[later].identity].count(read_[first].identity) > 0) continue;
-            const auto made = madeByBoth(bodies[first], bodies[later]);
+            if (files[later].extended.count(files[first].identity) > 0) continue;
+            const auto made = madeByBoth(files[first].body, files[later].body);
             if (!made) continue;
             errors.push_back({Code::module_clash,
-                              "'" + read_[later].name + "' and '" + read_[first].name +
+                              "'" + files[later].name + "' and '" + files[first].name +
                                   "' both make " + *made + ", and neither extends the other",
-                              "keep one of the two in 'extends'",
-                              read_[later].asked.place,
-                              read_[later].asked.pointer,
-                              {{read_[first].asked.place, "the other one was asked for here"}}});
+                              clashHelp(files[first], files[later]),
+                              files[later].asked.place,
+                              files[later].asked.pointer,
+                              {{files[first].asked.place, "the other one was asked for here"}}});
             return;
         }
 }
 
-bool FileLoader::mayOpen(const File& file)
+bool FileLoader::mayOpen(const LoadedFile& file)
 {
     const Asked& asked = file.asked;
     std::string chain;
-    for (const File& opened : open_)
+    for (const LoadedFile& opened : open_)
         if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
     if (!chain.empty())
         errors.push_back({Code::module_cycle,
@@ -332,17 +364,23 @@ void FileLoader::loadExtended(const Node& list)
                                        "write the name of a module or config in double quotes"));
             continue;
         }
-        const Result<SourceRef> found = findExtended(entry, pointer);
-        if (!found) {
-            append(errors, found.diagnostics());
-            continue;
-        }
-        load(*found, {entry.place, pointer});
-        std::set<std::string>& mine = extended_[open_.back().identity];
-        const std::string theirs = identityOf(**found);
-        mine.insert(theirs);
-        mine.insert(extended_[theirs].begin(), extended_[theirs].end());
+        loadEntry(entry, pointer);
     }
+}
+
+void FileLoader::loadEntry(const Node& entry, const std::string& pointer)
+{
+    const Result<SourceRef> found = findExtended(entry, pointer);
+    if (!found) {
+        append(errors, found.diagnostics());
+        return;
+    }
+    load(*found, {entry.place, pointer});
+    if (open_.empty()) return;
+    std::set<std::string>& mine = extended_[open_.back().identity];
+    const std::string theirs = identityOf(**found);
+    mine.insert(theirs);
+    mine.insert(extended_[theirs].begin(), extended_[theirs].end());
 }
 
 void FileLoader::checkFormat(const Node& document)
@@ -370,10 +408,30 @@ void FileLoader::checkKeys(const Node& document)
     }
 }
 
-void FileLoader::takeVariants(Node& document)
+// A list of words of a file, `needs` or `replaces`.
+std::vector<std::string> FileLoader::takeWords(Node& document, const char* key)
 {
+    const std::optional<Node> taken = takeMember(document, key);
+    if (!taken) return {};
+    const std::string pointer = memberPointer("", key);
+    if (taken->kind != Node::Kind::array)
+        errors.push_back(
+            wrongType(*taken, "a list of words", pointer, "write it in brackets: [\"scene\"]"));
+    std::vector<std::string> words;
+    for (const Node& item : taken->items) {
+        const std::string at = pointer + "/" + std::to_string(words.size());
+        if (item.kind != Node::Kind::string)
+            errors.push_back(wrongType(item, "a word", at, "write a word in double quotes"));
+        words.push_back(item.text);
+    }
+    return words;
+}
+
+std::vector<Member> FileLoader::takeVariants(Node& document)
+{
+    std::vector<Member> variants;
     std::optional<Node> taken = takeMember(document, "variants");
-    if (!taken) return;
+    if (!taken) return variants;
     if (taken->kind != Node::Kind::object)
         errors.push_back(wrongType(*taken, "an object of variants", "/variants",
                                    "write {\"name\": {what to change}, ...}"));
@@ -386,26 +444,58 @@ void FileLoader::takeVariants(Node& document)
                                        "write what to change, as in the config itself: "
                                        "{\"params\": ...}"));
     }
+    return variants;
 }
 
-std::vector<std::string> namesOf(const std::vector<Member>& variants)
+std::vector<std::string> variantsOf(const std::vector<LoadedFile>& files)
 {
     std::set<std::string> names;
-    for (const Member& variant : variants) names.insert(variant.key);
+    for (const LoadedFile& file : files)
+        for (const Member& variant : file.variants) names.insert(variant.key);
     return {names.begin(), names.end()};
 }
 
-void applyVariant(Node& document, const FileLoader& files, const LoadRequest& request,
+// A name may come more than once.
+void applyVariant(Node& document, const std::vector<LoadedFile>& files, const LoadRequest& request,
                   Diagnostics& errors)
 {
-    std::vector<std::string> names = namesOf(files.variants);
-    for (const Member& variant : files.variants)
-        if (variant.key == request.variant) mergePatch(document, variant.value, errors);
+    std::vector<std::string> names = variantsOf(files);
+    for (const LoadedFile& file : files)
+        for (const Member& variant : file.variants)
+            if (variant.key == request.variant) mergePatch(document, variant.value, errors);
     if (contains(names, request.variant)) return;
     errors.push_back({Code::variant_missing,
                       "there is no variant '" + request.variant + "' of '" + request.config + "'",
                       suggestName(request.variant, std::move(names), "variants"), document.place,
                       "/variants"});
+}
+
+// The config's own, which others may follow.
+const Node& bodyOf(const SourceText& config, const std::vector<LoadedFile>& files)
+{
+    const std::string identity = identityOf(config);
+    return std::find_if(files.begin(), files.end(),
+                        [&](const LoadedFile& file) { return file.identity == identity; })
+        ->body;
+}
+
+// Lets the document remember it as it does what patches deleted.
+void noteLeftOut(Node& document, const Node& left_out)
+{
+    for (const Member& each : left_out.members) {
+        if (each.value.kind == Node::Kind::string) document.deleted.push_back(each);
+        Node* section = document.find(each.key);
+        if (!section) continue;
+        for (const Member& name : each.value.members) section->deleted.push_back(name);
+    }
+}
+
+// An override's module has a name, too, which is not the config's.
+void keepOwnName(Node& document, const Node& own)
+{
+    for (const char* key : {"name", "description"})
+        if (const Node* value = own.find(key))
+            if (Node* merged = document.find(key)) *merged = *value;
 }
 
 }  // namespace
@@ -414,26 +504,32 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
 {
     const Result<SourceRef> config = findConfig(sources, request);
     if (!config) return config.diagnostics();
-    FileLoader files(sources, request);
-    files.load(*config, {});
-    if (files.errors.empty()) files.checkSwaps();
-    if (files.errors.empty()) files.checkClashes();
-    if (!files.errors.empty()) return files.errors;  // merging what is not whole adds false errors
+    FileLoader loader(sources, request);
+    loader.load(*config, {});
+    loader.loadAdded();
+    if (loader.errors.empty()) loader.checkSwaps();
+    const Node left_out = loader.errors.empty() ? leaveOutReplaced(loader.files) : Node();
+    if (loader.errors.empty()) loader.checkClashes();
+    if (!loader.errors.empty())
+        return loader.errors;  // merging what is not whole adds false errors
 
     Node document;
     document.kind = Node::Kind::object;
     Diagnostics errors;
-    for (const Node& body : files.bodies) mergePatch(document, body, errors);
-    document.place = files.bodies.back().place;
+    for (const LoadedFile& file : loader.files) mergePatch(document, file.body, errors);
+    noteLeftOut(document, left_out);
+    const Node& own = bodyOf(**config, loader.files);
+    document.place = own.place;
+    keepOwnName(document, own);
     const auto changes_structure = [](const std::string& text) {
         return startsWith(text, "/") || swaps(text);
     };
     if (!request.variant.empty() ||
         std::any_of(request.overrides.begin(), request.overrides.end(), changes_structure))
         document.origins.push_back(document.place);
-    if (!request.variant.empty()) applyVariant(document, files, request, errors);
+    if (!request.variant.empty()) applyVariant(document, loader.files, request, errors);
     for (const std::string& text : request.overrides)
-        if (!swaps(text))
+        if (!swaps(text) && !adds(text))
             append(errors, applyOverride(document, text, rootsOf(request)).diagnostics());
     checkTaken(document, errors);
     if (!errors.empty()) return errors;
@@ -444,9 +540,9 @@ std::vector<std::string> variantNames(const SourceSet& sources, const LoadReques
 {
     const Result<SourceRef> source = findConfig(sources, request);
     if (!source) return {};
-    FileLoader files(sources, request);
-    files.load(*source, {});
-    return namesOf(files.variants);
+    FileLoader loader(sources, request);
+    loader.load(*source, {});
+    return variantsOf(loader.files);
 }
 
 std::vector<std::string> configNames(const SourceSet& sources)

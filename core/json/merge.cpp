@@ -155,6 +155,15 @@ Node patchBetween(const Node& base, const Node& now)
     return patch;
 }
 
+Node textNode(std::string text, const Place& place)
+{
+    Node node;
+    node.kind = Node::Kind::string;
+    node.text = std::move(text);
+    node.place = place;
+    return node;
+}
+
 void mergePatch(Node& base, const Node& patch, Diagnostics& diagnostics)
 {
     merge(base, patch, {}, diagnostics);

@@ -9,6 +9,9 @@ namespace crevice {
 /// An object of one member. The key has the object's place.
 Node objectOf(std::string_view key, const Place& place, Node value);
 
+/// A string.
+Node textNode(std::string text, const Place& place);
+
 /// Applies `patch` to `base`: objects merge key by key, null deletes, anything else replaces.
 /// A replaced value's places go into `origins` of the new one.
 ///

@@ -32,17 +32,30 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
 
 }  // namespace
 
-Result<Override> readOverride(const std::string& text, const std::vector<std::string>& roots)
+namespace {
+
+std::shared_ptr<SourceText> sourceOf(const std::string& text, std::vector<std::string> roots)
 {
-    const std::size_t equals = text.find('=');
-    std::vector<std::string> folders = roots;
-    folders.push_back(".");  // where its files stand
-    const auto source = std::make_shared<SourceText>(
+    roots.push_back(".");  // where its files stand
+    return std::make_shared<SourceText>(
         SourceText{"--set " + text,
                    text,
                    kOverridePath,
                    {},
-                   std::make_shared<const std::vector<std::string>>(std::move(folders))});
+                   std::make_shared<const std::vector<std::string>>(std::move(roots))});
+}
+
+}  // namespace
+
+Place overridePlace(const std::string& text, const std::vector<std::string>& roots)
+{
+    return {sourceOf(text, roots), 1, 1, static_cast<int>(text.size())};
+}
+
+Result<Override> readOverride(const std::string& text, const std::vector<std::string>& roots)
+{
+    const std::size_t equals = text.find('=');
+    const std::shared_ptr<SourceText> source = sourceOf(text, roots);
     const Place place{source, 1, 1, static_cast<int>(std::min(equals, text.size()))};
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         return Diagnostic{Code::override_syntax, "found '" + text + "' where name=value was wanted",

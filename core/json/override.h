@@ -19,6 +19,9 @@ struct Override {
     Node value;
 };
 
+/// Where an override's text stands, as readOverride has it.
+Place overridePlace(const std::string& text, const std::vector<std::string>& roots = {});
+
 /// Reads the value by parseValue. A file that it names is seen from the current folder and lies
 /// below that or below `roots`.
 ///

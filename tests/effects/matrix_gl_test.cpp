@@ -49,7 +49,7 @@ void addOptions(Cell& cell, std::size_t index)
     if (drawn && has(*cell.estimator, "second_layer") && index % 3 > 0)
         cell.add_ons.push_back(layers[index % 3]);
     if (cell.input->targets.count("depth") && index % 5 == 2)
-        cell.add_ons.push_back(drawn ? "geometry/depth_levels" : "geometry/host_depth_levels");
+        cell.add_ons.push_back("geometry/depth_levels");
     const char* const rotations[] = {"rotation=tile", "rotation=gradient", "rotation=none"};
     if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
     if (has(*cell.input, "guard_band") && index % 4 == 0)

@@ -10,6 +10,7 @@
 #include "tools/cli/output.h"
 #include "tools/measure/line_file.h"
 #include "tools/plan/costs.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/scene_upload.h"
 
 #include <nlohmann/json.hpp>
@@ -239,6 +240,11 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task,
         Description description = task.description;
         for (ParamDesc& param : description.params)
             if (situation.off && param.name == kIntensity) param.value.fill(0);
+        auto host = HostTextures::make(device, description, view.extent, frame);
+        if (!host) return host.diagnostics();
+        Result<Frame> hosted = host->frameOf(frame);
+        if (!hosted) return hosted.diagnostics();
+        frame = std::move(*hosted);  // cameras move by so little that the textures do for all
         auto all = contenders(device, description, situation, frame, view.extent);
         if (!all) return all.diagnostics();
         const Status taken = takeTurns(device, situation, frame, repeats, *all, interrupted);

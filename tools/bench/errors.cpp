@@ -4,6 +4,7 @@
 
 #include "tools/cli/config_options.h"
 #include "tools/measure/taps.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/read_output.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ Result<std::unique_ptr<Renderer>> makeRenderer(const Stage& stage, const Descrip
                             traitsOf(stage.frame));
 }
 
+/// On a stage with the frame that the config gets.
 Result<Image> drawConverged(const Stage& stage, Description& description,
                             const std::function<bool()>& interrupted)
 {
@@ -87,10 +89,15 @@ Result<Image> drawConverged(const Stage& stage, Description& description,
 Result<Image> draw(const Stage& stage, Description& description, unsigned ideal,
                    const std::function<bool()>& interrupted)
 {
-    if (ideal & kIdealTaps) return drawConverged(stage, description, interrupted);
-    const auto renderer = makeRenderer(stage, description);
+    auto host = HostTextures::make(stage.device, description, stage.extent, stage.frame);
+    if (!host) return host.diagnostics();
+    const Result<Frame> frame = host->frameOf(stage.frame);
+    if (!frame) return frame.diagnostics();
+    const Stage hosted = {stage.device, *frame, stage.extent, stage.sources};
+    if (ideal & kIdealTaps) return drawConverged(hosted, description, interrupted);
+    const auto renderer = makeRenderer(hosted, description);
     if (!renderer) return renderer.diagnostics();
-    return drawSettled(stage.device, **renderer, stage.frame, kOcclusionOutput);
+    return drawSettled(stage.device, **renderer, *frame, kOcclusionOutput);
 }
 
 int marginOf(int side) { return (side / 2 + kMarginStep - 1) / kMarginStep * kMarginStep; }

@@ -19,7 +19,7 @@ constexpr int kMostConvergedFrames = 64;
 /// error as the root of the sum of squares: 3 % to one of 0.016, 0.3 % to one of 0.05.
 constexpr double kConvergedNoise = 0.004;
 
-/// Where frames are drawn.
+/// Where frames are drawn, and the scene's frame.
 struct Stage {
     Device& device;
     const Frame& frame;

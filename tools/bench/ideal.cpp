@@ -158,7 +158,9 @@ void layOver(Description& description, const Description& added)
         if (FeatureDesc* own = named(description.features, feature.name))
             own->value = feature.value;
     append(description.features, added.features);
-    append(description.targets, added.targets);
+    for (const TargetDesc& target : added.targets)
+        if (!findNamed(description.imports, target.name)) append(description.targets, {target});
+    append(description.imports, added.imports);
     append(description.shaders, added.shaders);
     append(description.passes, added.passes);
     description.files.insert(added.files.begin(), added.files.end());

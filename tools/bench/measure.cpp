@@ -73,11 +73,14 @@ struct BenchMeter::Setting {
     /// Warms up, then so many turns, for the first sample to have something to go by.
     Status beginTurns(int count);
 
+    /// For `frame`, or a frame of it that a host hands over.
     Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
-                                                   std::vector<std::string> outputs) const
+                                                   std::vector<std::string> outputs,
+                                                   const Frame* hosted = nullptr) const
     {
         return Renderer::create(device, std::move(description),
-                                {view.extent, std::move(outputs), {}}, traitsOf(frame));
+                                {view.extent, std::move(outputs), {}},
+                                traitsOf(hosted ? *hosted : frame));
     }
 
     /// Times the copy pass once, and the yardstick once.
@@ -207,15 +210,23 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     sample.device = device_.caps().name;
     sample.software = device_.caps().software;
 
-    auto renderer = setting_->makeRenderer(device_, task.description, {kOcclusionOutput});
+    Result<HostTextures> host =
+        HostTextures::make(device_, task.description, sample.extent, setting_->frame);
+    if (!host) return host.diagnostics();
+    Result<Frame> frame = host->frameOf(setting_->frame);
+    if (!frame) return frame.diagnostics();
+    auto renderer = setting_->makeRenderer(device_, task.description, {kOcclusionOutput}, &*frame);
     if (!renderer) return renderer.diagnostics();
-    const Result<Image> ao = drawSettled(device_, **renderer, setting_->frame, kOcclusionOutput);
+    const Result<Image> ao = drawSettled(device_, **renderer, *frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
-    if (options_.motion) measureMotion(task, **renderer, sample);
+    if (options_.motion) measureMotion(task, **renderer, *host, sample);
+    if (options_.motion) frame = host->frameOf(setting_->frame);  // as before the camera moved
+    if (!frame) return frame.diagnostics();
     if (sample.output != kOcclusionOutput)
-        renderer = setting_->makeRenderer(device_, task.description, {sample.output});
+        renderer = setting_->makeRenderer(device_, task.description, {sample.output}, &*frame);
     if (!renderer) return renderer.diagnostics();
-    if (const Status timed = measureTimes(**renderer, sample); !timed) return timed.diagnostics();
+    if (const Status timed = measureTimes(**renderer, *frame, sample); !timed)
+        return timed.diagnostics();
     if (const Status known = measureErrors(task, *ao, sample); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();
 
@@ -226,9 +237,9 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     return sample;
 }
 
-Status BenchMeter::measureTimes(Renderer& renderer, BenchSample& sample)
+Status BenchMeter::measureTimes(Renderer& renderer, const Frame& frame, BenchSample& sample)
 {
-    TurnTaker taker(renderer, setting_->frame);
+    TurnTaker taker(renderer, frame);
     if (const Status warm = taker.takeTurn(); !warm) return warm;
     taker.restart();
     TimeFigures ratio;
@@ -266,7 +277,8 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSa
 }
 
 /// Whatever keeps it from being measured goes to the sample, whose other figures stay.
-void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, BenchSample& sample)
+void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
+                               BenchSample& sample)
 {
     Setting& setting = *setting_;
     const BenchView& view = setting.view;
@@ -279,7 +291,7 @@ void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, BenchS
     const Result<MotionTruth>& truth = setting.motion_truth;
     const auto figures = [&]() -> Result<MotionFigures> {
         if (!truth) return truth.diagnostics();
-        const MotionStage stage = {device_, renderer, setting.frame};
+        const MotionStage stage = {device_, renderer, host, setting.frame};
         return crevice::measureMotion(stage, *setting.motion, *truth, options_.interrupted);
     }();
     if (figures)

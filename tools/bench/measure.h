@@ -10,6 +10,7 @@
 
 #include "tools/bench/bench.h"
 #include "tools/bench/errors.h"
+#include "tools/render/host_textures.h"
 
 #include <map>
 
@@ -45,8 +46,9 @@ private:
 
     Status enter(const BenchTask& task);
     Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
-    void measureMotion(const BenchTask& task, Renderer& renderer, BenchSample& sample);
-    Status measureTimes(Renderer& renderer, BenchSample& sample);
+    void measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
+                       BenchSample& sample);
+    Status measureTimes(Renderer& renderer, const Frame& frame, BenchSample& sample);
     Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
     Result<double> idealError(const BenchTask& task, unsigned ideal);
 

@@ -9,9 +9,24 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <map>
 
 namespace crevice {
 namespace {
+
+/// What a host may have of a surface, and the module that reads it.
+constexpr struct HostSurface {
+    const char* word;
+    const char* module;
+} kHostSurfaces[] = {
+    {"depth", "geometry/host_depth"},
+    {"normals", "geometry/host_depth_normal"},
+    {"linear", "geometry/host_linear_depth"},
+    {"linear_normals", "geometry/host_linear_depth_normal"},
+    {"log", "geometry/host_log_depth"},
+    {"log_normals", "geometry/host_log_depth_normal"},
+    {"positions", "geometry/host_position_normal"},
+};
 
 void addNode(ContentHash& hash, const Node& node)
 {
@@ -46,8 +61,27 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
                    "(/passes/blur/when=null); may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    addHostDepthOption(app, options.overrides);
     addCheckoutOption(app, options.checkout);
     addRootOption(app, options.roots);
+}
+
+void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides)
+{
+    std::string words;
+    std::map<std::string, std::string> modules;
+    for (const HostSurface& each : kHostSurfaces) {
+        words += std::string(words.empty() ? "" : ", ") + each.word;
+        modules[each.word] = std::string("+") + each.module;
+    }
+    const std::string about =
+        "Run the config on textures that a host would hand over, drawn by the command: " + words +
+        ", as --host-depth=normals; alone: depth";
+    app.add_flag("--host-depth{depth}", about)
+        ->check(CLI::IsMember(modules))
+        ->each([&overrides, modules](const std::string& word) {
+            overrides.push_back(modules.at(word));
+        });
 }
 
 LoadRequest requestOf(const ConfigOptions& options)

@@ -25,9 +25,12 @@ struct ConfigOptions {
 /// What to load, as core has it.
 LoadRequest requestOf(const ConfigOptions& options);
 
-/// Adds --variant, --set, --effects and --root; CONFIG is left to the command, since validate takes
-/// several.
+/// Adds --variant, --set, --host-depth, --effects and --root; CONFIG is left to the command, since
+/// validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
+
+/// Adds --host-depth, which lays a module over configs: "+geometry/host_depth".
+void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides);
 
 /// Adds --effects alone.
 void addCheckoutOption(CLI::App& app, std::string& checkout);

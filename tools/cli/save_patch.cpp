@@ -63,7 +63,14 @@ Status checkPatchFile(const ConfigOptions& options, const std::string& file)
 
 Status savePatch(const ConfigOptions& options, const SourceSet& sources, const std::string& file)
 {
-    const Result<Node> base = loadConfig(sources, {options.config, {}, {}, options.roots});
+    std::vector<std::string> added;  // modules, each with a plus in front
+    auto extends = nlohmann::json::array({extendsEntry(options.config, file)});
+    for (const std::string& text : options.overrides) {
+        if (!startsWith(text, "+")) continue;
+        added.push_back(text);
+        extends.push_back(extendsEntry(text.substr(1), file));
+    }
+    const Result<Node> base = loadConfig(sources, {options.config, {}, added, options.roots});
     if (!base) return base.diagnostics();
     Result<Node> now = loadConfig(sources, requestOf(options));
     if (!now) return now.diagnostics();
@@ -73,8 +80,7 @@ Status savePatch(const ConfigOptions& options, const SourceSet& sources, const s
         if (each.code != Code::unknown_param) continue;
         if (Status gone = applyOverride(*now, each.pointer + "=null"); !gone) return gone;
     }
-    nlohmann::ordered_json json = {
-        {"format", 1}, {"extends", nlohmann::json::array({extendsEntry(options.config, file)})}};
+    nlohmann::ordered_json json = {{"format", 1}, {"extends", extends}};
     auto patch = nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now)));
     shorten(patch, *base);
     json.update(patch);

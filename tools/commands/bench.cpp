@@ -177,6 +177,7 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
                    "Set a value in every config, as for crevice render; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+    addHostDepthOption(app, bench.overrides);
     app.add_option("--output", bench.output,
                    "Time what this output needs: color for whole frames, with geometry, occlusion "
                    "and light. The error stays that of ao")

@@ -6,6 +6,7 @@
 #include "tools/device/float_device.h"
 #include "tools/device/open_device.h"
 #include "tools/device/poison_device.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_health.h"
@@ -53,14 +54,18 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
 {
     const Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
     if (!scene) return scene.diagnostics();
-    const Frame frame = makeFrame(*scene, view.camera, view.extent);
+    const Frame shown = makeFrame(*scene, view.camera, view.extent);
+    Result<HostTextures> host = HostTextures::make(device, description, view.extent, shown);
+    if (!host) return host.diagnostics();
+    const Result<Frame> frame = host->frameOf(shown);
+    if (!frame) return frame.diagnostics();
     CompileOptions compile_options;
     compile_options.extent = view.extent;
     compile_options.disable = {"aliasing"};
-    const auto renderer = Renderer::create(device, description, compile_options, traitsOf(frame));
+    const auto renderer = Renderer::create(device, description, compile_options, traitsOf(*frame));
     if (!renderer) return renderer.diagnostics();
     for (int i = 0; i < options.frames; ++i)
-        if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
+        if (const Status drawn = (*renderer)->render(*frame); !drawn) return drawn.diagnostics();
     std::vector<Image> images;
     for (const WatchedTarget& each : watched) {
         Result<Image> image = readOutput(device, **renderer, each.output);

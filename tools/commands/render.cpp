@@ -107,8 +107,12 @@ Result<double> redraw(const RenderOptions& options, Session& session, Descriptio
     if (!outputs) return outputs.diagnostics();
     CompileOptions compile_options = session.options;
     compile_options.outputs = *outputs;
+    Result<HostTextures> host = HostTextures::make(*session.open.device, description,
+                                                   compile_options.extent, session.frame);
+    if (!host) return host.diagnostics();
     const Status reloaded = session.renderer->reload(std::move(description), compile_options);
     if (!reloaded) return reloaded.diagnostics();
+    session.host = std::move(*host);
     const Result<double> ms = draw(options, session, next);
     if (!ms) return ms;
     const Status written = writePictures(next);
@@ -231,7 +235,8 @@ void addPictureOptions(CLI::App& app, RenderOptions& options)
 {
     app.add_option("--out", options.out,
                    "What to write where: an output, a debug view or a target (target.NAME where "
-                   "an output has that name), to .png or .pfm; may be repeated")
+                   "an output has that name), to .png or .pfm; may be repeated; with --host-depth "
+                   "ao=ao.png unless told")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false)
         ->capture_default_str();
@@ -284,8 +289,9 @@ void addRenderCommand(CLI::App& app, int& exit_code)
         "  crevice render gtao_temporal --path pan --out 'ao=frame_%03d.png'\n"
         "  crevice render my.json --scene room --camera 'eye=4,2,6;at=0,1,0;fov=50'");
     command->callback([options, command, &exit_code] {
-        if (!options->path.empty() && command->count("--out") == 0)
-            options->out = {"color=color_%03d.png"};
+        const std::string name = command->count("--host-depth") > 0 ? "ao" : "color";
+        if (command->count("--out") == 0)
+            options->out = {name + "=" + name + (options->path.empty() ? ".png" : "_%03d.png")};
         exit_code = render(*options);
     });
 }

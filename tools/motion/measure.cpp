@@ -35,7 +35,9 @@ public:
     {
         stage_.frame.camera = view_.camera(path, frame);
         stage_.frame.camera_cut = first;
-        if (const Status drawn = stage_.renderer.render(stage_.frame); !drawn)
+        const Result<Frame> hosted = stage_.host.frameOf(stage_.frame);
+        if (!hosted) return hosted.diagnostics();
+        if (const Status drawn = stage_.renderer.render(*hosted); !drawn)
             return drawn.diagnostics();
         Result<Image> image = readOutput(stage_.device, stage_.renderer, kOcclusion);
         if (image && !isFinite(*image))

@@ -3,16 +3,18 @@
 #pragma once
 
 #include "tools/motion/truth.h"
+#include "tools/render/host_textures.h"
 
 #include <crevice/renderer.h>
 
 namespace crevice {
 
-/// What is drawn with: a renderer that has the output `ao`, and a frame of the scene whose camera
-/// is moved.
+/// What is drawn with: a renderer that has the output `ao`, what a host hands it, and a frame of
+/// the scene whose camera is moved.
 struct MotionStage {
     Device& device;
     Renderer& renderer;
+    HostTextures& host;
     Frame frame;
 };
 

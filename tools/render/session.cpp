@@ -21,12 +21,12 @@ double millisecondsSince(Clock::time_point start)
 }
 
 /// Gives the milliseconds by the wall clock, the wait for the GPU included.
-Result<double> timeFirst(Session& session)
+Result<double> timeFirst(Session& session, const Frame& frame)
 {
     Device& device = *session.open.device;
     device.finish();
     const Clock::time_point start = Clock::now();
-    const Status drawn = session.renderer->render(session.frame);
+    const Status drawn = session.renderer->render(frame);
     if (!drawn) return drawn.diagnostics();
     device.finish();
     return {millisecondsSince(start), drawn.diagnostics()};
@@ -106,10 +106,15 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     if (!scene) return scene.diagnostics();
     session.scene = std::move(*scene);
     session.frame = makeFrame(*session.scene, *cameras, view.extent);
+    Result<HostTextures> host = HostTextures::make(device, description, view.extent, session.frame);
+    if (!host) return host.diagnostics();
+    session.host = std::move(*host);
+    const Result<Frame> frame = session.host->frameOf(session.frame);
+    if (!frame) return frame.diagnostics();
     progress.begin("compiling shaders");
     const Clock::time_point start = Clock::now();
     Result<std::unique_ptr<Renderer>> created =
-        Renderer::create(device, std::move(description), session.options, traitsOf(session.frame));
+        Renderer::create(device, std::move(description), session.options, traitsOf(*frame));
     if (!created) return created.diagnostics();
     session.create_ms = millisecondsSince(start);
     session.renderer = std::move(*created);
@@ -120,10 +125,12 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
 
 Result<double> draw(const RenderOptions& options, Session& session, std::vector<Picture>& pictures)
 {
-    const Result<double> first = timeFirst(session);
+    const Result<Frame> frame = session.host->frameOf(session.frame);
+    if (!frame) return frame.diagnostics();
+    const Result<double> first = timeFirst(session, *frame);
     if (!first) return first;
     for (int i = 1; i < options.frames; ++i)
-        if (const Status again = session.renderer->render(session.frame); !again)
+        if (const Status again = session.renderer->render(*frame); !again)
             return again.diagnostics();
     for (Picture& picture : pictures) {
         const Status read = readPicture(*session.open.device, *session.renderer, picture);

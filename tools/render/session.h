@@ -8,6 +8,7 @@
 #include "tools/cli/output_request.h"
 #include "tools/device/open_device.h"
 #include "tools/render/camera_path.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/stereo.h"
 #include "tools/scene/options.h"
@@ -59,7 +60,8 @@ Result<std::vector<std::string>> exposeAll(std::vector<Picture>& pictures,
 struct Session {
     OpenDevice open;
     std::optional<UploadedScene> scene;
-    Frame frame;
+    std::optional<HostTextures> host;
+    Frame frame;  ///< Of the scene; the config's has the host's textures.
     CompileOptions options;
     std::unique_ptr<Renderer> renderer;
     double create_ms = 0;  ///< What Renderer::create took, by the wall clock.

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 
 #include <map>
+#include <set>
 
 namespace crevice {
 
@@ -69,6 +70,22 @@ Json extendsForm(const SourceSet& sources)
             {"type", "array"},
             {"items",
              {{"anyOf", {{{"enum", names}, {"enumDescriptions", texts}}, {{"type", "string"}}}}}}};
+}
+
+/// A list of words, of which those of the shipped files are offered.
+Json wordsForm(const SourceSet& sources, const char* key, const char* description)
+{
+    std::set<std::string> words;
+    for (const std::string& path : sources.list()) {
+        if (!endsWith(path, kSuffix)) continue;
+        const auto document = parseDocument(sources.find(path));
+        const Node* list = document ? document->find(key) : nullptr;
+        for (const Node& word : list ? list->items : std::vector<Node>()) words.insert(word.text);
+    }
+    return {{"title", key},
+            {"description", description},
+            {"type", "array"},
+            {"items", {{"anyOf", {{{"enum", words}}, {{"type", "string"}}}}}}};
 }
 
 /// The words of a feature, for people: " One of: view, normal."
@@ -185,6 +202,13 @@ Json fileProperties(const SourceSet& sources)
              {{"type", "string"},
               {"description", "The JSON Schema that editors check this file with; not read."}}},
             {"extends", extendsForm(sources)},
+            {"needs", wordsForm(sources, "needs",
+                                "What this file is nothing without: where a later one replaces "
+                                "one of these words, this one is left out.")},
+            {"replaces", wordsForm(sources, "replaces",
+                                   "What this file takes the place of: earlier files that need "
+                                   "one of these words are left out, and so are values for what "
+                                   "only they declare.")},
             {"variants", table::keyedForm("^(?!x-)", reference("patch"))}};
 }
 

@@ -56,6 +56,7 @@ struct StressShot {
     std::vector<std::string> settings = {};
     int samples = 0;           ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
+    bool draws = false;        ///< Asks about the config's own draws.
     bool traceable = true;     ///< What is drawn is the scene as a ray tracer sees it.
 
     /// Drawn before, first to last, for what a config keeps from frame to frame; where that is

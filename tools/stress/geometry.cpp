@@ -2,10 +2,8 @@
 // What stands in for geometry modules, and the textures that a host would bring.
 #include "tools/stress/geometry.h"
 
-#include "tools/render/read_output.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/scene_upload.h"
-
-#include <crevice/renderer.h>
 
 #include <utility>
 
@@ -109,54 +107,51 @@ const SourceSet& Substitutes::over(const std::string& geometry) const
     return found == over_.end() ? own_ : found->second.all;
 }
 
-Result<HostTextures> HostTextures::make(Device& device, const StressShot& shot,
-                                        const SourceSet& sources)
+Result<ChangedTextures> ChangedTextures::make(Device& device, const StressShot& shot)
 {
-    MemorySources mine;
-    mine.add("configs/host.json", R"({"format": 1, "name": "host", "description": "A G-buffer.",
-        "extends": ["geometry/depth_normal"],
-        "targets": {"depth": {"format": ["depth32f"]}, "normal": {"format": ["rgba16f", "rgb10_a2"]}},
-        "outputs": {"depth": "depth", "normal": "normal"}})");
-    const LayeredSources all({&mine, &sources});
-    const Result<Description> description = loadDescription({"host", {}, {}, {}}, all);
-    if (!description) return description.diagnostics();
     const Result<UploadedScene> scene = UploadedScene::upload(device, shot.scene);
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
     frame.camera = shot.host_camera;
-    const auto renderer =
-        Renderer::create(device, *description, {shot.extent, {}, {}}, traitsOf(frame));
-    if (!renderer) return renderer.diagnostics();
-    if (const Status drawn = (*renderer)->render(frame); !drawn) return drawn.diagnostics();
-    Result<Image> depth = readOutput(device, **renderer, "depth");
+    Description wanted;
+    for (const auto& [name, format] :
+         {std::pair{"depth", Format::depth32f}, {"normal", Format::rgba16f}}) {
+        ImportDesc import;
+        import.name = name;
+        import.type = ImportType::texture;
+        import.format = formatInfo(format).name;
+        wanted.imports.push_back(import);
+    }
+    Result<HostTextures> host = HostTextures::make(device, wanted, shot.extent, frame);
+    if (!host) return host.diagnostics();
+    const Result<Frame> drawn = host->frameOf(frame);
+    if (!drawn) return drawn.diagnostics();
+    Result<Image> depth = device.readTexture(drawn->textures[0].texture);
     if (!depth) return depth.diagnostics();
-    Result<Image> normal = readOutput(device, **renderer, "normal");
+    Result<Image> normal = device.readTexture(drawn->textures[1].texture);
     if (!normal) return normal.diagnostics();
     shot.host(*depth, *normal);
 
-    HostTextures textures(device);
-    const char* const name = shot.geometry == kHostLogGeometry      ? "log_depth"
-                             : shot.geometry == kHostLinearGeometry ? "linear_depth"
-                                                                    : "depth";
-    if (const Status made = textures.add(name, Format::r32f, *depth); !made)
+    ChangedTextures textures(device);
+    if (const Status made = textures.add(hostDepthName(shot), Format::r32f, *depth); !made)
         return made.diagnostics();
     if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)
         return made.diagnostics();
     return textures;
 }
 
-HostTextures::~HostTextures()
+ChangedTextures::~ChangedTextures()
 {
     for (const ImportedTexture& each : textures_) device_->destroy(each.texture);
 }
 
-HostTextures::HostTextures(HostTextures&& other) noexcept
+ChangedTextures::ChangedTextures(ChangedTextures&& other) noexcept
     : device_(other.device_),
       textures_(std::exchange(other.textures_, {}))
 {
 }
 
-Status HostTextures::add(const char* name, Format format, const Image& image)
+Status ChangedTextures::add(const char* name, Format format, const Image& image)
 {
     const Result<TextureId> id = device_->createTexture({name, format, image.extent});
     if (!id) return id.diagnostics();

@@ -39,22 +39,29 @@ constexpr const char* kPositionGeometry = "positions";
 constexpr const char* kLinearGeometry = "linear depth";
 constexpr const char* kDepthGeometry = "depth and normals";
 
-/// Depth and normals on a device as a host brings them.
-class HostTextures {
+/// What a config imports the depth as that such a host has.
+inline const char* hostDepthName(const StressShot& shot)
+{
+    return shot.geometry == kHostLogGeometry      ? "log_depth"
+           : shot.geometry == kHostLinearGeometry ? "linear_depth"
+                                                  : "depth";
+}
+
+/// Depth and normals on a device, of a host that does something to them.
+class ChangedTextures {
 public:
     /// Draws the shot's scene as its host does, and does to the textures what the host does.
     /// Errors: those of the device.
-    static Result<HostTextures> make(Device& device, const StressShot& shot,
-                                     const SourceSet& sources);
-    ~HostTextures();
-    HostTextures(HostTextures&& other) noexcept;
-    HostTextures(const HostTextures&) = delete;
-    HostTextures& operator=(const HostTextures&) = delete;
+    static Result<ChangedTextures> make(Device& device, const StressShot& shot);
+    ~ChangedTextures();
+    ChangedTextures(ChangedTextures&& other) noexcept;
+    ChangedTextures(const ChangedTextures&) = delete;
+    ChangedTextures& operator=(const ChangedTextures&) = delete;
 
     const std::vector<ImportedTexture>& textures() const { return textures_; }
 
 private:
-    explicit HostTextures(Device& device) : device_(&device) {}
+    explicit ChangedTextures(Device& device) : device_(&device) {}
     Status add(const char* name, Format format, const Image& image);
 
     Device* device_;

@@ -258,6 +258,7 @@ Breakdown findBreakdown(const StressCase& stress, const std::vector<const Stress
     for (std::size_t i = 0; i < stress.steps.size(); ++i) {
         if (!series[i]) continue;
         const Outcome outcome = judge(stress, series, i).outcome;
+        if (found.why_absent.empty()) found.why_absent = series[i]->absent;
         found.failures += outcome == Outcome::breaks;
         found.refused += outcome == Outcome::refused;
         if (outcome != Outcome::absent) found.absent = false;
@@ -279,7 +280,9 @@ Breakdown findBreakdown(const StressCase& stress, const std::vector<const Stress
 
 std::string describe(const StressCase& stress, const Breakdown& breakdown)
 {
-    if (breakdown.absent) return "not in this config";
+    if (breakdown.absent)
+        return "not in this config" +
+               (breakdown.why_absent.empty() ? "" : ": " + breakdown.why_absent);
     const Reach &down = breakdown.down, &up = breakdown.up;
     std::string text = breakdown.invalid.empty() ? "" : "VOID: " + breakdown.invalid;
     if (down.holds_to >= 0 && up.holds_to >= 0)

@@ -45,13 +45,17 @@ bool isOrdinary(const StressTask& task)
     return task.step == static_cast<int>(task.stress->ordinary);
 }
 
+bool drawsScene(const Description& description)
+{
+    return std::any_of(description.imports.begin(), description.imports.end(),
+                       [](const ImportDesc& each) { return each.type == ImportType::draw_list; });
+}
+
 /// Why a config that was put over the shot's geometry is none; null where it is one.
 const char* missingFrom(const Description& description, const StressShot& shot)
 {
     if (shot.geometry.empty()) return nullptr;
-    if (shot.host)
-        for (const char* name : {"depth", "log_depth", "linear_depth"})
-            if (findNamed(description.imports, name)) return nullptr;
+    if (shot.host && findNamed(description.imports, hostDepthName(shot))) return nullptr;
     if (shot.host) return "its geometry module has no counterpart for a host's depth";
     const bool positions = findNamed(description.targets, "position");
     const bool linear = findNamed(description.targets, "linear_depth");
@@ -193,6 +197,7 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
     if (shot.samples > 0 && taps.empty())
         ready.absent = std::to_string(shot.samples) + " taps are outside its ranges";
     config.overrides.insert(config.overrides.end(), taps.begin(), taps.end());
+    if (shot.draws && !drawsScene(*base)) ready.absent = "it draws nothing: the host does";
     if (!findNamed(base->outputs, shot.output)) ready.absent = "no output '" + shot.output + "'";
     if (!ready.absent.empty()) return ready;
     Result<Description> description = loadDescription(config, sources);
@@ -206,20 +211,25 @@ Result<StressMeter::Ready> StressMeter::prepare(const StressTask& task, const St
 }
 
 /// With the renderer of `owner`, whose programs are there already, or another.
-Status StressMeter::render(Stage& stage, const Ready& ready, const std::vector<Frame>& frames,
-                           const std::string& owner)
+Status StressMeter::render(Stage& stage, const Ready& ready, HostTextures& host,
+                           const std::vector<Frame>& frames, const std::string& owner)
 {
+    const Result<Frame> last = host.frameOf(frames.back());
+    if (!last) return last.diagnostics();
     if (stage.of != owner || !stage.renderer->reload(ready.description, ready.options)) {
         stage.renderer.reset();
         stage.of.clear();
-        auto created = Renderer::create(stage.device, ready.description, ready.options,
-                                        traitsOf(frames.back()));
+        auto created =
+            Renderer::create(stage.device, ready.description, ready.options, traitsOf(*last));
         if (!created) return created.diagnostics();
         stage.renderer = std::move(*created);
         stage.of = owner;
     }
-    for (const Frame& frame : frames)
-        if (Status done = stage.renderer->render(frame); !done) return done;
+    for (const Frame& frame : frames) {
+        const Result<Frame> hosted = host.frameOf(frame);
+        if (!hosted) return hosted.diagnostics();
+        if (Status done = stage.renderer->render(*hosted); !done) return done;
+    }
     return {};
 }
 
@@ -265,15 +275,20 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
     addViews(shot, frame);
-    std::optional<HostTextures> host;
+    std::optional<ChangedTextures> changed;
     if (shot.host) {
-        Result<HostTextures> made = HostTextures::make(*poison_, shot, sources_);
+        Result<ChangedTextures> made = ChangedTextures::make(*poison_, shot);
         if (!made) return made.diagnostics();
-        host.emplace(std::move(*made));
-        frame.textures = host->textures();
+        changed.emplace(std::move(*made));
+        frame.textures = changed->textures();
     }
+    Result<HostTextures> host =
+        HostTextures::make(*poison_, ready->description, shot.extent, frame);
+    if (!host) return host.diagnostics();
+    const Result<Frame> hosted = host->frameOf(frame);
+    if (!hosted) return hosted.diagnostics();
     const Result<Plan> plan =
-        compile(ready->description, traitsOf(frame), poison_->caps(), ready->options);
+        compile(ready->description, traitsOf(*hosted), poison_->caps(), ready->options);
     if (!plan) return plan.diagnostics();
     if (!shot.before.empty() && !settles && !remembers(*plan)) {
         drawn.absent = "it keeps nothing from frame to frame";
@@ -286,13 +301,13 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     const std::vector<Frame> frames = framesOf(shot, frame, remembers(*plan));
     const std::string owner = task.config.config + " " + task.config.variant + shot.geometry;
     for (Stage* stage : {&wide_, &plain_})
-        if (const Status done = render(*stage, *ready, frames, owner); !done)
+        if (const Status done = render(*stage, *ready, *host, frames, owner); !done)
             return done.diagnostics();
     if (const Status done = look(*plan, watched, shot.view, drawn); !done)
         return done.diagnostics();
     if (const Status done = show(shot, drawn.ao); !done) return done.diagnostics();
     if (!settles) return drawn;
-    if (const Status done = plain_.renderer->render(frame); !done) return done.diagnostics();
+    if (const Status done = plain_.renderer->render(*hosted); !done) return done.diagnostics();
     if (const Status done = show(shot, drawn.next); !done) return done.diagnostics();
     return drawn;
 }

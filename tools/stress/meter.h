@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tools/cli/config_options.h"
+#include "tools/render/host_textures.h"
 #include "tools/render/watched_targets.h"
 #include "tools/stress/geometry.h"
 #include "tools/stress/record.h"
@@ -60,8 +61,8 @@ private:
     };
 
     Result<Ready> prepare(const StressTask& task, const StressShot& shot);
-    Status render(Stage& stage, const Ready& ready, const std::vector<Frame>& frames,
-                  const std::string& owner);
+    Status render(Stage& stage, const Ready& ready, HostTextures& host,
+                  const std::vector<Frame>& frames, const std::string& owner);
     Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
                 Drawn& drawn);
     Status show(const StressShot& shot, Image& picture);

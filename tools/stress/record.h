@@ -113,9 +113,10 @@ struct Breakdown {
     Reach down, up;  ///< Towards the first and the last step; both begin at the ordinary one.
     int failures = 0;
     int refused = 0;
-    bool absent = false;  ///< There is no figure at all.
-    std::string invalid;  ///< Why the ordinary picture, and with it the case, is not valid.
-    std::string beyond;   ///< "depth16: 100 % of the occlusion lost at 1e-3:3e5"
+    bool absent = false;     ///< There is no figure at all.
+    std::string why_absent;  ///< Of the first step.
+    std::string invalid;     ///< Why the ordinary picture, and with it the case, is not valid.
+    std::string beyond;      ///< "depth16: 100 % of the occlusion lost at 1e-3:3e5"
 };
 
 Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series);

@@ -91,7 +91,7 @@ constexpr double kLargestScale = 4.0;
 /// How large a target is in each direction: max(1, ceil(followed * scale)); with `border`
 /// followed + 2 * ceil(followed * (scale - 1) / 2).
 struct SizeDesc {
-    Reference of = {};           ///< Another target; empty follows the output.
+    Reference of = {};  ///< Another target; empty, or an imported texture, follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
     float scale = 1.0f;          ///< [kSmallestScale, kLargestScale].
     bool border = false;         ///< What `scale`, 1 or more, adds is whole pixels on either side.
@@ -227,6 +227,12 @@ struct Description : Named {
     std::vector<OutputDesc> outputs;
     std::vector<ViewDesc> views;
     std::vector<Named> deleted;  ///< Entries that patches deleted, for notes.
+    /// Modules that others took the place of (`replaces`).
+    struct LeftOut {
+        std::string module;
+        std::string reason;  ///< Half a sentence: "it needs ..."
+    };
+    std::vector<LeftOut> left_out;
     /// About names that nothing uses; `compile` reports them where it finds no other error, which
     /// might be why.
     Diagnostics unused;
@@ -248,7 +254,7 @@ struct LoadRequest {
     std::string variant = {};  ///< A name under `variants`; empty for none.
     /// "radius=0.8": a param's default or a feature's, or a pointer, "/passes/blur/when=null", or a
     /// module that the config or a config that it extends names, and another:
-    /// "filter/box=filter/median".
+    /// "filter/box=filter/median"; or one more at the end of its `extends`: "+geometry/host_depth".
     std::vector<std::string> overrides = {};
     /// Folders below which files may be named besides those below the config's own folder, and for
     /// an override's value those below the current one. A folder that does not exist allows
@@ -267,7 +273,10 @@ struct LoadRequest {
 /// files that `decode` reads. Two files, neither of which extends the other, may not make one
 /// shader or interface: that is two filters or two estimators, of which a merge would keep halves.
 ///
-/// Errors: CV1xxx of any file, CV1201 to CV1208, CV4004 for an override of nothing.
+/// A file that `needs` a word is left out where another that `replaces` the word is named later,
+/// as are values that the files before that one give to what only left out files declare.
+///
+/// Errors: CV1xxx of any file, CV1201 to CV1208, CV3002, CV4004 for an override of nothing.
 Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request);
 
 /// The names of the variants that a config and all that it extends declare, sorted; none where it

@@ -31,9 +31,11 @@ struct Node {
     std::string text;             ///< The string, or the number as it was written.
     std::vector<Node> items;      ///< Of an array.
     std::vector<Member> members;  ///< Of an object, in the order of the text.
-    std::vector<Member> deleted;  ///< The nulls of patches that took members away.
-    std::vector<Place> origins;   ///< The places that set it before, oldest first.
-    Place place;                  ///< Where it stands now.
+    /// The nulls of patches that took members away; at the top of a config also the modules that it
+    /// leaves out, each with a string that says why.
+    std::vector<Member> deleted;
+    std::vector<Place> origins;  ///< The places that set it before, oldest first.
+    Place place;                 ///< Where it stands now.
 
     /// True for a number written without '.' and 'e' that fits 53 bits.
     bool integer() const;

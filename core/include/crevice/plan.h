@@ -126,7 +126,8 @@ struct PlanProgram {
 /// One part of the work that the plan leaves out.
 struct Elided {
     std::string what;  ///< "pass filter_x", "attachment albedo"
-    /// Of kOptimizations; or "condition", which is meaning and cannot be switched off.
+    /// Of kOptimizations; or "condition", "replaced" (`Description::left_out`), "device" (what
+    /// it cannot hold), which are meaning and cannot be switched off.
     std::string optimization;
     std::string reason;  ///< One sentence.
 };

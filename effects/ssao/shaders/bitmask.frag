@@ -84,11 +84,22 @@ float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
     return kSectors * cosineArcIntegral(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
 }
 
+// What `max_gap` counts as where backs are known: thicknesses then are those of the scene, most of them less than
+// `thickness`, and of two layers the second shows what gaps would have to stand for. At factors of 1, 5 and 4/3
+// `bitmask_back` has rmse TABLE
+#if SECOND_LAYER
+const float kGap = 8.0 / 6.0;
+#elif BACK_FACES
+const float kGap = 5.0;
+#else
+const float kGap = 1.0;
+#endif
+
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them
 // is deep, times `max_gap` and the spacing of the taps, or as the radius.
 float filledBetween(Trail trail, float front, float deep)
 {
-    float share = max_gap / float(STEPS);
+    float share = kGap * max_gap / float(STEPS);
     float thick = trail.back - trail.front;
     float uneven = unevenStep(front - trail.front, trail.step);
     float behind = (uneven - thick) / max(min(share * thick, radius), 1e-30);

@@ -32,8 +32,8 @@ TEST_CASE("What shipped modules do together is reported in the config, with a no
 {
     const std::map<std::string, std::string> kModules = {
         {"graph/two_modules_write", "effects/filter/bilateral.json:39:61"},
-        {"graph/writer_deleted", "effects/lighting/deferred.json:41:33"},
-        {"references/filter_missing", "effects/lighting/deferred.json:41:33"},
+        {"graph/writer_deleted", "effects/lighting/deferred.json:42:33"},
+        {"references/filter_missing", "effects/lighting/deferred.json:42:33"},
         {"references/target_deleted", "effects/ssao/foreground.json:6:91"}};
     std::size_t seen = 0;
     for (const CorpusCase& config : corpusCases()) {

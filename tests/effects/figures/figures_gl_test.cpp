@@ -78,7 +78,7 @@ const Row kOcclusion[] = {
     {"gtao", kClose, {"max_gap=0.5"}, 0.1318, 0.0668},
     {"bitmask", kWide, {"thickness=0.1"}, 0.1570, 0.1081},
     {"bitmask", kClose, {"thickness=2", "bias=0.05"}, 0.1272, -0.0472},
-    {"balanced", kWide, {"guard_band=1.5", "max_gap=2"}, 0.0746, 0.0280},
+    {"balanced", kWide, {"guard_band=1.5", "max_gap=0.4"}, 0.0746, 0.0280},
     {"hbao", kWide, {"bias=0.08", "angle_bias=30"}, 0.2488, 0.1802},
     {"hbao", kClose, {"light=cosine", "falloff=0.3", "thin_occluders=count"}, 0.2564, -0.1699},
     {"sao", kWide, {"bias=0.15"}, 0.2150, 0.1153},

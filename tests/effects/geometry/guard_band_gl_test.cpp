@@ -2,7 +2,13 @@
 // Views of any size within a guard band: their pixels are those of the picture without one.
 #include "tests/support/picture.h"
 
+#include <crevice/config.h>
+#include <crevice/renderer.h>
 #include <crevice/shipped.h>
+
+#include "tools/device/forwarding_device.h"
+#include "tools/render/scene_upload.h"
+#include "tools/scene/camera_framing.h"
 
 #include <cmath>
 
@@ -122,4 +128,49 @@ TEST_CASE("Where nothing lies off the view a guard band changes no picture, in a
             REQUIRE(with.extent == without.extent);
             CHECK(shareOff(with, without, 0.0f) < kind.most);
         }
+}
+
+namespace {
+
+/// A device whose textures end at a size.
+class SmallDevice : public ForwardingDevice {
+public:
+    SmallDevice(Device& device, int limit) : ForwardingDevice(device), caps_(device.caps())
+    {
+        caps_.max_texture_size = limit;
+    }
+    const DeviceCaps& caps() const override { return caps_; }
+
+private:
+    DeviceCaps caps_;
+};
+
+}  // namespace
+
+TEST_CASE("On a device of small textures the guard band is what they hold, in plan and shaders")
+{
+    GlFixture gl;
+    const Scene scene = need(loadScene("spheres"));
+    const auto uploaded = need(UploadedScene::upload(*gl.device, scene));
+    const Extent extent = {128, 72};
+    const auto camera = need(chooseCamera(scene, uploaded.bounds(), kCut, 128.0 / 72.0));
+    const Frame frame = makeFrame(uploaded, camera, extent);
+    const auto occlusion = [&](int limit, const std::vector<std::string>& overrides) {
+        SmallDevice device(*gl.device, limit);
+        std::vector<std::string> all = {"radius=2"};  // wide, so that the band counts
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        const Description config =
+            need(decode(need(loadConfig(shippedSources(), {"high", {}, all})), shippedSources()));
+        const auto renderer =
+            need(Renderer::create(device, config, {extent, {"ao"}, {}}, traitsOf(frame)));
+        CHECK(findNamed(renderer->plan().passes, "geometry")->extent.width <= limit);
+        // Up to a pixel more on either side: borders are whole pixels, in both directions.
+        CHECK(findNamed(renderer->plan().passes, "geometry")->frustum_scale <=
+              limit / 128.0f + 2.0f / 72.0f);
+        need(renderer->render(frame));
+        return gl.read(renderer->output("ao"));
+    };
+    CHECK(meanChange(occlusion(150, {}), occlusion(2048, {"guard_band=1.171875"})) == 0.0);
+    CHECK(meanChange(occlusion(128, {}), occlusion(2048, {"guard_band=1"})) == 0.0);
+    CHECK(meanChange(occlusion(128, {}), occlusion(2048, {})) > 0.002);
 }

@@ -79,6 +79,29 @@ expect 0 'warning CV7008: the camera sees no surface' render gtao "${small[@]}" 
 expect 0 'wrote' render gtao "${small[@]}" --out color=lit.png
 check "a picture that shows it has nothing to say" eval '! grep -q warning stderr.txt'
 
+# On a host's textures, which the command draws: by the option, a plus, or the config's own imports.
+expect 0 'wrote ao.png' render mobile "${small[@]}" --host-depth
+expect 0 'wrote' render mobile "${small[@]}" --host-depth --out ao=option.pfm --save-patch hosted.json
+expect 0 'wrote' render mobile "${small[@]}" --set +geometry/host_depth --out ao=plus.pfm
+printf '%s' '{"format": 1, "extends": ["mobile", "geometry/host_depth"]}' >host.json
+expect 0 'wrote' render host.json "${small[@]}" --out ao=own.pfm
+expect 0 'wrote' render host.json "${small[@]}" --host-depth --out ao=both.pfm
+expect 0 'wrote' render hosted.json "${small[@]}" --out ao=saved.pfm
+for file in plus own both saved; do check "$file.pfm is the picture on a host's depth" cmp option.pfm "$file.pfm"; done
+expect 0 'wrote' render mobile "${small[@]}" --set guard_band=1 --out ao=drawn.pfm
+expect 0 'rmse' compare option.pfm drawn.pfm --max-abs 0.01
+expect 0 'wrote' render mobile_temporal "${small[@]}" --host-depth=normals --path pan --frames 3
+check "a path writes ao" test -s ao_002.png
+expect 1 "CV2209.*color" render mobile "${small[@]}" --host-depth --out color=lit.png
+expect 0 'every value' doctor balanced "${small[@]}" --host-depth=normals
+expect 0 'rmse' bench --config high --host-depth=normals --scene corner --size 64x36 --rays 8 --repeats 1 \
+    --no-cache --backend "$backend" --out bench_host
+expect 0 'high \+geometry/host_depth_normal, corner' bench --config high --host-depth=normals --scene corner --list
+for words in --host-depth --host-depth=log; do
+    expect 0 'meshes +not in this config: it draws nothing: the host does' stress gtao "$words" --case meshes \
+        --case plane_sizes --quick --size 64x36 --no-cache --backend "$backend" --out "stress$words"
+done
+
 # What was set is saved as a config of its own, which draws the same picture.
 mkdir -p saved
 expect 0 'wrote' render thesis "${small[@]}" --variant lambert --set radius=0.8 --set power=1 \

@@ -75,6 +75,23 @@ expect 0 'another: ok' validate --all --effects checkout
 cp "$(dirname -- "$readme")/configs/thesis.json" checkout/configs
 expect 0 'thesis.*: ok' validate thesis --effects checkout --set filter/bilateral=filter/box
 
+# --- on a host's depth ---
+for config in mobile balanced high mobile_temporal balanced_temporal gtao quality reference; do
+    for words in --host-depth --host-depth=normals --host-depth=linear --host-depth=log_normals; do
+        expect 0 "ok \\([0-9]+ passes\\)" validate "$config" "$words"
+    done
+done
+expect 0 "module geometry/second_layer \\(replaced\\): it needs 'scene', which 'geometry/host_depth_normal" \
+    explain high --host-depth=normals
+expect 0 'module lighting/forward \(replaced\)' explain mobile --host-depth
+expect 0 'depth: texture' explain mobile --set +geometry/host_depth
+expect 2 'CV8001.*--host-depth' explain mobile --host-depth=colour
+expect 1 "CV1201.*geometry/hostdepth" explain mobile --set +geometry/hostdepth
+expect 1 "CV1206.*\\+MODULE" explain mobile --set +
+printf '%s' '{"format": 1, "extends": ["mobile", "geometry/host_depth"], "params": {"guard_band": 1.4}}' >banded.json
+expect 1 "banded.json:1:[0-9]+: error CV4004: param 'guard_band'" validate banded.json
+expect 1 "banded.json:1:36: note: what declared it was left out here" validate banded.json
+
 # --- explain ---
 expect 0 'geometry' explain learnopengl
 expect 0 'digraph' explain learnopengl --format dot

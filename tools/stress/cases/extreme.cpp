@@ -131,6 +131,7 @@ StressShot sceneMeshes(double kind, Extent size)
     }
     StressShot shot = sceneShot(testView(), size, std::move(scene));
     shot.radius = 1;
+    shot.draws = true;
     return shot;
 }
 

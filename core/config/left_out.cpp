@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// What is left out of a config, and what then has no meaning any more.
+#include "core/config/left_out.h"
+
+#include "core/base/text.h"
+#include "core/json/merge.h"
+
+#include <algorithm>
+#include <map>
+
+namespace crevice {
+
+namespace {
+
+// Sections, and the key that a declaration has and a patch of one has not; none where every string
+// is a declaration.
+constexpr struct {
+    const char* section;
+    const char* key;
+} kSections[] = {{"params", "default"}, {"features", "default"},   {"features", "type"},
+                 {"imports", "type"},   {"targets", "format"},     {"shaders", "fragment"},
+                 {"passes", "shader"},  {"views", "target"},       {"outputs", ""},
+                 {"interfaces", ""},    {"generated", "generator"}};
+
+using Names = std::map<std::string, std::set<std::string>>;  // by section
+
+bool declares(const std::string& section, const Node& entry)
+{
+    return std::any_of(std::begin(kSections), std::end(kSections), [&](const auto& each) {
+        return each.section == section &&
+               (*each.key ? entry.find(each.key) != nullptr : entry.kind == Node::Kind::string);
+    });
+}
+
+// What the file declares, or of a file that is left out all that it speaks of.
+void collect(const Node& body, bool all, Names& names)
+{
+    for (const Member& section : body.members)
+        for (const Member& entry : section.value.members)
+            if (all || declares(section.key, entry.value)) names[section.key].insert(entry.key);
+}
+
+bool shares(const std::vector<std::string>& some, const std::vector<std::string>& others)
+{
+    return std::any_of(some.begin(), some.end(),
+                       [&](const std::string& each) { return contains(others, each); });
+}
+
+// The file that takes the place of `file`, or null.
+const LoadedFile* replacing(const LoadedFile& file, const std::vector<LoadedFile>& files)
+{
+    const LoadedFile* last = nullptr;
+    for (const LoadedFile& other : files)
+        if (other.named > file.named && shares(file.needs, other.replaces) &&
+            file.extended.count(other.identity) == 0 && (!last || other.named > last->named))
+            last = &other;
+    return last;
+}
+
+void eraseNames(Node& object, const std::set<std::string>& names)
+{
+    std::vector<Member>& members = object.members;
+    members.erase(std::remove_if(members.begin(), members.end(),
+                                 [&](const Member& each) { return names.count(each.key) > 0; }),
+                  members.end());
+}
+
+// What a body or a variant says of these names, levels of features included.
+void prune(Node& body, const Names& gone)
+{
+    for (const auto& [section, names] : gone)
+        if (Node* entries = body.find(section)) eraseNames(*entries, names);
+    Node* features = body.find("features");
+    if (!features) return;
+    for (Member& feature : features->members)
+        if (Node* sets = feature.value.find("sets"))
+            for (Member& word : sets->members)
+                for (const char* section : {"params", "features"})
+                    if (const auto names = gone.find(section); names != gone.end())
+                        eraseNames(word.value, names->second);
+}
+
+// "geometry/back_faces" of a module; of a file on disk, its path as it was given.
+std::string nameOf(const LoadedFile& file)
+{
+    std::string name = startsWith(file.identity, "/") ? file.name : file.identity;
+    if (endsWith(name, ".json")) name.resize(name.size() - 5);
+    return name;
+}
+
+Member reasonOf(const LoadedFile& file, const LoadedFile& by)
+{
+    return {nameOf(file), by.asked.place,
+            textNode("it needs '" + joined(file.needs, "', '") + "', which '" + nameOf(by) +
+                         "' takes the place of",
+                     by.asked.place)};
+}
+
+void subtract(Names& names, const Names& kept)
+{
+    for (const auto& [section, all] : kept)
+        for (const std::string& name : all) names[section].erase(name);
+}
+
+// What files declare that are not left out. Before `last`, what a file says of a name of a left out
+// file that it extends is a change of that one's, also where it reads as a declaration.
+Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<bool>& out,
+                       std::size_t last)
+{
+    Names kept;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (out[i]) continue;
+        Names declared, changed;
+        collect(files[i].body, false, declared);
+        for (std::size_t base = 0; i < last && base < files.size(); ++base)
+            if (out[base] && files[i].extended.count(files[base].identity) > 0)
+                collect(files[base].body, false, changed);
+        subtract(declared, changed);
+        for (const auto& [section, names] : declared)
+            kept[section].insert(names.begin(), names.end());
+    }
+    return kept;
+}
+
+}  // namespace
+
+Node leaveOutReplaced(std::vector<LoadedFile>& files)
+{
+    Node notes;
+    notes.kind = Node::Kind::object;
+    std::vector<bool> out(files.size());
+    std::size_t last = 0;  // of those that replace
+    Names gone;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const LoadedFile* by = replacing(files[i], files);
+        out[i] = by != nullptr;
+        if (!by) continue;
+        collect(files[i].body, true, gone);
+        notes.members.push_back(reasonOf(files[i], *by));
+        last = std::max(last, static_cast<std::size_t>(by - files.data()));
+    }
+    subtract(gone, declaredByOthers(files, out, last));
+    for (std::size_t i = 0; i < last; ++i) {
+        prune(files[i].body, gone);
+        for (Member& variant : files[i].variants) prune(variant.value, gone);
+    }
+    if (notes.members.empty()) return notes;
+    for (const auto& [section, names] : gone) {
+        Node deleted = objectOf("", files[last].asked.place, {});
+        deleted.members.clear();
+        for (const std::string& name : names)
+            deleted.members.push_back({name, files[last].asked.place, {}});
+        notes.members.push_back({section, files[last].asked.place, std::move(deleted)});
+    }
+    for (std::size_t i = files.size(); i-- > 0;)
+        if (out[i]) files.erase(files.begin() + static_cast<std::ptrdiff_t>(i));
+    return notes;
+}
+
+}  // namespace crevice

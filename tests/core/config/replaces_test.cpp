@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Modules that take the place of others, and what is left out with those.
+#include "tests/support/load_fixture.h"
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace crevice;
+
+namespace {
+
+/// A drawn and a host's geometry, a filter, what needs the scene, and a config of them.
+MemorySources sceneCatalog()
+{
+    MemorySources sources;
+    sources.add("geometry/drawn.json", file(R"("needs": ["scene"],
+                        "imports": {"camera": {"type": "camera"}, "scene": {"type": "draw_list"}},
+                        "params": {"band": {"default": 1, "min": 1, "max": 2}},
+                        "targets": {"depth": {"format": ["depth24"]}, "albedo": {"format": ["rgba8"]}},
+                        "interfaces": {"surface": "drawn.glsl"},
+                        "passes": {"geometry": {"type": "draw", "shader": "geometry"}})"));
+    sources.add("geometry/host.json", file(R"("needs": ["host"], "replaces": ["scene", "host"],
+                        "imports": {"camera": {"type": "camera"}, "depth": {"type": "texture"}},
+                        "interfaces": {"surface": "host.glsl"})"));
+    sources.add("geometry/host_normal.json", file(R"("extends": ["geometry/host"],
+                        "needs": ["host"], "replaces": ["scene", "host"],
+                        "imports": {"normal": {"type": "texture"}})"));
+    sources.add("light.json", file(R"("needs": ["scene"], "params": {"ambient": {"default": 1}},
+                        "features": {"lit": {"default": true}}, "outputs": {"color": "color"})"));
+    sources.add("ssao.json", file(R"("params": {"radius": {"default": 1}, "steps": {"default": 4}},
+                        "passes": {"ssao": {"shader": "ssao"}}, "outputs": {"ao": "ao"})"));
+    sources.add("configs/plain.json",
+                file(R"("extends": ["geometry/drawn", "ssao", "light"], "name": "plain",
+                        "params": {"band": 1.2, "steps": 8, "ambient": 0.5},
+                        "features": {"level": {"type": "enum", "values": ["low", "high"],
+                            "sets": {"low": {"band": 1, "steps": 2, "lit": false}}}},
+                        "passes": {"geometry": {"frustum_scale": "band"}},
+                        "variants": {"bare": {"params": {"band": 1, "radius": 2}}})"));
+    return sources;
+}
+
+MemorySources with(const std::string& members)
+{
+    MemorySources sources = sceneCatalog();
+    sources.add("configs/mine.json", file(members));
+    return sources;
+}
+
+Node mine(const std::string& members, const std::string& variant = "",
+          const std::vector<std::string>& overrides = {})
+{
+    return loaded(with(members), {"mine", variant, overrides});
+}
+
+const char* const kOnHost = R"("extends": ["plain", "geometry/host"])";
+
+}  // namespace
+
+TEST_CASE("A module that replaces a word takes the place of what was named before and needs it")
+{
+    const Node document = mine(kOnHost);
+    CHECK(at(document, "interfaces/surface")->text == "host.glsl");
+    CHECK(at(document, "imports/depth"));
+    CHECK(at(document, "imports/camera"));
+    for (const char* gone :
+         {"imports/scene", "targets/albedo", "passes/geometry", "outputs/color"}) {
+        INFO(gone);
+        CHECK_FALSE(at(document, gone));
+    }
+    CHECK(at(document, "outputs/ao"));
+    for (const char* key : {"needs", "replaces"}) CHECK_FALSE(at(document, key));
+}
+
+TEST_CASE("Values for what is left out go with it, in levels and variants too, and others stay")
+{
+    const Node document = mine(kOnHost, "bare");
+    CHECK_FALSE(at(document, "params/band"));
+    CHECK_FALSE(at(document, "params/ambient"));
+    CHECK(at(document, "params/steps/default")->number == 8);
+    CHECK(at(document, "params/radius/default")->number == 2);
+    const Node* low = at(document, "features/level/sets/low");
+    REQUIRE(low->members.size() == 1);
+    CHECK(low->find("steps"));
+}
+
+TEST_CASE("What is left out is remembered with its reason")
+{
+    const Node document = mine(kOnHost);
+    std::vector<std::string> modules;
+    for (const Member& each : document.deleted) {
+        modules.push_back(each.key);
+        CHECK_THAT(each.value.text, Catch::Contains("'scene', which 'geometry/host"));
+        CHECK(each.key_place.source->name == "configs/mine.json");
+    }
+    CHECK(modules == std::vector<std::string>{"geometry/drawn", "light"});
+}
+
+TEST_CASE("What is named after that module stays, named again too")
+{
+    const Node document = mine(R"("extends": ["plain", "geometry/host", "light"])");
+    CHECK(at(document, "outputs/color"));
+    CHECK(at(document, "params/ambient/default")->number == 0.5);
+    CHECK_FALSE(at(document, "passes/geometry"));
+}
+
+TEST_CASE("A module that extends what replaces its own words takes its place whole")
+{
+    const Node both = mine(R"("extends": ["plain", "geometry/host_normal"])");
+    CHECK(at(both, "imports/normal"));
+    CHECK(at(both, "imports/depth"));
+    const Node again = mine(R"("extends": ["plain", "geometry/host_normal", "geometry/host"])");
+    CHECK(at(again, "imports/depth"));
+    REQUIRE(again.deleted.size() == 2);
+}
+
+TEST_CASE("Named before what it would replace, it is a clash that says where to name it")
+{
+    const Diagnostic error = failure(with(R"("extends": ["geometry/host", "plain"])"), {"mine"});
+    CHECK(error.code == Code::module_clash);
+    CHECK_THAT(error.help, Catch::Contains("name 'geometry/host.json' last in 'extends'"));
+}
+
+TEST_CASE("A value that a later file gives to what was left out is an error that shows where")
+{
+    const MemorySources sources =
+        with(R"("extends": ["plain", "geometry/host"], "params": {"band": 1.5})");
+    const Result<Description> description = decode(loaded(sources, {"mine"}), sources);
+    REQUIRE_FALSE(description);
+    const auto& errors = description.diagnostics();
+    const auto found = std::find_if(errors.begin(), errors.end(), [](const Diagnostic& each) {
+        return each.code == Code::unknown_param;
+    });
+    REQUIRE(found != errors.end());
+    REQUIRE(found->notes.size() == 1);
+    CHECK_THAT(found->notes[0].text, Catch::Contains("left out here"));
+    CHECK(placeName(found->notes[0].place) == "configs/mine.json:1:36");
+}
+
+TEST_CASE("An override with a plus adds a module at the end of what the config extends")
+{
+    const Node document = loaded(sceneCatalog(), {"plain", "", {"+geometry/host", "radius=3"}});
+    CHECK(at(document, "name")->text == "plain");
+    CHECK(document.place.source->name == "configs/plain.json");
+    CHECK_FALSE(at(document, "passes/geometry"));
+    CHECK(at(document, "params/radius/default")->number == 3);
+
+    const Diagnostic missing = failure(sceneCatalog(), {"plain", "", {"+geometry/hots"}});
+    CHECK(missing.code == Code::module_missing);
+    CHECK_THAT(missing.help, Catch::Contains("did you mean 'geometry/host'"));
+    CHECK(missing.place.source->name == "--set +geometry/hots");
+    CHECK(failure(sceneCatalog(), {"plain", "", {"+"}}).code == Code::override_syntax);
+    const Diagnostic gone = failure(sceneCatalog(), {"plain", "", {"+geometry/host", "band=1.5"}});
+    CHECK(gone.code == Code::unknown_param);
+}
+
+TEST_CASE("A module of one's own is added by its path, seen from the current folder")
+{
+    const TemporaryFolder folder("added_module");
+    folder.write("mine.json", file(R"("params": {"radius": 7})"));
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path);
+    const Result<Node> document = loadConfig(sceneCatalog(), {"plain", "", {"+./mine.json"}});
+    std::filesystem::current_path(before);
+    INFO(toText(document.diagnostics()));
+    REQUIRE(document);
+    CHECK(at(*document, "params/radius/default")->number == 7);
+}
+
+TEST_CASE("The words of needs and replaces are a list, and belong into a file")
+{
+    const Diagnostic word = failure(with(R"("extends": ["plain"], "needs": "scene")"), {"mine"});
+    CHECK(word.code == Code::wrong_type);
+    CHECK(word.pointer == "/needs");
+    const Diagnostic number = failure(with(R"("replaces": ["scene", 3])"), {"mine"});
+    CHECK(number.pointer == "/replaces/1");
+    const Diagnostic late = failure(
+        with(R"("extends": ["plain"], "variants": {"a": {"replaces": ["scene"]}})"), {"mine", "a"});
+    CHECK(late.code == Code::unknown_key);
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Shipped configs on what a host has of a surface: the passes that remain, and what is left out.
+#include "tests/support/plan_rig.h"
+#include "tests/support/shipped_subjects.h"
+#include "tools/plan/planning.h"
+
+#include <crevice/config.h>
+#include <crevice/recording_device.h>
+#include <crevice/renderer.h>
+
+using namespace crevice;
+
+namespace {
+
+const char* const kPresets[] = {
+    "mobile_low",    "mobile",    "mobile_temporal", "balanced", "balanced_temporal",
+    "high",          "reference", "quality",         "gtao",     "bitmask",
+    "bitmask_layers"};
+
+/// A module, and the textures that it reads.
+const std::pair<const char*, std::vector<std::string>> kHosts[] = {
+    {"geometry/host_depth", {"depth"}},
+    {"geometry/host_depth_normal", {"depth", "normal"}},
+    {"geometry/host_linear_depth_normal", {"linear_depth", "normal"}},
+    {"geometry/host_log_depth", {"log_depth"}},
+    {"geometry/host_position_normal", {"position", "normal"}},
+};
+
+Description presetOn(const std::string& preset, const std::string& module)
+{
+    MemorySources mine;
+    mine.add("configs/mine.json", R"({"format": 1, "name": "mine", "extends": [")" + preset +
+                                      R"(", ")" + module + "\"]}");
+    const LayeredSources sources({&mine, &shippedSources()});
+    return need(decode(need(loadConfig(sources, {"mine"})), sources));
+}
+
+Plan planOn(const Description& description)
+{
+    CompileOptions options;
+    options.extent = {256, 144};
+    Result<Plan> plan = compile(description, usualTraits(), usualCaps(), options);
+    INFO(toText(plan.diagnostics()));
+    REQUIRE(plan);
+    CHECK(plan.diagnostics().empty());
+    return std::move(*plan);
+}
+
+/// The passes between the scene and the light, by name: among those that are ready the order is
+/// that of the document, which other modules lead.
+std::vector<std::string> occlusionPasses(const Plan& plan)
+{
+    std::vector<std::string> names;
+    for (const PlanPass& pass : plan.passes)
+        if (pass.type == PassType::fullscreen && pass.name != "lighting" &&
+            pass.name != "host_distance")
+            names.push_back(pass.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("Every preset runs on a host's surface: it draws nothing, and computes occlusion as ever")
+{
+    for (const char* preset : kPresets)
+        for (const auto& [module, textures] : kHosts) {
+            INFO(preset << " on " << module);
+            const Plan drawn = planOn(
+                need(decode(need(loadConfig(shippedSources(), {preset})), shippedSources())));
+            const Plan plan = planOn(presetOn(preset, module));
+            CHECK(occlusionPasses(plan) == occlusionPasses(drawn));
+            for (const PlanPass& pass : plan.passes) CHECK(pass.type == PassType::fullscreen);
+            REQUIRE(plan.outputs.size() == 1);
+            CHECK(plan.outputs[0].name == "ao");
+            for (const ImportDesc& import : plan.imports)
+                CHECK((import.type == ImportType::camera ||
+                       std::count(textures.begin(), textures.end(), import.name) == 1));
+            CHECK((elided(plan, "module geometry/back_faces") == nullptr) ==
+                  (findNamed(drawn.passes, "back_faces") == nullptr &&
+                   std::string(preset) != "quality"));
+        }
+}
+
+TEST_CASE("A preset on a host's surface runs with its textures alone, and asks for each")
+{
+    for (const char* preset : kPresets)
+        for (const auto& [module, textures] : kHosts) {
+            INFO(preset << " on " << module);
+            RecordingDevice device(usualCaps());
+            Frame frame;
+            auto renderer = need(Renderer::create(device, presetOn(preset, module),
+                                                  {{64, 36}, {}, {}}, traitsOf(frame)));
+            const Status missing = renderer->render(frame);
+            REQUIRE_FALSE(missing);
+            CHECK(missing.diagnostics().front().code == Code::missing_import);
+            for (const std::string& name : textures) {
+                const TextureId id = need(device.createTexture({name, Format::rgba16f, {64, 36}}));
+                need(device.writeTexture(id, Image({64, 36}, 4)));
+                frame.textures.push_back({name, id});
+            }
+            need(renderer->render(frame));
+            need(renderer->render(frame));
+            CHECK(device.misuse().empty());
+        }
+}
+
+TEST_CASE("What a preset leaves out on a host's surface stands in its plan")
+{
+    const Plan plan = planOn(presetOn("high", "geometry/host_depth_normal"));
+    for (const char* module :
+         {"geometry/depth_normal", "geometry/back_faces", "geometry/second_layer",
+          "lighting/deferred", "lighting/blinn_phong"}) {
+        INFO(module);
+        const Elided* found = elided(plan, std::string("module ") + module);
+        REQUIRE(found);
+        CHECK(found->optimization == "replaced");
+        CHECK_THAT(found->reason, Catch::Contains("'geometry/host_depth_normal"));
+    }
+}
+
+TEST_CASE("Lighting and more may follow a host's surface where the host also hands over draws")
+{
+    MemorySources mine;
+    mine.add("configs/mine.json", R"({"format": 1, "extends": ["balanced", "geometry/host_depth",
+        "geometry/back_faces", "lighting/forward"], "params": {"radius": 1}})");
+    const LayeredSources sources({&mine, &shippedSources()});
+    const Plan plan = planOn(need(decode(need(loadConfig(sources, {"mine"})), sources)));
+    CHECK(findNamed(plan.passes, "lighting"));
+    CHECK_FALSE(findNamed(plan.passes, "geometry"));
+}
+
+TEST_CASE("Every shipped config on a host's depth and normals either runs or says what it lacks")
+{
+    for (const Subject& subject : subjects()) {
+        INFO(subject.config << ' ' << subject.variant);
+        const Result<Node> document = loadConfig(
+            shippedSources(), {subject.config, subject.variant, {"+geometry/host_depth_normal"}});
+        REQUIRE(document);
+        const Result<Description> description = decode(*document, shippedSources());
+        const bool runs =
+            description && compile(*description, usualTraits(), usualCaps(), {{64, 36}, {}, {}});
+        CHECK(runs == (subject.config != "ssdo"));  // which gathers albedo
+    }
+}

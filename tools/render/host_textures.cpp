@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// A host's part of a frame.
+#include "tools/render/host_textures.h"
+
+#include <crevice/shipped.h>
+
+#include "tools/cli/config_options.h"
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+const char* const kHostModule = "bench/host.json";
+
+template <class T>
+T* named(std::vector<T>& all, const std::string& name)
+{
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const T& each) { return each.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+bool isDepth(Format format) { return formatInfo(format).format_class == FormatClass::depth; }
+
+/// Puts the output into the format of the import. A depth format is right for window depth alone;
+/// other imports leave it as the key's default.
+void fitFormat(Description& host, const ImportDesc& import, const DeviceCaps& caps)
+{
+    OutputDesc& output = *named(host.outputs, import.name);
+    const Format format = formatFromName(import.format);
+    const bool window = import.name == "depth";
+    if (isDepth(format) && !window) return;
+    if (!isDepth(format) && window) output.target.name = "host_depth";
+    if (!caps.canRender(format)) return;
+    std::vector<Format>& formats = named(host.targets, output.target.name)->formats;
+    formats.insert(formats.begin(), format);
+}
+
+/// What both have a param of, such as the far plane of logarithms.
+void takeParams(Description& host, const Description& description)
+{
+    for (const ParamDesc& param : description.params)
+        if (ParamDesc* own = named(host.params, param.name))
+            if (param.name != "guard_band") own->value = param.value;
+}
+
+}  // namespace
+
+Result<HostTextures> HostTextures::make(Device& device, const Description& description,
+                                        Extent extent, const Frame& scene)
+{
+    Result<Description> host = loadDescription({kHostModule, {}, {}, {}}, shippedSources());
+    if (!host) return host.diagnostics();
+    HostTextures textures;
+    bool draws = false;
+    for (const ImportDesc& import : description.imports) {
+        draws |= import.type == ImportType::draw_list;
+        if (import.type != ImportType::texture || !findNamed(host->outputs, import.name) ||
+            findNamed(scene.textures, import.name))
+            continue;
+        textures.names_.push_back(import.name);
+        fitFormat(*host, import, device.caps());
+    }
+    if (textures.names_.empty()) return textures;
+    textures.draws_ = draws;
+    takeParams(*host, description);
+    auto renderer =
+        Renderer::create(device, std::move(*host), {extent, textures.names_, {}}, traitsOf(scene));
+    if (!renderer) return renderer.diagnostics();
+    textures.renderer_ = std::move(*renderer);
+    return textures;
+}
+
+Result<Frame> HostTextures::frameOf(const Frame& scene)
+{
+    Frame frame = scene;
+    if (!renderer_) return frame;
+    if (const Status drawn = renderer_->render(scene); !drawn) return drawn.diagnostics();
+    const auto texturesOf = [&](int view, std::vector<ImportedTexture>& textures) {
+        for (const std::string& name : names_)
+            textures.push_back({name, renderer_->output(name, view)});
+    };
+    texturesOf(0, frame.textures);
+    for (std::size_t i = 0; i < frame.other_views.size(); ++i)
+        texturesOf(static_cast<int>(i) + 1, frame.other_views[i].textures);
+    if (!draws_) {
+        frame.draws.clear();
+        frame.materials.clear();
+    }
+    return frame;
+}
+
+}  // namespace crevice
