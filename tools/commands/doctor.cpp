@@ -7,6 +7,7 @@
 #include "tools/device/open_device.h"
 #include "tools/device/poison_device.h"
 #include "tools/render/host_textures.h"
+#include "tools/render/missing_texture.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_health.h"
@@ -188,7 +189,7 @@ int doctor(const DoctorOptions& options)
     if (!view) return report(view.diagnostics(), options.json);
     const Result<Checkup> checkup = checkUp(options, *view, *description, progress);
     progress.wipe();
-    if (!checkup) return report(checkup.diagnostics(), options.json);
+    if (!checkup) return report(withoutHost(checkup.diagnostics(), *description), options.json);
     const Diagnostics found =
         diagnose(*description, checkup->plan, checkup->health, checkup->facts);
     Diagnostics all = found;

@@ -5,6 +5,8 @@
 #include "tools/cli/save_patch.h"
 #include "tools/cli/watched_files.h"
 #include "tools/commands/commands.h"
+#include "tools/render/missing_texture.h"
+#include "tools/render/read_output.h"
 #include "tools/render/session.h"
 #include "tools/render/view_check.h"
 
@@ -34,6 +36,7 @@ struct Summary {
     double create_ms = 0;  ///< Wall clock of planning and compiling.
     double ms = 0;         ///< Wall clock of the first frame, the wait for the GPU included.
     const ProgramFolder* programs = nullptr;  ///< Null without --program-cache.
+    bool first_of_mean = false;  ///< Nobody asked for frames, and the config gathers over them.
 };
 
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
@@ -51,6 +54,9 @@ void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
     else if (programs)
         printMessage("no programs are cached: the driver has no program binaries\n");
     printMessage("drawn in %s ms (wall clock, first frame)\n", fixed(summary.ms, 1).c_str());
+    if (summary.first_of_mean)
+        printMessage("this is frame 1 of a config that accumulates: --frames %d draws its mean\n",
+                     kGatheringFrames);
     for (const Picture& picture : pictures)
         printMessage("wrote %s (%s)\n", printableLine(picture.request.file).c_str(),
                      printableLine(picture.request.name).c_str());
@@ -150,7 +156,8 @@ int watch(const RenderOptions& options, const SourceSet& sources, Session& sessi
     return kExitOk;
 }
 
-Summary summaryOf(const Session& session, const SceneView& view, double ms)
+Summary summaryOf(const RenderOptions& options, const Session& session, const SceneView& view,
+                  double ms)
 {
     const Renderer& renderer = *session.renderer;
     return {renderer.description().name,
@@ -162,7 +169,8 @@ Summary summaryOf(const Session& session, const SceneView& view, double ms)
             renderer.plan().passes.size(),
             session.create_ms,
             ms,
-            session.open.programs.get()};
+            session.open.programs.get(),
+            options.frames == 0 && options.path.empty() && remembers(renderer.plan())};
 }
 
 /// Whether the picture shows ambient occlusion; of two eyes, the left one's.
@@ -185,7 +193,7 @@ void showSummary(const RenderOptions& options, Session& session, const SceneView
 {
     append(warnings, checkPicture(session, view, pictures));
     if (session.open.programs) append(warnings, session.open.programs->warnings());
-    const Summary summary = summaryOf(session, view, ms);
+    const Summary summary = summaryOf(options, session, view, ms);
     if (options.json) return printJson(summary, pictures, warnings);
     report(warnings, false);
     printSummary(summary, pictures);
@@ -216,7 +224,7 @@ int render(const RenderOptions& options)
                               : moves  ? drawPath(options, *view, *session, *pictures)
                                        : draw(options, *session, *pictures);
     progress.wipe();
-    if (!ms) return report(ms.diagnostics(), options.json);
+    if (!ms) return report(withoutHost(ms.diagnostics(), *description), options.json);
 
     const Status written = moves ? Status() : writePictures(*pictures);
     if (!written) return report(written.diagnostics(), options.json);

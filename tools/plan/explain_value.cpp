@@ -39,18 +39,39 @@ std::string initialWord(const Node& feature)
     return !value ? "false" : value->kind == Node::Kind::boolean ? brief(*value) : value->text;
 }
 
+bool isBareName(const Node& document, const std::vector<std::string>& parts)
+{
+    return parts.size() == 1 && !document.find(parts[0]);
+}
+
+/// The default of the param or feature of that name; empty where there is none.
+std::vector<std::string> defaultPath(const Node& document, const std::string& name)
+{
+    for (const char* group : {"params", "features"}) {
+        const Node* values = document.find(group);
+        if (values && values->find(name)) return {group, name, "default"};
+    }
+    return {};
+}
+
 /// "radius" stands for the default of the param or feature of that name, or for the value at the
 /// initial level that sets it.
 std::vector<std::string> expandBareName(const Node& document, std::vector<std::string> parts)
 {
-    if (parts.size() != 1 || document.find(parts[0])) return parts;
+    if (!isBareName(document, parts)) return parts;
     for (const std::vector<std::string>& path : levelPaths(document, parts[0]))
         if (initialWord(*document.find("features")->find(path[1])) == path[3]) return path;
-    for (const char* group : {"params", "features"}) {
-        const Node* values = document.find(group);
-        if (values && values->find(parts[0])) return {group, parts[0], "default"};
-    }
-    return parts;
+    const std::vector<std::string> path = defaultPath(document, parts[0]);
+    return path.empty() ? parts : path;
+}
+
+/// "imports.velocity" for "velocity": what has that name in some section of the document.
+std::vector<std::string> pathsTo(const Node& document, const std::string& name)
+{
+    std::vector<std::string> paths;
+    for (const Member& section : document.members)
+        if (section.value.find(name)) paths.push_back("'" + section.key + "." + name + "'");
+    return paths;
 }
 
 const Node* child(const Node& node, const std::string& part)
@@ -86,6 +107,24 @@ std::string pointerOf(const std::vector<std::string>& parts)
     return pointer;
 }
 
+/// The value that the path leads to, or null.
+const Node* nodeAt(const Node& document, const std::vector<std::string>& path)
+{
+    const Node* node = &document;
+    for (const std::string& part : path) node = node ? child(*node, part) : nullptr;
+    return node;
+}
+
+/// What a bare name finds where a level sets it: the default, unless that is the same value.
+std::vector<FoundValue> overruledBy(const Node& document, const std::string& name,
+                                    const FoundValue& found)
+{
+    const std::vector<std::string> path = defaultPath(document, name);
+    const Node* node = path.empty() ? nullptr : nodeAt(document, path);
+    if (!node || brief(*node) == brief(*found.node)) return {};
+    return {{pointerOf(path), node}};
+}
+
 /// The text at a place, or "" where the place is nowhere.
 std::string textAt(const Place& place)
 {
@@ -106,6 +145,7 @@ std::vector<Place> placesOf(const Node& node)
 nlohmann::json jsonOf(const FoundValue& value)
 {
     nlohmann::json places = nlohmann::json::array(), members = nlohmann::json::array();
+    nlohmann::json overruled = nlohmann::json::array();
     for (const Place& place : placesOf(*value.node))
         places.push_back({{"file", place.source ? place.source->name : ""},
                           {"line", place.line},
@@ -113,8 +153,10 @@ nlohmann::json jsonOf(const FoundValue& value)
                           {"text", textAt(place)}});
     for (const Member& member : value.node->members)
         members.push_back(jsonOf({memberPointer(value.pointer, member.key), &member.value}));
+    for (const FoundValue& each : value.overruled) overruled.push_back(jsonOf(each));
     nlohmann::json json = {
         {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
+    if (!overruled.empty()) json["overruled"] = overruled;
     if (!members.empty()) json["members"] = members;
     return json;
 }
@@ -183,7 +225,8 @@ std::optional<UnsetValue> findBound(const Plan& plan, const std::vector<std::str
 Result<FoundValue> findValue(const Node& document, const std::string& path)
 {
     FoundValue found{{}, &document};
-    for (const std::string& part : expandBareName(document, partsOf(path))) {
+    const std::vector<std::string> parts = partsOf(path);
+    for (const std::string& part : expandBareName(document, parts)) {
         const Node* next = child(*found.node, part);
         if (!next) {
             Diagnostic error{Code::reference_missing,
@@ -198,10 +241,13 @@ Result<FoundValue> findValue(const Node& document, const std::string& path)
                     if (const Node* all = document.find(section))
                         for (const Member& each : all->members) names.push_back(each.key);
             error.help = suggestName(part, std::move(names), "keys");
+            if (const auto paths = pathsTo(document, part); !paths.empty() && parts.size() == 1)
+                error.help = "did you mean " + joined(paths, " or ") + "?";
             return error;
         }
         found = {memberPointer(found.pointer, part), next};
     }
+    if (isBareName(document, parts)) found.overruled = overruledBy(document, parts[0], found);
     return found;
 }
 
@@ -242,6 +288,7 @@ std::string explainText(const FoundValue& value)
         text += (what.empty() ? "" : ": " + what) + '\n';
         verb = "before that";
     }
+    for (const FoundValue& each : value.overruled) text += "and not " + explainText(each);
     return text;
 }
 

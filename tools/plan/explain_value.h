@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace crevice {
 
@@ -14,11 +15,14 @@ namespace crevice {
 struct FoundValue {
     std::string pointer;
     const Node* node = nullptr;  ///< Into the document that was searched.
+    /// Where a level sets it by its bare name, the default that counts for nothing, if that is
+    /// another value; else empty.
+    std::vector<FoundValue> overruled = {};
 };
 
 /// Finds "/passes/ssao/inputs/depth", "passes.ssao.inputs.depth", or a param's or feature's default
 /// by its bare name.
-/// Errors: CV2102 that names the last part found and what it holds.
+/// Errors: CV2102 that names the last part found and what it holds, or what else has the name.
 Result<FoundValue> findValue(const Node& document, const std::string& path);
 
 /// What holds for a path that no file sets: a sampler or uniform that binds by its name, or the
@@ -34,13 +38,14 @@ struct UnsetValue {
 std::optional<UnsetValue> findUnset(const Node& document, const std::string& path,
                                     const Plan* plan);
 
-/// The value, and each place that set it, the newest first; of an object, those of all values in
-/// it.
+/// The value, and each place that set it, the newest first, then the same of what it overrules; of
+/// an object, those of all values in it.
 std::string explainText(const FoundValue& value);
 std::string explainText(const UnsetValue& value);
 
 /// The same as {"pointer", "value", "places": [{"file", "line", "column", "text"}]}, where an
-/// object has "members", a list of these, and what is not set has "reason".
+/// object has "members" and what overrules a default "overruled", lists of these, and what is not
+/// set has "reason".
 std::string explainJson(const FoundValue& value);
 std::string explainJson(const UnsetValue& value);
 

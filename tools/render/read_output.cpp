@@ -5,11 +5,6 @@
 #include <algorithm>
 
 namespace crevice {
-namespace {
-
-constexpr int kGatheringFrames = 32;
-
-}  // namespace
 
 bool remembers(const Plan& plan)
 {

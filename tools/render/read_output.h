@@ -8,6 +8,9 @@
 
 namespace crevice {
 
+/// Frames of a still view by when a mean over frames has gathered what it can.
+constexpr int kGatheringFrames = 32;
+
 /// Reads a view's output back. One that the plan found to be constant has a single texel, spread
 /// out here over the plan's extent. Requires an output that the renderer was made for, and a frame
 /// drawn.
@@ -19,9 +22,8 @@ Result<Image> readOutput(Device& device, const Renderer& renderer, std::string_v
 /// Whether what a frame shows depends on the frames before it.
 bool remembers(const Plan& plan);
 
-/// Draws the frame and reads an output. A plan with histories draws it 32 times, by when a mean
-/// over frames has gathered what it can, so that the picture does not depend on what was drawn
-/// before.
+/// Draws the frame and reads an output. A plan with histories draws it kGatheringFrames times, so
+/// that the picture does not depend on what was drawn before.
 ///
 /// Errors: those of Renderer::render and of readOutput.
 Result<Image> drawSettled(Device& device, Renderer& renderer, const Frame& frame,

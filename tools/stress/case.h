@@ -60,8 +60,9 @@ struct StressShot {
     bool traceable = true;     ///< What is drawn is the scene as a ray tracer sees it.
 
     /// Drawn before, first to last, for what a config keeps from frame to frame; where that is
-    /// empty, three frames of the same.
+    /// empty and nothing is cut, three frames of the same.
     std::vector<StressFrame> before = {};
+    bool cut = false;  ///< Told that `before` does not apply.
 
     /// Of a frame of two views the one that counts; the other sees through `other_view`.
     int view = 0;

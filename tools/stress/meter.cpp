@@ -98,12 +98,12 @@ std::vector<Frame> framesOf(const StressShot& shot, const Frame& last, bool reme
             item.world_from_model = to_origin * item.world_from_model;
         for (Light& light : frame.lights) light.position -= each.origin;
         frame.camera.view_from_world *= glm::inverse(to_origin);
-        frame.camera_cut = each.cut;
         frames.insert(frames.end(), each.times, frame);
     }
     // Later frames read what the first left in histories; a mean of four has half of its noise.
-    if (remembers && shot.before.empty()) frames.resize(3, last);
+    if (remembers && shot.before.empty() && !shot.cut) frames.resize(3, last);
     frames.push_back(last);
+    frames.back().camera_cut = shot.cut;
     return frames;
 }
 
@@ -290,7 +290,8 @@ Result<StressMeter::Drawn> StressMeter::draw(const StressTask& task, const Stres
     const Result<Plan> plan =
         compile(ready->description, traitsOf(*hosted), poison_->caps(), ready->options);
     if (!plan) return plan.diagnostics();
-    if (!shot.before.empty() && !settles && !remembers(*plan)) {
+    const bool needs_history = (!shot.before.empty() || shot.cut) && !settles;
+    if (needs_history && !remembers(*plan)) {
         drawn.absent = "it keeps nothing from frame to frame";
         return drawn;
     }

@@ -41,6 +41,11 @@ check "a path begins elsewhere" test "$(cmp path_00.pfm path_01.pfm)"
 expect 0 'wrote' render gtao_temporal "${small[@]}" --path still --frames 8 --out ao=path_%d.pfm
 expect 0 'wrote' render gtao_temporal "${small[@]}" --frames 8 --out ao=end.pfm
 check "a path keeps the history of its frames" cmp -s path_7.pfm end.pfm
+check "frames that were asked for need no note" bash -c '! grep accumulates stderr.txt'
+expect 0 'frame 1 of a config that accumulates: --frames 32' render gtao_temporal "${small[@]}" --out ao=first.pfm
+expect 1 'CV6010' render gtao_temporal "${small[@]}" --set host_velocity=true --out ao=end.pfm
+check "what no command supplies comes with a way out" grep -q 'help: .* --set host_velocity=false' stderr.txt
+expect 1 'set host_velocity=false' doctor gtao_temporal "${small[@]}" --set host_velocity=true
 expect 0 'wrote color_%03d.png' render gtao "${small[@]}" --path strafe
 check "a path has 32 frames unless told" test -s color_031.png
 

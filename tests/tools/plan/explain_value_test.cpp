@@ -73,6 +73,34 @@ TEST_CASE("the bare name of what a level sets is its value at the initial level,
     CHECK(misspelt.diagnostics().at(0).help.find("'steps'") != std::string::npos);
 }
 
+TEST_CASE("a default that the initial level overrules is told with the places that set it")
+{
+    Node document = need(parseDocument(std::make_shared<const SourceText>(
+        SourceText{"levels.json",
+                   "{\"features\": {\"quality\": {\"values\": [\"low\"],\n"
+                   "\"sets\": {\"low\": {\"steps\": 4}}}}}"})));
+    const auto withDefault = [&](const char* text) {
+        Node own = document;
+        Diagnostics diagnostics;
+        mergePatch(own, parsed("mine.json", text), diagnostics);
+        return own;
+    };
+    const Node mine = withDefault(R"({"params": {"steps": {"default": 8}}})");
+    CHECK(explainText(need(findValue(mine, "steps"))) ==
+          "/features/quality/sets/low/steps is 4\n"
+          "  set by levels.json:2:27: 4\n"
+          "and not /params/steps/default is 8\n"
+          "  set by mine.json:1:34: 8\n");
+    const std::string json = explainJson(need(findValue(mine, "steps")));
+    CHECK(json.find("\"overruled\"") != std::string::npos);
+    const Node same = withDefault(R"({"params": {"steps": {"default": 4}}})");
+    for (const FoundValue& value :
+         {need(findValue(same, "steps")), need(findValue(mine, "params.steps.default"))}) {
+        CHECK(explainText(value).find("and not") == std::string::npos);
+        CHECK(explainJson(value).find("overruled") == std::string::npos);
+    }
+}
+
 TEST_CASE("pointers reach into arrays and escape slashes and tildes")
 {
     const Node document = mergedDocument();
@@ -97,6 +125,19 @@ TEST_CASE("what is not there is reported with the keys that are")
     CHECK(wrong.diagnostics().front().code == Code::reference_missing);
     CHECK(wrong.diagnostics().front().pointer == "/params");
     CHECK(wrong.diagnostics().front().help.find("did you mean 'radius'") != std::string::npos);
+}
+
+TEST_CASE("a bare name of neither a param nor a feature leads to what has that name")
+{
+    const Node document = parsed("base.json", R"({
+  "imports": { "velocity": { "type": "texture" } },
+  "passes": { "ssao": {} }, "shaders": { "ssao": {} } })");
+    const auto helpFor = [&](const char* name) {
+        return findValue(document, name).diagnostics().at(0).help;
+    };
+    CHECK(helpFor("velocity") == "did you mean 'imports.velocity'?");
+    CHECK(helpFor("ssao") == "did you mean 'passes.ssao' or 'shaders.ssao'?");
+    CHECK(helpFor("passes.velocity").find("imports") == std::string::npos);
 }
 
 TEST_CASE("the places that set a value come newest first, each with its text")

@@ -75,7 +75,6 @@ void addFrame(ContentHash& hash, const StressFrame& frame)
     addCamera(hash, frame.camera);
     addVector(hash, frame.moved);
     addVector(hash, frame.origin);
-    hash.add(frame.cut);
     hash.add(frame.times);
 }
 
@@ -211,6 +210,7 @@ std::string hashOf(const StressShot& shot)
     for (int i = 0; i < 2; ++i) hash.add(shot.moved[i]);
     hash.add(shot.border_px);
     for (const StressFrame& frame : shot.before) addFrame(hash, frame);
+    hash.add(shot.cut);
     hash.add(shot.view);
     if (shot.other_view) addCamera(hash, *shot.other_view);
     hash.addText(shot.output);
