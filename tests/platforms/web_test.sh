@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds the page of tools/examples/web, draws `mobile` and `balanced` by it in headless Chromium, and compares them
+# with this machine's pictures of the same scene and camera: 99 % of the pixels differ by at most 2/255. Prints the
+# size of the page's WebAssembly. Exit code 77 (skipped) where there is no Emscripten or Chromium, 1 with
+# CREVICE_REQUIRE_BROWSER set.
+#   web_test.sh BUILD [CONFIG...]   this machine's build; other configs
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+picture=$(realpath -- "$1")/tests/platforms/crevice_picture
+configs=("${@:2}")
+((${#configs[@]})) || configs=(mobile balanced)
+page=$(cd -- "$here/../.." && pwd)/build/web/tools/examples/web
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+if [[ -z $browser ]] || ! command -v em++ >/dev/null; then
+    echo "SKIPPED: no chromium or no em++; apt-get install chromium emscripten"
+    [[ -n ${CREVICE_REQUIRE_BROWSER:-} ]] && exit 1 || exit 77
+fi
+"$here/../../tools/scripts/web.sh"
+source "$here/../support/cli_checks.sh"
+
+width=320 height=180
+sed "s/width=\"640\" height=\"360\"/width=\"$width\" height=\"$height\"/; s#src=\"#src=\"file://$page/#" \
+    "$page/index.html" >probe.html
+{
+    printf '<script>\nconst configs = "%s".split(" ");\n' "${configs[*]}"
+    cat "$here/web_probe.js"
+    printf '</script>\n'
+} >>probe.html
+timeout 300 "$browser" --headless --no-sandbox --disable-gpu-sandbox --use-gl=angle \
+    --use-angle=swiftshader --enable-unsafe-swiftshader --no-first-run --disable-quic \
+    --disable-background-networking --disable-component-update --disable-sync --disable-extensions \
+    --allow-file-access-from-files --user-data-dir="$work/profile" --virtual-time-budget=60000 \
+    --enable-logging=stderr --dump-dom "file://$work/probe.html" >page.html 2>browser.log || cat browser.log
+
+for config in "${configs[@]}"; do
+    sed -n "s/.*<pre id=\"pixels_$config\">//p" page.html | base64 --decode >"$config.web"
+    "$picture" "$config" "$width" "$height" "$config.native"
+    check "$config in the browser is within 2/255 of the native picture in 99 % of pixels" \
+        /usr/bin/python3 "$here/compare.py" "$config.web" "$config.native" 2 99
+done
+grep 'CONSOLE.*WebGL' browser.log >refused.txt || true  # what WebGL refuses, or calls slow
+check "WebGL has nothing to say to how the page draws" test ! -s refused.txt
+((failures == 0)) || sed -n 's/.*<pre id="message">//p' page.html | cat refused.txt -
+printf 'crevice_web.wasm: %d bytes, %d with gzip -9\n' \
+    "$(stat -c %s "$page/crevice_web.wasm")" "$(gzip -9c "$page/crevice_web.wasm" | wc -c)"
+finish
