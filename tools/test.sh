@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
 # docs/bench, the pictures of docs/methods, faults planted in shaders, the tests without GL under
-# sanitizers, a build with clang, and a minute of fuzzing.
+# sanitizers, a build with clang, a minute of fuzzing, and crevice in a browser and on ARM.
 # Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it
@@ -45,10 +45,21 @@ sanitized_tests() {
         cmake --build --preset asan --target crevice_tests &&
         build/asan/tests/crevice_tests
 }
-debian_packages() {
+# Runs a command that exits with 77 where this machine lacks something, and says so itself.
+or_skipped() {
     local code=0
-    CREVICE_CMAKE_OPTIONS=-DCREVICE_WERROR=ON tools/scripts/debian_packages.sh || code=$?
+    "$@" || code=$?
     ((code == 0 || code == 77))
+}
+debian_packages() {
+    CREVICE_CMAKE_OPTIONS=-DCREVICE_WERROR=ON or_skipped tools/scripts/debian_packages.sh
+}
+web_page() {
+    or_skipped tests/platforms/web_test.sh build/ci
+}
+arm() {
+    or_skipped tests/platforms/arm_test.sh aarch64-linux-gnu build/ci &&
+        or_skipped tests/platforms/arm_test.sh arm-linux-gnueabihf build/ci
 }
 planted_faults() {
     tests/tools/stress/mutations_test.sh build/ci/tools/crevice .
@@ -68,6 +79,8 @@ if $quick; then
     stage "All tests" all_tests
 else
     tools/scripts/install_packages.sh chromium clang
+    tools/scripts/install_packages.sh emscripten g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static ||
+        echo "test.sh: the stages of WebGL 2 and ARM say what they lack" >&2
     stage "All tests" all_tests
     stage "Errors against docs/bench" guard
     stage "Pictures in docs/methods" pictures
@@ -75,6 +88,8 @@ else
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Build with clang" clang_build
     stage "Debian packages" debian_packages
+    stage "WebGL 2 in a browser" web_page
+    stage "arm64 and armv7, under qemu" arm
     stage "Fuzzers, 30 seconds each" fuzzers
 fi
 
