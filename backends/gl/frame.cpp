@@ -160,6 +160,11 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
 {
     if (Status status = check_errors_ ? checkCurrent() : Status(); !status) return status;
     if (Status status = checkReadable(*this, id); !status) return status;
+    if (host.extent.width <= 0 || host.extent.height <= 0)
+        return Diagnostic{Code::bad_input,
+                          "the rectangle to draw into is " + std::to_string(host.extent.width) +
+                              "x" + std::to_string(host.extent.height) + " pixels",
+                          "give its extent, at least 1x1"};
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
     if (Status status = state_.checkHost(check_errors_); !status) return status;

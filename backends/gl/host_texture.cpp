@@ -282,6 +282,9 @@ Status checkKind(const HostTexture& host)
         return misfit(host, "has no format or size", "set HostTexture::format and extent");
     if (host.kind == HostTexture::Kind::framebuffer && !isDepth(host))
         return misfit(host, "is asked for colour", "hand over the texture that it draws into");
+    if (host.samples < 1)
+        return misfit(host, "has " + std::to_string(host.samples) + " samples a pixel",
+                      "set HostTexture::samples to 1 or more");
     if (host.copied() && (host.x < 0 || host.y < 0 || host.layer < 0))
         return misfit(host, "is asked for a part below 0", "x, y and layer count from 0");
     return {};

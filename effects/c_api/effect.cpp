@@ -90,26 +90,62 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
     return {};
 }
 
-/// Errors: CV6011 for a name that is no format's.
-Status checkFormat(const crevice_texture& texture)
+/// Errors: CV6011 for a name that is no format's, and for a kind that there is not.
+Status checkTexture(const crevice_texture& texture)
 {
     if (Status given = checkGiven(texture.format, "the texture's format"); !given) return given;
-    if (formatFromName(texture.format) != Format::none) return {};
-    return Diagnostic{Code::bad_input, "there is no format '" + std::string(texture.format) + "'",
-                      suggestName(texture.format, formatNames(), "formats")};
+    if (formatFromName(texture.format) == Format::none)
+        return Diagnostic{Code::bad_input,
+                          "there is no format '" + std::string(texture.format) + "'",
+                          suggestName(texture.format, formatNames(), "formats")};
+    const int kind = texture.kind;
+    if (kind >= CREVICE_TEXTURE && kind <= CREVICE_FRAMEBUFFER) return {};
+    return Diagnostic{Code::bad_input,
+                      "a texture's kind is " + std::to_string(kind) + ", which there is not",
+                      "take one of crevice_texture_kind, such as CREVICE_LAYER"};
 }
 
-Result<PlanTexture> textureOf(const crevice_effect& effect, const char* name)
+HostTexture::Kind kindOf(crevice_texture_kind kind)
 {
-    const Plan& plan = const_cast<Effect&>(*effect.effect).renderer().plan();
-    for (const PlanOutput& output : plan.outputs) {
-        if (output.name != name) continue;
-        if (output.target >= 0) return plan.textures[plan.targets[output.target].texture];
-        PlanTexture constant;
-        constant.format = Format::rgba8;
-        constant.extent = {1, 1};
-        return constant;
+    switch (kind) {
+    case CREVICE_LAYER: return HostTexture::Kind::layer;
+    case CREVICE_RENDERBUFFER: return HostTexture::Kind::renderbuffer;
+    case CREVICE_FRAMEBUFFER: return HostTexture::Kind::framebuffer;
+    default: return HostTexture::Kind::texture;
     }
+}
+
+HostTexture hostTexture(const crevice_texture& texture)
+{
+    HostTexture host;
+    host.name = texture.name;
+    host.format = formatFromName(texture.format);
+    host.extent = {texture.width, texture.height};
+    host.samples = texture.samples == 0 ? 1 : texture.samples;
+    host.kind = kindOf(texture.kind);
+    host.layer = texture.layer;
+    host.part = texture.part;
+    host.x = texture.x;
+    host.y = texture.y;
+    return host;
+}
+
+HostFramebuffer hostFramebuffer(const crevice_target& target)
+{
+    HostFramebuffer host;
+    host.name = target.framebuffer;
+    host.texture = target.texture;
+    host.level = target.level;
+    host.x = target.x;
+    host.y = target.y;
+    host.extent = {target.width, target.height};
+    return host;
+}
+
+Result<OutputTexture> outputOf(const crevice_effect& effect, const char* name)
+{
+    const OutputTexture texture = effect.effect->outputTexture(name);
+    if (texture.format != Format::none) return texture;
     return Diagnostic{Code::reference_missing,
                       "the effect has no output '" + std::string(name) + "'",
                       suggestName(name, effect.loaded->outputs, "outputs")};
@@ -122,10 +158,10 @@ Status checkOutput(const crevice_effect* effect, const char* name)
 
 Status getOutput(const crevice_effect& effect, const char* name, crevice_output& output)
 {
-    const Result<PlanTexture> texture = textureOf(effect, name);
+    const Result<OutputTexture> texture = outputOf(effect, name);
     if (!texture) return texture.diagnostics();
     const FormatInfo& format = formatInfo(texture->format);
-    output.texture = effect.effect->nativeName(name);
+    output.texture = texture->native_name;
     output.format = format.name;
     output.channels = format.channels;
     output.width = texture->extent.width;
@@ -135,7 +171,7 @@ Status getOutput(const crevice_effect& effect, const char* name, crevice_output&
 
 Status readOutput(const crevice_effect& effect, const char* name, float* pixels, std::size_t count)
 {
-    const Result<PlanTexture> texture = textureOf(effect, name);
+    const Result<OutputTexture> texture = outputOf(effect, name);
     if (!texture) return texture.diagnostics();
     const Result<Image> image = effect.device->readTexture(effect.effect->output(name));
     if (!image) return image.diagnostics();
@@ -217,17 +253,23 @@ crevice_error* crevice_effect_shift_origin(crevice_effect* effect, const double*
     });
 }
 
+crevice_error* crevice_effect_set_clip_control(crevice_effect* effect, bool zero_to_one,
+                                               bool upper_left)
+{
+    return onEffect(effect, [&] {
+        effect->effect->setClipControl({zero_to_one, upper_left});
+        return Status();
+    });
+}
+
 crevice_error* crevice_effect_set_texture(crevice_effect* effect, const char* import,
                                           const crevice_texture* texture)
 {
     return onEffect(effect, [&] {
         Status given = firstOf(checkGiven(import, "the import's name"),
                                checkStruct(texture, "crevice_texture"));
-        if (given) given = checkFormat(*texture);
-        return given ? effect->effect->setTexture(import, texture->name,
-                                                  formatFromName(texture->format),
-                                                  {texture->width, texture->height})
-                     : given;
+        if (given) given = checkTexture(*texture);
+        return given ? effect->effect->setTexture(import, hostTexture(*texture)) : given;
     });
 }
 
@@ -281,6 +323,16 @@ crevice_error* crevice_effect_get_output(const crevice_effect* effect, const cha
         const Status given =
             firstOf(checkOutput(effect, name), checkStruct(output, "crevice_output"));
         return given ? getOutput(*effect, name, *output) : given;
+    });
+}
+
+crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
+                                      const crevice_target* target)
+{
+    return onEffect(effect, [&] {
+        const Status given =
+            firstOf(checkGiven(name, "the output's name"), checkStruct(target, "crevice_target"));
+        return given ? effect->effect->present(name, hostFramebuffer(*target)) : given;
     });
 }
 

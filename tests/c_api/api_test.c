@@ -61,6 +61,7 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_set_view(NULL, NULL));
     EXPECT(none, crevice_effect_cut(NULL));
     EXPECT(none, crevice_effect_shift_origin(NULL, NULL));
+    EXPECT(none, crevice_effect_set_clip_control(NULL, true, false));
     EXPECT(none, crevice_effect_set_texture(NULL, "depth", NULL));
     EXPECT(none, crevice_effect_set_param(NULL, "radius", NULL, 1));
     EXPECT(none, crevice_effect_set_feature(NULL, "quality", NULL));
@@ -68,6 +69,7 @@ static void check_nulls(void)
     CHECK(crevice_effect_output_count(NULL) == 0);
     CHECK(crevice_effect_output_name(NULL, 0)[0] == 0);
     EXPECT(none, crevice_effect_get_output(NULL, "ao", NULL));
+    EXPECT(none, crevice_effect_present(NULL, "ao", NULL));
     EXPECT(none, crevice_effect_read_output(NULL, "ao", NULL, 0));
     CHECK(crevice_effect_param_count(NULL) == 0);
     EXPECT(none, crevice_effect_get_param(NULL, 0, NULL));
@@ -83,6 +85,7 @@ static void check_nulls_of(crevice_effect* effect)
 {
     const int none = 6011;
     crevice_texture texture = {.struct_size = sizeof texture};
+    crevice_target target = {.struct_size = sizeof target};
     EXPECT(0, crevice_effect_reload(effect, NULL));
     EXPECT(none, crevice_effect_set_projection(effect, NULL));
     EXPECT(none, crevice_effect_set_view(effect, NULL));
@@ -94,6 +97,8 @@ static void check_nulls_of(crevice_effect* effect)
     EXPECT(none, crevice_effect_set_param(effect, "radius", NULL, 1));
     EXPECT(none, crevice_effect_set_feature(effect, "quality", NULL));
     EXPECT(none, crevice_effect_get_output(effect, NULL, NULL));
+    EXPECT(none, crevice_effect_present(effect, NULL, &target));
+    EXPECT(none, crevice_effect_present(effect, "ao", NULL));
     EXPECT(none, crevice_effect_read_output(effect, "ao", NULL, 0));
     EXPECT(none, crevice_effect_get_patch(effect, NULL));
 }
@@ -106,6 +111,7 @@ static void check_sizes(crevice_device* device, crevice_effect* effect)
         crevice_effect_desc desc = {.struct_size = wrong};
         crevice_texture texture = {.struct_size = wrong};
         crevice_output output = {.struct_size = wrong};
+        crevice_target target = {.struct_size = wrong};
         crevice_param param = {.struct_size = wrong};
         crevice_feature feature = {.struct_size = wrong};
         crevice_import import = {.struct_size = wrong};
@@ -117,6 +123,7 @@ static void check_sizes(crevice_device* device, crevice_effect* effect)
         CHECK(other_effect == NULL && other_device == NULL);
         EXPECT(6011, crevice_effect_set_texture(effect, "depth", &texture));
         EXPECT(6011, crevice_effect_get_output(effect, "ao", &output));
+        EXPECT(6011, crevice_effect_present(effect, "ao", &target));
         EXPECT(6011, crevice_effect_get_param(effect, 0, &param));
         EXPECT(6011, crevice_effect_get_feature(effect, 0, &feature));
         EXPECT(6011, crevice_effect_get_import(effect, 0, &import));

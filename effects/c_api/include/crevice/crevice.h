@@ -239,18 +239,44 @@ CREVICE_API crevice_error* crevice_effect_cut(crevice_effect* effect);
 /// Three doubles, in scene units.
 CREVICE_API crevice_error* crevice_effect_shift_origin(crevice_effect* effect, const double* shift);
 
-/// A GL_TEXTURE_2D of yours.
+/// The clip control (glClipControl) that the projection is made for and your textures were drawn
+/// with: depth from 0 to 1 in clip space, and row 0 at its top. Default: as it is when
+/// crevice_effect_render is called.
+CREVICE_API crevice_error* crevice_effect_set_clip_control(crevice_effect* effect, bool zero_to_one,
+                                                           bool upper_left);
+
+/// What a picture lies in.
+typedef enum crevice_texture_kind {
+    CREVICE_TEXTURE,       ///< GL_TEXTURE_2D, or with samples GL_TEXTURE_2D_MULTISAMPLE,
+    CREVICE_LAYER,         ///< ... one `layer` of a GL_TEXTURE_2D_ARRAY,
+    CREVICE_RENDERBUFFER,  ///< ... a renderbuffer,
+    CREVICE_FRAMEBUFFER    ///< ... or the depth of a framebuffer; 0 is the default one.
+} crevice_texture_kind;
+
+/// A picture of yours, to be read.
 typedef struct crevice_texture {
     size_t struct_size;
-    uint32_t name;       ///< The GLuint.
-    const char* format;  ///< As configs have it: "depth16", "depth24", "depth32f", "rgba8" ...
-    int width, height;   ///< In pixels.
+    uint32_t name;  ///< The GLuint.
+
+    /// As configs have it: "depth16", "depth24" (with a stencil or without), "depth32f" (likewise),
+    /// "rgba8" ...
+    const char* format;
+    int width, height;  ///< Of the picture, in pixels.
+    crevice_texture_kind kind;
+    int layer;    ///< From 0.
+    int samples;  ///< A pixel, of a texture; 0 is 1. All else is resolved.
+
+    /// The picture is a part of a larger one, and its lower left pixel is (x, y).
+    bool part;
+    int x, y;
 } crevice_texture;
 
-/// Hands over a texture for an import of the config. It must live for as long as it is rendered
-/// from; its content may change with every frame. Costs nothing where all is as before.
+/// Hands over a picture for an import of the config. It must live for as long as it is rendered
+/// from; its content may change with every frame. Costs nothing where all is as before. A whole
+/// texture is read where it is; of all else crevice_effect_render takes a copy, one blit a frame.
 ///
-/// Errors: CV2102 for a name that the config does not import, CV6011 for what is no such texture.
+/// Errors: CV2102 for a name that the config does not import; CV6011, with the reason, where the
+/// picture is not what it is said to be; CV6014, CV6017. The one of before stays.
 CREVICE_API crevice_error* crevice_effect_set_texture(crevice_effect* effect, const char* import,
                                                       const crevice_texture* texture);
 
@@ -294,6 +320,25 @@ CREVICE_API const char* crevice_effect_output_name(const crevice_effect* effect,
 /// Errors: CV2102 for an unknown name.
 CREVICE_API crevice_error* crevice_effect_get_output(const crevice_effect* effect, const char* name,
                                                      crevice_output* output);
+
+/// What an output is drawn into, and where in it.
+typedef struct crevice_target {
+    size_t struct_size;
+    uint32_t framebuffer;  ///< The GLuint; 0 is the default one.
+    uint32_t texture;      ///< A GL_TEXTURE_2D instead of a framebuffer, where it is not 0.
+    int level;             ///< ... of which this level is drawn into.
+    int x, y;              ///< The rectangle's lower left pixel.
+    int width, height;     ///< Of the rectangle, in pixels, above 0.
+} crevice_target;
+
+/// Draws an output into a rectangle of a framebuffer or texture of yours, scaled: all channels that
+/// it has, 0 for others, alpha 1. To half the size, each pixel is the mean of four. The rest stays
+/// as it is.
+///
+/// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels, CV6005 where GL draws
+/// into no such target, CV6004, CV6017.
+CREVICE_API crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
+                                                  const crevice_target* target);
 
 /// Reads an output into width * height * channels floats, rows from the bottom up. Waits for the
 /// GPU: for tests and tools.
