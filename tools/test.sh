@@ -3,6 +3,7 @@
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
 # docs/bench, the pictures of docs/methods, faults planted in shaders, the tests without GL under
 # sanitizers, a build with clang, a minute of fuzzing, and crevice in a browser and on ARM.
+# sanitizers, threads under the thread sanitizer, a build with clang, and a minute of fuzzing.
 # Warnings are errors everywhere. Safe to run again.
 #
 #   tools/test.sh          all of it
@@ -47,6 +48,11 @@ sanitized_tests() {
 }
 # Runs a command that exits with 77 where this machine lacks something, and says so itself.
 or_skipped() {
+threads() {
+    cmake --preset tsan -DCREVICE_WERROR=ON && cmake --build --preset tsan &&
+        build/tsan/tests/crevice_thread_tests
+}
+debian_packages() {
     local code=0
     "$@" || code=$?
     ((code == 0 || code == 77))
@@ -86,6 +92,7 @@ else
     stage "Pictures in docs/methods" pictures
     stage "Faults planted in shaders, which stress must find" planted_faults
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
+    stage "Threads under the thread sanitizer" threads
     stage "Build with clang" clang_build
     stage "Debian packages" debian_packages
     stage "WebGL 2 in a browser" web_page
