@@ -4,7 +4,7 @@
 #
 #   debian_packages.sh         into build/deb
 #   debian_packages.sh --bare  installs them in a bare Debian 12 too, which debootstrap downloads (root, network), and
-#                              runs the command, and hello and hello.c built there, with Mesa's software renderer
+#                              runs the command, and the examples built there, with Mesa's software renderer
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 build=$PWD/build/deb
@@ -49,7 +49,7 @@ root=$(mktemp -d "${TMPDIR:-/tmp}/crevice_debian.XXXXXX")
 trap 'rm -rf -- "$root"' EXIT
 chmod 755 "$root"
 debootstrap --variant=minbase bookworm "$root" >"$build/debootstrap.log" || fail "see $build/debootstrap.log"
-cp "$build"/*.deb tools/examples/hello.c tools/examples/hello.cpp "$root/tmp"
+cp "$build"/*.deb tools/examples/*.{c,cpp,h} "$root/tmp"
 inside() { chroot "$root" env LC_ALL=C DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
 echo "== the command, with what it recommends"
 inside 'apt-get -q=2 update && apt-get -q=2 install -y /tmp/crevice-tools_*.deb >/tmp/apt.log'
@@ -57,4 +57,10 @@ inside 'cd /tmp && crevice --version && crevice render balanced --size 256x144 -
 echo "== programs in C and C++, with the library"
 inside 'apt-get -q=2 install -y /tmp/libcrevice0_*.deb /tmp/libcrevice-dev_*.deb g++ pkg-config libgles-dev >/tmp/apt.log'
 inside 'cd /tmp && cc -std=c99 hello.c $(pkg-config --cflags --libs crevice) -lGLESv2 -o hello_c && ./hello_c'
-inside 'cd /tmp && c++ -std=c++17 hello.cpp -lcrevice_effects -lcrevice_backends -lcrevice_core -lGLESv2 -o hello && ./hello'
+static="-lcrevice_effects -lcrevice_backends -lcrevice_core"
+inside "cd /tmp && c++ -std=c++17 hello.cpp $static -lGLESv2 -o hello && ./hello"
+echo "== programs with windows, by SDL2 and GLFW"
+inside 'apt-get -q=2 install -y libsdl2-dev libglfw3-dev xvfb xauth >/tmp/apt.log'
+inside "cd /tmp && c++ -std=c++17 host_depth.cpp \$(pkg-config --cflags sdl2) $static -lSDL2 -lGLESv2 -o host_depth"
+inside 'cd /tmp && SDL_VIDEODRIVER=offscreen ./host_depth 3'
+inside "cd /tmp && c++ -std=c++17 desktop_gl.cpp $static -lglfw -lGL -o desktop_gl && xvfb-run -a ./desktop_gl 3"
