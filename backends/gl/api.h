@@ -86,6 +86,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(GenVertexArrays, GENVERTEXARRAYS, true) \
     X(GetActiveUniform, GETACTIVEUNIFORM, true) \
     X(GetBooleanv, GETBOOLEANV, true) \
+    X(GetBufferParameteriv, GETBUFFERPARAMETERIV, true) \
     X(GetError, GETERROR, true) \
     X(GetFloatv, GETFLOATV, true) \
     X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV, true) \
@@ -109,6 +110,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(GetUniformLocation, GETUNIFORMLOCATION, true) \
     X(GetVertexAttribiv, GETVERTEXATTRIBIV, true) \
     X(InvalidateFramebuffer, INVALIDATEFRAMEBUFFER, false) \
+    X(IsBuffer, ISBUFFER, true) \
     X(IsEnabled, ISENABLED, true) \
     X(IsEnabledi, ISENABLEDI, false) \
     X(IsTexture, ISTEXTURE, true) \

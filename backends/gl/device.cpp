@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstddef>
 
 namespace crevice {
 
@@ -76,6 +75,7 @@ Status GlDevice::prepare(const ProgramCache& program_cache)
     copier_ = std::move(*copier);
     makeSamplers();
     if (!caps_.software) timers_ = GlTimers::make(gl_, info_);
+    caps_.timers = timers_.exist();
     return takeErrors(gl_, "makeGlDevice");
 }
 
@@ -280,44 +280,20 @@ Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
     return ProgramId{programs_.add(std::move(*program))};
 }
 
-Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
-{
-    if (Status status = checkMesh(desc); !status) return status.diagnostics();
-    if (Status status = checkCurrent(); !status) return status.diagnostics();
-    Scope scope(*this);
-    MeshSlot mesh{GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_),
-                  static_cast<std::uint32_t>(desc.indices.size())};
-    gl_.BindVertexArray(mesh.vertex_array.name());
-    gl_.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
-    gl_.BufferData(GL_ARRAY_BUFFER, desc.vertices.size() * sizeof(Vertex), desc.vertices.data(),
-                   GL_STATIC_DRAW);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.name());
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, desc.indices.size() * sizeof(std::uint32_t),
-                   desc.indices.data(), GL_STATIC_DRAW);
-    auto attribute = [&](GLuint location, GLint components, std::size_t offset) {
-        gl_.EnableVertexAttribArray(location);
-        gl_.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                                reinterpret_cast<const void*>(offset));
-    };
-    attribute(0, 3, offsetof(Vertex, position));
-    attribute(1, 3, offsetof(Vertex, normal));
-    attribute(2, 2, offsetof(Vertex, uv));
-    setLabel(gl_, GL_VERTEX_ARRAY, mesh.vertex_array.name(), desc.label);
-    if (Status status = takeErrors(gl_, "createMesh", desc.label.c_str()); !status)
-        return status.diagnostics();
-    return MeshId{meshes_.add(std::move(mesh))};
-}
-
 ObjectInfo GlDevice::info(ObjectId id) const
 {
     switch (id.kind) {
     case ObjectId::Kind::texture:
         if (const TextureSlot* texture = textures_.find(id.value))
-            return {true, texture->renderbuffer.name() != 0 ? 0 : texture->name, texture->samples,
-                    0};
+            return {true,
+                    texture->renderbuffer.name() != 0 ? 0 : texture->name,
+                    texture->samples,
+                    0,
+                    {}};
         return {};
     case ObjectId::Kind::mesh:
-        if (const MeshSlot* mesh = meshes_.find(id.value)) return {true, 0, 1, mesh->index_count};
+        if (const MeshSlot* mesh = meshes_.find(id.value))
+            return {true, 0, 1, mesh->index_count, mesh->origin};
         return {};
     case ObjectId::Kind::program: return {programs_.find(id.value) != nullptr};
     case ObjectId::Kind::framebuffer: return {framebuffers_.find(id.value) != nullptr};

@@ -5,8 +5,8 @@
 #include <crevice/gl_device.h>
 
 #include "backends/gl/copy.h"
-#include "backends/gl/host_errors.h"
-#include "backends/gl/host_texture.h"
+#include "backends/gl/host/host_errors.h"
+#include "backends/gl/host/host_texture.h"
 #include "backends/gl/timers.h"
 
 namespace crevice {
@@ -32,6 +32,7 @@ public:
     Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
+    Result<MeshId> adoptMesh(const HostMesh& host) override;
     Result<TextureId> adoptTexture(const HostTexture& host) override;
     Status refresh(TextureId id) override;
     ClipControl clipControl() const override { return state_.clipControl(); }
@@ -54,12 +55,14 @@ public:
         setUniformValues(gl_, location, type, count, data);
     }
     void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
+    void drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host) override;
     void drawFullscreen() override;
     Status present(TextureId id, const HostFramebuffer& host) override;
     void finish() override { gl_.Finish(); }
     void abandon() { crevice::abandon(gl_); }
     bool beginTimer(int slot) override { return timers_.begin(gl_, slot); }
     void endTimer() override { timers_.end(gl_); }
+    bool timerReady(int slot) override { return timers_.isReady(gl_, slot); }
     double readTimer(int slot) override { return timers_.read(gl_, slot); }
 
 private:
@@ -82,9 +85,13 @@ private:
 
     struct MeshSlot {
         GlVertexArray vertex_array;
-        GlBuffer vertices;
-        GlBuffer indices;
+        GlBuffer vertices;  // nothing where they are the host's, and
+        GlBuffer indices;   // ... so with these
         std::uint32_t index_count = 0;
+        MeshOrigin origin = {};
+        bool indexed = true;
+        IndexType index_type = IndexType::uint32;
+        std::uint32_t index_offset = 0;  // in bytes
     };
 
     /// Sets the host's errors aside in a call that may come outside of a frame.
@@ -147,6 +154,9 @@ private:
 
     /// Leaves the running pass's framebuffer with nothing to store.
     void resolve(const FramebufferSlot& framebuffer);
+
+    /// Sets where in its framebuffer a pass draws.
+    void setArea(const PassInfo& pass);
 
     /// Keeps the errors of a call that returns none, for endFrame.
     void noteErrors(const char* what, const char* label = "");

@@ -87,10 +87,15 @@ void GlDevice::beginPass(const PassInfo& pass)
 {
     pass_ = pass;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass.framebuffer.value).drawn.name());
-    gl_.Viewport(0, 0, pass.extent.width, pass.extent.height);
     state_.unmask();
     invalidate(gl_, pass, pass.color_load, pass.depth_load, LoadOp::discard);
     clear(gl_, pass);
+    setArea(pass);
+}
+
+void GlDevice::setArea(const PassInfo& pass)
+{
+    gl_.Viewport(0, 0, pass.extent.width, pass.extent.height);
     if (pass.at_depth >= 0.0f) setDepthRange(gl_, pass.at_depth, pass.at_depth);
     if (!pass.within_area) return;
     state_.setEnabled(GL_SCISSOR_TEST, true);
@@ -146,12 +151,16 @@ void GlDevice::setTexture(int location, int unit, TextureId id, const SamplerDes
     gl_.Uniform1i(location, unit);
 }
 
-void GlDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
+void GlDevice::drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host)
 {
-    gl_.BindVertexArray(meshes_.at(id.value).vertex_array.name());
-    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t);
-    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                     reinterpret_cast<const void*>(offset));
+    noteErrors("pass", pass_.label);
+    GLint program = 0;
+    gl_.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+    drawing(static_cast<std::uint32_t>(program), host);
+    noteErrors("the host's own draw in pass", pass_.label);
+    state_.neutralize();
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_.at(pass_.framebuffer.value).drawn.name());
+    setArea(pass_);
 }
 
 void GlDevice::drawFullscreen() { copier_.drawTriangle(gl_); }

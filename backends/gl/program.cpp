@@ -98,6 +98,7 @@ std::vector<UniformInfo> readUniforms(const GlApi& gl, GLuint program)
         std::string name(buffer, 0, length);
         if (name.rfind("gl_", 0) == 0) continue;
         const int location = gl.GetUniformLocation(program, name.c_str());
+        if (location < 0) continue;  // of a block, which the host fills
         const bool array = name.size() > 3 && name.compare(name.size() - 3, 3, "[0]") == 0;
         if (array) name.resize(name.size() - 3);
         uniforms.push_back({name, glslType(type), size, location});

@@ -136,6 +136,11 @@ bool GlState::has(GlWhere where) const
 void GlState::enter()
 {
     if (depth_++ == 0 && restore_) save();
+    neutralize();
+}
+
+void GlState::neutralize()
+{
     for (const Switch& s : kSwitches)
         if (has(s.where)) setEnabled(s.capability, s.wanted);
     for (const PixelStore& store : kPixelStores)

@@ -45,6 +45,9 @@ public:
     /// Keeps the host's state, unless an outer `enter` did, and sets the known one.
     void enter();
 
+    /// Sets the known state again, whatever has become of it since `enter`.
+    void neutralize();
+
     /// Puts the host's state back when it leaves the outermost `enter`.
     void leave();
 

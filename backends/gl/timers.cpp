@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/gl/timers.h"
 
-#include <utility>
-
 namespace crevice {
 
 GlTimers GlTimers::make(const GlApi& gl, const GlInfo& info)
@@ -28,33 +26,37 @@ void GlTimers::beginFrame(const GlApi& gl)
 bool GlTimers::begin(const GlApi& gl, int slot)
 {
     if (queries_.empty()) return false;
-    if (std::exchange(read_, false)) {
-        (void)takeDisjoint(gl);  // what happened before does not matter
-        disturbed_ = false;
-        measured_.reset();
-    }
+    measured_[slot] = false;
     if (host_measures_) return true;  // and the slot stays void
+    voidIfDisturbed(gl);              // what happened before this timer is not its own
     measured_[slot] = true;
     gl.BeginQuery(GL_TIME_ELAPSED_EXT, queries_[slot].name());
     return true;
 }
 
+bool GlTimers::isReady(const GlApi& gl, int slot) const
+{
+    if (!measured_[slot]) return true;
+    GLuint ready = GL_FALSE;
+    gl.GetQueryObjectuiv(queries_[slot].name(), GL_QUERY_RESULT_AVAILABLE, &ready);
+    return ready != GL_FALSE;
+}
+
 double GlTimers::read(const GlApi& gl, int slot)
 {
-    read_ = true;
     if (!measured_[slot]) return -1;
     GLuint64 nanoseconds = 0;
     gl.GetQueryObjectui64v(queries_[slot].name(), GL_QUERY_RESULT, &nanoseconds);
-    disturbed_ = takeDisjoint(gl) || disturbed_;
-    return disturbed_ ? -1 : static_cast<double>(nanoseconds) * 1e-6;
+    voidIfDisturbed(gl);
+    return measured_[slot] ? static_cast<double>(nanoseconds) * 1e-6 : -1;
 }
 
-/// Whether the GPU was disturbed since the last call; asking forgets it.
-bool GlTimers::takeDisjoint(const GlApi& gl) const
+/// Whatever is measured and unread may have run while the GPU was disturbed; asking forgets that.
+void GlTimers::voidIfDisturbed(const GlApi& gl)
 {
     GLint disjoint = 0;
     if (tells_disjoint_) gl.GetIntegerv(GL_GPU_DISJOINT_EXT, &disjoint);
-    return disjoint != 0;
+    if (disjoint != 0) measured_.reset();
 }
 
 }  // namespace crevice

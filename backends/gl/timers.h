@@ -29,17 +29,17 @@ public:
     {
         if (!host_measures_) gl.EndQuery(GL_TIME_ELAPSED_EXT);
     }
+    bool isReady(const GlApi& gl, int slot) const;
     double read(const GlApi& gl, int slot);
+    bool exist() const { return !queries_.empty(); }
 
 private:
-    bool takeDisjoint(const GlApi& gl) const;
+    void voidIfDisturbed(const GlApi& gl);
 
-    std::vector<GlQuery> queries_;  // by slot; empty where there are no timers
-    bool host_measures_ = false;    // this frame
-    bool tells_disjoint_ = false;   // desktop OpenGL does not
-    std::bitset<kMaxTimers> measured_;
-    bool read_ = true;        // since the last timer began, or none began yet
-    bool disturbed_ = false;  // while any of the measured ones ran
+    std::vector<GlQuery> queries_;      // by slot; empty where there are no timers
+    bool host_measures_ = false;        // this frame
+    bool tells_disjoint_ = false;       // desktop OpenGL does not
+    std::bitset<kMaxTimers> measured_;  // and nothing disturbed the GPU since
 };
 
 }  // namespace crevice

@@ -212,7 +212,18 @@ Result<MeshId> RecordingDevice::createMesh(const MeshDesc& desc)
     if (failsNow(errors, "mesh '" + desc.label + "'")) return errors;
     Object object{ObjectId::Kind::mesh, desc.label};
     object.index_count = static_cast<std::uint32_t>(desc.indices.size());
+    object.origin = originOf(desc);
     return MeshId{add(std::move(object), Call::create_mesh)};
+}
+
+Result<MeshId> RecordingDevice::adoptMesh(const HostMesh& host)
+{
+    if (Status status = checkMesh(host); !status) return status.diagnostics();
+    Diagnostics errors;
+    if (failsNow(errors, "mesh '" + host.label + "'")) return errors;
+    Object object{ObjectId::Kind::mesh, host.label};
+    object.index_count = host.index_count;
+    return MeshId{add(std::move(object), Call::adopt_mesh)};
 }
 
 ObjectInfo RecordingDevice::info(ObjectId id) const
@@ -222,7 +233,7 @@ ObjectInfo RecordingDevice::info(ObjectId id) const
     const bool texture = id.kind == ObjectId::Kind::texture;
     const std::uint32_t own_name = texture ? id.value : 0;
     return {true, object->native_name ? object->native_name : own_name, object->texture.samples,
-            object->index_count};
+            object->index_count, object->origin};
 }
 
 void RecordingDevice::destroy(ObjectId id)

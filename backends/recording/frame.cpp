@@ -215,6 +215,15 @@ void RecordingDevice::draw(MeshId id, std::uint32_t first, std::uint32_t count)
     checkDraw("draw");
 }
 
+void RecordingDevice::drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host)
+{
+    record(Call::draw_by_host);
+    checkDraw("drawByHost");
+    const std::uint32_t program = program_;
+    drawing(program, host);
+    program_ = 0;  // which is to be set again
+}
+
 void RecordingDevice::drawFullscreen()
 {
     record(Call::draw_fullscreen);
@@ -244,7 +253,6 @@ bool RecordingDevice::beginTimer(int slot)
     const bool known = slot >= 0 && slot < kMaxTimers;
     if (!known) blame("beginTimer of a slot that is not there");
     if (!known || timers_ms_.empty()) return false;
-    if (std::exchange(timers_read_, false)) measured_.reset();
     measured_[slot] = true;
     in_timer_ = true;
     return true;
@@ -256,14 +264,21 @@ void RecordingDevice::endTimer()
     if (!std::exchange(in_timer_, false)) blame("endTimer without beginTimer");
 }
 
+bool RecordingDevice::timerReady(int slot)
+{
+    return !timers_held_ || !measured_[static_cast<std::size_t>(slot)];
+}
+
 double RecordingDevice::readTimer(int slot)
 {
     record(Call::read_timer, 0, {static_cast<std::uint32_t>(slot)});
     if (in_frame_) blame("readTimer inside a frame");
-    timers_read_ = true;
+    if (timers_held_) blame("readTimer waits");
     const auto index = static_cast<std::size_t>(slot);
-    const bool known = index < std::min(timers_ms_.size(), measured_.size());
-    return known && measured_[index] ? timers_ms_[index] : -1;
+    const bool known = index < measured_.size() && measured_[index];
+    const std::size_t of_frame = index % kMaxFrameTimers;
+    const std::size_t at = index < timers_ms_.size() ? index : of_frame;
+    return known && at < timers_ms_.size() ? timers_ms_[at] : -1;
 }
 
 }  // namespace crevice

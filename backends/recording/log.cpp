@@ -12,12 +12,15 @@ namespace crevice {
 namespace {
 
 constexpr const char* kCallNames[] = {
-    "createTexture", "createFramebuffer", "createProgram", "createMesh",
-    "adoptTexture",  "refresh",           "destroy",       "writeTexture",
-    "readTexture",   "beginFrame",        "endFrame",      "beginPass",
-    "endPass",       "setProgram",        "setTexture",    "setUniform",
-    "draw",          "drawFullscreen",    "present",       "finish",
-    "beginTimer",    "endTimer",          "readTimer",
+    "createTexture", "createFramebuffer", "createProgram",
+    "createMesh",    "adoptMesh",         "adoptTexture",
+    "refresh",       "destroy",           "writeTexture",
+    "readTexture",   "beginFrame",        "endFrame",
+    "beginPass",     "endPass",           "setProgram",
+    "setTexture",    "setUniform",        "draw",
+    "drawByHost",    "drawFullscreen",    "present",
+    "finish",        "beginTimer",        "endTimer",
+    "readTimer",
 };
 constexpr const char* kKindNames[] = {"texture", "mesh", "program", "framebuffer"};
 constexpr const char* kCompareNames[] = {"always",  "less",          "less_equal",
@@ -217,6 +220,7 @@ std::string RecordingDevice::arguments(const Record& call) const
     case Call::create_framebuffer:
     case Call::create_program:
     case Call::create_mesh:
+    case Call::adopt_mesh:
     case Call::refresh:
     case Call::adopt_texture:
         return line.add(object).text() + createdText(objects_.at(call.object));
@@ -239,6 +243,7 @@ std::string RecordingDevice::arguments(const Record& call) const
     case Call::begin_frame:
     case Call::end_frame:
     case Call::end_pass:
+    case Call::draw_by_host:
     case Call::draw_fullscreen:
     case Call::finish:
     case Call::end_timer: break;

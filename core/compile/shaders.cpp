@@ -159,10 +159,29 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
                    "give `color` and the output locations one order");
 }
 
+// Nobody fills a block but a host that draws by itself.
+void refuseBlocks(State& state, const ShaderDesc& shader, const Reference& path,
+                  const GlslStage& stage)
+{
+    for (const GlslUniform& block : stage.blocks)
+        state.diagnostics.push_back(
+            {Code::preprocessor,
+             "'" + block.name + "' is a uniform block, which no config can fill",
+             "declare its members one by one: uniform float radius;",
+             block.place,
+             path.pointer,
+             {{path.place, "shader '" + shader.name + "' names the file here"}}});
+}
+
 void readPass(State& state, Pass& pass)
 {
     const Shader& shader = assembled(state, pass.shader);
     if (!shader.ok) return;
+    if (pass.desc->type != PassType::draw) {
+        const ShaderDesc& desc = state.description.shaders[pass.shader];
+        refuseBlocks(state, desc, desc.vertex, shader.vertex);
+        refuseBlocks(state, desc, desc.fragment, shader.fragment);
+    }
     for (const GlslStage* stage : {&shader.vertex, &shader.fragment}) {
         for (const GlslUniform& uniform : stage->uniforms) {
             if (isSampler(uniform.type))

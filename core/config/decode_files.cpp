@@ -95,7 +95,8 @@ private:
     {
         for (const GlslInclude& include : findIncludes(file.source)) {
             if (include.interface) {
-                expectInterface(include, pointer);
+                if (!isGiven(include) && !takeDefault(include.name, waiting))
+                    expectInterface(include, pointer);
                 continue;
             }
             const Result<Found> found = findFile(sources_, *file.source, file.key, include.name);
@@ -116,10 +117,28 @@ private:
         report_.sameMistake(why.message);
     }
 
+    bool isGiven(const GlslInclude& include) const
+    {
+        return contains(namesOf(description_.interfaces), include.name) ||
+               contains(stray_, include.name);
+    }
+
+    // An interface that no module gives is the file of its name under common/, where there is one.
+    bool takeDefault(const std::string& name, std::vector<Found>& waiting)
+    {
+        const Result<Found> found = findFile(sources_, {"", {}}, "", "common/" + name + ".glsl");
+        if (!found || !found->source) return false;
+        InterfaceDesc given;
+        given.name = name;
+        given.file.name = found->key;
+        description_.interfaces.push_back(std::move(given));
+        waiting.push_back(*found);
+        return true;
+    }
+
     void expectInterface(const GlslInclude& include, const std::string& pointer)
     {
         const std::vector<std::string> names = namesOf(description_.interfaces);
-        if (contains(names, include.name) || contains(stray_, include.name)) return;
         if (report_.errorAt("/interfaces")) return;
         const std::string modules = modulesThatDeclare(sources_, "interfaces", include.name);
         missing(include, pointer, "interface <" + include.name + ">, which does not exist",

@@ -107,7 +107,7 @@ ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& c
 {
     ViewArea area = {1, 1, 0, 0};
     for (const DrawItem& item : draws) {
-        if (item.count == 0) continue;
+        if (!drawsSomething(item)) continue;
         if (item.bounds_radius < 0.0f) return {};
         const Sphere sphere = boundsInView(item, camera);
         if (isOutside(sphere, camera, 1.0) ||
@@ -129,7 +129,7 @@ DrawRange rangeOf(const std::vector<DrawItem>& draws, const Camera& camera)
     DrawRange range;
     double covered = 0;
     for (const DrawItem& item : draws) {
-        if (item.count == 0) continue;
+        if (!drawsSomething(item)) continue;
         if (item.bounds_radius < 0.0f) return {};
         const Sphere sphere = boundsInView(item, matrices);
         const double depth = -sphere.center.z;

@@ -59,7 +59,8 @@ bool DrawItem::operator==(const DrawItem& other) const
     return mesh.value == other.mesh.value && first == other.first && count == other.count &&
            world_from_model == other.world_from_model && material == other.material &&
            bounds_center == other.bounds_center && bounds_radius == other.bounds_radius &&
-           sheet == other.sheet;
+           sheet == other.sheet && callback == other.callback && host == other.host &&
+           revision == other.revision;
 }
 
 const Camera& cameraOf(const Frame& frame, std::size_t view)

@@ -154,10 +154,10 @@ std::optional<Diagnostic> materialFault(const Frame& frame, const DrawItem& item
     return std::nullopt;
 }
 
-// Why an item cannot be drawn; nothing where it can. Allocates only where there is something to
-// say.
-std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, const Device& device)
+// Why an item's mesh cannot be drawn; nothing where it can, or where the host draws.
+std::optional<Diagnostic> meshFault(const DrawItem& item, const Device& device)
 {
+    if (item.callback) return std::nullopt;
     if (!item.mesh) return elided("it has no mesh", kUnknownIdHelp);
     const ObjectInfo mesh = device.info(item.mesh);
     const auto named = [&item] { return "mesh " + std::to_string(item.mesh.value); };
@@ -165,6 +165,14 @@ std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, cons
     if (std::uint64_t{item.first} + item.count > mesh.index_count)
         return elided(named() + " has fewer indices than it draws",
                       "first and count are indices, not triangles");
+    return std::nullopt;
+}
+
+// Why an item cannot be drawn; nothing where it can. Allocates only where there is something to
+// say.
+std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, const Device& device)
+{
+    if (std::optional<Diagnostic> fault = meshFault(item, device)) return fault;
     if (!finite(item.world_from_model)) return elided("its matrix is not finite", kNotFiniteHelp);
     if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius))
         return elided("its bounds are not finite", "a radius below 0 means that none are known");
@@ -279,6 +287,8 @@ bool isFinite(const Light& light)
            std::isfinite(light.outer_angle_rad);
 }
 
+bool drawsSomething(const DrawItem& item) { return item.count > 0 || item.callback; }
+
 bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device)
 {
     return !faultOf(frame, item, device);
@@ -292,7 +302,7 @@ Diagnostics warnElided(const Frame& frame, const Device& device)
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
         const DrawItem& item = frame.draws[i];
         std::optional<Diagnostic> fault;
-        if (item.count > 0) fault = faultOf(frame, item, device);
+        if (drawsSomething(item)) fault = faultOf(frame, item, device);
         if (!fault) continue;
         if (warnings.size() == kMostDraws) {
             ++more;

@@ -85,8 +85,11 @@ bool isFinite(const glm::dvec3& vector);
 bool isFinite(const Material& material);
 bool isFinite(const Light& light);
 
-/// Whether an item can be drawn: it has indices of a mesh of the device, a finite matrix and
-/// bounds, and a finite material whose maps are the device's.
+/// Whether an item asks for anything to be drawn.
+bool drawsSomething(const DrawItem& item);
+
+/// Whether an item can be drawn: the host draws it or it has indices of a mesh of the device, a
+/// finite matrix and bounds, and a finite material whose maps are the device's.
 bool isDrawable(const Frame& frame, const DrawItem& item, const Device& device);
 
 /// A warning CV6011 for each of the draws and lights that a frame does without, and why; draws past

@@ -114,8 +114,8 @@ void Scanner::readDeclaration(const Qualifiers& qualifiers)
     const GlslToken& type = *at_++;
     const bool block = here("{") || type.is("struct");
     if (block && qualifiers.uniform)
-        fail("'" + std::string(type.text) + "' is a uniform block, which no config can fill", type,
-             "declare its members one by one: uniform float radius;");
+        stage_.blocks.push_back(
+            {std::string(type.text), GlslType::other, 1, false, placeOf(type, unit_.files)});
     if (block) return;
 
     GlslUniform common;

@@ -7,7 +7,7 @@
 namespace crevice {
 
 /// Appends the uniforms and outputs of `unit` to `stage`, and what is wrong with them to
-/// `unit.errors`: blocks, array sizes and locations that cannot be read.
+/// `unit.errors`: array sizes and locations that cannot be read.
 void scanDeclarations(GlslUnit& unit, GlslStage& stage);
 
 }  // namespace crevice

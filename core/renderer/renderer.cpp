@@ -65,6 +65,8 @@ struct Renderer::State {
     CompileOptions options;
     SceneTraits traits;
     std::unique_ptr<Execution> execution = nullptr;
+    bool timing = false;
+
     /// Plans and makes the objects. `previous` may be null; it is left as it is.
     static Result<std::unique_ptr<State>> make(Device& device, Description description,
                                                const CompileOptions& options,
@@ -98,6 +100,10 @@ auto Renderer::State::make(Device& device, Description description, const Compil
     if (!execution) return execution.diagnostics();
     std::unique_ptr<State> state(
         new State{device, std::move(description), options, traits, std::move(*execution)});
+    if (previous && previous->timing) {
+        state->timing = true;
+        (void)state->execution->setTiming(true);
+    }
     return {std::move(state), plan.diagnostics()};
 }
 
@@ -224,6 +230,22 @@ Result<FrameTimes> Renderer::renderTimed(const Frame& given)
     if (!timed) return all;
     return {std::move(*timed), std::move(all)};
 }
+
+Status Renderer::setTiming(bool on)
+{
+    state_->timing = on;
+    if (state_->execution->setTiming(on) || !on) return {};
+    const DeviceCaps& caps = state_->device.caps();
+    Diagnostic warning{Code::no_timers,
+                       caps.timers ? "the plan's views have more than " +
+                                         std::to_string(kMaxFrameTimers) + " passes together"
+                                   : "'" + caps.name + "' has no timer that can be trusted",
+                       "time with renderTimed, which waits for each pass and takes the clock"};
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+const FrameTimes* Renderer::times() const { return state_->execution->times(); }
 
 Status Renderer::setParam(std::string_view name, const float* values, int count)
 {

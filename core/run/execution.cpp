@@ -119,14 +119,21 @@ void Execution::setParam(std::string_view name, const float* values)
 
 Status Execution::run(const Frame& frame)
 {
+    timers_.collect(device_);
     if (Status status = device_.beginFrame(); !status) return status;
     const std::vector<char>& runs = begin(frame);
     clearNewHistories();
+    timers_.beginFrame();
     std::size_t run = 0;
     for (const PreparedView& view : views_) {
         setView(frame, view);
-        for (const PreparedPass& pass : view.passes)
-            if (runs[run++]) runPass(pass, view.camera);
+        for (const PreparedPass& pass : view.passes) {
+            if (runs[run]) {
+                const PassTimers::Scope timed(timers_, device_, run);
+                runPass(pass, view.camera);
+            }
+            ++run;
+        }
     }
     return end(frame);
 }
@@ -208,8 +215,9 @@ bool Execution::updateDraws(const Frame& frame)
     drawn_.elided = false;
     for (std::size_t i = 0; i < frame.draws.size(); ++i) {
         const DrawItem& item = frame.draws[i];
-        const bool drawn = item.count > 0 && isDrawable(frame, item, device_);
-        drawn_.elided = drawn_.elided || (item.count > 0 && !drawn);
+        const bool drawn = drawsSomething(item) && isDrawable(frame, item, device_);
+        drawn_.elided = drawn_.elided || (drawsSomething(item) && !drawn);
+        changed = changed || (drawn && item.callback && item.revision == 0);
         take(drawn ? item : no_draw, drawn_.draws[i]);
     }
     changed = changed || frame.materials.size() != drawn_.materials.size();
@@ -310,7 +318,7 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
 {
     StateDesc state = pass.state;
     for (const DrawItem& item : drawn_.draws) {
-        if (item.count == 0) continue;
+        if (!drawsSomething(item)) continue;
         if (pass.plan->frustum_scale > 0.0f && isOutside(item, camera, pass.plan->frustum_scale))
             continue;
         const Material& material = drawn_.materials[item.material];
@@ -320,15 +328,36 @@ void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
             device_.setProgram(pass.program, state);
             setTextures(pass.textures);
         }
-        values_.setDraw(item, material, camera);
+        values_.setDraw(item, device_.info(item.mesh).origin, material, camera);
         setUniforms(pass.draw_uniforms);
         for (const TextureBinding& binding : pass.material_textures) {
             const TextureId map = material.*kMaterialMaps[binding.map].texture;
             device_.setTexture(binding.location, binding.unit, map ? map : white_.id(),
                                binding.sampling);
         }
-        device_.draw(item.mesh, item.first, item.count);
+        if (item.callback) {
+            drawByHost(pass, item);
+            device_.setProgram(pass.program, state);
+            setTextures(pass.textures);
+            setUniforms(pass.uniforms);
+        } else {
+            device_.draw(item.mesh, item.first, item.count);
+        }
     }
+}
+
+void Execution::drawByHost(const PreparedPass& pass, const DrawItem& item)
+{
+    struct Call {
+        const char* pass;
+        const DrawItem& item;
+        const ValueTable& values;
+    } call{pass.info.label, item, values_};
+    const auto draw = [](std::uint32_t program, void* data) {
+        const Call& made = *static_cast<Call*>(data);
+        made.item.callback(DrawCall(made.pass, program, made.values), made.item.host);
+    };
+    device_.drawByHost(draw, &call);
 }
 
 void Execution::setTextures(const std::vector<TextureBinding>& textures)

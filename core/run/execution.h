@@ -10,6 +10,7 @@
 
 #include "core/gpu/owned.h"
 #include "core/run/dirty_passes.h"
+#include "core/run/pass_timers.h"
 #include "core/run/uniform_values.h"
 
 #include <memory>
@@ -48,6 +49,13 @@ public:
 
     /// All passes of it, changed or not, with a wait before the frame and the time of each pass.
     Result<FrameTimes> runTimed(const Frame& frame);
+
+    /// Has `run` measure its passes from now on, by timers read some frames later. False where the
+    /// device has none, or too few for the plan.
+    bool setTiming(bool on);
+
+    /// What the latest frame took whose results are in; null before there are any.
+    const FrameTimes* times() const { return timers_.latest(); }
 
     /// Sets a param of the plan, to as many floats as its type has. Nothing happens where the plan
     /// has none of that name: then no pass uses it.
@@ -157,6 +165,7 @@ private:
     Status checkImports(const Frame& frame) const;
     void runPass(const PreparedPass& pass, const CameraMatrices& camera);
     void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
+    void drawByHost(const PreparedPass& pass, const DrawItem& item);
     PixelArea areaOf(const PreparedPass& pass, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
@@ -165,6 +174,7 @@ private:
     Plan plan_;
     ValueTable values_;
     PassCache cache_;
+    PassTimers timers_;
     std::vector<char> changed_;  // by run, for cache_
     DrawnList drawn_;
     std::optional<ViewArea> draws_area_;  // of the present view, once a pass has asked

@@ -20,6 +20,7 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
 {
     FrameTimes times;
     times.pass_ms.resize(plan_.passes.size());
+    timers_.forget();
     device_.finish();
     const Clock::time_point start = Clock::now();
     if (Status status = device_.beginFrame(); !status) return status.diagnostics();
@@ -38,6 +39,13 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
     times.total_ms = millisecondsSince(start);
     if (times.method == TimingMethod::gpu_timer) readTimers(times);
     return {std::move(times), status.diagnostics()};
+}
+
+bool Execution::setTiming(bool on)
+{
+    const bool able = device_.caps().timers && runCount() <= kMaxFrameTimers;
+    timers_.start(on && able ? runCount() : 0, plan_.passes.size());
+    return able;
 }
 
 /// The method is the same for every pass: the device's answer is, and so is the count of passes.

@@ -5,6 +5,8 @@
 #include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 
 namespace crevice {
@@ -112,10 +114,11 @@ void ValueTable::setViewport(Extent extent)
     write(viewport_size, glm::vec2(extent.width, extent.height));
 }
 
-void ValueTable::setDraw(const DrawItem& item, const Material& material,
+void ValueTable::setDraw(const DrawItem& item, const MeshOrigin& origin, const Material& material,
                          const CameraMatrices& camera)
 {
-    const glm::dmat4 to_view = camera.view_from_world * item.world_from_model;
+    const glm::dmat4 to_view = glm::translate(camera.view_from_world * item.world_from_model,
+                                              glm::dvec3(origin.x, origin.y, origin.z));
     write(clip_from_model, glm::mat4(camera.clip_from_view * to_view));
     write(view_from_model, glm::mat4(to_view));
     write(view_normal_from_model, normalMatrix(to_view));
@@ -126,6 +129,13 @@ void ValueTable::setDraw(const DrawItem& item, const Material& material,
     write(material_ambient, std::clamp(material.ambient, 0.0f, 1.0f));
     write(normal_scale, material.normal_map ? material.normal_scale : 0.0f);
     write(occlusion_strength, material.occlusion_strength);
+}
+
+const float* DrawCall::matrix(std::string_view name) const
+{
+    const FrameValueInfo* value = findFrameValue(name);
+    if (!value || (value->type != GlslType::mat4 && value->type != GlslType::mat3)) return nullptr;
+    return static_cast<const float*>(values_.frameValue(value - kFrameValues));
 }
 
 }  // namespace crevice

@@ -27,6 +27,9 @@ public:
     std::size_t offsetOf(const PlanUniform& uniform) const;
     const void* data(std::size_t offset) const { return &words_[offset]; }
 
+    /// By FrameValue.
+    const void* frameValue(std::size_t value) const { return data(offsets_[value]); }
+
     /// The first component of a float param of the plan.
     float param(int index) const;
     void setParam(int index, const float* values);
@@ -34,7 +37,8 @@ public:
     void setFrame(const Frame& frame, const CameraMatrices& camera);
     void setHistory(const FrameHistory& history, const CameraMatrices& camera);
     void setViewport(Extent extent);
-    void setDraw(const DrawItem& item, const Material& material, const CameraMatrices& camera);
+    void setDraw(const DrawItem& item, const MeshOrigin& origin, const Material& material,
+                 const CameraMatrices& camera);
 
 private:
     void add(GlslType type, int count);

@@ -264,7 +264,7 @@ TEST_CASE("Light passes behind a sheet, and not behind a body with the same fron
         scene.instances.back().mesh = static_cast<int>(scene.meshes.size()) - 1;
         PictureRequest request;
         request.camera = "eye=0,6,4;at=0,0.4,0;fov=30";
-        request.overrides = {"radius=1", "slices=4", "steps=8"};
+        request.overrides = {"radius=1", "slices=4", "steps=8", "max_gap=1"};
         return mean(visibility("ssao/bitmask", request, scene, "geometry/back_faces"));
     };
     const double none = floorUnder(makeBox({0, -3, 0}, {0.1f, -2, 0.1f}));

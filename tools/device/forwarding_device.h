@@ -26,6 +26,7 @@ public:
         return device_.createProgram(desc);
     }
     Result<MeshId> createMesh(const MeshDesc& desc) override { return device_.createMesh(desc); }
+    Result<MeshId> adoptMesh(const HostMesh& host) override { return device_.adoptMesh(host); }
     Result<TextureId> adoptTexture(const HostTexture& host) override
     {
         return device_.adoptTexture(host);
@@ -63,6 +64,10 @@ public:
     {
         device_.draw(id, first, count);
     }
+    void drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host) override
+    {
+        device_.drawByHost(drawing, host);
+    }
     void drawFullscreen() override { device_.drawFullscreen(); }
     Status present(TextureId id, const HostFramebuffer& host) override
     {
@@ -71,6 +76,7 @@ public:
     void finish() override { device_.finish(); }
     bool beginTimer(int slot) override { return device_.beginTimer(slot); }
     void endTimer() override { device_.endTimer(); }
+    bool timerReady(int slot) override { return device_.timerReady(slot); }
     double readTimer(int slot) override { return device_.readTimer(slot); }
 
 protected:

@@ -138,7 +138,6 @@ std::vector<std::string> surfaceFormats(const Description& description)
 StressMeter::StressMeter(Device& device, const SourceSet& sources, std::string cache_folder)
     : poison_(std::make_unique<PoisonDevice>(device, kPoison, true)),
       floats_(std::make_unique<FloatDevice>(*poison_)),
-      sources_(sources),
       substitutes_(sources),
       cache_folder_(std::move(cache_folder)),
       plain_{*poison_},

@@ -73,7 +73,6 @@ private:
 
     std::unique_ptr<Device> poison_;
     std::unique_ptr<Device> floats_;  ///< The same, with every target in 32-bit floats.
-    const SourceSet& sources_;
     const Substitutes substitutes_;
     const std::string cache_folder_;
     std::map<std::string, std::string> contents_;  ///< Of each config over each geometry.

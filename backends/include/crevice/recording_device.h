@@ -63,7 +63,14 @@ public:
 
     /// Gives the device timers: what slot 0, 1, ... will read, in milliseconds. Slots past the end
     /// read as void, and none at all takes the timers away.
-    void setTimers(std::vector<double> times_ms) { timers_ms_ = std::move(times_ms); }
+    void setTimers(std::vector<double> times_ms)
+    {
+        timers_ms_ = std::move(times_ms);
+        caps_.timers = !timers_ms_.empty();
+    }
+
+    /// Holds the results of timers back, as a GPU does that is behind: timerReady is then false.
+    void holdTimers(bool hold) { timers_held_ = hold; }
 
     /// Gives every coming program that uniform, in the place of its own of the same name: as a
     /// driver would that sees what the text does not show.
@@ -81,6 +88,7 @@ public:
     Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     Result<MeshId> createMesh(const MeshDesc& desc) override;
+    Result<MeshId> adoptMesh(const HostMesh& host) override;
     Result<TextureId> adoptTexture(const HostTexture& host) override;
     Status refresh(TextureId id) override;
     ClipControl clipControl() const override { return clip_control_; }
@@ -105,11 +113,14 @@ public:
     void setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler) override;
     void setUniform(int location, GlslType type, int count, const void* data) override;
     void draw(MeshId id, std::uint32_t first, std::uint32_t count) override;
+    /// Calls `drawing` with the id of the running program.
+    void drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host) override;
     void drawFullscreen() override;
     Status present(TextureId id, const HostFramebuffer& host) override;
     void finish() override;
     bool beginTimer(int slot) override;
     void endTimer() override;
+    bool timerReady(int slot) override;
     double readTimer(int slot) override;
 
 private:
@@ -118,6 +129,7 @@ private:
         create_framebuffer,
         create_program,
         create_mesh,
+        adopt_mesh,
         adopt_texture,
         refresh,
         destroy,
@@ -131,6 +143,7 @@ private:
         set_texture,
         set_uniform,
         draw,
+        draw_by_host,
         draw_fullscreen,
         present,
         finish,
@@ -160,6 +173,7 @@ private:
         std::vector<UniformInfo> uniforms = {};
         std::vector<bool> uniform_set = {};  // a sampler's lasts for one setProgram
         std::uint32_t index_count = 0;
+        MeshOrigin origin = {};
     };
 
     using Words = std::initializer_list<std::uint32_t>;
@@ -202,7 +216,7 @@ private:
     std::vector<UniformInfo> forced_;
     std::vector<double> timers_ms_;
     std::bitset<kMaxTimers> measured_;  // timers that ran
-    bool timers_read_ = false;          // since the last one began
+    bool timers_held_ = false;
     bool in_timer_ = false;
     bool frame_fails_ = false;
     bool lost_ = false;

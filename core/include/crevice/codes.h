@@ -103,6 +103,7 @@ enum class Code : int {
         6015,  ///< Formats that do not resolve the radius as far as it is seen (a warning).
     context_lost = 6016,  ///< The context is gone, and all that was made in it.
     host_busy = 6017,     ///< The host is amid what drawing would spoil, such as a query.
+    no_timers = 6018,     ///< The GPU's time cannot be measured (a warning).
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

@@ -130,6 +130,8 @@ struct DeviceCaps {
     /// than its pass (FramebufferDesc::depth) is refused.
     bool equal_attachments = false;
 
+    bool timers = false;  ///< Device::beginTimer measures; false on software renderers.
+
     /// By Format: bit n is set when a pixel may have n + 1 samples; bit 0 is not looked at.
     std::uint32_t sample_counts[kFormatCount + 1] = {};
 
@@ -224,6 +226,39 @@ struct MeshDesc {
     std::vector<std::uint32_t> indices = {};  ///< Triangles.
 };
 
+/// How the numbers of an attribute are stored. `snorm` stands for [-1, 1] and `unorm` for [0, 1] in
+/// so many bits; snorm10 is GL_INT_2_10_10_10_REV, all components in one word.
+enum class VertexType { float32, float16, snorm8, unorm8, snorm16, unorm16, snorm10 };
+
+/// Bytes that so many components take.
+std::uint32_t bytesOf(VertexType type, int components);
+
+/// Where an attribute of the host's vertices lies.
+struct HostAttribute {
+    std::uint32_t buffer = 0;  ///< The API's own name (GLuint); 0 where the mesh has none.
+    VertexType type = VertexType::float32;
+    std::uint32_t offset = 0;  ///< Of the first vertex, in bytes.
+    std::uint32_t stride = 0;  ///< From vertex to vertex, in bytes; 0: one right behind the other.
+};
+
+enum class IndexType { uint32, uint16, uint8 };
+
+/// Bytes that an index takes.
+std::uint32_t bytesOf(IndexType type);
+
+/// Triangles in buffers of the host's.
+struct HostMesh {
+    std::string label = {};  ///< For messages.
+    HostAttribute position = {};
+    HostAttribute normal = {};  ///< Without one, (0, 0, 1): right where a config draws depth alone.
+    HostAttribute uv = {};      ///< Without one, (0, 0).
+    std::uint32_t vertex_count = 0;
+    std::uint32_t index_buffer = 0;  ///< 0: vertices make triangles in their order.
+    IndexType index_type = IndexType::uint32;
+    std::uint32_t index_offset = 0;  ///< Of the first index, in bytes.
+    std::uint32_t index_count = 0;   ///< Indices, or without them vertices, that may be drawn.
+};
+
 /// The most bytes that a mesh's vertices may take, and its indices: sizes in 32-bit drivers end
 /// here.
 constexpr std::uint64_t kMaxMeshBytes = 0x7fffffff;
@@ -234,12 +269,27 @@ Status checkMeshSize(const std::string& label, std::uint64_t vertices, std::uint
 /// Errors: those of `checkMeshSize`; CV6011 for an index past the last vertex.
 Status checkMesh(const MeshDesc& mesh);
 
+/// What can be told without the buffers. Errors: CV6011 for a mesh without positions, for indices
+/// whose offset is no multiple of their size, and for more vertices drawn than there are.
+Status checkMesh(const HostMesh& mesh);
+
+/// Where the device's own origin of a mesh lies in model space.
+struct MeshOrigin {
+    double x = 0, y = 0, z = 0;
+};
+
+/// The middle of a mesh that lies beside its model's origin by more than its own size, as a city's
+/// houses do; else that origin. Devices keep positions about it, so that matrices in double and not
+/// floats make up for the distance.
+MeshOrigin originOf(const MeshDesc& mesh);
+
 /// What a device knows of one of its objects. Of an id that it does not have, `exists` is false.
 struct ObjectInfo {
     bool exists = false;
     std::uint32_t native_name = 0;  ///< Of a texture, see Device::nativeName.
     int samples = 1;                ///< A pixel of a texture.
     std::uint32_t index_count = 0;  ///< Of a mesh.
+    MeshOrigin origin = {};         ///< Of a mesh: what its positions are kept about.
 };
 
 /// A uniform that a linked program really has.
@@ -261,7 +311,11 @@ enum class StoreOp { store, discard };
 constexpr int kMaxColorAttachments = 8;
 
 /// Timers that a frame may run; more than any shipped config has passes.
-constexpr int kMaxTimers = 64;
+constexpr int kMaxFrameTimers = 64;
+
+/// Frames whose timers are kept apart, so that those of earlier ones can be read without a wait.
+constexpr int kTimedFrames = 4;
+constexpr int kMaxTimers = kMaxFrameTimers * kTimedFrames;
 
 /// Pixels of a picture; (x, y) is the lower left one.
 struct PixelArea {
@@ -313,6 +367,13 @@ public:
     virtual Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) = 0;
     virtual Result<ProgramId> createProgram(const ProgramDesc& desc) = 0;
     virtual Result<MeshId> createMesh(const MeshDesc& desc) = 0;
+
+    /// Takes triangles that lie in buffers of the host's; `destroy` forgets them. The buffers must
+    /// stay as large as they are; what they hold may change, see DrawItem::revision. Indices are
+    /// not looked at: none may name a vertex past the last.
+    /// Errors: CV6004; CV6011 for what is none of the context's buffers, or ends before the last
+    /// vertex or index, and those of checkMesh.
+    virtual Result<MeshId> adoptMesh(const HostMesh& host) = 0;
 
     /// Takes a picture that the host owns; `destroy` forgets it and leaves it alive. A texture is
     /// read as it is. Of all else (`HostTexture::copied`) the device keeps a copy in a texture of
@@ -379,6 +440,11 @@ public:
     /// Draws triangles [first, first + count) of indices.
     virtual void draw(MeshId id, std::uint32_t first, std::uint32_t count) = 0;
 
+    /// Has the host draw by itself: calls `drawing` with the API's own name (GLuint) of the running
+    /// program and with `host`, all being set as for a `draw` of this device. Whatever `draw`
+    /// leaves behind is set right again but for program and textures: set those again.
+    virtual void drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host) = 0;
+
     /// Draws one triangle that covers the viewport; the vertex shader builds it from gl_VertexID.
     virtual void drawFullscreen() = 0;
 
@@ -391,15 +457,17 @@ public:
     /// Waits until everything issued is done.
     virtual void finish() = 0;
 
-    /// Measures the GPU's time from here to endTimer into a slot, [0, kMaxTimers). Inside a frame,
-    /// one at a time. False, for every slot and for good, where the device has no timer that can be
-    /// trusted, such as on a software renderer; endTimer must then not follow.
+    /// Measures the GPU's time from here to endTimer into a slot, [0, kMaxTimers), which forgets
+    /// what it held. Inside a frame, one at a time. False, for every slot and for good, where the
+    /// device has no timers (DeviceCaps::timers); endTimer must then not follow.
     virtual bool beginTimer(int slot) = 0;
     virtual void endTimer() = 0;
 
+    /// Whether readTimer would not wait.
+    virtual bool timerReady(int slot) = 0;
+
     /// What the slot measured, in milliseconds; outside of frames. Waits for the GPU. Negative when
-    /// the result is void: the GPU was disturbed, or nothing was measured. The results of all slots
-    /// are forgotten when the first timer after a readTimer begins.
+    /// the result is void: the GPU was disturbed, or nothing was measured.
     virtual double readTimer(int slot) = 0;
 };
 

@@ -35,6 +35,7 @@
 #include <glm/vec4.hpp>
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace crevice {
@@ -116,6 +117,35 @@ struct Material {
     bool operator==(const Material& other) const;
 };
 
+class ValueTable;
+
+/// A draw that the host does by itself. GL is set up as the pass wants it: framebuffer, viewport,
+/// depth test, culling, and the pass's program with all of its uniforms and textures. What is left
+/// to do is to bind vertices and draw; those of <crevice/frame.h> lie at locations 0 to 2. Another
+/// program may do it too, which writes what the pass's does. All state may be left as it is.
+class DrawCall {
+public:
+    DrawCall(const char* in_pass, std::uint32_t of_program, const ValueTable& values)
+        : pass(in_pass),
+          program(of_program),
+          values_(values)
+    {
+    }
+
+    const char* const pass;       ///< Its name in the config.
+    const std::uint32_t program;  ///< The API's own name (GLuint) of the pass's program.
+
+    /// A matrix of the camera or the draw by its name in GLSL, such as "clip_from_model", as
+    /// glUniformMatrix4fv or glUniformMatrix3fv takes it; null for a name that is none.
+    const float* matrix(std::string_view name) const;
+
+private:
+    const ValueTable& values_;
+};
+
+/// `host` is DrawItem::host.
+using DrawCallback = void (*)(const DrawCall& call, void* host);
+
 /// A mesh at a place. Seen from outside its triangles run counter-clockwise: back faces and layers
 /// of depth tell by that where a body ends.
 struct DrawItem {
@@ -135,6 +165,15 @@ struct DrawItem {
     /// pass culls it, so that its back is its front, and light passes behind it. What has an
     /// alpha_cutoff is one in any case.
     bool sheet = false;
+
+    /// Draws in the place of `mesh`, `first` and `count`, in every pass that draws the scene: so
+    /// that skinned, instanced or streamed geometry stays the host's. Null draws the mesh.
+    DrawCallback callback = nullptr;
+    void* host = nullptr;  ///< Passed on to `callback`.
+
+    /// A number that changes whenever the host's buffers hold something else, or `callback` draws
+    /// something else. 0 with a callback: that may be with every frame.
+    std::uint64_t revision = 0;
 
     bool operator==(const DrawItem& other) const;
 };
@@ -246,8 +285,8 @@ enum class TimingMethod {
 struct FrameTimes {
     TimingMethod method = TimingMethod::wall_clock;
 
-    /// In the order of the plan's passes, each with all views together. Negative where the GPU's
-    /// timer gave no valid result.
+    /// In the order of the plan's passes, each with all views together: 0 of a pass that did not
+    /// run. Negative where the GPU's timer gave no valid result.
     std::vector<double> pass_ms = {};
 
     /// By the clock: all of the frame, with what lies between the passes. By the GPU's timer: the

@@ -65,6 +65,7 @@ struct GlslStage {
     std::vector<SourceRef> files;  ///< By source-string number; only explainLog reads lines.
     std::vector<GlslUniform> uniforms;
     std::vector<GlslOutput> outputs;
+    std::vector<GlslUniform> blocks;        ///< Uniform blocks by name, which a host alone fills.
     std::vector<std::string> defines_used;  ///< Of those offered, the ones that the text mentions.
 };
 

@@ -62,6 +62,19 @@ public:
     /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
     Result<FrameTimes> renderTimed(const Frame& frame);
 
+    /// Has `render` measure from now on what its passes take on the GPU, without a wait and without
+    /// allocating once the first frames are through: `times` has it some frames later. Passes are
+    /// left out as without. Default: off.
+    ///
+    /// Warns with CV6018 where nothing can be measured: the device has no timer that can be
+    /// trusted, as on software renderers, or the plan's views have more than kMaxFrameTimers passes
+    /// together.
+    Status setTiming(bool on);
+
+    /// What the latest frame took whose results are in. Null before there are any: after
+    /// `setTiming` and after each new plan. Good until the next `render`.
+    const FrameTimes* times() const;
+
     /// Sets a param's value: as many floats as it has components. Costs nothing, but for params
     /// bound as defines, those that a count or size is taken from, values at which a pass is or was
     /// a no-op and a radius that other formats serve better: those plan again. Only a define, or

@@ -8,15 +8,12 @@
 precision highp float;
 
 #include "common/guard_band.glsl"
+#include <vertex>
 
 uniform mat4 clip_from_model;
 uniform mat4 view_from_model;
 uniform mat3 view_normal_from_model;
 uniform vec2 viewport_size;  // with the guard band
-
-layout(location = 0) in vec3 model_point;
-layout(location = 1) in vec3 model_normal;
-layout(location = 2) in vec2 model_uv;
 
 invariant gl_Position;  // a sheet's back is its front, in any pass
 
@@ -26,9 +23,10 @@ out vec2 uv;
 
 void main()
 {
-    point = (view_from_model * vec4(model_point, 1.0)).xyz;
-    facing = view_normal_from_model * model_normal;
-    uv = model_uv;
-    gl_Position = clip_from_model * vec4(model_point, 1.0);
+    vec4 at = vec4(modelPoint(), 1.0);
+    point = (view_from_model * at).xyz;
+    facing = view_normal_from_model * modelNormal();
+    uv = modelUv();
+    gl_Position = clip_from_model * at;
     gl_Position.xy *= viewShareOf(viewport_size);
 }

@@ -85,8 +85,7 @@ float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
 }
 
 // What `max_gap` counts as where backs are known: thicknesses then are those of the scene, most of them less than
-// `thickness`, and of two layers the second shows what gaps would have to stand for. At factors of 1, 5 and 4/3
-// `bitmask_back` has rmse TABLE
+// `thickness`, and of two layers the second shows what gaps would have to stand for.
 #if SECOND_LAYER
 const float kGap = 8.0 / 6.0;
 #elif BACK_FACES

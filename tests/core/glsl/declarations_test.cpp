@@ -98,16 +98,15 @@ TEST_CASE("a uniform's place is its name")
     CHECK(stage.uniforms[1].place.length == 4);
 }
 
-TEST_CASE("a uniform block is an error that says what to do instead")
+TEST_CASE("a uniform block is found by its name, and its members are no uniforms")
 {
-    const Result<GlslStage> stage =
-        scan("layout(std140) uniform Camera {\n  mat4 m;\n};\nuniform float x;\n");
-    REQUIRE(stage.diagnostics().size() == 1);
-    const Diagnostic& error = stage.diagnostics()[0];
-    CHECK(error.code == Code::preprocessor);
-    CHECK(error.message.find("'Camera'") != std::string::npos);
-    CHECK(error.place.column == 24);
-    CHECK_FALSE(error.help.empty());
+    const GlslStage stage =
+        stageOf("layout(std140) uniform Camera {\n  mat4 m;\n};\nuniform float x;\n");
+    REQUIRE(stage.blocks.size() == 1);
+    CHECK(stage.blocks[0].name == "Camera");
+    CHECK(stage.blocks[0].place.column == 24);
+    REQUIRE(stage.uniforms.size() == 1);
+    CHECK(stage.uniforms[0].name == "x");
 }
 
 TEST_CASE("outputs have the location that they say, or that of their order")

@@ -90,7 +90,7 @@ expect 1 "CV1201.*geometry/hostdepth" explain mobile --set +geometry/hostdepth
 expect 1 "CV1206.*\\+MODULE" explain mobile --set +
 printf '%s' '{"format": 1, "extends": ["mobile", "geometry/host_depth"], "params": {"guard_band": 1.4}}' >banded.json
 expect 1 "banded.json:1:[0-9]+: error CV4004: param 'guard_band'" validate banded.json
-expect 1 "banded.json:1:36: note: what declared it was left out here" validate banded.json
+expect 1 "note: banded.json:1:37: what declared it was left out here" validate banded.json
 
 # --- explain ---
 expect 0 'geometry' explain learnopengl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/gl/host_texture.h"
+#include "backends/gl/host/host_texture.h"
 
 #include "backends/gl/failure.h"
 #include "backends/gl/formats.h"

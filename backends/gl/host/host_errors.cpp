@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "backends/gl/host_errors.h"
+#include "backends/gl/host/host_errors.h"
 
 #include "backends/gl/failure.h"
 #include "backends/gl/objects.h"
