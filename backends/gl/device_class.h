@@ -85,8 +85,8 @@ private:
 
     struct MeshSlot {
         GlVertexArray vertex_array;
-        GlBuffer vertices;  // nothing where they are the host's, and
-        GlBuffer indices;   // ... so with these
+        GlBuffer vertices;  // of a host's mesh what it has no attributes for, or nothing
+        GlBuffer indices;   // nothing of a host's mesh
         std::uint32_t index_count = 0;
         MeshOrigin origin = {};
         bool indexed = true;

@@ -3,18 +3,16 @@
 #include "backends/gl/device_class.h"
 #include "backends/gl/failure.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace crevice {
 
 namespace {
 
-/// What an attribute that the host has none of reads for every vertex.
-constexpr float kNoNormal[] = {0, 0, 1};
-constexpr float kNoUv[] = {0, 0};
+/// What every vertex reads as its normal, and behind that as its uv, where the host has none.
+constexpr float kConstants[] = {0, 0, 1, 0, 0};
+constexpr std::size_t kConstantUv = 3 * sizeof(float);
 
 GLenum typeOf(VertexType type)
 {
@@ -50,9 +48,10 @@ void setConstant(const GlApi& gl, GLuint location, int components, std::size_t o
     gl.VertexAttribDivisor(location, 1);
 }
 
-/// Whether `bytes` of that buffer of the host's are there. Errors: CV6011.
-Status checkBuffer(const GlApi& gl, const HostMesh& mesh, const char* what, GLuint buffer,
-                   std::uint64_t bytes)
+/// Whether `bytes` of that buffer of the host's are there; leaves it bound to `target`. WebGL binds
+/// indices to GL_ELEMENT_ARRAY_BUFFER alone. Errors: CV6011.
+Status checkBuffer(const GlApi& gl, const HostMesh& mesh, const char* what, GLenum target,
+                   GLuint buffer, std::uint64_t bytes)
 {
     const std::string named =
         "mesh '" + mesh.label + "' has its " + what + " in buffer " + std::to_string(buffer);
@@ -60,8 +59,8 @@ Status checkBuffer(const GlApi& gl, const HostMesh& mesh, const char* what, GLui
         return failure(Code::bad_input, named + ", which is none of this context",
                        "give a name of glGenBuffers that was bound once");
     GLint size = 0;
-    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-    gl.GetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, &size);
+    gl.BindBuffer(target, buffer);
+    gl.GetBufferParameteriv(target, GL_BUFFER_SIZE, &size);
     if (bytes <= static_cast<std::uint64_t>(size)) return {};
     return failure(Code::bad_input,
                    named + ", which has " + std::to_string(size) +
@@ -77,10 +76,11 @@ Status checkBuffer(const GlApi& gl, const HostMesh& mesh, const char* what,
     if (from.buffer == 0) return {};
     const std::uint64_t size = bytesOf(from.type, components);
     const std::uint64_t stride = from.stride == 0 ? size : from.stride;
-    return checkBuffer(gl, mesh, what, from.buffer,
+    return checkBuffer(gl, mesh, what, GL_ARRAY_BUFFER, from.buffer,
                        from.offset + stride * (mesh.vertex_count - 1) + size);
 }
 
+/// Leaves the indices bound to the current vertex array.
 Status checkBuffers(const GlApi& gl, const HostMesh& mesh)
 {
     Status positions = checkBuffer(gl, mesh, "positions", mesh.position, 3);
@@ -90,7 +90,8 @@ Status checkBuffers(const GlApi& gl, const HostMesh& mesh)
     Status uvs = checkBuffer(gl, mesh, "uv", mesh.uv, 2);
     if (!uvs || mesh.index_buffer == 0) return uvs;
     const std::uint64_t bytes = std::uint64_t{bytesOf(mesh.index_type)} * mesh.index_count;
-    return checkBuffer(gl, mesh, "indices", mesh.index_buffer, mesh.index_offset + bytes);
+    return checkBuffer(gl, mesh, "indices", GL_ELEMENT_ARRAY_BUFFER, mesh.index_buffer,
+                       mesh.index_offset + bytes);
 }
 
 std::vector<Vertex> about(const MeshOrigin& origin, std::vector<Vertex> vertices)
@@ -139,7 +140,6 @@ Result<MeshId> GlDevice::adoptMesh(const HostMesh& host)
     if (Status status = checkMesh(host); !status) return status.diagnostics();
     if (Status status = checkCurrent(); !status) return status.diagnostics();
     Scope scope(*this);
-    if (Status status = checkBuffers(gl_, host); !status) return status.diagnostics();
     MeshSlot mesh;
     mesh.vertex_array = GlVertexArray::make(gl_);
     mesh.index_count = host.index_count;
@@ -147,20 +147,17 @@ Result<MeshId> GlDevice::adoptMesh(const HostMesh& host)
     mesh.index_type = host.index_type;
     mesh.index_offset = host.index_offset;
     gl_.BindVertexArray(mesh.vertex_array.name());
+    if (Status status = checkBuffers(gl_, host); !status) return status.diagnostics();
     if (host.normal.buffer == 0 || host.uv.buffer == 0) {
-        float constants[5];
-        std::copy(std::begin(kNoNormal), std::end(kNoNormal), constants);
-        std::copy(std::begin(kNoUv), std::end(kNoUv), constants + 3);
         mesh.vertices = GlBuffer::make(gl_);
         gl_.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
-        gl_.BufferData(GL_ARRAY_BUFFER, sizeof constants, constants, GL_STATIC_DRAW);
+        gl_.BufferData(GL_ARRAY_BUFFER, sizeof kConstants, kConstants, GL_STATIC_DRAW);
         if (host.normal.buffer == 0) setConstant(gl_, 1, 3, 0);
-        if (host.uv.buffer == 0) setConstant(gl_, 2, 2, sizeof kNoNormal);
+        if (host.uv.buffer == 0) setConstant(gl_, 2, 2, kConstantUv);
     }
     setAttribute(gl_, 0, 3, host.position);
     if (host.normal.buffer != 0) setAttribute(gl_, 1, 3, host.normal);
     if (host.uv.buffer != 0) setAttribute(gl_, 2, 2, host.uv);
-    if (mesh.indexed) gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, host.index_buffer);
     setLabel(gl_, GL_VERTEX_ARRAY, mesh.vertex_array.name(), host.label);
     if (Status status = takeErrors(gl_, "adoptMesh", host.label.c_str()); !status)
         return status.diagnostics();

@@ -27,8 +27,8 @@ bool GlTimers::begin(const GlApi& gl, int slot)
 {
     if (queries_.empty()) return false;
     measured_[slot] = false;
-    if (host_measures_) return true;  // and the slot stays void
-    voidIfDisturbed(gl);              // what happened before this timer is not its own
+    if (host_measures_) return true;            // and the slot stays void
+    if (measured_.none()) voidIfDisturbed(gl);  // what happened before the first does not matter
     measured_[slot] = true;
     gl.BeginQuery(GL_TIME_ELAPSED_EXT, queries_[slot].name());
     return true;

@@ -139,12 +139,12 @@ Node leaveOutReplaced(std::vector<LoadedFile>& files)
         notes.members.push_back(reasonOf(files[i], *by));
         last = std::max(last, static_cast<std::size_t>(by - files.data()));
     }
+    if (notes.members.empty()) return notes;
     subtract(gone, declaredByOthers(files, out, last));
     for (std::size_t i = 0; i < last; ++i) {
         prune(files[i].body, gone);
         for (Member& variant : files[i].variants) prune(variant.value, gone);
     }
-    if (notes.members.empty()) return notes;
     for (const auto& [section, names] : gone) {
         Node deleted = objectOf("", files[last].asked.place, {});
         deleted.members.clear();

@@ -30,10 +30,6 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
                       suggestName(name, std::move(names), "params and features"), place};
 }
 
-}  // namespace
-
-namespace {
-
 std::shared_ptr<SourceText> sourceOf(const std::string& text, std::vector<std::string> roots)
 {
     roots.push_back(".");  // where its files stand

@@ -90,7 +90,7 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
     return {};
 }
 
-/// Errors: CV6011 for a name that is no format's, and for a kind that there is not.
+/// Errors: CV6011 for a name that is no format's, and for an unknown kind.
 Status checkTexture(const crevice_texture& texture)
 {
     if (Status given = checkGiven(texture.format, "the texture's format"); !given) return given;
@@ -100,8 +100,7 @@ Status checkTexture(const crevice_texture& texture)
                           suggestName(texture.format, formatNames(), "formats")};
     const int kind = texture.kind;
     if (kind >= CREVICE_TEXTURE && kind <= CREVICE_FRAMEBUFFER) return {};
-    return Diagnostic{Code::bad_input,
-                      "a texture's kind is " + std::to_string(kind) + ", which there is not",
+    return Diagnostic{Code::bad_input, "there is no texture kind " + std::to_string(kind),
                       "take one of crevice_texture_kind, such as CREVICE_LAYER"};
 }
 

@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The C API as a C99 program sees it: every function with null and with structs of a wrong size,
 // errors and their places, what there is to set. Exits with 0, 1 (wrong), or 77 (no GL here).
-#include <crevice/crevice.h>
+#include "checks.h"  // beside this file, for projects outside that build it
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int failures = 0;
-
-#define CHECK(what) ((what) ? (void)0 : fail(__LINE__, #what))
-/// The error has that code, 0 for none; it is freed.
-#define EXPECT(code, call) expect(__LINE__, #call, code, call)
-
-static void fail(int line, const char* what)
-{
-    printf("api_test.c:%d: failed: %s\n", line, what);
-    ++failures;
-}
-
-static void expect(int line, const char* call, int code, crevice_error* error)
-{
-    if (crevice_error_code(error) != code) {
-        fail(line, call);
-        printf("wanted CV%d: %s\n", code, crevice_error_text(error));
-    }
-    crevice_error_free(error);
-}
 
 static const char kConfig[] =
     "{ \"format\": 1, \"name\": \"ao\","
@@ -172,7 +150,7 @@ static crevice_param param_of(const crevice_effect* effect, const char* name)
         EXPECT(0, crevice_effect_get_param(effect, i, &param));
         if (strcmp(param.name, name) == 0) return param;
     }
-    fail(__LINE__, name);
+    fail(__FILE__, __LINE__, name);
     return param;
 }
 
@@ -260,7 +238,7 @@ static void check_patch(crevice_device* device)
         crevice_param a = {.struct_size = sizeof a}, b = {.struct_size = sizeof b};
         EXPECT(0, crevice_effect_get_param(effect, i, &a));
         EXPECT(0, crevice_effect_get_param(again, i, &b));
-        if (memcmp(a.value, b.value, sizeof a.value) != 0) fail(__LINE__, a.name);
+        if (memcmp(a.value, b.value, sizeof a.value) != 0) fail(__FILE__, __LINE__, a.name);
     }
     const char* text_again = NULL;
     EXPECT(0, crevice_effect_get_patch(again, &text_again));

@@ -40,13 +40,7 @@ struct Host : GlFixture {
         std::vector<float> steps;
         for (int i = 0; i < kExtent.width * kExtent.height; ++i)
             steps.push_back(0.9f + 0.01f * static_cast<float>(i / 8 % 5));
-        gl.GenTextures(1, &depth);
-        gl.BindTexture(GL_TEXTURE_2D, depth);
-        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, kExtent.width, kExtent.height);
-        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT,
-                         GL_FLOAT, steps.data());
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl.BindTexture(GL_TEXTURE_2D, 0);
+        depth = depthTexture(gl, kExtent, steps);
         desc.struct_size = sizeof desc;
         desc.loader = find;
         desc.user = &testContext();

@@ -2,36 +2,14 @@
 // Pictures of a host of C99 go in and out in every way: depth in a texture, a layer, a part, a
 // renderbuffer and a framebuffer gives the same AO; AO is drawn into a texture and a framebuffer of
 // the host's. Exits with 0, 1 (wrong), or 77 (no EGL here).
-#include <crevice/crevice.h>
+#include "checks.h"
 
 #include <GLES3/gl3.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { kWidth = 64, kHeight = 36, kCount = kWidth * kHeight, kLarger = 128, kX = 30, kY = 50 };
-
-static int failures = 0;
-
-#define CHECK(what) ((what) ? (void)0 : fail(__LINE__, #what))
-/// The error has that code, 0 for none; it is freed.
-#define EXPECT(code, call) expect(__LINE__, #call, code, call)
-
-static void fail(int line, const char* what)
-{
-    printf("pictures_test.c:%d: failed: %s\n", line, what);
-    ++failures;
-}
-
-static void expect(int line, const char* call, int code, crevice_error* error)
-{
-    if (crevice_error_code(error) != code) {
-        fail(line, call);
-        printf("wanted CV%d: %s\n", code, crevice_error_text(error));
-    }
-    crevice_error_free(error);
-}
 
 static GLuint depth_texture(GLenum target, int size_x, int size_y)
 {
@@ -149,7 +127,8 @@ static void check_same(int line, crevice_device* device, crevice_texture depth, 
 {
     static float ao[kCount];
     draw(device, &depth, ao);
-    if (memcmp(ao, wanted, sizeof ao) != 0) fail(line, "the same AO as of a whole texture");
+    if (memcmp(ao, wanted, sizeof ao) != 0)
+        fail(__FILE__, line, "the same AO as of a whole texture");
 }
 
 /// What is not as it is said to be is refused, and the picture of before stays.
@@ -243,7 +222,7 @@ static void check_presented(int line, const float* ao)
             const int red = inside ? (int)lroundf(ao[row * kWidth + column] * 255) : 0;
             wrong += abs(pixels[y][x][0] - red) > 1 || pixels[y][x][1] != (inside ? 0 : 255);
         }
-    if (wrong > 0) fail(line, "AO in the rectangle and nothing of it around");
+    if (wrong > 0) fail(__FILE__, line, "AO in the rectangle and nothing of it around");
 }
 
 static void clear_green(void)

@@ -23,13 +23,7 @@ struct HostDepth : GlFixture {
         std::vector<float> depth;
         for (int y = 0; y < kExtent.height; ++y)
             depth.insert(depth.end(), kExtent.width, windowDepth(y));
-        gl.GenTextures(1, &name);
-        gl.BindTexture(GL_TEXTURE_2D, name);
-        gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, kExtent.width, kExtent.height);
-        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT,
-                         GL_FLOAT, depth.data());
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl.BindTexture(GL_TEXTURE_2D, 0);
+        name = depthTexture(gl, kExtent, depth);
     }
     ~HostDepth() { gl.DeleteTextures(1, &name); }
 

@@ -62,6 +62,19 @@ MeshDesc square(float z)
     return mesh;
 }
 
+GLuint depthTexture(const GlApi& gl, Extent extent, const std::vector<float>& depths)
+{
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, extent.width, extent.height);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, extent.width, extent.height, GL_DEPTH_COMPONENT,
+                     GL_FLOAT, depths.data());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    return name;
+}
+
 GlFixture::GlFixture(const GlDeviceOptions& options, Context& context)
 {
     need(context.makeCurrent());

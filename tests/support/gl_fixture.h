@@ -36,6 +36,9 @@ std::string fragment(const std::string& body);
 /// A pass over all of a framebuffer with `colors` attachments, all cleared to zero and stored.
 PassInfo wholePass(FramebufferId framebuffer, Extent extent, int colors = 1);
 
+/// A host's GL_DEPTH_COMPONENT32F texture with these window depths, to be deleted by the caller.
+GLuint depthTexture(const GlApi& gl, Extent extent, const std::vector<float>& depths);
+
 /// A triangle list of rectangles over the clip-space square [-1, 1] at depth `z`.
 MeshDesc square(float z);
 

@@ -34,14 +34,7 @@ GLuint makeDepth(const GlApi& gl, int wide)
     Pixels steps;
     for (int i = 0; i < kExtent.width * kExtent.height; ++i)
         steps.push_back(0.95f + 0.005f * static_cast<float>(i / wide % 5));
-    GLuint name = 0;
-    gl.GenTextures(1, &name);
-    gl.BindTexture(GL_TEXTURE_2D, name);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT32F, kExtent.width, kExtent.height);
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kExtent.width, kExtent.height, GL_DEPTH_COMPONENT,
-                     GL_FLOAT, steps.data());
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
+    const GLuint name = depthTexture(gl, kExtent, steps);
     gl.Finish();  // before another context reads it
     return name;
 }

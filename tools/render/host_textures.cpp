@@ -45,20 +45,27 @@ void takeParams(Description& host, const Description& description)
             if (param.name != "guard_band") own->value = param.value;
 }
 
+bool lacks(const Frame& scene, const ImportDesc& import)
+{
+    return import.type == ImportType::texture && !findNamed(scene.textures, import.name);
+}
+
 }  // namespace
 
 Result<HostTextures> HostTextures::make(Device& device, const Description& description,
                                         Extent extent, const Frame& scene)
 {
+    const std::vector<ImportDesc>& imports = description.imports;
+    if (std::none_of(imports.begin(), imports.end(),
+                     [&](const ImportDesc& each) { return lacks(scene, each); }))
+        return HostTextures();
     Result<Description> host = loadDescription({kHostModule, {}, {}, {}}, shippedSources());
     if (!host) return host.diagnostics();
     HostTextures textures;
     bool draws = false;
-    for (const ImportDesc& import : description.imports) {
+    for (const ImportDesc& import : imports) {
         draws |= import.type == ImportType::draw_list;
-        if (import.type != ImportType::texture || !findNamed(host->outputs, import.name) ||
-            findNamed(scene.textures, import.name))
-            continue;
+        if (!lacks(scene, import) || !findNamed(host->outputs, import.name)) continue;
         textures.names_.push_back(import.name);
         fitFormat(*host, import, device.caps());
     }

@@ -441,8 +441,8 @@ public:
     virtual void draw(MeshId id, std::uint32_t first, std::uint32_t count) = 0;
 
     /// Has the host draw by itself: calls `drawing` with the API's own name (GLuint) of the running
-    /// program and with `host`, all being set as for a `draw` of this device. Whatever `draw`
-    /// leaves behind is set right again but for program and textures: set those again.
+    /// program and with `host`, all being set as for a `draw` of this device. Whatever
+    /// `drawing` leaves behind is set right again but for program and textures: set those again.
     virtual void drawByHost(void (*drawing)(std::uint32_t program, void* host), void* host) = 0;
 
     /// Draws one triangle that covers the viewport; the vertex shader builds it from gl_VertexID.

@@ -121,8 +121,8 @@ class ValueTable;
 
 /// A draw that the host does by itself. GL is set up as the pass wants it: framebuffer, viewport,
 /// depth test, culling, and the pass's program with all of its uniforms and textures. What is left
-/// to do is to bind vertices and draw; those of <crevice/frame.h> lie at locations 0 to 2. Another
-/// program may do it too, which writes what the pass's does. All state may be left as it is.
+/// to do is to bind vertices and draw: position, normal and uv are at locations 0 to 2. Another
+/// program may be used that writes the same outputs. No state need be put back.
 class DrawCall {
 public:
     DrawCall(const char* in_pass, std::uint32_t of_program, const ValueTable& values)

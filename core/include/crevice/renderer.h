@@ -63,8 +63,8 @@ public:
     Result<FrameTimes> renderTimed(const Frame& frame);
 
     /// Has `render` measure from now on what its passes take on the GPU, without a wait and without
-    /// allocating once the first frames are through: `times` has it some frames later. Passes are
-    /// left out as without. Default: off.
+    /// allocating once the first frames are through: `times` has it some frames later. Which passes
+    /// run does not change. Default: off.
     ///
     /// Warns with CV6018 where nothing can be measured: the device has no timer that can be
     /// trusted, as on software renderers, or the plan's views have more than kMaxFrameTimers passes
