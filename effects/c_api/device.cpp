@@ -6,6 +6,7 @@
 #include <crevice/gl_device.h>
 
 #include "effects/c_api/report.h"
+#include "effects/c_api/structs.h"
 
 using namespace crevice;
 
@@ -93,11 +94,12 @@ crevice_error* crevice_device_create(const crevice_device_desc* desc, crevice_de
 {
     if (device) *device = nullptr;
     return guarded([&]() -> Status {
-        Status given = firstOf(checkStruct(desc, "crevice_device_desc"),
+        crevice_device_desc own = {};
+        Status given = firstOf(take(desc, "crevice_device_desc", own),
                                checkGiven(device, "the place for the device"));
-        if (given) given = checkGiven(reinterpret_cast<const void*>(desc->loader), "the loader");
+        if (given) given = checkGiven(reinterpret_cast<const void*>(own.loader), "the loader");
         if (!given) return given;
-        auto made = makeDevice(*desc);
+        auto made = makeDevice(own);
         if (!made) return made.diagnostics();
         *device = new crevice_device{std::move(*made)};
         return {};
@@ -108,13 +110,15 @@ crevice_error* crevice_device_get_info(const crevice_device* device, crevice_dev
 {
     return guarded([&]() -> Status {
         const Status given =
-            firstOf(checkGiven(device, "the device"), checkStruct(info, "crevice_device_info"));
+            firstOf(checkGiven(device, "the device"), check(info, "crevice_device_info"));
         if (!given) return given;
         const DeviceCaps& caps = device->device->caps();
-        info->name = caps.name.c_str();
-        info->version = caps.version;
-        info->software = caps.software;
-        info->max_texture_size = caps.max_texture_size;
+        crevice_device_info own = {};
+        own.name = caps.name.c_str();
+        own.version = caps.version;
+        own.software = caps.software;
+        own.max_texture_size = caps.max_texture_size;
+        give(own, info);
         return {};
     });
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Effects: made, set, drawn, and their outputs.
+// Effects: made, set and drawn.
 #include "effects/c_api/effect.h"
 
 #include <crevice/renderer.h>
 
 #include "effects/c_api/device.h"
+#include "effects/c_api/structs.h"
+#include "effects/c_api/textures.h"
 
 #include <glm/gtc/type_ptr.hpp>
-
-#include <algorithm>
 
 using namespace crevice;
 
@@ -20,20 +20,6 @@ constexpr const char* kBlank = R"({ "format": 1, "name": "blank", "params": { "i
     "extends": ["geometry/host_depth", "ssao/hemisphere"] })";
 
 std::string textOf(const char* text) { return text ? text : ""; }
-
-/// Runs a call on an effect that is not null, and keeps its warnings.
-template <class Call>
-crevice_error* onEffect(crevice_effect* effect, const Call& call) noexcept
-{
-    return guarded([&]() -> Status {
-        if (Status given = checkGiven(effect, "the effect"); !given) return given;
-        effect->warnings.reset();
-        const Status status = call();
-        if (status && !status.diagnostics().empty())
-            effect->warnings = std::make_unique<crevice_error>(status.diagnostics());
-        return status;
-    });
-}
 
 Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
 {
@@ -90,98 +76,6 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
     return {};
 }
 
-/// Errors: CV6011 for a name that is no format's, and for an unknown kind.
-Status checkTexture(const crevice_texture& texture)
-{
-    if (Status given = checkGiven(texture.format, "the texture's format"); !given) return given;
-    if (formatFromName(texture.format) == Format::none)
-        return Diagnostic{Code::bad_input,
-                          "there is no format '" + std::string(texture.format) + "'",
-                          suggestName(texture.format, formatNames(), "formats")};
-    const int kind = texture.kind;
-    if (kind >= CREVICE_TEXTURE && kind <= CREVICE_FRAMEBUFFER) return {};
-    return Diagnostic{Code::bad_input, "there is no texture kind " + std::to_string(kind),
-                      "take one of crevice_texture_kind, such as CREVICE_LAYER"};
-}
-
-HostTexture::Kind kindOf(crevice_texture_kind kind)
-{
-    switch (kind) {
-    case CREVICE_LAYER: return HostTexture::Kind::layer;
-    case CREVICE_RENDERBUFFER: return HostTexture::Kind::renderbuffer;
-    case CREVICE_FRAMEBUFFER: return HostTexture::Kind::framebuffer;
-    default: return HostTexture::Kind::texture;
-    }
-}
-
-HostTexture hostTexture(const crevice_texture& texture)
-{
-    HostTexture host;
-    host.name = texture.name;
-    host.format = formatFromName(texture.format);
-    host.extent = {texture.width, texture.height};
-    host.samples = texture.samples == 0 ? 1 : texture.samples;
-    host.kind = kindOf(texture.kind);
-    host.layer = texture.layer;
-    host.part = texture.part;
-    host.x = texture.x;
-    host.y = texture.y;
-    return host;
-}
-
-HostFramebuffer hostFramebuffer(const crevice_target& target)
-{
-    HostFramebuffer host;
-    host.name = target.framebuffer;
-    host.texture = target.texture;
-    host.level = target.level;
-    host.x = target.x;
-    host.y = target.y;
-    host.extent = {target.width, target.height};
-    return host;
-}
-
-Result<OutputTexture> outputOf(const crevice_effect& effect, const char* name)
-{
-    const OutputTexture texture = effect.effect->outputTexture(name);
-    if (texture.format != Format::none) return texture;
-    return Diagnostic{Code::reference_missing,
-                      "the effect has no output '" + std::string(name) + "'",
-                      suggestName(name, effect.loaded->outputs, "outputs")};
-}
-
-Status checkOutput(const crevice_effect* effect, const char* name)
-{
-    return firstOf(checkGiven(effect, "the effect"), checkGiven(name, "the output's name"));
-}
-
-Status getOutput(const crevice_effect& effect, const char* name, crevice_output& output)
-{
-    const Result<OutputTexture> texture = outputOf(effect, name);
-    if (!texture) return texture.diagnostics();
-    const FormatInfo& format = formatInfo(texture->format);
-    output.texture = texture->native_name;
-    output.format = format.name;
-    output.channels = format.channels;
-    output.width = texture->extent.width;
-    output.height = texture->extent.height;
-    return {};
-}
-
-Status readOutput(const crevice_effect& effect, const char* name, float* pixels, std::size_t count)
-{
-    const Result<OutputTexture> texture = outputOf(effect, name);
-    if (!texture) return texture.diagnostics();
-    const Result<Image> image = effect.device->readTexture(effect.effect->output(name));
-    if (!image) return image.diagnostics();
-    if (count != image->pixels.size())
-        return Diagnostic{Code::image_size,
-                          "the output has " + std::to_string(image->pixels.size()) +
-                              " floats, and there is room for " + std::to_string(count)};
-    std::copy(image->pixels.begin(), image->pixels.end(), pixels);
-    return {};
-}
-
 }  // namespace
 
 crevice_error* crevice_effect_create(crevice_device* device, const crevice_effect_desc* desc,
@@ -189,10 +83,11 @@ crevice_error* crevice_effect_create(crevice_device* device, const crevice_effec
 {
     if (effect) *effect = nullptr;
     return guarded([&]() -> Status {
+        crevice_effect_desc own = {};
         const Status given =
-            firstOf(checkGiven(device, "the device"), checkStruct(desc, "crevice_effect_desc"),
+            firstOf(checkGiven(device, "the device"), take(desc, "crevice_effect_desc", own),
                     checkGiven(effect, "the place for the effect"));
-        return given ? create(*device, *desc, effect) : given;
+        return given ? create(*device, own, effect) : given;
     });
 }
 
@@ -265,10 +160,10 @@ crevice_error* crevice_effect_set_texture(crevice_effect* effect, const char* im
                                           const crevice_texture* texture)
 {
     return onEffect(effect, [&] {
-        Status given = firstOf(checkGiven(import, "the import's name"),
-                               checkStruct(texture, "crevice_texture"));
-        if (given) given = checkTexture(*texture);
-        return given ? effect->effect->setTexture(import, hostTexture(*texture)) : given;
+        HostTexture host;
+        const Status given =
+            firstOf(checkGiven(import, "the import's name"), takeTexture(texture, host));
+        return given ? effect->effect->setTexture(import, host) : given;
     });
 }
 
@@ -301,46 +196,5 @@ crevice_error* crevice_effect_render(crevice_effect* effect)
         frame.camera_cut = false;
         frame.origin_shift = glm::dvec3(0.0);
         return status;
-    });
-}
-
-int crevice_effect_output_count(const crevice_effect* effect)
-{
-    return effect ? static_cast<int>(effect->loaded->outputs.size()) : 0;
-}
-
-const char* crevice_effect_output_name(const crevice_effect* effect, int index)
-{
-    const bool there = index >= 0 && index < crevice_effect_output_count(effect);
-    return there ? effect->loaded->outputs[static_cast<std::size_t>(index)].c_str() : "";
-}
-
-crevice_error* crevice_effect_get_output(const crevice_effect* effect, const char* name,
-                                         crevice_output* output)
-{
-    return guarded([&] {
-        const Status given =
-            firstOf(checkOutput(effect, name), checkStruct(output, "crevice_output"));
-        return given ? getOutput(*effect, name, *output) : given;
-    });
-}
-
-crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
-                                      const crevice_target* target)
-{
-    return onEffect(effect, [&] {
-        const Status given =
-            firstOf(checkGiven(name, "the output's name"), checkStruct(target, "crevice_target"));
-        return given ? effect->effect->present(name, hostFramebuffer(*target)) : given;
-    });
-}
-
-crevice_error* crevice_effect_read_output(const crevice_effect* effect, const char* name,
-                                          float* pixels, size_t count)
-{
-    return guarded([&] {
-        const Status given =
-            firstOf(checkOutput(effect, name), checkGiven(pixels, "the place for pixels"));
-        return given ? readOutput(*effect, name, pixels, count) : given;
     });
 }

@@ -50,3 +50,21 @@ struct crevice_effect {
     std::unique_ptr<crevice_error> warnings = {};
     std::string patch = {};
 };
+
+namespace crevice {
+
+/// Runs a call on an effect that is not null, and keeps its warnings.
+template <class Call>
+crevice_error* onEffect(crevice_effect* effect, const Call& call) noexcept
+{
+    return guarded([&]() -> Status {
+        if (Status given = checkGiven(effect, "the effect"); !given) return given;
+        effect->warnings.reset();
+        const Status status = call();
+        if (status && !status.diagnostics().empty())
+            effect->warnings = std::make_unique<crevice_error>(status.diagnostics());
+        return status;
+    });
+}
+
+}  // namespace crevice

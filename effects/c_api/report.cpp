@@ -2,6 +2,8 @@
 // Errors as C reads them.
 #include "effects/c_api/report.h"
 
+#include "effects/c_api/structs.h"
+
 namespace {
 
 const crevice_error kOutOfMemory({crevice::Diagnostic{
@@ -52,18 +54,20 @@ int crevice_error_count(const crevice_error* error)
 bool crevice_error_get(const crevice_error* error, int index, crevice_diagnostic* diagnostic)
 {
     if (index < 0 || index >= crevice_error_count(error)) return false;
-    if (!diagnostic || diagnostic->struct_size != sizeof(crevice_diagnostic)) return false;
+    if (!crevice::check(diagnostic, "crevice_diagnostic")) return false;
     const crevice_error::Entry& entry = error->entries[static_cast<std::size_t>(index)];
     const crevice::Diagnostic& from = entry.diagnostic;
-    diagnostic->warning = from.severity == crevice::Severity::warning;
-    diagnostic->code = static_cast<int>(from.code);
-    diagnostic->message = from.message.c_str();
-    diagnostic->help = from.help.c_str();
-    diagnostic->file = from.place.source ? from.place.source->name.c_str() : "";
-    diagnostic->line = from.place.line;
-    diagnostic->column = from.place.line > 0 ? from.place.column : 0;
-    diagnostic->pointer = from.pointer.c_str();
-    diagnostic->text = entry.text.c_str();
+    crevice_diagnostic own = {};
+    own.warning = from.severity == crevice::Severity::warning;
+    own.code = static_cast<int>(from.code);
+    own.message = from.message.c_str();
+    own.help = from.help.c_str();
+    own.file = from.place.source ? from.place.source->name.c_str() : "";
+    own.line = from.place.line;
+    own.column = from.place.line > 0 ? from.place.column : 0;
+    own.pointer = from.pointer.c_str();
+    own.text = entry.text.c_str();
+    crevice::give(own, diagnostic);
     return true;
 }
 

@@ -34,19 +34,6 @@ crevice_error* outOfMemory();
 /// Errors: CV6011 for a null pointer; `what` names it: "the effect".
 Status checkGiven(const void* pointer, const char* what);
 
-/// Errors: CV6011 for null, or a size that no version of the struct has.
-template <class Struct>
-Status checkStruct(const Struct* given, const char* name)
-{
-    Status there = checkGiven(given, name);
-    if (!there || given->struct_size == sizeof(Struct)) return there;
-    return Diagnostic{Code::bad_input,
-                      std::string("struct_size of ") + name + " is " +
-                          std::to_string(given->struct_size) + ", and the struct has " +
-                          std::to_string(sizeof(Struct)) + " bytes",
-                      "set it to sizeof the struct, and build with the header of this library"};
-}
-
 /// The first that is not ok, else ok.
 template <class... More>
 Status firstOf(Status first, More... more)

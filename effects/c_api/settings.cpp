@@ -4,6 +4,7 @@
 
 #include "core/config/field_types.h"
 #include "effects/c_api/effect.h"
+#include "effects/c_api/structs.h"
 
 #include <algorithm>
 
@@ -25,10 +26,10 @@ int countOf(const crevice_effect* effect, const std::vector<T> Description::*lis
 
 /// Errors: CV6011.
 template <class Struct>
-Status check(const crevice_effect* effect, int index, int count, const Struct* into,
-             const char* name)
+Status checkPlace(const crevice_effect* effect, int index, int count, const Struct* into,
+                  const char* name)
 {
-    const Status given = firstOf(checkGiven(effect, "the effect"), checkStruct(into, name));
+    const Status given = firstOf(checkGiven(effect, "the effect"), check(into, name));
     if (!given || (index >= 0 && index < count)) return given;
     return Diagnostic{Code::bad_input, "the index " + std::to_string(index) + " is not below " +
                                            std::to_string(count)};
@@ -72,12 +73,14 @@ crevice_error* crevice_effect_get_param(const crevice_effect* effect, int index,
 {
     return guarded([&] {
         const Status given =
-            check(effect, index, crevice_effect_param_count(effect), param, "crevice_param");
+            checkPlace(effect, index, crevice_effect_param_count(effect), param, "crevice_param");
         if (!given) return given;
         const auto at = static_cast<std::size_t>(index);
-        fill(effect->loaded->description.params[at], *param);
+        crevice_param own = {};
+        fill(effect->loaded->description.params[at], own);
         const std::array<float, 4>& value = present(*effect).params[at].value;
-        std::copy(value.begin(), value.end(), param->value);
+        std::copy(value.begin(), value.end(), own.value);
+        give(own, param);
         return given;
     });
 }
@@ -91,12 +94,14 @@ crevice_error* crevice_effect_get_feature(const crevice_effect* effect, int inde
                                           crevice_feature* feature)
 {
     return guarded([&] {
-        const Status given =
-            check(effect, index, crevice_effect_feature_count(effect), feature, "crevice_feature");
+        const Status given = checkPlace(effect, index, crevice_effect_feature_count(effect),
+                                        feature, "crevice_feature");
         if (!given) return given;
         const auto at = static_cast<std::size_t>(index);
-        fill(effect->loaded->description.features[at], effect->loaded->words[at], *feature);
-        feature->word = present(*effect).features[at].value;
+        crevice_feature own = {};
+        fill(effect->loaded->description.features[at], effect->loaded->words[at], own);
+        own.word = present(*effect).features[at].value;
+        give(own, feature);
         return given;
     });
 }
@@ -110,16 +115,18 @@ crevice_error* crevice_effect_get_import(const crevice_effect* effect, int index
                                          crevice_import* import)
 {
     return guarded([&] {
-        const Status given =
-            check(effect, index, crevice_effect_import_count(effect), import, "crevice_import");
+        const Status given = checkPlace(effect, index, crevice_effect_import_count(effect), import,
+                                        "crevice_import");
         if (!given) return given;
         static const std::vector<std::string> types = table::spellings(ImportType());
         const ImportDesc& from =
             effect->loaded->description.imports[static_cast<std::size_t>(index)];
-        import->name = from.name.c_str();
-        import->type = types[static_cast<std::size_t>(from.type)].c_str();
-        import->format = from.type == ImportType::texture ? from.format.c_str() : "";
-        import->optional = from.optional;
+        crevice_import own = {};
+        own.name = from.name.c_str();
+        own.type = types[static_cast<std::size_t>(from.type)].c_str();
+        own.format = from.type == ImportType::texture ? from.format.c_str() : "";
+        own.optional = from.optional;
+        give(own, import);
         return given;
     });
 }

@@ -24,12 +24,14 @@
 //     crevice_effect_get_output(effect, "ao", &ao);             // bind ao.texture; red: 1 is open
 //
 // Errors      What can fail returns an error, or null where all went well. An error is yours: read
-//             it, then free it. A null handle, a null pointer and a struct of another size are
+//             it, then free it. A null handle, a null pointer and a struct without its size are
 //             errors as well (CV6011). After an error everything is as it was before the call. No
 //             C++ exception leaves a function.
-// Structs     The first member is the struct's own size. Set all others to zero but those that you
-//             mean: zero is the default. Later versions append members and take the sizes of
-//             earlier ones.
+// Structs     The first member is sizeof the struct. Set all others to zero but those that you
+//             mean: zero is the default. Later versions append members. So a struct of an earlier
+//             version has the default for what it lacks, and is never written past its end. One of
+//             a later version, of at most 4096 bytes, is taken where its further members are zero,
+//             and is CV6011 where they are not; filled in, they become zero.
 // Ownership   What _create gives is yours, to be handed to _destroy, which takes null as well.
 //             Effects keep their device alive: destroy them in any order. Of what you hand over,
 //             strings, arrays and structs are copied; textures stay yours.
@@ -97,7 +99,7 @@ CREVICE_API int crevice_error_code(const crevice_error* error);
 /// How many messages there are: every mistake of a config at once. 0 of null.
 CREVICE_API int crevice_error_count(const crevice_error* error);
 
-/// Fills in one of them. False where there is none such, or the struct's size is wrong.
+/// Fills in one of them. False where there is none such, or the struct lacks its size.
 CREVICE_API bool crevice_error_get(const crevice_error* error, int index,
                                    crevice_diagnostic* diagnostic);
 

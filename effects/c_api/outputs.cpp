@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What comes out of an effect.
+#include "effects/c_api/effect.h"
+#include "effects/c_api/structs.h"
+
+#include <algorithm>
+
+using namespace crevice;
+
+namespace {
+
+HostFramebuffer hostFramebuffer(const crevice_target& target)
+{
+    HostFramebuffer host;
+    host.name = target.framebuffer;
+    host.texture = target.texture;
+    host.level = target.level;
+    host.x = target.x;
+    host.y = target.y;
+    host.extent = {target.width, target.height};
+    return host;
+}
+
+Result<OutputTexture> outputOf(const crevice_effect& effect, const char* name)
+{
+    const OutputTexture texture = effect.effect->outputTexture(name);
+    if (texture.format != Format::none) return texture;
+    return Diagnostic{Code::reference_missing,
+                      "the effect has no output '" + std::string(name) + "'",
+                      suggestName(name, effect.loaded->outputs, "outputs")};
+}
+
+Status checkOutput(const crevice_effect* effect, const char* name)
+{
+    return firstOf(checkGiven(effect, "the effect"), checkGiven(name, "the output's name"));
+}
+
+Status getOutput(const crevice_effect& effect, const char* name, crevice_output& output)
+{
+    const Result<OutputTexture> texture = outputOf(effect, name);
+    if (!texture) return texture.diagnostics();
+    const FormatInfo& format = formatInfo(texture->format);
+    crevice_output own = {};
+    own.texture = texture->native_name;
+    own.format = format.name;
+    own.channels = format.channels;
+    own.width = texture->extent.width;
+    own.height = texture->extent.height;
+    give(own, &output);
+    return {};
+}
+
+Status readOutput(const crevice_effect& effect, const char* name, float* pixels, std::size_t count)
+{
+    const Result<OutputTexture> texture = outputOf(effect, name);
+    if (!texture) return texture.diagnostics();
+    const Result<Image> image = effect.device->readTexture(effect.effect->output(name));
+    if (!image) return image.diagnostics();
+    if (count != image->pixels.size())
+        return Diagnostic{Code::image_size,
+                          "the output has " + std::to_string(image->pixels.size()) +
+                              " floats, and there is room for " + std::to_string(count)};
+    std::copy(image->pixels.begin(), image->pixels.end(), pixels);
+    return {};
+}
+
+}  // namespace
+
+int crevice_effect_output_count(const crevice_effect* effect)
+{
+    return effect ? static_cast<int>(effect->loaded->outputs.size()) : 0;
+}
+
+const char* crevice_effect_output_name(const crevice_effect* effect, int index)
+{
+    const bool there = index >= 0 && index < crevice_effect_output_count(effect);
+    return there ? effect->loaded->outputs[static_cast<std::size_t>(index)].c_str() : "";
+}
+
+crevice_error* crevice_effect_get_output(const crevice_effect* effect, const char* name,
+                                         crevice_output* output)
+{
+    return guarded([&] {
+        const Status given = firstOf(checkOutput(effect, name), check(output, "crevice_output"));
+        return given ? getOutput(*effect, name, *output) : given;
+    });
+}
+
+crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
+                                      const crevice_target* target)
+{
+    return onEffect(effect, [&] {
+        crevice_target own = {};
+        const Status given =
+            firstOf(checkGiven(name, "the output's name"), take(target, "crevice_target", own));
+        return given ? effect->effect->present(name, hostFramebuffer(own)) : given;
+    });
+}
+
+crevice_error* crevice_effect_read_output(const crevice_effect* effect, const char* name,
+                                          float* pixels, size_t count)
+{
+    return guarded([&] {
+        const Status given =
+            firstOf(checkOutput(effect, name), checkGiven(pixels, "the place for pixels"));
+        return given ? readOutput(*effect, name, pixels, count) : given;
+    });
+}
