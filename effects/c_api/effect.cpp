@@ -10,6 +10,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <utility>
+
 using namespace crevice;
 
 namespace {
@@ -68,12 +70,29 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
     auto made = std::make_unique<crevice_effect>();
     made->device = device.device;
     made->effect = std::move(*blank);
+    made->effect->frame().materials.resize(1);
     const Status loaded = load(*made, std::move(*request), {desc.width, desc.height});
     if (!loaded) return loaded;
     if (!loaded.diagnostics().empty())
         made->warnings = std::make_unique<crevice_error>(loaded.diagnostics());
     *effect = made.release();
     return {};
+}
+
+Status render(crevice_effect& effect)
+{
+    const Status status = effect.effect->render();
+    Frame& frame = effect.effect->frame();
+    if (std::exchange(effect.scene.callback_threw, false)) {
+        ++frame.revision;  // draw again what it left undone
+        if (status)
+            return Diagnostic{Code::bad_input, "a draw callback threw an exception",
+                              "make callbacks that do not throw"};
+    }
+    if (!status) return status;
+    frame.camera_cut = false;
+    frame.origin_shift = glm::dvec3(0.0);
+    return status;
 }
 
 }  // namespace
@@ -189,12 +208,5 @@ crevice_error* crevice_effect_set_feature(crevice_effect* effect, const char* na
 
 crevice_error* crevice_effect_render(crevice_effect* effect)
 {
-    return onEffect(effect, [&] {
-        Status status = effect->effect->render();
-        Frame& frame = effect->effect->frame();
-        if (!status) return status;
-        frame.camera_cut = false;
-        frame.origin_shift = glm::dvec3(0.0);
-        return status;
-    });
+    return onEffect(effect, [&] { return render(*effect); });
 }

@@ -7,6 +7,7 @@
 #include <crevice/effect.h>
 
 #include "effects/c_api/report.h"
+#include "effects/c_api/scene.h"
 
 #include <memory>
 #include <optional>
@@ -46,6 +47,7 @@ struct crevice_effect {
     std::shared_ptr<crevice::Device> device;
     crevice::EffectRequest request;
     std::unique_ptr<crevice::LoadedConfig> loaded;
+    crevice::HostScene scene = {};
     std::optional<crevice::Effect> effect = {};
     std::unique_ptr<crevice_error> warnings = {};
     std::string patch = {};

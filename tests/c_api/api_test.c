@@ -49,6 +49,15 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_get_output(NULL, "ao", NULL));
     EXPECT(none, crevice_effect_present(NULL, "ao", NULL));
     EXPECT(none, crevice_effect_read_output(NULL, "ao", NULL, 0));
+    crevice_mesh* mesh = NULL;
+    EXPECT(none, crevice_mesh_create(NULL, NULL, &mesh));
+    EXPECT(none, crevice_mesh_adopt(NULL, NULL, &mesh));
+    crevice_mesh_destroy(NULL);
+    CHECK(crevice_draw_call_matrix(NULL, "clip_from_model") == NULL);
+    EXPECT(none, crevice_effect_set_draws(NULL, NULL, 0));
+    EXPECT(none, crevice_effect_set_materials(NULL, NULL, 0));
+    EXPECT(none, crevice_effect_set_lights(NULL, NULL, 0));
+    EXPECT(none, crevice_effect_set_ambient_light(NULL, NULL));
     CHECK(crevice_effect_param_count(NULL) == 0);
     EXPECT(none, crevice_effect_get_param(NULL, 0, NULL));
     CHECK(crevice_effect_feature_count(NULL) == 0);
@@ -78,7 +87,41 @@ static void check_nulls_of(crevice_effect* effect)
     EXPECT(none, crevice_effect_present(effect, NULL, &target));
     EXPECT(none, crevice_effect_present(effect, "ao", NULL));
     EXPECT(none, crevice_effect_read_output(effect, "ao", NULL, 0));
+    EXPECT(none, crevice_effect_set_draws(effect, NULL, 1));
+    EXPECT(none, crevice_effect_set_materials(effect, NULL, 1));
+    EXPECT(none, crevice_effect_set_lights(effect, NULL, 1));
+    EXPECT(none, crevice_effect_set_ambient_light(effect, NULL));
     EXPECT(none, crevice_effect_get_patch(effect, NULL));
+}
+
+/// A scene of one triangle, drawn from arrays of C.
+static void check_scene(crevice_device* device)
+{
+    const float positions[] = {-1, -1, -2, 1, -1, -2, 0, 1, -2};
+    const float projection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.1f, -1, 0, 0, 0, 1};
+    crevice_effect_desc desc = {.struct_size = sizeof desc, .width = 32, .height = 18};
+    desc.config = "mobile";
+    crevice_effect* effect = NULL;
+    EXPECT(0, crevice_effect_create(device, &desc, &effect));
+    EXPECT(0, crevice_effect_set_projection(effect, projection));
+    crevice_mesh_desc mesh_desc = {.struct_size = sizeof mesh_desc, .vertex_count = 3};
+    mesh_desc.positions = positions;
+    crevice_mesh* mesh = NULL;
+    EXPECT(0, crevice_mesh_create(device, &mesh_desc, &mesh));
+    crevice_draw draw = {.struct_size = sizeof draw, .mesh = mesh};
+    crevice_material material = {.struct_size = sizeof material, .base_color = {1, 0, 0, 1}};
+    crevice_light light = {.struct_size = sizeof light, .color = {1, 1, 1}};
+    EXPECT(0, crevice_effect_set_draws(effect, &draw, 1));
+    EXPECT(0, crevice_effect_set_materials(effect, &material, 1));
+    EXPECT(0, crevice_effect_set_lights(effect, &light, 1));
+    crevice_mesh_destroy(mesh);  // the effect keeps it alive
+    EXPECT(0, crevice_effect_render(effect));
+    float pixels[32 * 18][4];
+    EXPECT(0, crevice_effect_read_output(effect, "color", pixels[0], 4 * 32 * 18));
+    const float* middle = pixels[9 * 32 + 16];
+    CHECK(middle[0] > 0.1f && middle[1] < 0.01f && middle[2] < 0.01f);
+    CHECK(pixels[0][1] > 0.5f);  // the background
+    crevice_effect_destroy(effect);
 }
 
 /// A mistake in JSON text ends at its line and column, with the nearest name.
@@ -255,6 +298,7 @@ int main(void)
     check_settings(effect);
     check_lists(effect);
     check_patch(device);
+    check_scene(device);
     EXPECT(6010, crevice_effect_render(effect));  // without its texture
     EXPECT(1201, crevice_effect_reload(effect, "no_such_config"));
     EXPECT(0, crevice_effect_resize(effect, 32, 18));

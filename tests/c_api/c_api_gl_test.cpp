@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The C API beside the C++ facade, in one context: the same pictures, bit for bit.
-#include <crevice/crevice.h>
 #include <crevice/effect.h>
 
+#include "tests/c_api/c_api.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,14 +19,6 @@ constexpr Extent kExtent = {64, 36};
 
 const char* const kConfig = R"({ "format": 1, "name": "ao",
     "extends": ["geometry/host_depth", "ssao/gtao", "filter/bilateral_normal"] })";
-
-void need(crevice_error* error)
-{
-    INFO(crevice_error_text(error));
-    const bool failed = error != nullptr;
-    crevice_error_free(error);
-    REQUIRE(!failed);
-}
 
 void* find(const char* name, void* context)
 {
@@ -182,9 +174,7 @@ TEST_CASE("An exception of a host's callback is an error of the C API, and leave
     desc.struct_size = sizeof desc;
     desc.loader = [](const char*, void*) -> void* { throw 7; };
     crevice_device* device = nullptr;
-    crevice_error* error = crevice_device_create(&desc, &device);
-    CHECK(crevice_error_code(error) == static_cast<int>(Code::out_of_memory));
-    crevice_error_free(error);
+    CHECK(codeOf(crevice_device_create(&desc, &device)) == static_cast<int>(Code::out_of_memory));
     CHECK(device == nullptr);
 }
 
@@ -193,9 +183,7 @@ TEST_CASE("An effect of an abandoned device gives CV6016 and may be destroyed af
     Host host;
     crevice_effect* effect = host.drawn(kConfig);
     crevice_device_abandon(host.c_device);
-    crevice_error* error = crevice_effect_render(effect);
-    CHECK(crevice_error_code(error) == static_cast<int>(Code::context_lost));
-    crevice_error_free(error);
+    CHECK(codeOf(crevice_effect_render(effect)) == static_cast<int>(Code::context_lost));
     crevice_device_destroy(host.c_device);
     host.c_device = nullptr;
     crevice_effect_destroy(effect);

@@ -17,6 +17,15 @@ static crevice_error* mistake = NULL;
 
 #define END(type, member) (offsetof(type, member) + sizeof(((type*)NULL)->member))
 
+static GLuint buffer_of(size_t size)
+{
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    glBindBuffer(GL_ARRAY_BUFFER, name);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)size, NULL, GL_STATIC_DRAW);
+    return name;
+}
+
 /// A struct in memory of its own, where `behind` bytes of garbage follow it.
 static void* memory_of(size_t size, size_t behind)
 {
@@ -70,6 +79,39 @@ static crevice_error* present(const void* given)
     return crevice_effect_present(effect, "ao", given);
 }
 
+static crevice_error* make_mesh(const void* given)
+{
+    crevice_mesh* mesh = NULL;
+    crevice_error* error = crevice_mesh_create(device, given, &mesh);
+    CHECK((error == NULL) == (mesh != NULL));
+    crevice_mesh_destroy(mesh);
+    return error;
+}
+
+static crevice_error* adopt_mesh(const void* given)
+{
+    crevice_mesh* mesh = NULL;
+    crevice_error* error = crevice_mesh_adopt(device, given, &mesh);
+    CHECK((error == NULL) == (mesh != NULL));
+    crevice_mesh_destroy(mesh);
+    return error;
+}
+
+static crevice_error* set_draws(const void* given)
+{
+    return crevice_effect_set_draws(effect, given, 1);
+}
+
+static crevice_error* set_materials(const void* given)
+{
+    return crevice_effect_set_materials(effect, given, 1);
+}
+
+static crevice_error* set_lights(const void* given)
+{
+    return crevice_effect_set_lights(effect, given, 1);
+}
+
 /// The code of what `call` says of the first bytes of a struct and of zeros after them.
 static int code_of(const taken* each, size_t size, size_t behind)
 {
@@ -112,6 +154,31 @@ static void check_taken(const taken* each)
     check_unknown_member(each);
 }
 
+static void check_scene_taken(void)
+{
+    static const float positions[9] = {0};
+    const GLuint buffer = buffer_of(sizeof positions);
+    crevice_mesh* mesh = NULL;
+    crevice_mesh_desc mesh_desc = {.positions = positions, .vertex_count = 3};
+    crevice_host_mesh host = {.position = {.buffer = buffer}, .vertex_count = 3};
+    mesh_desc.struct_size = sizeof mesh_desc;
+    EXPECT(0, crevice_mesh_create(device, &mesh_desc, &mesh));
+    crevice_draw draw = {.mesh = mesh};
+    crevice_material material = {.shininess = 1};
+    crevice_light light = {.color = {1, 1, 1}};
+    const taken all[] = {
+        {"crevice_mesh_desc", &mesh_desc, sizeof mesh_desc, END(crevice_mesh_desc, vertex_count),
+         make_mesh},
+        {"crevice_host_mesh", &host, sizeof host, END(crevice_host_mesh, vertex_count), adopt_mesh},
+        {"crevice_draw", &draw, sizeof draw, END(crevice_draw, mesh), set_draws},
+        {"crevice_material", &material, sizeof material, 0, set_materials},
+        {"crevice_light", &light, sizeof light, 0, set_lights},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof *all; ++i) check_taken(&all[i]);
+    crevice_mesh_destroy(mesh);
+    glDeleteBuffers(1, &buffer);
+}
+
 static void check_all_taken(GLuint depth, GLuint color)
 {
     crevice_device_desc device_desc = {.loader = crevice_context_find, .user = context};
@@ -127,6 +194,7 @@ static void check_all_taken(GLuint depth, GLuint color)
         {"crevice_target", &target, sizeof target, END(crevice_target, height), present},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) check_taken(&all[i]);
+    check_scene_taken();
 }
 
 // ---- Structs that are filled in -----------------------------------------------------------------

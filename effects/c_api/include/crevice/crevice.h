@@ -33,8 +33,8 @@
 //             a later version, of at most 4096 bytes, is taken where its further members are zero,
 //             and is CV6011 where they are not; filled in, they become zero.
 // Ownership   What _create gives is yours, to be handed to _destroy, which takes null as well.
-//             Effects keep their device alive: destroy them in any order. Of what you hand over,
-//             strings, arrays and structs are copied; textures stay yours.
+//             Effects and meshes keep their device alive: destroy them in any order. Of what you
+//             hand over, strings, arrays and structs are copied; textures and buffers stay yours.
 // Strings     UTF-8. Those of an error live as long as it, those of an effect until it is reloaded
 //             or destroyed. None that is handed out is null: what is absent is "".
 // Threads     A device, its effects and its context belong to one thread at a time, the one that
@@ -229,7 +229,8 @@ CREVICE_API const crevice_error* crevice_effect_warnings(const crevice_effect* e
 CREVICE_API crevice_error* crevice_effect_set_projection(crevice_effect* effect,
                                                          const float* clip_from_view);
 
-/// Where the camera stands: 16 doubles by columns. Only configs that keep a history need it.
+/// Where the camera stands: 16 doubles by columns. Only configs that draw the scene or keep a
+/// history need it.
 /// Default: at the origin, looking along -z, or along +z under a left-handed perspective.
 CREVICE_API crevice_error* crevice_effect_set_view(crevice_effect* effect,
                                                    const double* view_from_world);
@@ -297,6 +298,212 @@ CREVICE_API crevice_error* crevice_effect_set_feature(crevice_effect* effect, co
 /// Draws what has changed since the last frame. docs/host.md has a table of errors and what to do
 /// after each; skip the effect in that frame.
 CREVICE_API crevice_error* crevice_effect_render(crevice_effect* effect);
+
+// ---- Geometry: for configs that draw the scene --------------------------------------------------
+
+// What imports of the types "draw_list" and "lights" are drawn from (crevice_effect_get_import):
+//
+//     crevice_mesh_desc desc = {.struct_size = sizeof desc, .positions = positions,
+//                               .normals = normals, .vertex_count = 3};
+//     crevice_mesh* mesh;
+//     crevice_mesh_create(device, &desc, &mesh);
+//     crevice_draw draw = {.struct_size = sizeof draw, .mesh = mesh};
+//     crevice_effect_set_draws(effect, &draw, 1);
+//
+// Draws, materials and lights are copied, and stay until they are set again. What is as before is
+// not drawn again. The structs of an array have one size. Lengths are in scene units.
+
+/// Triangles on the device, drawn by any of its effects.
+typedef struct crevice_mesh crevice_mesh;
+
+/// Triangles to be copied. Seen from outside their corners run counter-clockwise.
+typedef struct crevice_mesh_desc {
+    size_t struct_size;
+    const char* label;        ///< For messages, or null.
+    const float* positions;   ///< 3 for each vertex, in model space. Required.
+    const float* normals;     ///< 3 for each vertex, of length 1; null: (0, 0, 1), for depth alone.
+    const float* uvs;         ///< 2 for each vertex; null: 0, where no material has maps.
+    uint32_t vertex_count;    ///< Above 0.
+    const uint32_t* indices;  ///< 3 for each triangle; null: vertices make them in their order.
+    uint32_t index_count;     ///< Of `indices`; 0 without.
+} crevice_mesh_desc;
+
+/// Copies triangles to the device. The arrays may go afterwards.
+///
+/// Errors: CV6011 for no positions, no vertices, a count of indices without them, and an index past
+/// the last vertex; CV6007 for more than 2^31 - 1 bytes; CV6004, CV6005, CV6009, CV6016.
+CREVICE_API crevice_error* crevice_mesh_create(crevice_device* device,
+                                               const crevice_mesh_desc* desc, crevice_mesh** mesh);
+
+/// How the numbers of an attribute are stored: SNORM stands for [-1, 1] and UNORM for [0, 1] in so
+/// many bits, SNORM10 for all components in one GL_INT_2_10_10_10_REV.
+typedef enum crevice_vertex_type {
+    CREVICE_FLOAT32,
+    CREVICE_FLOAT16,
+    CREVICE_SNORM8,
+    CREVICE_UNORM8,
+    CREVICE_SNORM16,
+    CREVICE_UNORM16,
+    CREVICE_SNORM10
+} crevice_vertex_type;
+
+typedef enum crevice_index_type {
+    CREVICE_UINT32,
+    CREVICE_UINT16,
+    CREVICE_UINT8
+} crevice_index_type;
+
+/// Where an attribute lies in a buffer of yours. It is a part of crevice_host_mesh, and stays as it
+/// is.
+typedef struct crevice_attribute {
+    uint32_t buffer;           ///< The GLuint; 0 where the mesh has none.
+    crevice_vertex_type type;  ///< Of each component.
+    uint32_t offset;           ///< Of the first vertex, in bytes.
+    uint32_t stride;           ///< From vertex to vertex, in bytes; 0: right behind one another.
+} crevice_attribute;
+
+/// Triangles that stay in buffers of yours. Seen from outside they run counter-clockwise.
+typedef struct crevice_host_mesh {
+    size_t struct_size;
+    const char* label;           ///< For messages, or null.
+    crevice_attribute position;  ///< 3 components, in model space. Required.
+    crevice_attribute normal;    ///< 3, of length 1; none: (0, 0, 1), for depth alone.
+    crevice_attribute uv;        ///< 2; none: 0.
+    uint32_t vertex_count;
+    uint32_t index_buffer;          ///< The GLuint; 0: vertices make triangles in their order.
+    crevice_index_type index_type;  ///< Of `index_buffer`.
+    uint32_t index_offset;          ///< Of the first index, in bytes: a multiple of its size.
+    uint32_t index_count;           ///< 0 without an index buffer: as many as vertices.
+} crevice_host_mesh;
+
+/// Draws triangles from where they are. The buffers must live, and stay as large, as long as the
+/// mesh is drawn. What they hold may change: count crevice_draw.revision up then. Indices are not
+/// looked at: none may name a vertex past the last.
+///
+/// Errors: CV6011 for no positions, for what is no buffer of the context or ends before the last
+/// vertex or index, and for unknown types; CV6004, CV6016.
+CREVICE_API crevice_error* crevice_mesh_adopt(crevice_device* device, const crevice_host_mesh* host,
+                                              crevice_mesh** mesh);
+
+/// Effects that draw the mesh keep it alive until they are given other draws or are destroyed.
+CREVICE_API void crevice_mesh_destroy(crevice_mesh* mesh);
+
+/// What a draw callback is given. It lives as long as the call.
+typedef struct crevice_draw_call {
+    size_t struct_size;
+    const char* pass;    ///< Its name in the config.
+    uint32_t program;    ///< The GLuint of the pass's program, which is current.
+    const void* values;  ///< For crevice_draw_call_matrix.
+} crevice_draw_call;
+
+/// Draws what is yours, skinned, instanced or streamed, in one pass. GL is set up for it:
+/// framebuffer, viewport, depth test, culling, and the pass's program with its uniforms and
+/// textures. Bind vertices and draw: position, normal and uv are attributes 0 to 2. A program of
+/// yours may draw instead that writes the same outputs. No GL state need be put back. Call nothing
+/// of crevice but crevice_draw_call_matrix. A GL error and a C++ exception (CV6011) come back from
+/// crevice_effect_render.
+typedef void (*crevice_draw_callback)(const crevice_draw_call* call, void* user);
+
+/// A matrix by its name in GLSL: "clip_from_model", "view_from_model" and those of the camera have
+/// 16 floats by columns, "view_normal_from_model" has 9. Null for a name that is none, and for
+/// null. It lives as long as the call.
+CREVICE_API const float* crevice_draw_call_matrix(const crevice_draw_call* call, const char* name);
+
+/// A mesh, or what a callback draws, at a place.
+typedef struct crevice_draw {
+    size_t struct_size;
+    const crevice_mesh* mesh;  ///< Of the effect's device; null where a callback draws.
+    uint32_t first;            ///< First index, or vertex where the mesh has no indices.
+    uint32_t count;            ///< Of them, 3 for each triangle; 0: all from `first` on.
+
+    /// Called in place of the mesh, in every pass that draws the scene; null draws the mesh.
+    crevice_draw_callback callback;
+    void* user;  ///< Handed to the callback. Yours, to live as long as it is drawn.
+
+    double world_from_model[16];  ///< All 0: 1, at the origin.
+    int material;                 ///< Into the materials, from 0.
+
+    /// A sphere around all that is drawn, in model space. A draw outside of what a pass shows is
+    /// left out of it, and AO is computed within spheres alone. A radius of 0 or below: not known.
+    float bounds_center[3];
+    float bounds_radius;
+
+    /// A surface without a back of its own, seen from either side: a leaf, cloth, the ground. No
+    /// pass culls it, and light passes behind it. What has an alpha_cutoff is one in any case.
+    bool sheet;
+
+    /// A number that changes whenever your buffers hold something else, or the callback draws
+    /// something else. 0 with a callback: that may be with every frame.
+    uint64_t revision;
+} crevice_draw;
+
+/// What is drawn: all draws of the scene, instead of those of before. Null and 0 draw nothing.
+/// Cheap enough for each frame: allocates only where there are more than ever before.
+///
+/// Errors: CV6011 for a draw with neither mesh nor callback, with a mesh of another device, or with
+/// indices past the mesh's. What no shader can draw, such as a matrix that is not finite or a
+/// material that is not there, crevice_effect_render leaves out, with a warning CV6011.
+CREVICE_API crevice_error* crevice_effect_set_draws(crevice_effect* effect,
+                                                    const crevice_draw* draws, int count);
+
+/// How a surface looks. Of it AO takes the normal map, and what an alpha test leaves; the rest is
+/// for configs that light. Maps are textures of yours, read by uv and repeated, of one sample a
+/// pixel; null for none. Of a layer or a part a copy is taken when it is set.
+typedef struct crevice_material {
+    size_t struct_size;
+    float base_color[4];       ///< Linear, with alpha, [0, 1]. All 0: white and opaque.
+    float specular[3];         ///< Colour of the highlight, linear, >= 0; 0 is matte.
+    float shininess;           ///< Blinn-Phong exponent, above 0; 0 is 16.
+    float ambient_dimming;     ///< Share of the ambient light that it does not reflect, [0, 1].
+    float alpha_cutoff;        ///< Below this alpha a pixel is discarded, [0, 1]; 0 is opaque.
+    float normal_scale;        ///< Of the normal map's x and y; 0 is 1.
+    float occlusion_strength;  ///< Of the occlusion map, (0, 1]; 0 is 1.
+    const crevice_texture* base_color_map;  ///< Linear; times `base_color`.
+    const crevice_texture* normal_map;      ///< Tangent space, n * 0.5 + 0.5, y up.
+    const crevice_texture* occlusion_map;   ///< Baked visibility in red: 1 is open.
+
+    /// A number that changes whenever you draw into one of the maps.
+    uint64_t revision;
+} crevice_material;
+
+/// All materials, instead of those of before. Null and 0 leave one: white and opaque, which is the
+/// default. Maps must live as long as they are drawn with, and cost nothing where they are as
+/// before.
+///
+/// Errors: CV6011, with the reason, for a map that is not what it is said to be, or has several
+/// samples; CV6014, CV6017, CV6004.
+CREVICE_API crevice_error* crevice_effect_set_materials(crevice_effect* effect,
+                                                        const crevice_material* materials,
+                                                        int count);
+
+typedef enum crevice_light_kind {
+    CREVICE_POINT,        ///< Shines from `position` to all sides,
+    CREVICE_DIRECTIONAL,  ///< ... along `direction` from far away,
+    CREVICE_SPOT          ///< ... or from `position` in a cone about `direction`.
+} crevice_light_kind;
+
+typedef struct crevice_light {
+    size_t struct_size;
+    crevice_light_kind kind;
+    double position[3];  ///< In world space.
+    float direction[3];  ///< The way that it shines, in world space, of any length. 0: (0, 0, -1).
+    float color[3];      ///< Linear, >= 0; 0 is off.
+    float attenuation[3];   ///< 1 / (x + y d + z d^2) at distance d. All 0: (1, 0, 0).
+    float inner_angle_rad;  ///< Of a spot: off its direction, as far as it shines in full,
+    float outer_angle_rad;  ///< ... and where it ends, [inner, pi]; 0 is 0.8.
+} crevice_light;
+
+/// All lights, instead of those of before; at most 16, and a warning names those past them.
+/// Default: none.
+///
+/// Errors: CV6011 for an unknown kind. crevice_effect_render leaves out lights that are not finite,
+/// with a warning CV6011.
+CREVICE_API crevice_error* crevice_effect_set_lights(crevice_effect* effect,
+                                                     const crevice_light* lights, int count);
+
+/// The colour of the surroundings, linear: 3 floats >= 0, which configs scale. Default: 1, 1, 1.
+CREVICE_API crevice_error* crevice_effect_set_ambient_light(crevice_effect* effect,
+                                                            const float* color);
 
 // ---- What comes out -----------------------------------------------------------------------------
 
@@ -387,12 +594,15 @@ CREVICE_API int crevice_effect_feature_count(const crevice_effect* effect);
 CREVICE_API crevice_error* crevice_effect_get_feature(const crevice_effect* effect, int index,
                                                       crevice_feature* feature);
 
-/// What the config wants of its host. The C API supplies textures and the camera; configs that draw
-/// meshes themselves are for C++ (<crevice/frame.h>).
+/// What the config wants of its host.
 typedef struct crevice_import {
     size_t struct_size;
     const char* name;
-    const char* type;    ///< "texture", "camera", "draw_list" or "lights".
+
+    /// "texture" (crevice_effect_set_texture), "camera" (_set_projection and _set_view),
+    /// "draw_list"
+    /// (_set_draws and _set_materials) or "lights" (_set_lights and _set_ambient_light).
+    const char* type;
     const char* format;  ///< Of a texture: the one whose steps shaders allow for.
     bool optional;       ///< It draws without.
 } crevice_import;
