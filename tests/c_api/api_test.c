@@ -58,6 +58,9 @@ static void check_nulls(void)
     EXPECT(none, crevice_effect_set_materials(NULL, NULL, 0));
     EXPECT(none, crevice_effect_set_lights(NULL, NULL, 0));
     EXPECT(none, crevice_effect_set_ambient_light(NULL, NULL));
+    EXPECT(none, crevice_effect_set_timing(NULL, true));
+    CHECK(crevice_effect_pass_time_count(NULL) == 0);
+    EXPECT(none, crevice_effect_get_pass_time(NULL, 0, NULL));
     CHECK(crevice_effect_param_count(NULL) == 0);
     EXPECT(none, crevice_effect_get_param(NULL, 0, NULL));
     CHECK(crevice_effect_feature_count(NULL) == 0);
@@ -91,6 +94,7 @@ static void check_nulls_of(crevice_effect* effect)
     EXPECT(none, crevice_effect_set_materials(effect, NULL, 1));
     EXPECT(none, crevice_effect_set_lights(effect, NULL, 1));
     EXPECT(none, crevice_effect_set_ambient_light(effect, NULL));
+    EXPECT(none, crevice_effect_get_pass_time(effect, 0, NULL));
     EXPECT(none, crevice_effect_get_patch(effect, NULL));
 }
 
@@ -121,6 +125,7 @@ static void check_scene(crevice_device* device)
     const float* middle = pixels[9 * 32 + 16];
     CHECK(middle[0] > 0.1f && middle[1] < 0.01f && middle[2] < 0.01f);
     CHECK(pixels[0][1] > 0.5f);  // the background
+    EXPECT(0, crevice_effect_set_timing(effect, true));
     crevice_effect_destroy(effect);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws by the C API, on a device that draws nothing: callbacks, what is refused, and arrays of
-// earlier versions.
+// Draws by the C API, on a device that draws nothing: callbacks, what is refused, arrays of earlier
+// versions, and the times of passes.
 #include "tests/c_api/c_scene.h"
 
 #include <cstddef>
@@ -178,4 +178,35 @@ TEST_CASE_METHOD(CScene, "C API: a mesh that cannot be made is refused")
     CHECK(adopted() == 0);
     CHECK(made->shared->device->info(made->shared->id.id()).index_count == 3);
     crevice_mesh_destroy(made);
+}
+
+TEST_CASE_METHOD(CScene, "C API: times of passes come by name, once they are in")
+{
+    need(crevice_effect_set_timing(effect, true));
+    CHECK(crevice_error_code(crevice_effect_warnings(effect)) == 6018);
+    recording->setTimers(std::vector<double>(kMaxTimers, 0.5));
+    draw.callback = [](const crevice_draw_call*, void*) {};  // in every frame
+    setDraw();
+    need(crevice_effect_render(effect));
+    need(crevice_effect_set_timing(effect, true));
+    CHECK(crevice_effect_warnings(effect) == nullptr);
+    CHECK(crevice_effect_pass_time_count(effect) == 0);
+    for (int i = 0; i < 6; ++i) need(crevice_effect_render(effect));
+    const std::vector<PlanPass>& now = effect->effect->renderer().plan().passes;
+    REQUIRE(crevice_effect_pass_time_count(effect) == static_cast<int>(now.size()));
+    auto time = sized<crevice_pass_time>();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        need(crevice_effect_get_pass_time(effect, static_cast<int>(i), &time));
+        CHECK(time.name == now[i].name);
+        CHECK(time.milliseconds == 0.5);
+    }
+    time.struct_size = offsetof(crevice_pass_time, milliseconds);
+    time.milliseconds = 7;
+    need(crevice_effect_get_pass_time(effect, 0, &time));
+    CHECK(time.milliseconds == 7);
+    CHECK(codeOf(crevice_effect_get_pass_time(effect, -1, &time)) == 6011);
+    CHECK(codeOf(crevice_effect_get_pass_time(effect, static_cast<int>(now.size()), &time)) ==
+          6011);
+    need(crevice_effect_set_timing(effect, false));
+    CHECK(crevice_effect_pass_time_count(effect) == 0);
 }

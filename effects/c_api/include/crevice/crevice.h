@@ -557,6 +557,28 @@ CREVICE_API crevice_error* crevice_effect_read_output(const crevice_effect* effe
                                                       const char* name, float* pixels,
                                                       size_t count);
 
+// ---- What a frame costs -------------------------------------------------------------------------
+
+/// Has crevice_effect_render measure from now on what each pass takes on the GPU. Nothing waits, so
+/// it may stay on. Default: off. A warning CV6018 (crevice_effect_warnings) says that there is no
+/// timer to be trusted, as on software renderers: there are no times then.
+CREVICE_API crevice_error* crevice_effect_set_timing(crevice_effect* effect, bool on);
+
+typedef struct crevice_pass_time {
+    size_t struct_size;
+    const char* name;     ///< Of the pass in the config. Good until the next call that renders,
+                          ///< resizes, reloads or sets.
+    double milliseconds;  ///< All views together: 0 where it did not run, below 0 where it is void.
+} crevice_pass_time;
+
+/// How many passes were measured in the latest frame whose times are in, one to four frames later;
+/// 0 before there is any, and again after a new plan.
+CREVICE_API int crevice_effect_pass_time_count(const crevice_effect* effect);
+
+/// Of one of them, in the order in which they run. Errors: CV6011.
+CREVICE_API crevice_error* crevice_effect_get_pass_time(const crevice_effect* effect, int index,
+                                                        crevice_pass_time* time);
+
 // ---- What there is to set: for user interfaces --------------------------------------------------
 
 typedef struct crevice_param {
