@@ -14,7 +14,7 @@ namespace {
 /// Errors: CV6011 for an unknown kind.
 Status checkLight(std::size_t index, const crevice_light& light)
 {
-    const int kind = light.kind;
+    const int kind = numberOf(light.kind);
     if (kind >= CREVICE_POINT && kind <= CREVICE_SPOT) return {};
     return Diagnostic{Code::bad_input,
                       "light " + std::to_string(index) + " has kind " + std::to_string(kind) +

@@ -51,10 +51,10 @@ MeshDesc meshOf(const crevice_mesh_desc& desc)
 Status checkTypes(const crevice_host_mesh& mesh)
 {
     for (const crevice_attribute& each : {mesh.position, mesh.normal, mesh.uv})
-        if (const int type = each.type; type < CREVICE_FLOAT32 || type > CREVICE_SNORM10)
+        if (const int type = numberOf(each.type); type < CREVICE_FLOAT32 || type > CREVICE_SNORM10)
             return Diagnostic{Code::bad_input, "there is no vertex type " + std::to_string(type),
                               "take one of crevice_vertex_type, such as CREVICE_FLOAT32"};
-    const int type = mesh.index_type;
+    const int type = numberOf(mesh.index_type);
     if (type >= CREVICE_UINT32 && type <= CREVICE_UINT8) return {};
     return Diagnostic{Code::bad_input, "there is no index type " + std::to_string(type),
                       "take one of crevice_index_type, such as CREVICE_UINT16"};

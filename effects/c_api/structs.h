@@ -51,6 +51,16 @@ void give(const Struct& own, Struct* into)
     giveStruct(&own, sizeof own, into);
 }
 
+/// The number in an enum of C, which may be none of its values: C++ must not even look at those.
+template <class Enum>
+int numberOf(const Enum& given)
+{
+    static_assert(sizeof(Enum) == sizeof(int));
+    int number = 0;
+    std::memcpy(&number, &given, sizeof number);
+    return number;
+}
+
 /// Calls `each(index, struct)`, which gives a Status, for those of an array, until one fails.
 ///
 /// Errors: its own; those of `take`; CV6011 for a count below 0 and for structs of several sizes.

@@ -15,7 +15,7 @@ Status checkTexture(const crevice_texture& texture)
         return Diagnostic{Code::bad_input,
                           "there is no format '" + std::string(texture.format) + "'",
                           suggestName(texture.format, formatNames(), "formats")};
-    const int kind = texture.kind;
+    const int kind = numberOf(texture.kind);
     if (kind >= CREVICE_TEXTURE && kind <= CREVICE_FRAMEBUFFER) return {};
     return Diagnostic{Code::bad_input, "there is no texture kind " + std::to_string(kind),
                       "take one of crevice_texture_kind, such as CREVICE_LAYER"};
