@@ -59,9 +59,7 @@ DrawItem itemOf(const crevice_draw& draw, HostDraw& host)
         item.first = draw.first;
         item.count = draw.count > 0 ? draw.count : indicesOf(*host.mesh) - draw.first;
     }
-    const double* matrix = draw.world_from_model;
-    if (std::any_of(matrix, matrix + 16, [](double number) { return number != 0; }))
-        item.world_from_model = glm::make_mat4(matrix);
+    item.world_from_model = matrixOf(draw.world_from_model);
     item.material = draw.material;
     item.bounds_center = glm::make_vec3(draw.bounds_center);
     item.bounds_radius = draw.bounds_radius == 0 ? -1.0f : draw.bounds_radius;
@@ -106,6 +104,12 @@ Status setDraws(crevice_effect& effect, const crevice_draw* draws, int count)
 }
 
 }  // namespace
+
+glm::dmat4 crevice::matrixOf(const double (&numbers)[16])
+{
+    const bool none = std::all_of(numbers, numbers + 16, [](double each) { return each == 0; });
+    return none ? glm::dmat4(1.0) : glm::make_mat4(numbers);
+}
 
 const float* crevice_draw_call_matrix(const crevice_draw_call* call, const char* name)
 {

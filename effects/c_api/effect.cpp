@@ -81,6 +81,7 @@ Status create(const crevice_device& device, const crevice_effect_desc& desc,
 
 Status render(crevice_effect& effect)
 {
+    if (Status ready = prepareViews(effect); !ready) return ready;
     const Status status = effect.effect->render();
     Frame& frame = effect.effect->frame();
     if (std::exchange(effect.scene.callback_threw, false)) {

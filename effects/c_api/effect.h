@@ -55,6 +55,10 @@ struct crevice_effect {
 
 namespace crevice {
 
+/// What further views have of the effect and the host, before a frame. Errors: those of
+/// Device::refresh.
+Status prepareViews(crevice_effect& effect);
+
 /// Runs a call on an effect that is not null, and keeps its warnings.
 template <class Call>
 crevice_error* onEffect(crevice_effect* effect, const Call& call) noexcept

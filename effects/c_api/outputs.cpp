@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What comes out of an effect.
+#include <crevice/renderer.h>
+
 #include "effects/c_api/effect.h"
 #include "effects/c_api/structs.h"
 
@@ -21,13 +23,40 @@ HostFramebuffer hostFramebuffer(const crevice_target& target)
     return host;
 }
 
-Result<OutputTexture> outputOf(const crevice_effect& effect, const char* name)
+const Renderer& rendererOf(const crevice_effect& effect)
 {
-    const OutputTexture texture = effect.effect->outputTexture(name);
+    return const_cast<Effect&>(*effect.effect).renderer();
+}
+
+/// Errors: CV6011.
+Status checkView(const crevice_effect& effect, int view)
+{
+    const int views = rendererOf(effect).plan().views;
+    if (view >= 0 && view < views) return {};
+    return Diagnostic{Code::bad_input,
+                      "there is no output of view " + std::to_string(view) + ", but of " +
+                          std::to_string(views) + " views",
+                      "set views by crevice_effect_set_views, and render"};
+}
+
+Result<OutputTexture> outputOf(const crevice_effect& effect, const char* name, int view = 0)
+{
+    if (Status there = checkView(effect, view); !there) return there.diagnostics();
+    OutputTexture texture = effect.effect->outputTexture(name);
+    texture.native_name = effect.device->nativeName(rendererOf(effect).output(name, view));
     if (texture.format != Format::none) return texture;
     return Diagnostic{Code::reference_missing,
                       "the effect has no output '" + std::string(name) + "'",
                       suggestName(name, effect.loaded->outputs, "outputs")};
+}
+
+Status present(crevice_effect& effect, const char* name, const crevice_target& target)
+{
+    const HostFramebuffer host = hostFramebuffer(target);
+    if (Status there = checkView(effect, target.view); !there) return there;
+    const TextureId id = rendererOf(effect).output(name, target.view);
+    return id && target.view > 0 ? effect.device->present(id, host)
+                                 : effect.effect->present(name, host);
 }
 
 Status checkOutput(const crevice_effect* effect, const char* name)
@@ -35,9 +64,9 @@ Status checkOutput(const crevice_effect* effect, const char* name)
     return firstOf(checkGiven(effect, "the effect"), checkGiven(name, "the output's name"));
 }
 
-Status getOutput(const crevice_effect& effect, const char* name, crevice_output& output)
+Status getOutput(const crevice_effect& effect, int view, const char* name, crevice_output& output)
 {
-    const Result<OutputTexture> texture = outputOf(effect, name);
+    const Result<OutputTexture> texture = outputOf(effect, name, view);
     if (!texture) return texture.diagnostics();
     const FormatInfo& format = formatInfo(texture->format);
     crevice_output own = {};
@@ -80,9 +109,15 @@ const char* crevice_effect_output_name(const crevice_effect* effect, int index)
 crevice_error* crevice_effect_get_output(const crevice_effect* effect, const char* name,
                                          crevice_output* output)
 {
+    return crevice_effect_get_view_output(effect, 0, name, output);
+}
+
+crevice_error* crevice_effect_get_view_output(const crevice_effect* effect, int view,
+                                              const char* name, crevice_output* output)
+{
     return guarded([&] {
         const Status given = firstOf(checkOutput(effect, name), check(output, "crevice_output"));
-        return given ? getOutput(*effect, name, *output) : given;
+        return given ? getOutput(*effect, view, name, *output) : given;
     });
 }
 
@@ -93,7 +128,7 @@ crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
         crevice_target own = {};
         const Status given =
             firstOf(checkGiven(name, "the output's name"), take(target, "crevice_target", own));
-        return given ? effect->effect->present(name, hostFramebuffer(own)) : given;
+        return given ? present(*effect, name, own) : given;
     });
 }
 

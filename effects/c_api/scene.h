@@ -9,8 +9,11 @@
 #include "core/frame/frame_values.h"
 #include "core/gpu/owned.h"
 
+#include <glm/mat4x4.hpp>
+
 #include <iterator>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace crevice {
@@ -40,11 +43,22 @@ struct HostMaterial {
     std::uint64_t revision = 0;
 };
 
+/// A texture of one of the further views.
+struct ViewTexture {
+    int view;  ///< From 1.
+    std::string import;
+    HostMap map;
+};
+
 struct HostScene {
     std::vector<HostDraw> draws = {};
+    std::vector<ViewTexture> view_textures = {};
     std::vector<HostMaterial> materials = {};
     bool callback_threw = false;
 };
+
+/// By columns; 1 where all numbers are 0.
+glm::dmat4 matrixOf(const double (&numbers)[16]);
 
 }  // namespace crevice
 

@@ -54,6 +54,9 @@ static void check_nulls(void)
     EXPECT(none, crevice_mesh_adopt(NULL, NULL, &mesh));
     crevice_mesh_destroy(NULL);
     CHECK(crevice_draw_call_matrix(NULL, "clip_from_model") == NULL);
+    EXPECT(none, crevice_effect_set_views(NULL, NULL, 0));
+    EXPECT(none, crevice_effect_set_view_texture(NULL, 1, "depth", NULL));
+    EXPECT(none, crevice_effect_get_view_output(NULL, 1, "ao", NULL));
     EXPECT(none, crevice_effect_set_draws(NULL, NULL, 0));
     EXPECT(none, crevice_effect_set_materials(NULL, NULL, 0));
     EXPECT(none, crevice_effect_set_lights(NULL, NULL, 0));
@@ -90,6 +93,10 @@ static void check_nulls_of(crevice_effect* effect)
     EXPECT(none, crevice_effect_present(effect, NULL, &target));
     EXPECT(none, crevice_effect_present(effect, "ao", NULL));
     EXPECT(none, crevice_effect_read_output(effect, "ao", NULL, 0));
+    EXPECT(none, crevice_effect_set_views(effect, NULL, 1));
+    EXPECT(none, crevice_effect_set_view_texture(effect, 0, NULL, &texture));
+    EXPECT(none, crevice_effect_set_view_texture(effect, 0, "depth", NULL));
+    EXPECT(none, crevice_effect_get_view_output(effect, 0, "ao", NULL));
     EXPECT(none, crevice_effect_set_draws(effect, NULL, 1));
     EXPECT(none, crevice_effect_set_materials(effect, NULL, 1));
     EXPECT(none, crevice_effect_set_lights(effect, NULL, 1));

@@ -27,11 +27,11 @@ void* find(const char* name, void* context)
 
 /// Steps of depth, as a host's texture, and a device of either API.
 struct Host : GlFixture {
-    explicit Host(crevice_device_desc desc = {})
+    explicit Host(float step = 0.01f, crevice_device_desc desc = {})
     {
         std::vector<float> steps;
         for (int i = 0; i < kExtent.width * kExtent.height; ++i)
-            steps.push_back(0.9f + 0.01f * static_cast<float>(i / 8 % 5));
+            steps.push_back(0.9f + step * static_cast<float>(i / 8 % 5));
         depth = depthTexture(gl, kExtent, steps);
         desc.struct_size = sizeof desc;
         desc.loader = find;
@@ -42,6 +42,16 @@ struct Host : GlFixture {
     {
         crevice_device_destroy(c_device);
         gl.DeleteTextures(1, &depth);
+    }
+
+    crevice_texture texture() const
+    {
+        auto made = sized<crevice_texture>();
+        made.name = depth;
+        made.format = "depth32f";
+        made.width = kExtent.width;
+        made.height = kExtent.height;
+        return made;
     }
 
     /// An effect of the C API that has drawn the depth with radius 1.
@@ -55,15 +65,10 @@ struct Host : GlFixture {
         desc.height = kExtent.height;
         crevice_effect* effect = nullptr;
         need(crevice_effect_create(c_device, &desc, &effect));
-        crevice_texture texture = {};
-        texture.struct_size = sizeof texture;
-        texture.name = depth;
-        texture.format = "depth32f";
-        texture.width = kExtent.width;
-        texture.height = kExtent.height;
+        const crevice_texture given = texture();
         const float radius = 1;
         need(crevice_effect_set_projection(effect, glm::value_ptr(projection)));
-        need(crevice_effect_set_texture(effect, "depth", &texture));
+        need(crevice_effect_set_texture(effect, "depth", &given));
         need(crevice_effect_set_param(effect, "radius", &radius, 1));
         need(crevice_effect_render(effect));
         return effect;
@@ -73,6 +78,21 @@ struct Host : GlFixture {
     {
         std::vector<float> pixels(kExtent.width * kExtent.height);
         need(crevice_effect_read_output(effect, "ao", pixels.data(), pixels.size()));
+        return pixels;
+    }
+
+    /// What a view's AO is in a texture of the host's.
+    std::vector<float> presented(crevice_effect* effect, int view)
+    {
+        const TextureId into = GlFixture::texture(Format::r8, kExtent);
+        auto target = sized<crevice_target>();
+        target.texture = device->nativeName(into);
+        target.width = kExtent.width;
+        target.height = kExtent.height;
+        target.view = view;
+        need(crevice_effect_present(effect, "ao", &target));
+        std::vector<float> pixels = read(into).pixels;
+        device->destroy(into);
         return pixels;
     }
 
@@ -109,6 +129,25 @@ TEST_CASE("The C API draws what the C++ facade draws, bit for bit")
     const std::vector<float> pixels = host.draw(kConfig);
     CHECK(*std::min_element(pixels.begin(), pixels.end()) < 0.9f);
     CHECK(pixels == host.drawByFacade());
+}
+
+TEST_CASE("Two views of the C API give what two effects give, bit for bit")
+{
+    Host left, right(0.02f);
+    const std::vector<float> wanted = right.draw(kConfig);
+    crevice_effect* effect = left.drawn(kConfig);
+    const std::vector<float> first = left.pixelsOf(effect);
+    CHECK(first != wanted);
+    auto view = sized<crevice_view>();
+    std::copy_n(glm::value_ptr(left.projection), 16, view.clip_from_view);
+    need(crevice_effect_set_views(effect, &view, 1));
+    const crevice_texture depth = right.texture();
+    need(crevice_effect_set_view_texture(effect, 1, "depth", &depth));
+    need(crevice_effect_render(effect));
+    CHECK(left.pixelsOf(effect) == first);
+    CHECK(left.presented(effect, 1) == wanted);
+    CHECK(left.presented(effect, 0) == first);
+    crevice_effect_destroy(effect);
 }
 
 TEST_CASE("The C API reads modules and configs in a folder of the host's own")
@@ -161,9 +200,9 @@ TEST_CASE("The C API keeps programs where the host says")
         const char* begin = static_cast<const char*>(bytes);
         kept[key] = std::vector<char>(begin, begin + count);
     };
-    const std::vector<float> first = Host(desc).draw(kConfig);
+    const std::vector<float> first = Host(0.01f, desc).draw(kConfig);
     const int loaded_first = loaded;
-    const std::vector<float> second = Host(desc).draw(kConfig);
+    const std::vector<float> second = Host(0.01f, desc).draw(kConfig);
     CHECK(first == second);
     CHECK(loaded - loaded_first >= static_cast<int>(kept.size()));
 }

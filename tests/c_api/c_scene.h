@@ -22,10 +22,10 @@ constexpr float kTriangle[] = {0, 0, -2, 1, 0, -2, 0, 1, -2};
 
 /// An effect that draws the scene, and a mesh of one triangle.
 struct CScene {
-    CScene()
+    explicit CScene(const char* config = "mobile")
     {
         auto desc = sized<crevice_effect_desc>();
-        desc.config = "mobile";
+        desc.config = config;
         desc.width = 64;
         desc.height = 36;
         need(crevice_effect_create(&device, &desc, &effect));

@@ -102,6 +102,11 @@ static crevice_error* set_draws(const void* given)
     return crevice_effect_set_draws(effect, given, 1);
 }
 
+static crevice_error* set_views(const void* given)
+{
+    return crevice_effect_set_views(effect, given, 1);
+}
+
 static crevice_error* set_materials(const void* given)
 {
     return crevice_effect_set_materials(effect, given, 1);
@@ -166,6 +171,7 @@ static void check_scene_taken(void)
     crevice_draw draw = {.mesh = mesh};
     crevice_material material = {.shininess = 1};
     crevice_light light = {.color = {1, 1, 1}};
+    crevice_view view = {.clip_from_view = {1}};
     const taken all[] = {
         {"crevice_mesh_desc", &mesh_desc, sizeof mesh_desc, END(crevice_mesh_desc, vertex_count),
          make_mesh},
@@ -173,8 +179,10 @@ static void check_scene_taken(void)
         {"crevice_draw", &draw, sizeof draw, END(crevice_draw, mesh), set_draws},
         {"crevice_material", &material, sizeof material, 0, set_materials},
         {"crevice_light", &light, sizeof light, 0, set_lights},
+        {"crevice_view", &view, sizeof view, 0, set_views},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) check_taken(&all[i]);
+    EXPECT(0, crevice_effect_set_views(effect, NULL, 0));
     crevice_mesh_destroy(mesh);
     glDeleteBuffers(1, &buffer);
 }

@@ -235,6 +235,23 @@ CREVICE_API crevice_error* crevice_effect_set_projection(crevice_effect* effect,
 CREVICE_API crevice_error* crevice_effect_set_view(crevice_effect* effect,
                                                    const double* view_from_world);
 
+/// A further view of the same scene, such as the right eye's.
+typedef struct crevice_view {
+    size_t struct_size;
+
+    /// Its projection, by columns: orthographic or reversed in depth if the first view's is.
+    float clip_from_view[16];
+    double view_from_world[16];  ///< Where its camera stands. All 0: 1, at the origin.
+} crevice_view;
+
+/// Views 1 and up, instead of those of before; view 0 is the one of crevice_effect_set_projection
+/// and crevice_effect_set_view. crevice_effect_render draws all of them, with programs and a plan
+/// that they share. Default: none. Another count plans again and clears histories.
+///
+/// Errors: CV6011. Those of the matrices come from crevice_effect_render (CV6011).
+CREVICE_API crevice_error* crevice_effect_set_views(crevice_effect* effect,
+                                                    const crevice_view* views, int count);
+
 /// Before the first frame after a cut: histories are cleared.
 CREVICE_API crevice_error* crevice_effect_cut(crevice_effect* effect);
 
@@ -282,6 +299,15 @@ typedef struct crevice_texture {
 /// picture is not what it is said to be; CV6014, CV6017. The one of before stays.
 CREVICE_API crevice_error* crevice_effect_set_texture(crevice_effect* effect, const char* import,
                                                       const crevice_texture* texture);
+
+/// The same for one view, from 0. Views without a texture of their own take that of view 0, which
+/// every view needs, and whose format is that of all.
+///
+/// Errors: those of crevice_effect_set_texture; CV6011 for a view that there is not, and for
+/// another format.
+CREVICE_API crevice_error* crevice_effect_set_view_texture(crevice_effect* effect, int view,
+                                                           const char* import,
+                                                           const crevice_texture* texture);
 
 /// Sets a param: as many floats as it has components. Costs nothing for most; a warning CV5010 says
 /// where shaders were compiled.
@@ -530,6 +556,10 @@ CREVICE_API const char* crevice_effect_output_name(const crevice_effect* effect,
 CREVICE_API crevice_error* crevice_effect_get_output(const crevice_effect* effect, const char* name,
                                                      crevice_output* output);
 
+/// The same of one view, from 0. Errors: also CV6011 for a view that no frame has had.
+CREVICE_API crevice_error* crevice_effect_get_view_output(const crevice_effect* effect, int view,
+                                                          const char* name, crevice_output* output);
+
 /// What an output is drawn into, and where in it.
 typedef struct crevice_target {
     size_t struct_size;
@@ -538,19 +568,20 @@ typedef struct crevice_target {
     int level;             ///< ... of which this level is drawn into.
     int x, y;              ///< The rectangle's lower left pixel.
     int width, height;     ///< Of the rectangle, in pixels, above 0.
+    int view;              ///< Whose output it is, from 0.
 } crevice_target;
 
 /// Draws an output into a rectangle of a framebuffer or texture of yours, scaled: all channels that
 /// it has, 0 for others, alpha 1. To half the size, each pixel is the mean of four. The rest stays
 /// as it is.
 ///
-/// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels, CV6005 where GL draws
-/// into no such target, CV6004, CV6017.
+/// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels and for a view that no
+/// frame has had, CV6005 where GL draws into no such target, CV6004, CV6017.
 CREVICE_API crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
                                                   const crevice_target* target);
 
-/// Reads an output into width * height * channels floats, rows from the bottom up. Waits for the
-/// GPU: for tests and tools.
+/// Reads an output of view 0 into width * height * channels floats, rows from the bottom up. Waits
+/// for the GPU: for tests and tools.
 ///
 /// Errors: CV2102, CV7006 for another `count`, CV6004.
 CREVICE_API crevice_error* crevice_effect_read_output(const crevice_effect* effect,
