@@ -70,10 +70,10 @@ extern "C" {
 /// CREVICE_VERSION of the library that runs, which may be another than the header's.
 CREVICE_API int crevice_version(void);
 
-typedef struct crevice_error crevice_error;
-typedef struct crevice_context crevice_context;
-typedef struct crevice_device crevice_device;
-typedef struct crevice_effect crevice_effect;
+typedef struct crevice_error crevice_error;      ///< Why a call failed, or a list of warnings.
+typedef struct crevice_context crevice_context;  ///< An offscreen OpenGL context.
+typedef struct crevice_device crevice_device;    ///< What crevice has in one OpenGL context.
+typedef struct crevice_effect crevice_effect;    ///< A config that runs, with all that was set.
 
 // ---- Errors ------------------------------------------------------------------------------------
 
@@ -103,6 +103,7 @@ CREVICE_API int crevice_error_count(const crevice_error* error);
 CREVICE_API bool crevice_error_get(const crevice_error* error, int index,
                                    crevice_diagnostic* diagnostic);
 
+/// Not for warnings of crevice_effect_warnings. Null is ignored.
 CREVICE_API void crevice_error_free(crevice_error* error);
 
 // ---- Context: for tools, tests and servers; an application has its own --------------------------
@@ -113,6 +114,7 @@ CREVICE_API void crevice_error_free(crevice_error* error);
 /// Errors: CV6001, CV6002, CV6012.
 CREVICE_API crevice_error* crevice_context_create(const char* backend, crevice_context** context);
 
+/// Makes it current on this thread. Errors: CV6001, CV6002, CV6011.
 CREVICE_API crevice_error* crevice_context_make_current(crevice_context* context);
 
 /// A crevice_loader whose `user` is the context.
@@ -127,6 +129,7 @@ CREVICE_API void crevice_context_destroy(crevice_context* context);
 /// wrapped eglGetProcAddress, SDL_GL_GetProcAddress or glfwGetProcAddress.
 typedef void* (*crevice_loader)(const char* name, void* user);
 
+/// How a device finds GL, and what it may rely on.
 typedef struct crevice_device_desc {
     size_t struct_size;
     crevice_loader loader;  ///< Required.
@@ -151,6 +154,7 @@ typedef struct crevice_device_desc {
     void* cache_user;
 } crevice_device_desc;
 
+/// What the driver says of itself.
 typedef struct crevice_device_info {
     size_t struct_size;
     const char* name;      ///< Renderer and version, as the driver reports them. Of the device.
@@ -165,6 +169,7 @@ typedef struct crevice_device_info {
 CREVICE_API crevice_error* crevice_device_create(const crevice_device_desc* desc,
                                                  crevice_device** device);
 
+/// Errors: CV6011. Needs no current context.
 CREVICE_API crevice_error* crevice_device_get_info(const crevice_device* device,
                                                    crevice_device_info* info);
 
@@ -172,10 +177,12 @@ CREVICE_API crevice_error* crevice_device_get_info(const crevice_device* device,
 /// called from then on; destroy the device and its effects whenever you like.
 CREVICE_API void crevice_device_abandon(crevice_device* device);
 
+/// What was made on it goes on until it is destroyed too; the last one needs the context current.
 CREVICE_API void crevice_device_destroy(crevice_device* device);
 
 // ---- Effect: a config that runs -----------------------------------------------------------------
 
+/// What an effect is made of.
 typedef struct crevice_effect_desc {
     size_t struct_size;
 
@@ -214,6 +221,7 @@ CREVICE_API crevice_error* crevice_effect_reload(crevice_effect* effect, const c
 /// Another size of the outputs, in pixels. Errors: CV4005, CV6007, CV6009.
 CREVICE_API crevice_error* crevice_effect_resize(crevice_effect* effect, int width, int height);
 
+/// Deletes what it has in the context, which must be current. Your textures and buffers stay.
 CREVICE_API void crevice_effect_destroy(crevice_effect* effect);
 
 /// Warnings of the last call on the effect that could give some (create, reload, resize, set,
@@ -508,6 +516,7 @@ typedef enum crevice_light_kind {
     CREVICE_SPOT          ///< ... or from `position` in a cone about `direction`.
 } crevice_light_kind;
 
+/// A light in world space.
 typedef struct crevice_light {
     size_t struct_size;
     crevice_light_kind kind;
@@ -533,6 +542,7 @@ CREVICE_API crevice_error* crevice_effect_set_ambient_light(crevice_effect* effe
 
 // ---- What comes out -----------------------------------------------------------------------------
 
+/// A texture with what came out.
 typedef struct crevice_output {
     size_t struct_size;
 
@@ -595,6 +605,7 @@ CREVICE_API crevice_error* crevice_effect_read_output(const crevice_effect* effe
 /// timer to be trusted, as on software renderers: there are no times then.
 CREVICE_API crevice_error* crevice_effect_set_timing(crevice_effect* effect, bool on);
 
+/// What a pass took on the GPU.
 typedef struct crevice_pass_time {
     size_t struct_size;
     const char* name;     ///< Of the pass in the config. Good until the next call that renders,
@@ -612,6 +623,7 @@ CREVICE_API crevice_error* crevice_effect_get_pass_time(const crevice_effect* ef
 
 // ---- What there is to set: for user interfaces --------------------------------------------------
 
+/// A number or vector that crevice_effect_set_param sets.
 typedef struct crevice_param {
     size_t struct_size;
     const char* name;
@@ -629,10 +641,12 @@ typedef struct crevice_param {
     float value[4];  ///< As it is now.
 } crevice_param;
 
+/// How many there are, 0 of null; and one of them. Errors: CV6011 for an index past the last.
 CREVICE_API int crevice_effect_param_count(const crevice_effect* effect);
 CREVICE_API crevice_error* crevice_effect_get_param(const crevice_effect* effect, int index,
                                                     crevice_param* param);
 
+/// A choice that crevice_effect_set_feature makes.
 typedef struct crevice_feature {
     size_t struct_size;
     const char* name;
@@ -643,6 +657,7 @@ typedef struct crevice_feature {
     int word;          ///< As it is now.
 } crevice_feature;
 
+/// How many there are, 0 of null; and one of them. Errors: CV6011 for an index past the last.
 CREVICE_API int crevice_effect_feature_count(const crevice_effect* effect);
 CREVICE_API crevice_error* crevice_effect_get_feature(const crevice_effect* effect, int index,
                                                       crevice_feature* feature);
@@ -660,6 +675,7 @@ typedef struct crevice_import {
     bool optional;       ///< It draws without.
 } crevice_import;
 
+/// How many there are, 0 of null; and one of them. Errors: CV6011 for an index past the last.
 CREVICE_API int crevice_effect_import_count(const crevice_effect* effect);
 CREVICE_API crevice_error* crevice_effect_get_import(const crevice_effect* effect, int index,
                                                      crevice_import* import);
