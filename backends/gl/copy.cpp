@@ -22,9 +22,14 @@ void main()
 const char* const kCopy = R"(#version 300 es
 precision highp float;
 uniform highp sampler2D source;
+uniform bool grey;
 in vec2 uv;
 out vec4 color;
-void main() { color = textureLod(source, uv, 0.0); }
+void main()
+{
+    vec4 read = textureLod(source, uv, 0.0);
+    color = grey ? vec4(read.rrr, 1.0) : read;
+}
 )";
 
 // Every OpenGL ES 3.0 device renders to unsigned integers of 32 bits and reads them back; floats
@@ -56,14 +61,17 @@ Result<GlCopier> GlCopier::make(GlApi& gl, const GlProgramCache& cache)
     if (!fetch_bits) return fetch_bits.diagnostics();
     GlCopier copier;
     copier.copy_ = std::move(copy->program);
+    copier.grey_ = gl.GetUniformLocation(copier.copy_.name(), "grey");
     copier.fetch_bits_ = std::move(fetch_bits->program);
     copier.no_attributes_ = GlVertexArray::make(gl);
     return copier;
 }
 
-void GlCopier::copy(const GlApi& gl, GlState& state, GLuint texture, GLuint sampler) const
+void GlCopier::copy(const GlApi& gl, GlState& state, GLuint texture, GLuint sampler,
+                    int channels) const
 {
     gl.UseProgram(copy_.name());
+    gl.Uniform1i(grey_, channels == 1);
     state.bindTexture(0, texture, sampler);
     drawTriangle(gl);
 }

@@ -11,8 +11,8 @@ class GlCopier {
 public:
     static Result<GlCopier> make(GlApi& gl, const GlProgramCache& cache);
 
-    /// Draws the texture over the viewport of the bound framebuffer.
-    void copy(const GlApi& gl, GlState& state, GLuint texture, GLuint sampler) const;
+    /// Draws the texture over the viewport of the bound framebuffer; one channel alone as grey.
+    void copy(const GlApi& gl, GlState& state, GLuint texture, GLuint sampler, int channels) const;
 
     /// Level 0 as four floats a texel, bit for bit what a shader fetches: works for every format,
     /// for depth too, which glReadPixels refuses. `nearest` is a sampler without a filter.
@@ -26,6 +26,7 @@ public:
 
 private:
     GlProgram copy_;
+    GLint grey_ = -1;  // the uniform
     GlProgram fetch_bits_;
     GlVertexArray no_attributes_;
 };

@@ -196,7 +196,8 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
         return unlessLost(failed, "present");
     }
     gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
-    copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format));
+    copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format),
+                 formatInfo(texture.format).channels);
     return check_errors_ ? takeErrors(gl_, "present") : Status();
 }
 

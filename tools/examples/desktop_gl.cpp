@@ -4,7 +4,7 @@
 //     desktop_gl [FRAMES]    without FRAMES it draws until its window is closed
 //
 // The scene is drawn into the window, AO is made of the window's own depth and presented in a
-// corner of it: in red, since it has one channel. host_scene.h is what the application had before.
+// corner of it, as grey. host_scene.h is what the application had before.
 #include <crevice/effect.h>
 #include <crevice/gl_device.h>
 

@@ -448,9 +448,9 @@ public:
     /// Draws one triangle that covers the viewport; the vertex shader builds it from gl_VertexID.
     virtual void drawFullscreen() = 0;
 
-    /// Draws a colour texture into the host's framebuffer or texture, scaled to its rectangle: all
-    /// channels that it has, 0 for others, alpha 1. To half the size, each pixel is the mean of
-    /// four. The rest stays as it is.
+    /// Draws a colour texture into the host's framebuffer or texture, scaled to its rectangle: one
+    /// channel as grey, two as red and green, alpha 1 where it has none. To half the size, each
+    /// pixel is the mean of four. The rest stays as it is.
     /// Errors: those of writeTexture, CV6017; CV6005 where GL draws into no such target.
     virtual Status present(TextureId id, const HostFramebuffer& host) = 0;
 

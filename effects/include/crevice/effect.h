@@ -103,7 +103,8 @@ public:
     /// `setFeature`, and as long as the effect.
     OutputTexture outputTexture(std::string_view name) const;
 
-    /// Draws an output into a framebuffer or texture of the host's, scaled to a rectangle in it.
+    /// Draws an output into a framebuffer or texture of the host's, scaled to a rectangle in it;
+    /// AO, which has one channel, as grey.
     /// Errors: CV2209 for an output that the config does not have; those of Device::present.
     Status present(std::string_view output, const HostFramebuffer& target);
 

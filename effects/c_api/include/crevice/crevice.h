@@ -581,9 +581,9 @@ typedef struct crevice_target {
     int view;              ///< Whose output it is, from 0.
 } crevice_target;
 
-/// Draws an output into a rectangle of a framebuffer or texture of yours, scaled: all channels that
-/// it has, 0 for others, alpha 1. To half the size, each pixel is the mean of four. The rest stays
-/// as it is.
+/// Draws an output into a rectangle of a framebuffer or texture of yours, scaled: one channel, as
+/// AO has, as grey, two as red and green, alpha 1 where it has none. To half the size, each pixel is
+/// the mean of four. The rest stays as it is.
 ///
 /// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels and for a view that no
 /// frame has had, CV6005 where GL draws into no such target, CV6004, CV6017.
