@@ -29,7 +29,7 @@ check "the page is there" test -s probe/stress.html
 expect 0 '4 measured, 0 were there already' stress gtao --case no_op "${small[@]}" --out again
 expect 0 '0 measured, 4 were there already' stress gtao --case no_op "${small[@]}" --out again
 expect 0 '0 measured, 0 were there already, 0 failed, 4 not begun' stress gtao --case no_op "${small[@]}" \
-    --time-budget 0.000001s --out late
+    --time-budget 0.000000001s --out late
 expect 0 '"failures": 0' stress gtao --case no_op "${small[@]}" --out again --json
 expect_json
 
