@@ -2,6 +2,7 @@
 // The drawing half of the GL device.
 #include "backends/gl/device_class.h"
 #include "backends/gl/failure.h"
+#include "backends/gl/host/host_target.h"
 
 namespace crevice {
 
@@ -169,32 +170,13 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
 {
     if (Status status = check_errors_ ? checkCurrent() : Status(); !status) return status;
     if (Status status = checkReadable(*this, id); !status) return status;
-    if (host.extent.width <= 0 || host.extent.height <= 0)
-        return Diagnostic{Code::bad_input,
-                          "the rectangle to draw into is " + std::to_string(host.extent.width) +
-                              "x" + std::to_string(host.extent.height) + " pixels",
-                          "give its extent, at least 1x1"};
+    if (Status status = checkRectangle(host); !status) return status;
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
     if (Status status = state_.checkHost(check_errors_); !status) return status;
-    GlFramebuffer own;
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host.name);
-    if (host.texture != 0) {
-        own = GlFramebuffer::make(gl_);
-        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, own.name());
-        gl_.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                                 host.texture, host.level);
-    }
-    if (const GLenum complete = gl_.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
-        complete != GL_FRAMEBUFFER_COMPLETE && check_errors_) {
-        const Status failed =
-            failure(Code::gl_error,
-                    "the host's " + std::string(host.texture != 0 ? "texture " : "framebuffer ") +
-                        std::to_string(host.texture != 0 ? host.texture : host.name) +
-                        " cannot be drawn into: " + framebufferStatusName(complete),
-                    "give it storage of a colour format that this device renders to");
-        return unlessLost(failed, "present");
-    }
+    const GlFramebuffer own = bindHostTarget(gl_, host);
+    if (Status status = check_errors_ ? checkHostTarget(gl_, host) : Status(); !status)
+        return unlessLost(status, "present");
     gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
     copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format),
                  formatInfo(texture.format).channels);

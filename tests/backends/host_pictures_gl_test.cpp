@@ -139,6 +139,14 @@ TEST_CASE_METHOD(Pictures, "A layer of an array is copied, and again when it is 
         checkStep(copy, 2);
         need(device->refresh(copy));
         checkStep(copy, 4);
+        if (gl.GetTexLevelParameteriv) {
+            host.extent.width += 1;
+            CHECK(refusal(host).find("has 6x4 pixels") != std::string::npos);
+            HostTexture drawn{into.name(), "depth", format.format, host.extent};
+            drawn.kind = HostTexture::Kind::framebuffer;
+            CHECK(refusal(drawn).find("has 6x4 pixels") != std::string::npos);
+            host.extent = kExtent;
+        }
         host.layer = kLayers;
         CHECK(!refusal(host).empty());
         CHECK(gl.GetError() == GL_NO_ERROR);
@@ -186,6 +194,8 @@ TEST_CASE_METHOD(Pictures,
     CHECK(device->info(need(device->adoptTexture(host))).samples == 4);
     host.part = true;
     checkStep(need(device->adoptTexture(host)), 2);
+    host.x = 1;
+    CHECK(refusal(host).find("has 6x4 pixels") != std::string::npos);
     host.part = false;
     host.samples = 1;
     CHECK(refusal(host).find("is no GL_TEXTURE_2D") != std::string::npos);

@@ -3,20 +3,89 @@
 #include "backends/gl/objects.h"
 #include "tests/support/gl_fixture.h"
 
+#include <limits>
+
 using namespace crevice;
 
 namespace {
 
+constexpr int kMax = std::numeric_limits<int>::max();
+
+GlDeviceOptions bare()
+{
+    GlDeviceOptions options;
+    options.ignore_extensions = true;
+    return options;
+}
+
 struct Targets : GlFixture {
+    explicit Targets(const GlDeviceOptions& options = {}) : GlFixture(options) {}
+
     GLuint colorTexture(GLenum internal, Extent extent, GLsizei levels = 1)
     {
         auto made = GlTexture::make(gl);
         gl.BindTexture(GL_TEXTURE_2D, made.name());
         gl.TexStorage2D(GL_TEXTURE_2D, levels, internal, extent.width, extent.height);
+        gl.BindTexture(GL_TEXTURE_2D, 0);
         return textures.emplace_back(std::move(made)).name();
     }
 
+    GLuint renderbuffer(GLenum internal, Extent extent)
+    {
+        auto made = GlRenderbuffer::make(gl);
+        gl.BindRenderbuffer(GL_RENDERBUFFER, made.name());
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, internal, extent.width,
+                                          extent.height);
+        return renderbuffers.emplace_back(std::move(made)).name();
+    }
+
+    /// "" where the output is drawn, else why not.
+    std::string refusal(const HostFramebuffer& target)
+    {
+        if (!shown) shown = texture(Format::rgba8);
+        return reasonOf(device->present(shown, target).diagnostics());
+    }
+
+    std::string refusal(const HostTexture& host)
+    {
+        return reasonOf(device->adoptTexture(host).diagnostics());
+    }
+
+    std::string reasonOf(const Diagnostics& found)
+    {
+        CHECK(gl.GetError() == GL_NO_ERROR);
+        if (found.empty()) return "";
+        CHECK(found[0].code == Code::bad_input);
+        CHECK(!found[0].help.empty());
+        return found[0].message;
+    }
+
+    /// All rectangles that leave a target of 8x6 pixels are refused, and those within are not.
+    void checkRectangles(HostFramebuffer target)
+    {
+        constexpr HostFramebuffer kWithin[] = {{0, 0, 0, {8, 6}}, {0, 7, 5, {1, 1}}};
+        constexpr HostFramebuffer kOutside[] = {
+            {0, 0, 0, {9, 6}},    {0, 0, 0, {8, 7}},       {0, 8, 0, {1, 1}},
+            {0, 0, 6, {1, 1}},    {0, -1, 0, {4, 4}},      {0, 0, -1, {4, 4}},
+            {0, kMax, 0, {4, 4}}, {0, 1, 0, {kMax, 4}},    {0, 0, kMax, {4, 4}},
+            {0, 0, 4, {4, kMax}}, {0, 0, 0, {kMax, kMax}}, {0, -kMax - 1, 0, {4, 4}}};
+        const auto refused = [&](const HostFramebuffer& rectangle) {
+            target.x = rectangle.x;
+            target.y = rectangle.y;
+            target.extent = rectangle.extent;
+            return !refusal(target).empty();
+        };
+        for (const HostFramebuffer& each : kWithin) CHECK_FALSE(refused(each));
+        for (const HostFramebuffer& each : kOutside) {
+            INFO(each.x << ", " << each.y << ": " << each.extent.width << "x"
+                        << each.extent.height);
+            CHECK(refused(each));
+        }
+    }
+
+    TextureId shown;
     std::vector<GlTexture> textures;
+    std::vector<GlRenderbuffer> renderbuffers;
 };
 
 }  // namespace
@@ -47,4 +116,88 @@ TEST_CASE_METHOD(Targets, "One channel is presented as grey, two as red and gree
         for (int channel = 0; channel < 4; ++channel)
             CHECK(found.at(1, 2, channel) == Approx(each.wanted[channel]).margin(1e-4));
     }
+}
+
+TEST_CASE("A rectangle that leaves the host's target is refused, on OpenGL ES 3.0 too")
+{
+    Targets host(GENERATE(GlDeviceOptions(), bare()));
+    const GlApi& gl = host.gl;
+    HostFramebuffer target;
+    for (const GLenum internal : {GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F, GL_R8}) {
+        INFO(internal);
+        target.texture = host.colorTexture(internal, {16, 12}, 2);
+        target.level = 1;
+        host.checkRectangles(target);
+    }
+    const auto framebuffer = GlFramebuffer::make(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                            host.colorTexture(GL_RGBA8, {16, 16}), 0);
+    const GLenum none = GL_NONE, first = GL_COLOR_ATTACHMENT0;
+    gl.DrawBuffers(1, &none);
+    target = {framebuffer.name(), 0, 0, {32, 32}};
+    CHECK(host.refusal(target).empty());  // nothing is drawn
+    gl.DrawBuffers(1, &first);
+    CHECK(!host.refusal(target).empty());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                               host.renderbuffer(GL_RGBA8, {8, 6}));
+    host.checkRectangles(target);
+    target.extent = {9, 6};
+    CHECK(host.refusal(target).find("has 8x6 pixels, and the rectangle to draw into ends at 9x6") !=
+          std::string::npos);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+TEST_CASE("A framebuffer's depth of another size than was said is refused")
+{
+    Targets host(GENERATE(GlDeviceOptions(), bare()));
+    const GlApi& gl = host.gl;
+    const auto framebuffer = GlFramebuffer::make(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    HostTexture depth{framebuffer.name(), "depth", Format::depth24, {8, 6}};
+    depth.kind = HostTexture::Kind::framebuffer;
+    const auto check = [&] {
+        depth.part = false;
+        depth.extent = {8, 6};
+        CHECK(host.refusal(depth).empty());
+        depth.extent = {9, 6};
+        CHECK(host.refusal(depth).find("it was said to have 9x6") != std::string::npos);
+        depth.extent = {8, 5};
+        CHECK(!host.refusal(depth).empty());
+        depth.part = true;
+        CHECK(host.refusal(depth).empty());
+        depth.extent = {8, 7};
+        CHECK(host.refusal(depth).find("is said to end at 8x7") != std::string::npos);
+    };
+    for (const GLenum internal : {GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8}) {
+        INFO(internal);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
+                                host.colorTexture(internal, {8, 6}), 0);
+        check();
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                   host.renderbuffer(internal, {8, 6}));
+        check();
+    }
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+TEST_CASE_METHOD(Targets, "A part of a host's picture that ends where no int counts is refused")
+{
+    HostTexture host{colorTexture(GL_RGBA8, {8, 6}), "colour", Format::rgba8, {4, 4}};
+    host.part = true;
+    CHECK(refusal(host).empty());
+    for (const int far : {kMax, kMax - 1, kMax - 4, -1, -kMax - 1}) {
+        INFO(far);
+        host.x = far;
+        CHECK(!refusal(host).empty());
+        host.x = 0;
+        host.y = far;
+        CHECK(!refusal(host).empty());
+        host.y = 0;
+    }
+    host.x = 1;
+    host.extent = {kMax, 4};
+    CHECK(!refusal(host).empty());
+    host.part = false;
+    CHECK(!refusal(host).empty());
 }

@@ -3,6 +3,7 @@
 
 #include "backends/gl/failure.h"
 #include "backends/gl/formats.h"
+#include "backends/gl/host/host_image.h"
 
 #include <algorithm>
 #include <vector>
@@ -12,39 +13,6 @@ namespace crevice {
 namespace {
 
 constexpr GLenum kDepthComponent32 = 0x81A7;  // desktop OpenGL alone
-
-/// What an image holds: bits of red, green, blue, alpha and depth, and what kind of numbers.
-struct Held {
-    GLint bits[5] = {};
-    GLint stencil = 0;
-    GLint type = GL_NONE;
-    bool srgb = false;
-};
-
-constexpr GLint kUnorm = GL_UNSIGNED_NORMALIZED;
-
-struct Wanted {
-    Format format;
-    GLint bits[5];
-    GLint type;
-};
-
-constexpr Wanted kWanted[] = {
-    {Format::r8, {8, 0, 0, 0, 0}, kUnorm},
-    {Format::rg8, {8, 8, 0, 0, 0}, kUnorm},
-    {Format::rgba8, {8, 8, 8, 8, 0}, kUnorm},
-    {Format::rgb10_a2, {10, 10, 10, 2, 0}, kUnorm},
-    {Format::r16f, {16, 0, 0, 0, 0}, GL_FLOAT},
-    {Format::rg16f, {16, 16, 0, 0, 0}, GL_FLOAT},
-    {Format::rgba16f, {16, 16, 16, 16, 0}, GL_FLOAT},
-    {Format::r32f, {32, 0, 0, 0, 0}, GL_FLOAT},
-    {Format::rg32f, {32, 32, 0, 0, 0}, GL_FLOAT},
-    {Format::rgba32f, {32, 32, 32, 32, 0}, GL_FLOAT},
-    {Format::r11g11b10f, {11, 11, 10, 0, 0}, GL_FLOAT},
-    {Format::depth16, {0, 0, 0, 0, 16}, kUnorm},
-    {Format::depth24, {0, 0, 0, 0, 24}, kUnorm},
-    {Format::depth32f, {0, 0, 0, 0, 32}, GL_FLOAT},
-};
 
 bool isDepth(const HostTexture& host)
 {
@@ -61,22 +29,6 @@ std::string nameOf(const HostTexture& host)
 Diagnostic misfit(const HostTexture& host, const std::string& what, const char* help)
 {
     return failure(Code::bad_input, nameOf(host) + " " + what, help);
-}
-
-std::string sizeText(Extent extent)
-{
-    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
-}
-
-std::string textOf(const Held& held)
-{
-    const auto number = [&](int i) { return std::to_string(held.bits[i]); };
-    const std::string type = held.type == GL_FLOAT ? "float"
-                             : held.type == kUnorm ? "normalised"
-                                                   : "integer or signed";
-    if (held.bits[4] > 0) return "depth of " + number(4) + " bits, " + type;
-    return "colour of " + number(0) + ", " + number(1) + ", " + number(2) + " and " + number(3) +
-           " bits, " + (held.srgb ? "sRGB" : type);
 }
 
 /// Attaches the host's image for reading. Errors: CV6011 where it has no such image.
@@ -111,137 +63,48 @@ Status attachForReading(GlApi& gl, const HostTexture& host, GLuint framebuffer)
         "say what it is by HostTexture::kind, layer and samples");
 }
 
-/// What the bound read framebuffer holds; a type of GL_NONE where there is nothing.
-Held readHeld(const GlApi& gl, const HostTexture& host)
+/// Where the host's image is attached in the bound read framebuffer.
+GLenum pointOf(const HostTexture& host)
 {
     const bool is_default = host.kind == HostTexture::Kind::framebuffer && host.name == 0;
-    const GLenum point = !isDepth(host) ? GL_COLOR_ATTACHMENT0
-                         : is_default   ? GL_DEPTH
-                                        : GL_DEPTH_ATTACHMENT;
-    const auto get = [&](GLenum what) {
-        GLint value = 0;
-        gl.GetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, point, what, &value);
-        return value;
-    };
-    Held held;
-    if (get(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE) return held;
-    constexpr GLenum kSizes[] = {
-        GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE,
-        GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE,
-        GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE};
-    for (int i = 0; i < 5; ++i) held.bits[i] = get(kSizes[i]);
-    held.stencil = get(GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
-    held.type = get(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE);
-    held.srgb = get(GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_SRGB;
-    return held;
+    if (!isDepth(host)) return GL_COLOR_ATTACHMENT0;
+    return is_default ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
 }
 
-/// Drivers may hold more bits than were asked for.
-Status checkHeld(const HostTexture& host, const Held& held)
+Status checkHeld(const HostTexture& host, const GlHeld& held)
 {
-    const Wanted* wanted = std::begin(kWanted);
-    while (wanted->format != host.format) ++wanted;
-    if (held.type == GL_NONE || *std::max_element(held.bits, held.bits + 5) == 0)
+    if (held.empty())
         return misfit(host,
                       "holds nothing of the kind of " + std::string(formatInfo(host.format).name),
                       "give it storage, and say its format by HostTexture::format");
-    bool fits = held.type == wanted->type && !held.srgb;
-    for (int i = 0; i < 5; ++i) fits = fits && held.bits[i] >= wanted->bits[i];
-    if (fits) return {};
+    if (held.fits(host.format) && !held.srgb) return {};
     return misfit(host,
                   "holds " + textOf(held) + "; it was said to be " + formatInfo(host.format).name,
                   "say its format by HostTexture::format, or hand over another");
 }
 
-/// Whether OpenGL ES 3.0, which cannot be asked for sizes, takes writes of nothing there.
-bool reaches(GlApi& gl, const Held& held, const HostTexture& host, GLint x, GLint y)
+/// Of the image that is attached to the bound read framebuffer.
+Status checkSize(const GlApi& gl, const HostTexture& host)
 {
-    const GlFormat& format = glFormat(host.format);
-    GLenum upload_format = format.upload_format, upload_type = format.upload_type;
-    if (held.stencil > 0) {
-        upload_format = GL_DEPTH_STENCIL;
-        upload_type =
-            held.type == GL_FLOAT ? GL_FLOAT_32_UNSIGNED_INT_24_8_REV : GL_UNSIGNED_INT_24_8;
-    }
-    const GLuint nothing[2] = {};
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, x, y, 0, 0, upload_format, upload_type, nothing);
-    bool reached = true;
-    for (GLenum error = gl.GetError(); error != GL_NO_ERROR && error != GL_CONTEXT_LOST;
-         error = gl.GetError())
-        reached = reached && error != GL_INVALID_VALUE;
-    return reached;
-}
-
-Status wrongSize(const HostTexture& host, const std::string& has)
-{
-    const std::string end = sizeText({host.x + host.extent.width, host.y + host.extent.height});
-    return misfit(host,
-                  has + (host.part ? ", and the picture in it is said to end at " + end
-                                   : "; it was said to have " + sizeText(host.extent)),
-                  host.part ? "keep the picture within it"
-                            : "say its size by HostTexture::extent; of a part, set part, x and y");
-}
-
-Status checkExtent(const HostTexture& host, Extent found)
-{
-    if (found.width == 0) return {};  // not known
-    const bool fits = host.part ? host.x + host.extent.width <= found.width &&
-                                      host.y + host.extent.height <= found.height
-                                : found == host.extent;
-    return fits ? Status() : wrongSize(host, "has " + sizeText(found) + " pixels");
-}
-
-/// Of the texture that is bound to `target` of the active unit.
-Status checkBoundSize(GlApi& gl, const HostTexture& host, const Held& held, GLenum target)
-{
-    if (gl.GetTexLevelParameteriv) {
-        Extent found;
-        gl.GetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &found.width);
-        gl.GetTexLevelParameteriv(target, 0, GL_TEXTURE_HEIGHT, &found.height);
-        return checkExtent(host, found);
-    }
-    if (target != GL_TEXTURE_2D) return {};
-    const GLint right = host.x + host.extent.width, top = host.y + host.extent.height;
-    const bool fits = reaches(gl, held, host, right, top) &&
-                      (host.part || (!reaches(gl, held, host, right + 1, 0) &&
-                                     !reaches(gl, held, host, 0, top + 1)));
-    return fits ? Status() : wrongSize(host, "has another size");
-}
-
-/// Leaves the unit's binding of arrays as it was.
-Status checkArraySize(GlApi& gl, const HostTexture& host, const Held& held)
-{
-    GLint bound = 0;
-    gl.GetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &bound);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, host.name);
-    const Status status = checkBoundSize(gl, host, held, GL_TEXTURE_2D_ARRAY);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, static_cast<GLuint>(bound));
-    return status;
-}
-
-Status checkSize(GlApi& gl, GlState& state, const HostTexture& host, const Held& held)
-{
-    const GLenum target = host.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-    Extent found;
-    switch (host.kind) {
-    case HostTexture::Kind::texture:
-        state.bindTexture(0, host.name, 0, target);
-        return checkBoundSize(gl, host, held, target);
-    case HostTexture::Kind::layer: return checkArraySize(gl, host, held);
-    case HostTexture::Kind::renderbuffer:
-        gl.BindRenderbuffer(GL_RENDERBUFFER, host.name);
-        gl.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &found.width);
-        gl.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &found.height);
-        return checkExtent(host, found);
-    case HostTexture::Kind::framebuffer: break;  // not known of the default one
-    }
-    return {};
+    const Extent end =
+        host.part ? Extent{host.x + host.extent.width, host.y + host.extent.height} : host.extent;
+    const GlReach reach = askReach(gl, GL_READ_FRAMEBUFFER, pointOf(host), end, host.part);
+    if (reach.fits) return {};
+    const bool told = reach.size.width > 0;
+    return misfit(
+        host,
+        (told ? "has " + sizeText(reach.size) + " pixels" : "has another size") +
+            (host.part ? ", and the picture in it is said to end at " : "; it was said to have ") +
+            sizeText(end),
+        host.part ? "keep the picture within it"
+                  : "say its size by HostTexture::extent; of a part, set part, x and y");
 }
 
 /// What a texture reads as, beside what it holds.
-Status checkReading(const GlApi& gl, const HostTexture& host)
+Status checkReading(const GlApi& gl, GlState& state, const HostTexture& host)
 {
     const GLenum target = host.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    state.bindTexture(0, host.name, 0, target);
     const auto get = [&](GLenum what) {
         GLint value = 0;
         gl.GetTexParameteriv(target, what, &value);
@@ -264,7 +127,7 @@ Status checkReading(const GlApi& gl, const HostTexture& host)
 
 /// Formats that a copy of the depth may need, the likeliest first: GL copies depth between images
 /// of the same format alone, and not every driver tells of a stencil beside it.
-std::vector<GLenum> copyFormats(const HostTexture& host, const Held& held)
+std::vector<GLenum> copyFormats(const HostTexture& host, const GlHeld& held)
 {
     if (!isDepth(host)) return {glFormat(host.format).internal};
     if (held.type == GL_FLOAT && held.stencil > 0)
@@ -285,8 +148,12 @@ Status checkKind(const HostTexture& host)
     if (host.samples < 1)
         return misfit(host, "has " + std::to_string(host.samples) + " samples a pixel",
                       "set HostTexture::samples to 1 or more");
-    if (host.copied() && (host.x < 0 || host.y < 0 || host.layer < 0))
-        return misfit(host, "is asked for a part below 0", "x, y and layer count from 0");
+    const bool placed = host.copied();
+    if (!isCountable(placed ? host.x : 0, placed ? host.y : 0, host.extent))
+        return misfit(host, "is asked for pixels below 0 or past " + std::to_string(kLastPixel),
+                      "x and y count from 0; keep the picture within it");
+    if (placed && host.layer < 0)
+        return misfit(host, "is asked for a layer below 0", "layers count from 0");
     return {};
 }
 
@@ -297,11 +164,11 @@ Status checkHostTexture(GlApi& gl, GlState& state, const HostTexture& host)
     if (Status status = checkKind(host); !status) return status;
     const auto framebuffer = GlFramebuffer::make(gl);
     if (Status status = attachForReading(gl, host, framebuffer.name()); !status) return status;
-    const Held held = readHeld(gl, host);
+    const GlHeld held = readHeld(gl, GL_READ_FRAMEBUFFER, pointOf(host));
     (void)gl.GetError();  // of what an attachment that is none cannot be asked
     if (Status status = checkHeld(host, held); !status) return status;
-    if (Status status = checkSize(gl, state, host, held); !status) return status;
-    return host.kind == HostTexture::Kind::texture ? checkReading(gl, host) : Status();
+    if (Status status = checkSize(gl, host); !status) return status;
+    return host.kind == HostTexture::Kind::texture ? checkReading(gl, state, host) : Status();
 }
 
 Result<GlHostCopy> GlHostCopy::make(GlApi& gl, GlState& state, const HostTexture& host)
@@ -319,7 +186,8 @@ Result<GlHostCopy> GlHostCopy::make(GlApi& gl, GlState& state, const HostTexture
                                   std::string("cannot be read: ") + framebufferStatusName(complete),
                                   "give it storage, and name a layer that it has")};
     Status status;
-    for (const GLenum internal : copyFormats(host, readHeld(gl, host))) {
+    for (const GLenum internal :
+         copyFormats(host, readHeld(gl, GL_READ_FRAMEBUFFER, pointOf(host)))) {
         status = copy.allocate(gl, state, internal);
         if (status) status = copy.update(gl);
         if (status) return copy;

@@ -3,8 +3,7 @@
 // shader can read as it is.
 //
 // Sources
-//   OpenGL ES 3.0.6, section 6.1.13 - what a framebuffer's attachment holds;
-//   section 4.3.3 - copies of depth, between images of one format alone.
+//   OpenGL ES 3.0.6, section 4.3.3 - copies of depth, between images of one format alone.
 #pragma once
 
 #include "backends/gl/objects.h"

@@ -163,7 +163,7 @@ struct HostTexture {
     std::string label = {};  ///< For messages.
     /// depth24 also stands for GL_DEPTH24_STENCIL8, and depth32f for GL_DEPTH32F_STENCIL8.
     Format format = Format::depth24;
-    Extent extent = {};  ///< Of the picture, in pixels.
+    Extent extent = {};  ///< Of the picture, in pixels; all that the object has, unless `part`.
     int samples = 1;     ///< Above 1 only of a texture: all else is copied, and so resolved.
     Kind kind = Kind::texture;
     int layer = 0;  ///< From 0.
@@ -342,7 +342,7 @@ struct PassInfo {
 };
 
 /// The host's own framebuffer or texture, and the rectangle to fill in it, in pixels from the lower
-/// left.
+/// left; x and y from 0.
 struct HostFramebuffer {
     std::uint32_t name = 0;  ///< The API's own name; 0 is the default framebuffer.
     int x = 0, y = 0;
@@ -451,7 +451,9 @@ public:
     /// Draws a colour texture into the host's framebuffer or texture, scaled to its rectangle: one
     /// channel as grey, two as red and green, alpha 1 where it has none. To half the size, each
     /// pixel is the mean of four. The rest stays as it is.
-    /// Errors: those of writeTexture, CV6017; CV6005 where GL draws into no such target.
+    /// Errors: those of writeTexture, CV6017; CV6005 where GL draws into no such target; CV6011 for
+    /// a rectangle that leaves it. What leaves the default framebuffer is lost: GL tells no size of
+    /// it.
     virtual Status present(TextureId id, const HostFramebuffer& host) = 0;
 
     /// Waits until everything issued is done.

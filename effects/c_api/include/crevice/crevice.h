@@ -585,8 +585,9 @@ typedef struct crevice_target {
 /// AO has, as grey, two as red and green, alpha 1 where it has none. To half the size, each pixel is
 /// the mean of four. The rest stays as it is.
 ///
-/// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels and for a view that no
-/// frame has had, CV6005 where GL draws into no such target, CV6004, CV6017.
+/// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels or one that leaves the
+/// target, and for a view that no frame has had, CV6005 where GL draws into no such target, CV6004,
+/// CV6017. What leaves the default framebuffer is lost: GL tells no size of it.
 CREVICE_API crevice_error* crevice_effect_present(crevice_effect* effect, const char* name,
                                                   const crevice_target* target);
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What a framebuffer of the host's has attached: what numbers that holds, and how large it is.
+//
+// Sources
+//   OpenGL ES 3.0.6, section 6.1.13 - what a framebuffer's attachment holds;
+//   section 3.8.5 - writes that end past an image are refused, those of no pixels too.
+#pragma once
+
+#include "backends/gl/api.h"
+
+#include <crevice/device.h>
+
+namespace crevice {
+
+/// What an image holds: bits of red, green, blue, alpha and depth, and what kind of numbers.
+struct GlHeld {
+    GLint bits[5] = {};
+    GLint stencil = 0;
+    GLint type = GL_NONE;
+    bool srgb = false;
+
+    /// Whether it can be taken for that format: drivers may hold more bits than were asked for.
+    bool fits(Format format) const;
+    bool empty() const;
+};
+
+/// What is attached at `point` of the framebuffer that is bound to `target`; a type of GL_NONE
+/// where there is nothing.
+GlHeld readHeld(const GlApi& gl, GLenum target, GLenum point);
+
+std::string textOf(const GlHeld& held);
+
+constexpr int kLastPixel = 0x7ffffffe;
+
+/// Whether a picture's pixels lie within [0, kLastPixel], so that where it ends is an int.
+bool isCountable(int x, int y, Extent extent);
+
+/// "640x480".
+std::string sizeText(Extent extent);
+
+/// How an image's size compares with what was said.
+struct GlReach {
+    bool fits = true;
+    Extent size = {};  ///< 0x0 where GL does not tell.
+};
+
+/// Whether what is attached there ends at `end`, or with `or_later` not before. It fits where GL
+/// tells nothing: of the default framebuffer, and on OpenGL ES 3.0 of layers. Binds another
+/// renderbuffer.
+GlReach askReach(const GlApi& gl, GLenum target, GLenum point, Extent end, bool or_later);
+
+}  // namespace crevice
