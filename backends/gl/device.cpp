@@ -293,7 +293,8 @@ ObjectInfo GlDevice::info(ObjectId id) const
         return {};
     case ObjectId::Kind::mesh:
         if (const MeshSlot* mesh = meshes_.find(id.value))
-            return {true, 0, 1, mesh->index_count, mesh->origin};
+            return {true,          0,       1, mesh->index_count, mesh->origin, mesh->label,
+                    mesh->normals, mesh->uv};
         return {};
     case ObjectId::Kind::program: return {programs_.find(id.value) != nullptr};
     case ObjectId::Kind::framebuffer: return {framebuffers_.find(id.value) != nullptr};

@@ -92,6 +92,9 @@ private:
         bool indexed = true;
         IndexType index_type = IndexType::uint32;
         std::uint32_t index_offset = 0;  // in bytes
+        std::string label = {};
+        bool normals = true;
+        bool uv = true;
     };
 
     /// Sets the host's errors aside in a call that may come outside of a frame.

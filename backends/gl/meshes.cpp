@@ -129,6 +129,7 @@ Result<MeshId> GlDevice::createMesh(const MeshDesc& desc)
     setAttribute(gl_, 0, 3, attribute(offsetof(Vertex, position)));
     setAttribute(gl_, 1, 3, attribute(offsetof(Vertex, normal)));
     setAttribute(gl_, 2, 2, attribute(offsetof(Vertex, uv)));
+    mesh.label = desc.label;
     setLabel(gl_, GL_VERTEX_ARRAY, mesh.vertex_array.name(), desc.label);
     if (Status status = takeErrors(gl_, "createMesh", desc.label.c_str()); !status)
         return status.diagnostics();
@@ -146,6 +147,9 @@ Result<MeshId> GlDevice::adoptMesh(const HostMesh& host)
     mesh.indexed = host.index_buffer != 0;
     mesh.index_type = host.index_type;
     mesh.index_offset = host.index_offset;
+    mesh.label = host.label;
+    mesh.normals = host.normal.buffer != 0;
+    mesh.uv = host.uv.buffer != 0;
     gl_.BindVertexArray(mesh.vertex_array.name());
     if (Status status = checkBuffers(gl_, host); !status) return status.diagnostics();
     if (host.normal.buffer == 0 || host.uv.buffer == 0) {

@@ -223,6 +223,8 @@ Result<MeshId> RecordingDevice::adoptMesh(const HostMesh& host)
     if (failsNow(errors, "mesh '" + host.label + "'")) return errors;
     Object object{ObjectId::Kind::mesh, host.label};
     object.index_count = host.index_count;
+    object.normals = host.normal.buffer != 0;
+    object.uv = host.uv.buffer != 0;
     return MeshId{add(std::move(object), Call::adopt_mesh)};
 }
 
@@ -232,8 +234,14 @@ ObjectInfo RecordingDevice::info(ObjectId id) const
     if (!object || !object->alive || object->kind != id.kind) return {};
     const bool texture = id.kind == ObjectId::Kind::texture;
     const std::uint32_t own_name = texture ? id.value : 0;
-    return {true, object->native_name ? object->native_name : own_name, object->texture.samples,
-            object->index_count, object->origin};
+    return {true,
+            object->native_name ? object->native_name : own_name,
+            object->texture.samples,
+            object->index_count,
+            object->origin,
+            object->label,
+            object->normals,
+            object->uv};
 }
 
 void RecordingDevice::destroy(ObjectId id)

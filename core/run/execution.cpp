@@ -218,6 +218,7 @@ bool Execution::updateDraws(const Frame& frame)
         const bool drawn = drawsSomething(item) && isDrawable(frame, item, device_);
         drawn_.elided = drawn_.elided || (drawsSomething(item) && !drawn);
         changed = changed || (drawn && item.callback && item.revision == 0);
+        if (drawn) warnings_.look(item, frame.materials[item.material], device_);
         take(drawn ? item : no_draw, drawn_.draws[i]);
     }
     changed = changed || frame.materials.size() != drawn_.materials.size();
@@ -251,8 +252,11 @@ Status Execution::end(const Frame& frame)
     Status status = device_.endFrame();
     for (PreparedView& view : views_) view.history.valid = status.ok();
     if (!status) cache_.clear();
-    if (!drawn_.elided || !status) return status;
-    return warnElided(frame, device_);
+    if (!status) return status;
+    Diagnostics warnings = status.diagnostics();
+    append(warnings, warnings_.take());
+    if (drawn_.elided) append(warnings, warnElided(frame, device_));
+    return warnings;
 }
 
 // What was written last frame is now read, and the other way round.

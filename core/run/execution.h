@@ -10,6 +10,7 @@
 
 #include "core/gpu/owned.h"
 #include "core/run/dirty_passes.h"
+#include "core/run/draw_warnings.h"
 #include "core/run/pass_timers.h"
 #include "core/run/uniform_values.h"
 
@@ -177,6 +178,7 @@ private:
     PassTimers timers_;
     std::vector<char> changed_;  // by run, for cache_
     DrawnList drawn_;
+    DrawWarnings warnings_;
     std::optional<ViewArea> draws_area_;  // of the present view, once a pass has asked
     bool swapped_ = false;                // whether histories and their targets have changed places
     bool remembers_ = false;              // whether histories hold anything

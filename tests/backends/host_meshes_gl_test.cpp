@@ -218,7 +218,8 @@ TEST_CASE_METHOD(HostScene, "A host's buffers draw what a copy of them draws, in
     CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE_METHOD(HostScene, "Where a host has no normals, a config that needs depth alone is right")
+TEST_CASE_METHOD(HostScene,
+                 "Where a host has no normals, a config of depth alone is right, and others warn")
 {
     renderer = make("mobile");
     const Image wanted = own();
@@ -226,6 +227,16 @@ TEST_CASE_METHOD(HostScene, "Where a host has no normals, a config that needs de
     mesh.normal = {};
     mesh.uv = {};
     CHECK(same(of(mesh), wanted));
+
+    const MeshId bare = need(device->adoptMesh(mesh));
+    frame.draws[0].mesh = bare;
+    CHECK(renderer->render(frame).diagnostics().empty());
+    renderer = make("balanced");
+    const Status warned = renderer->render(frame);
+    REQUIRE(warned.diagnostics().size() == 1);
+    CHECK(warned.diagnostics()[0].code == Code::mesh_lacks);
+    CHECK(warned.diagnostics()[0].message.find("mesh 'host'") != std::string::npos);
+    device->destroy(bare);
 }
 
 TEST_CASE_METHOD(HostScene, "Buffers that are none, or end too early, are refused with the reason")

@@ -191,7 +191,10 @@ Diagnostics checkPicture(Session& session, const SceneView& view,
 void showSummary(const RenderOptions& options, Session& session, const SceneView& view,
                  const std::vector<Picture>& pictures, double ms, Diagnostics warnings)
 {
-    append(warnings, checkPicture(session, view, pictures));
+    const bool unfilled = std::any_of(warnings.begin(), warnings.end(), [](const Diagnostic& each) {
+        return each.code == Code::unfilled_block;  // which explains the picture, as no radius does
+    });
+    if (!unfilled) append(warnings, checkPicture(session, view, pictures));
     if (session.open.programs) append(warnings, session.open.programs->warnings());
     const Summary summary = summaryOf(options, session, view, ms);
     if (options.json) return printJson(summary, pictures, warnings);

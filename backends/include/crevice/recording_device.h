@@ -174,6 +174,8 @@ private:
         std::vector<bool> uniform_set = {};  // a sampler's lasts for one setProgram
         std::uint32_t index_count = 0;
         MeshOrigin origin = {};
+        bool normals = true;
+        bool uv = true;
     };
 
     using Words = std::initializer_list<std::uint32_t>;

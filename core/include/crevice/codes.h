@@ -101,9 +101,11 @@ enum class Code : int {
     sampler_version = 6014,     ///< A sampler that the device's version of OpenGL ES does not have.
     too_coarse =
         6015,  ///< Formats that do not resolve the radius as far as it is seen (a warning).
-    context_lost = 6016,  ///< The context is gone, and all that was made in it.
-    host_busy = 6017,     ///< The host is amid what drawing would spoil, such as a query.
-    no_timers = 6018,     ///< The GPU's time cannot be measured (a warning).
+    context_lost = 6016,    ///< The context is gone, and all that was made in it.
+    host_busy = 6017,       ///< The host is amid what drawing would spoil, such as a query.
+    no_timers = 6018,       ///< The GPU's time cannot be measured (a warning).
+    mesh_lacks = 6019,      ///< A pass reads normals or uv that a mesh does not have (a warning).
+    unfilled_block = 6020,  ///< A uniform block that nobody fills (a warning).
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

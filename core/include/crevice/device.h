@@ -250,8 +250,9 @@ std::uint32_t bytesOf(IndexType type);
 struct HostMesh {
     std::string label = {};  ///< For messages.
     HostAttribute position = {};
-    HostAttribute normal = {};  ///< Without one, (0, 0, 1): right where a config draws depth alone.
-    HostAttribute uv = {};      ///< Without one, (0, 0).
+    /// Without one, (0, 0, 1): right where a config draws depth alone, else CV6019 warns.
+    HostAttribute normal = {};
+    HostAttribute uv = {};  ///< Without one, (0, 0); CV6019 warns where a texture is read so.
     std::uint32_t vertex_count = 0;
     std::uint32_t index_buffer = 0;  ///< 0: vertices make triangles in their order.
     IndexType index_type = IndexType::uint32;
@@ -290,6 +291,9 @@ struct ObjectInfo {
     int samples = 1;                ///< A pixel of a texture.
     std::uint32_t index_count = 0;  ///< Of a mesh.
     MeshOrigin origin = {};         ///< Of a mesh: what its positions are kept about.
+    std::string_view label = {};    ///< Of a mesh; good as long as that is.
+    bool normals = true;            ///< Whether a mesh has them,
+    bool uv = true;                 ///< ... and these.
 };
 
 /// A uniform that a linked program really has.

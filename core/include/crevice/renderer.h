@@ -47,7 +47,8 @@ public:
     /// has it: draws with a mesh or texture that the device does not have, with indices past the
     /// mesh's, or with a matrix, bounds or material that are not finite or not there, and lights
     /// that are not finite. With CompileOptions::strict that is an error instead, before anything
-    /// is drawn.
+    /// is drawn. A draw without normals, uv or the buffer of a uniform block that its pass reads is
+    /// a warning, once for each plan: CV6019, CV6020.
     ///
     /// Errors: CV6010 and CV6011 for the frame's textures and cameras; CV6004 where the device's
     /// context is not current, and the frame then counts as not drawn; CV6005 and CV6009 from the

@@ -58,6 +58,11 @@ expect 0 'CV9003: the ambient occlusion is 1 everywhere' render learnopengl "${s
 expect 0 'intensity is 0' render learnopengl "${small[@]}" --set intensity=0 --out ao=open.pfm --json
 expect_json
 
+# A uniform block that a host alone fills explains the picture; the radius is not blamed.
+expect 0 "skinned.glsl:8:.* CV6020: pass '.*' draws mesh '.*' with the uniform block 'Bones'" \
+    render "$(dirname -- "$readme")/tools/examples/host_draws/skinned.json" "${small[@]}" --out ao=skinned.png
+check "no other cause is named" bash -c '! grep -qE "CV(4001|7008|9003)" stderr.txt'
+
 # What shows no ambient occlusion is reported with the radius to take, which then shows some.
 for scale in 0.001 1000; do
     awk -v k=$scale '{ if ($1 == "v") print "v", $2 * k, $3 * k, $4 * k; else print }' >scaled.obj <<'EOF'
