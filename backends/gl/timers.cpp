@@ -10,14 +10,14 @@ GlTimers GlTimers::make(const GlApi& gl, const GlInfo& info)
     GLint bits = 0;  // 0 where a driver has the functions and no clock behind them
     gl.GetQueryiv(GL_TIME_ELAPSED_EXT, GL_QUERY_COUNTER_BITS_EXT, &bits);
     if (bits == 0) return timers;
+    timers.exist_ = true;
     timers.tells_disjoint_ = !info.desktop;
-    for (int i = 0; i < kMaxTimers; ++i) timers.queries_.push_back(GlQuery::make(gl));
     return timers;
 }
 
 void GlTimers::beginFrame(const GlApi& gl)
 {
-    if (queries_.empty()) return;
+    if (!exist_) return;
     GLint query = 0;
     gl.GetQueryiv(GL_TIME_ELAPSED_EXT, GL_CURRENT_QUERY, &query);
     host_measures_ = query != 0;
@@ -25,7 +25,8 @@ void GlTimers::beginFrame(const GlApi& gl)
 
 bool GlTimers::begin(const GlApi& gl, int slot)
 {
-    if (queries_.empty()) return false;
+    if (!exist_) return false;
+    while (queries_.size() < kMaxTimers) queries_.push_back(GlQuery::make(gl));
     measured_[slot] = false;
     if (host_measures_) return true;            // and the slot stays void
     if (measured_.none()) voidIfDisturbed(gl);  // what happened before the first does not matter

@@ -16,9 +16,10 @@ public:
     /// No timers: `begin` always refuses.
     GlTimers() = default;
 
-    /// Has timers where the context does; `settleOptional` must have found their functions. Do not
-    /// make any on a software renderer: llvmpipe (Mesa 22.3.6) has the extension and counts next to
-    /// nothing, 1.1 ms for a pass of 240 ms.
+    /// Has timers where the context does, and makes their queries when it is first to measure;
+    /// `settleOptional` must have found their functions. Do not make any on a software renderer:
+    /// llvmpipe (Mesa 22.3.6) has the extension and counts next to nothing, 1.1 ms for a pass of
+    /// 240 ms.
     static GlTimers make(const GlApi& gl, const GlInfo& info);
 
     /// Nothing is measured in a frame within a timer query of the host.
@@ -31,12 +32,13 @@ public:
     }
     bool isReady(const GlApi& gl, int slot) const;
     double read(const GlApi& gl, int slot);
-    bool exist() const { return !queries_.empty(); }
+    bool exist() const { return exist_; }
 
 private:
     void voidIfDisturbed(const GlApi& gl);
 
-    std::vector<GlQuery> queries_;      // by slot; empty where there are no timers
+    bool exist_ = false;
+    std::vector<GlQuery> queries_;      // by slot; empty before the first is to measure
     bool host_measures_ = false;        // this frame
     bool tells_disjoint_ = false;       // desktop OpenGL does not
     std::bitset<kMaxTimers> measured_;  // and nothing disturbed the GPU since

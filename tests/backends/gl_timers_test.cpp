@@ -163,10 +163,13 @@ TEST_CASE("Desktop GL, which has no such flag, is not asked whether it was distu
     CHECK(gpu.disjoint_questions == 0);
 }
 
-TEST_CASE("Queries are made once and deleted once")
+TEST_CASE("Queries are made once, when there is first something to measure, and deleted once")
 {
     {
         Bench bench;
+        CHECK(bench.timers.exist());
+        CHECK(bench.read(0) < 0);
+        CHECK(gpu.made == 0);
         for (int i = 0; i < 3; ++i) bench.measure(i, 1);
         const GlTimers moved = std::move(bench.timers);
         CHECK(gpu.made == kMaxTimers);
