@@ -124,6 +124,7 @@ const char* drawBufferBlendSuffix(const GlInfo& info)
 const char* timerSuffix(const GlInfo& info)
 {
     if (info.bare) return nullptr;
+    if (info.web) return info.has("GL_EXT_disjoint_timer_query_webgl2") ? "" : nullptr;
     if (!info.desktop) return info.has("GL_EXT_disjoint_timer_query") ? "EXT" : nullptr;
     return info.native_version >= 330 || info.has("GL_ARB_timer_query") ? "" : nullptr;
 }
@@ -217,7 +218,8 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.DeleteQueries, "glDeleteQueries", timers);
     find(gl.EndQuery, "glEndQuery", timers);
     find(gl.GenQueries, "glGenQueries", timers);
-    find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", timers);
+    const bool web = timers && info.web;  // where that alone is Emscripten's, with its suffix
+    find(gl.GetQueryObjectui64v, "glGetQueryObjectui64v", web ? "EXT" : timers);
 
     find(gl.GetGraphicsResetStatus, "glGetGraphicsResetStatus", resetSuffix(info));
 

@@ -11,6 +11,7 @@ GlTimers GlTimers::make(const GlApi& gl, const GlInfo& info)
     gl.GetQueryiv(GL_TIME_ELAPSED_EXT, GL_QUERY_COUNTER_BITS_EXT, &bits);
     if (bits == 0) return timers;
     timers.exist_ = true;
+    timers.waits_ = !info.web;
     timers.tells_disjoint_ = !info.desktop;
     return timers;
 }
@@ -45,6 +46,7 @@ bool GlTimers::isReady(const GlApi& gl, int slot) const
 
 double GlTimers::read(const GlApi& gl, int slot)
 {
+    if (!waits_ && !isReady(gl, slot)) measured_[slot] = false;
     if (!measured_[slot]) return -1;
     GLuint64 nanoseconds = 0;
     gl.GetQueryObjectui64v(queries_[slot].name(), GL_QUERY_RESULT, &nanoseconds);

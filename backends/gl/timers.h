@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The GPU's time by query objects: GL_EXT_disjoint_timer_query on OpenGL ES, timer queries on
-// desktop OpenGL.
+// The GPU's time by query objects: GL_EXT_disjoint_timer_query on OpenGL ES,
+// EXT_disjoint_timer_query_webgl2 in WebGL 2, timer queries on desktop OpenGL.
 #pragma once
 
 #include "backends/gl/caps.h"
@@ -38,6 +38,7 @@ private:
     void voidIfDisturbed(const GlApi& gl);
 
     bool exist_ = false;
+    bool waits_ = true;                 // for results; WebGL does not
     std::vector<GlQuery> queries_;      // by slot; empty before the first is to measure
     bool host_measures_ = false;        // this frame
     bool tells_disjoint_ = false;       // desktop OpenGL does not

@@ -472,8 +472,9 @@ public:
     /// Whether readTimer would not wait.
     virtual bool timerReady(int slot) = 0;
 
-    /// What the slot measured, in milliseconds; outside of frames. Waits for the GPU. Negative when
-    /// the result is void: the GPU was disturbed, or nothing was measured.
+    /// What the slot measured, in milliseconds; outside of frames. Waits for the GPU, but not in
+    /// WebGL, where results come between tasks of the page. Negative when the result is void: the
+    /// GPU was disturbed, nothing was measured, or WebGL has no result yet.
     virtual double readTimer(int slot) = 0;
 };
 
