@@ -55,7 +55,7 @@ Status checkImport(const Description& description, std::string_view name)
 struct Effect::State {
     Device& device;
     Frame frame = {};
-    bool has_view = false;
+    bool has_projection = false, has_view = false;
     std::vector<SetTexture> textures = {};
     std::unique_ptr<Renderer> renderer = nullptr;
 
@@ -73,6 +73,14 @@ struct Effect::State {
             if (each.import == name) return each;
         textures.push_back({std::string(name), {}, {}});
         return textures.back();
+    }
+
+    /// A view of the projection's own hand.
+    void chooseView()
+    {
+        Camera seen = frame.camera;
+        if (!seen.clip_control) seen.clip_control = device.clipControl();
+        frame.camera.view_from_world[2][2] = seen.leftHanded() ? -1.0 : 1.0;
     }
 
     void importTextures()
@@ -106,11 +114,8 @@ Result<Effect> Effect::create(Device& device, std::string_view config, Extent si
 
 void Effect::setProjection(const float* clip_from_view)
 {
-    Camera& camera = state_->frame.camera;
-    camera.clip_from_view = glm::make_mat4(clip_from_view);
-    if (state_->has_view) return;
-    const bool left_handed = camera.clip_from_view[2][3] > 0.0f;
-    camera.view_from_world[2][2] = left_handed ? -1.0 : 1.0;
+    state_->frame.camera.clip_from_view = glm::make_mat4(clip_from_view);
+    state_->has_projection = true;
 }
 
 void Effect::setView(const double* view_from_world)
@@ -171,6 +176,7 @@ Status Effect::resize(Extent size) { return state_->renderer->resize(size); }
 
 Status Effect::render()
 {
+    if (state_->has_projection && !state_->has_view) state_->chooseView();
     for (const SetTexture& texture : state_->textures)
         if (texture.id && texture.host.copied())
             if (Status status = state_->device.refresh(texture.id); !status) return status;

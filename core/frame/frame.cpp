@@ -30,20 +30,6 @@ double planeDistance(const glm::dmat4& clip_from_view, double side)
 
 }  // namespace
 
-bool Camera::orthographic() const
-{
-    // GLM indexes by column.
-    const glm::mat4& m = clip_from_view;
-    return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] == 1.0f;
-}
-
-bool Camera::reversedDepth() const
-{
-    // The sign of how depth changes with view z, which falls with distance.
-    const glm::dmat4 m = uprightClip(*this);
-    return m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0;
-}
-
 bool Material::operator==(const Material& other) const
 {
     const auto same = [](TextureId a, TextureId b) { return a.value == b.value; };
@@ -103,7 +89,8 @@ SceneTraits steadyTraitsOf(const Frame& frame)
     traits.lights = std::min(static_cast<int>(frame.lights.size()), kMaxLights);
     traits.orthographic = frame.camera.orthographic();
     traits.reversed_depth = frame.camera.reversedDepth();
-    traits.turned = uprightTurn(frame.camera) != glm::dmat3(1.0);
+    for (std::size_t view = 0; view <= frame.other_views.size(); ++view)
+        traits.turned |= uprightTurn(cameraOf(frame, view)) != glm::dmat3(1.0);
     traits.camera = rangeOf(frame.camera);
     traits.views = 1 + static_cast<int>(frame.other_views.size());
     for (const DrawItem& draw : frame.draws) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of a frame and the matrices made of it.
+// Checks of a frame, and how lights and normals reach view space.
 #include "core/frame/frame_math.h"
 
 #include "core/frame/frame_values.h"
@@ -15,10 +15,6 @@
 namespace crevice {
 namespace {
 
-// Volume of the columns over the product of their lengths: below this a double's rounding is all
-// that keeps the matrix from being singular. Near and far planes do not matter to it.
-constexpr double kLeastVolume = 1e-14;
-
 // Least difference of a spot's cosines: its edge is then as sharp as a float shows.
 constexpr double kLeastConeRamp = 1e-4;
 
@@ -32,12 +28,6 @@ bool finite(const T* values, int count)
 }
 
 template <typename T>
-bool finite(const glm::mat<4, 4, T>& matrix)
-{
-    return finite(&matrix[0][0], 16);
-}
-
-template <typename T>
 bool finite(const glm::vec<3, T>& vector)
 {
     return finite(&vector[0], 3);
@@ -48,77 +38,6 @@ glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
     const glm::dvec3 towards = -(glm::dmat3(view_from_world) * glm::dvec3(light.direction));
     const double length = glm::length(towards);
     return length > 0.0 ? towards / length : towards;
-}
-
-bool invertible(const glm::dmat4& columns)
-{
-    double lengths = 1.0;
-    for (int i = 0; i < 4; ++i) lengths *= glm::length(columns[i]);
-    return std::abs(glm::determinant(columns)) > kLeastVolume * lengths &&
-           finite(glm::mat4(glm::inverse(columns)));
-}
-
-bool mirrors(const glm::dmat4& columns) { return glm::determinant(glm::dmat3(columns)) < 0.0; }
-
-// `clip_from_view` as it would be under OpenGL's own clip control. In double: of a far plane the
-// numbers from 0 to 1 keep what those from -1 to 1 round away.
-glm::dmat4 plainClip(const Camera& camera)
-{
-    const ClipControl control = camera.clip_control.value_or(ClipControl());
-    glm::dmat4 rows = glm::transpose(glm::dmat4(camera.clip_from_view));
-    if (control.zero_to_one) rows[2] = 2.0 * rows[2] - rows[3];
-    if (control.upper_left) rows[1] = -rows[1];
-    return glm::transpose(rows);
-}
-
-// Whether the camera looks along +z: with perspective, where w grows with z; else where the view
-// mirrors and all of the box lies there.
-bool isLeftHanded(const Camera& camera)
-{
-    constexpr double kRounding = 1e-6;  // of a near plane at 0
-    const glm::dmat4 clip = plainClip(camera);
-    const glm::dvec4 of_z = clip[2], of_1 = clip[3];
-    if (!camera.orthographic()) return of_z.w > 0.0;
-    return mirrors(camera.view_from_world) && -of_1.z * (of_z.z < 0.0 ? -1 : 1) >= 1 - kRounding;
-}
-
-// Whether w is above 0 far along the axis that the view looks along.
-bool looksForward(const Camera& camera)
-{
-    const glm::vec4 of_z = camera.clip_from_view[2], of_1 = camera.clip_from_view[3];
-    if (of_z.w == 0.0f) return of_1.w > 0.0f;
-    return of_z.w < 0.0f || mirrors(camera.view_from_world);
-}
-
-Diagnostic bad(std::string what, std::string help)
-{
-    return {Code::bad_input, std::move(what), std::move(help)};
-}
-
-std::string ownedBy(std::size_t view, const char* matrix)
-{
-    return (view == 0 ? "the camera" : "view " + std::to_string(view)) + "'s " + matrix;
-}
-
-Status checkCamera(const Camera& camera, std::size_t view)
-{
-    const auto check = [view](const auto& matrix, const char* name, const char* way_out) -> Status {
-        if (!finite(matrix))
-            return bad(ownedBy(view, name) + " is not finite",
-                       "look for a zero aspect ratio, near plane or up vector");
-        if (!invertible(matrix)) return bad(ownedBy(view, name) + " has no inverse", way_out);
-        return {};
-    };
-    const char* const lens = "near and far plane must differ, and neither width nor height be 0";
-    if (Status status = check(camera.clip_from_view, "clip_from_view", lens); !status)
-        return status;
-    if (!looksForward(camera))
-        return bad(ownedBy(view, "clip_from_view") +
-                       " has w below 0 for what lies in front, along -z: nothing would be seen",
-                   "negate its third column, or, where the view is to look along +z, the third row "
-                   "of view_from_world");
-    return check(camera.view_from_world, "view_from_world",
-                 "its three axes must be independent and not 0");
 }
 
 Diagnostic elided(std::string what, std::string help)
@@ -173,43 +92,13 @@ std::optional<Diagnostic> meshFault(const DrawItem& item, const Device& device)
 std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, const Device& device)
 {
     if (std::optional<Diagnostic> fault = meshFault(item, device)) return fault;
-    if (!finite(item.world_from_model)) return elided("its matrix is not finite", kNotFiniteHelp);
+    if (!isFinite(item.world_from_model)) return elided("its matrix is not finite", kNotFiniteHelp);
     if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius))
         return elided("its bounds are not finite", "a radius below 0 means that none are known");
     return materialFault(frame, item, device);
 }
 
 }  // namespace
-
-glm::dmat3 uprightTurn(const Camera& camera)
-{
-    constexpr double kRightAngle = 1e-6;  // cosine of what rounding in floats makes of one
-    const glm::dmat4 clip = plainClip(camera);
-    const glm::dvec2 right(clip[0][0], clip[1][0]), up(clip[0][1], clip[1][1]);
-    glm::dvec2 x = right / glm::length(right), y = up / glm::length(up);
-    if (!(std::abs(glm::dot(x, y)) <= kRightAngle)) {  // sheared as well: the nearest right angles
-        const bool upright = std::abs(x.x * y.y) >= std::abs(x.y * y.x);
-        x = upright ? glm::dvec2(std::copysign(1.0, x.x), 0)
-                    : glm::dvec2(0, std::copysign(1.0, x.y));
-        y = upright ? glm::dvec2(0, std::copysign(1.0, y.y))
-                    : glm::dvec2(std::copysign(1.0, y.x), 0);
-    }
-    return {x.x, y.x, 0, x.y, y.y, 0, 0, 0, isLeftHanded(camera) ? -1 : 1};
-}
-
-glm::dmat4 uprightClip(const Camera& camera)
-{
-    return plainClip(camera) * glm::dmat4(glm::transpose(uprightTurn(camera)));
-}
-
-CameraMatrices cameraMatrices(const Camera& camera)
-{
-    const glm::dmat3 turn = uprightTurn(camera);
-    const glm::dmat4 clip_from_view = uprightClip(camera);
-    const glm::dmat4 view_from_world = glm::dmat4(turn) * camera.view_from_world;
-    return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
-            glm::inverse(view_from_world), turn};
-}
 
 glm::mat3 normalMatrix(const glm::dmat4& matrix)
 {
@@ -258,9 +147,9 @@ Status checkFrame(const Frame& frame)
         const Camera& camera = cameraOf(frame, view);
         if (Status status = checkCamera(camera, view); !status) return status;
         const auto unlike = [view](bool is, const char* what) {
-            return bad("view " + std::to_string(view) + (is ? " is " : " is not ") + what +
-                           ", and the camera is" + (is ? " not" : ""),
-                       "draw it as a frame of its own, by another renderer");
+            return badInput("view " + std::to_string(view) + (is ? " is " : " is not ") + what +
+                                ", and the camera is" + (is ? " not" : ""),
+                            "draw it as a frame of its own, by another renderer");
         };
         if (camera.orthographic() != orthographic)
             return unlike(camera.orthographic(), "orthographic");
@@ -270,6 +159,8 @@ Status checkFrame(const Frame& frame)
     return {};
 }
 
+bool isFinite(const glm::mat4& matrix) { return finite(&matrix[0][0], 16); }
+bool isFinite(const glm::dmat4& matrix) { return finite(&matrix[0][0], 16); }
 bool isFinite(const glm::vec3& vector) { return finite(vector); }
 bool isFinite(const glm::dvec3& vector) { return finite(vector); }
 

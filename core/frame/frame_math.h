@@ -76,10 +76,21 @@ glm::vec4 lightInView(const Light& light, const glm::dmat4& view_from_world);
 /// How a light's cone dims it, as (x, y, z, w) of <crevice/frame.h>; (0, 0, 0, 1) of all but spots.
 glm::vec4 coneInView(const Light& light, const glm::dmat4& view_from_world);
 
+/// CV6011.
+Diagnostic badInput(std::string what, std::string help);
+
+/// Whether it turns right hands into left ones.
+bool mirrors(const glm::dmat4& columns);
+
+/// What of a camera no shader could draw with. Errors: CV6011, which names the view.
+Status checkCamera(const Camera& camera, std::size_t view);
+
 /// What nothing of a frame can be drawn with: a camera that is not finite or has no inverse, views
 /// of which not all are orthographic or reversed. Errors: CV6011.
 Status checkFrame(const Frame& frame);
 
+bool isFinite(const glm::mat4& matrix);
+bool isFinite(const glm::dmat4& matrix);
 bool isFinite(const glm::vec3& vector);
 bool isFinite(const glm::dvec3& vector);
 bool isFinite(const Material& material);

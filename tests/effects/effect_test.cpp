@@ -76,6 +76,30 @@ TEST_CASE("An effect without a view takes projections of either hand, and a view
     CHECK(messagesOf(refused.diagnostics()).find("along +z") != std::string::npos);
 }
 
+TEST_CASE("Without a view a left-handed box is looked at along +z, under any clip control")
+{
+    const bool told = GENERATE(false, true);
+    const bool reversed = GENERATE(false, true);
+    for (const ClipControl control : {ClipControl{false, false}, ClipControl{true, false}}) {
+        RecordingDevice device;
+        Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+        need(effect.setTexture("depth", 7, Format::depth24, kExtent));
+        glm::mat4 rows = glm::transpose(glm::orthoLH_NO(-2.0f, 2.0f, -1.0f, 1.0f, 1.0f, 9.0f));
+        if (reversed) rows[2] = -rows[2];
+        if (control.zero_to_one) rows[2] = 0.5f * (rows[2] + rows[3]);
+        effect.setProjection(glm::value_ptr(glm::transpose(rows)));
+        if (told) effect.setClipControl(control);
+        if (!told) device.setClipControl(control);
+        need(effect.render());
+        const std::vector<float> uniform = device.lastUniform("view_from_window");
+        REQUIRE(uniform.size() == 16);
+        const glm::vec4 nearest =
+            glm::make_mat4(uniform.data()) * glm::vec4(1, 0.5f, reversed ? 1 : 0, 1);
+        CHECK(nearest.x == Approx(2));
+        CHECK(nearest.z == Approx(-1));
+    }
+}
+
 TEST_CASE("An effect adopts a texture once, and another in its place")
 {
     RecordingDevice device;

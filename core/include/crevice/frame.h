@@ -81,8 +81,12 @@ struct Camera {
     /// Default: as the host's is when the frame is rendered; that of OpenGL for all else.
     std::optional<ClipControl> clip_control = {};
 
-    /// True when the last row of `clip_from_view` is (0, 0, 0, 1).
+    /// True when the last row of `clip_from_view` is (0, 0, 0, 1), or a multiple of it.
     bool orthographic() const;
+
+    /// True when the projection is made for a view along +z: with perspective where w grows with z,
+    /// else where all of its box lies there.
+    bool leftHanded() const;
 
     /// True when what is farther has less depth. Passes then test and clear depth the other way
     /// round.
@@ -260,7 +264,7 @@ struct SceneTraits {
     bool specular = false;         ///< scene.specular
     bool textured = false;         ///< scene.textured: some material has a base_color_map
     bool orthographic = false;     ///< camera.orthographic
-    bool turned = false;           ///< camera.turned: the host's view space is not that of shaders
+    bool turned = false;           ///< camera.turned: a host's view space is not that of shaders
     bool reversed_depth = false;   ///< camera.reversed_depth: what is farther has less depth
     bool normal_mapped = false;    ///< scene.normal_mapped: some material has a normal_map
     bool baked_occlusion = false;  ///< scene.baked_occlusion: some material has an occlusion_map

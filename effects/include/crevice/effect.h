@@ -60,8 +60,9 @@ public:
     void setProjection(const float* clip_from_view);
 
     /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z,
-    /// or along +z under a left-handed projection with perspective; such a view mirrors. What draws
-    /// nothing and keeps no history does not depend on it.
+    /// or along +z under a left-handed projection; such a view mirrors. Without perspective that is
+    /// one whose box lies along +z as a whole. What draws nothing and keeps no history does not
+    /// depend on it.
     void setView(const double* view_from_world);
 
     /// The clip control (glClipControl) that the projection is made for and the host's textures

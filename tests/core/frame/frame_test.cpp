@@ -103,8 +103,8 @@ TEST_CASE("Shaders see x to the right, y up and the view along -z, whatever the 
 
 TEST_CASE("Of an upright camera no bit is turned")
 {
-    const glm::dmat4 lens = GENERATE(as<glm::dmat4>(), kLens, kBox, kLens * 3.0,
-                                     glm::infinitePerspective(1.0, 1.5, 1e-3));
+    const glm::dmat4 lens =
+        GENERATE(as<glm::dmat4>(), kLens, kBox, glm::infinitePerspective(1.0, 1.5, 1e-3));
     const bool mirrored = GENERATE(false, true);
     Camera camera = {kView, glm::mat4(lens)};
     if (mirrored) camera.view_from_world[0] *= -1.0;  // a planar reflection
@@ -113,6 +113,42 @@ TEST_CASE("Of an upright camera no bit is turned")
     CHECK(seen.view_from_world == camera.view_from_world);
     CHECK(seen.view_from_host == glm::dmat3(1.0));
     CHECK_FALSE(isTurned(camera));
+}
+
+TEST_CASE("A projection times a number is the same projection")
+{
+    for (const glm::dmat4& lens : {kLens, kBox}) {
+        const Camera plain = {kView, glm::mat4(lens)};
+        const Camera scaled = {kView, glm::mat4(glm::dmat4(plain.clip_from_view) * 4.0)};
+        CHECK(scaled.orthographic() == plain.orthographic());
+        CHECK(cameraMatrices(scaled).clip_from_view == cameraMatrices(plain).clip_from_view);
+        CHECK_FALSE(isTurned(scaled));
+    }
+}
+
+TEST_CASE("A frame is turned where any of its views is")
+{
+    Frame frame;
+    frame.camera = {kView, glm::mat4(kLens)};
+    frame.other_views = {{frame.camera, {}}};
+    CHECK_FALSE(traitsOf(frame).turned);
+    frame.other_views[0].camera.clip_from_view = glm::mat4(ofPicture({1, 0}, {0, -1}) * kLens);
+    CHECK(traitsOf(frame).turned);
+}
+
+TEST_CASE("A projection is left-handed where it is made for a view along +z")
+{
+    const auto leftHanded = [](const glm::dmat4& clip) {
+        return Camera{kView, glm::mat4(clip)}.leftHanded();
+    };
+    CHECK_FALSE(leftHanded(kLens));
+    CHECK_FALSE(leftHanded(kBox));
+    CHECK(leftHanded(glm::perspectiveLH(1.0, 1.5, 0.1, 10.0)));
+    CHECK(leftHanded(glm::orthoLH_NO(-2.0, 2.0, -1.0, 1.0, 0.0, 50.0)));
+    CHECK_FALSE(leftHanded(glm::orthoLH_NO(-2.0, 2.0, -1.0, 1.0, -9.0, 50.0)));
+    Camera from_zero = {kView, glm::mat4(glm::orthoLH_ZO(-2.0, 2.0, -1.0, 1.0, 0.1, 50.0))};
+    from_zero.clip_control = ClipControl{true, false};
+    CHECK(from_zero.leftHanded());
 }
 
 TEST_CASE("A box is looked at along +z where the view mirrors and all of it lies there")

@@ -361,6 +361,25 @@ TEST_CASE("A frame that no shader could draw is refused, and the last picture st
         frame.camera.clip_from_view = glm::ortho(-1.0f, 1.0f, -1.0f, 1.0f, 0.0f, 9.0f) * -1.0f;
         what = behind;
     }
+    const std::string not_along_z = "the camera's clip_from_view does not project along its z axis";
+    SECTION("a projection times a view that is turned, or moved")
+    {
+        const glm::mat4 view = GENERATE(glm::lookAt(glm::vec3(1, 2, 3), {}, {0, 1, 0}),
+                                        glm::translate(glm::mat4(1), glm::vec3(0, 0, -1)));
+        frame.camera.clip_from_view = glm::perspective(1.0f, 1.5f, 0.1f, 10.0f) * view;
+        what = not_along_z;
+    }
+    SECTION("parallel rays that lean")
+    {
+        frame.camera.clip_from_view = glm::ortho(-1.0f, 1.0f, -1.0f, 1.0f, 0.0f, 9.0f);
+        frame.camera.clip_from_view[2][1] = 0.5f;
+        what = not_along_z;
+    }
+    SECTION("a left-handed box")
+    {
+        frame.camera.clip_from_view = glm::orthoLH_NO(-1.0f, 1.0f, -1.0f, 1.0f, 0.0f, 9.0f);
+        what = "the camera's clip_from_view shows a box that lies along +z, behind";
+    }
     SECTION("view not finite")
     {
         frame.camera.view_from_world[3][0] = std::numeric_limits<float>::infinity();

@@ -238,8 +238,8 @@ CREVICE_API crevice_error* crevice_effect_set_projection(crevice_effect* effect,
                                                          const float* clip_from_view);
 
 /// Where the camera stands: 16 doubles by columns. Only configs that draw the scene or keep a
-/// history need it.
-/// Default: at the origin, looking along -z, or along +z under a left-handed perspective.
+/// history need it. Default: at the origin, looking along -z, or along +z under a left-handed
+/// projection: without perspective one whose box lies along +z as a whole.
 CREVICE_API crevice_error* crevice_effect_set_view(crevice_effect* effect,
                                                    const double* view_from_world);
 

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Cameras: which of them can be drawn with, and their matrices as shaders see them.
+#include "core/frame/frame_math.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+// Volume of the columns over the product of their lengths: below this a double's rounding is all
+// that keeps the matrix from being singular. Near and far planes do not matter to it.
+constexpr double kLeastVolume = 1e-14;
+
+bool invertible(const glm::dmat4& columns)
+{
+    double lengths = 1.0;
+    for (int i = 0; i < 4; ++i) lengths *= glm::length(columns[i]);
+    return std::abs(glm::determinant(columns)) > kLeastVolume * lengths &&
+           isFinite(glm::mat4(glm::inverse(columns)));
+}
+
+// `clip_from_view` as it would be under OpenGL's own clip control, with w the distance or 1, as
+// shaders count on. In double: of a far plane the numbers from 0 to 1 keep what those from -1 to 1
+// round away.
+glm::dmat4 plainClip(const Camera& camera)
+{
+    const ClipControl control = camera.clip_control.value_or(ClipControl());
+    glm::dmat4 rows = glm::transpose(glm::dmat4(camera.clip_from_view));
+    const double scale = std::abs(camera.orthographic() ? rows[3].w : rows[3].z);
+    if (scale > 0.0) rows = rows / scale;
+    if (control.zero_to_one) rows[2] = 2.0 * rows[2] - rows[3];
+    if (control.upper_left) rows[1] = -rows[1];
+    return glm::transpose(rows);
+}
+
+// Whether the camera looks along +z.
+bool isLeftHanded(const Camera& camera)
+{
+    return camera.leftHanded() && (!camera.orthographic() || mirrors(camera.view_from_world));
+}
+
+// Whether w is that of a pinhole at the origin, or of parallel rays, along z. Of anything else,
+// such as a product with the view, the view space of which it is one is not known.
+bool isAlongZ(const glm::dmat4& clip_from_view)
+{
+    constexpr double kRounding = 1e-6;
+    const glm::dmat4 rows = glm::transpose(clip_from_view);
+    const glm::dvec4 of_w = glm::abs(rows[3]);
+    if (of_w.z > 0.0) return std::max({of_w.x, of_w.y, of_w.w}) <= kRounding * of_w.z;
+    const auto leans = [&](const glm::dvec4& row) {
+        return std::abs(row.z) > kRounding * (std::abs(row.x) + std::abs(row.y));
+    };
+    return of_w.x == 0.0 && of_w.y == 0.0 && !leans(rows[0]) && !leans(rows[1]);
+}
+
+// Whether w is above 0 far along the axis that the view looks along.
+bool looksForward(const Camera& camera)
+{
+    const glm::vec4 of_z = camera.clip_from_view[2], of_1 = camera.clip_from_view[3];
+    if (of_z.w == 0.0f) return of_1.w > 0.0f;
+    return of_z.w < 0.0f || mirrors(camera.view_from_world);
+}
+
+// Whether a box lies along +z and depth grows that way, under a view along -z: all that it shows is
+// then behind the eye.
+bool liesBehind(const Camera& camera)
+{
+    return camera.orthographic() && camera.leftHanded() && !isLeftHanded(camera) &&
+           plainClip(camera)[2].z > 0.0;
+}
+
+std::string ownedBy(std::size_t view, const char* matrix)
+{
+    return (view == 0 ? "the camera" : "view " + std::to_string(view)) + "'s " + matrix;
+}
+
+}  // namespace
+
+Diagnostic badInput(std::string what, std::string help)
+{
+    return {Code::bad_input, std::move(what), std::move(help)};
+}
+
+bool mirrors(const glm::dmat4& columns) { return glm::determinant(glm::dmat3(columns)) < 0.0; }
+
+Status checkCamera(const Camera& camera, std::size_t view)
+{
+    const auto check = [view](const auto& matrix, const char* name, const char* way_out) -> Status {
+        if (!isFinite(matrix))
+            return badInput(ownedBy(view, name) + " is not finite",
+                            "look for a zero aspect ratio, near plane or up vector");
+        if (!invertible(matrix)) return badInput(ownedBy(view, name) + " has no inverse", way_out);
+        return {};
+    };
+    const char* const lens = "near and far plane must differ, and neither width nor height be 0";
+    if (Status status = check(camera.clip_from_view, "clip_from_view", lens); !status)
+        return status;
+    if (!isAlongZ(glm::dmat4(camera.clip_from_view)))
+        return badInput(
+            ownedBy(view, "clip_from_view") + " does not project along its z axis",
+            "give the projection alone, without the view: its last row is (0, 0, -1, 0), or "
+            "(0, 0, 0, 1) of parallel rays, which must not lean");
+    const char* const along =
+        "negate its third column, or, where the view is to look along +z, the third row of "
+        "view_from_world";
+    if (liesBehind(camera))
+        return badInput(ownedBy(view, "clip_from_view") + " shows a box that lies along +z, behind",
+                        along);
+    if (!looksForward(camera))
+        return badInput(
+            ownedBy(view, "clip_from_view") +
+                " has w below 0 for what lies in front, along -z: nothing would be seen",
+            along);
+    return check(camera.view_from_world, "view_from_world",
+                 "its three axes must be independent and not 0");
+}
+
+bool Camera::orthographic() const
+{
+    // GLM indexes by column.
+    const glm::mat4& m = clip_from_view;
+    return m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f && m[3][3] != 0.0f;
+}
+
+bool Camera::reversedDepth() const
+{
+    // The sign of how depth changes with view z, which falls with distance.
+    const glm::dmat4 m = uprightClip(*this);
+    return m[2][2] * m[3][3] - m[3][2] * m[2][3] > 0.0;
+}
+
+bool Camera::leftHanded() const
+{
+    constexpr double kRounding = 1e-6;  // of a near plane at 0
+    const glm::dmat4 clip = plainClip(*this);
+    const glm::dvec4 of_z = clip[2], of_1 = clip[3];
+    if (!orthographic()) return of_z.w > 0.0;
+    return -of_1.z * (of_z.z < 0.0 ? -1 : 1) >= 1 - kRounding;
+}
+
+glm::dmat3 uprightTurn(const Camera& camera)
+{
+    constexpr double kRightAngle = 1e-6;  // cosine of what rounding in floats makes of one
+    const glm::dmat4 clip = plainClip(camera);
+    const glm::dvec2 right(clip[0][0], clip[1][0]), up(clip[0][1], clip[1][1]);
+    glm::dvec2 x = right / glm::length(right), y = up / glm::length(up);
+    if (!(std::abs(glm::dot(x, y)) <= kRightAngle)) {  // sheared as well: the nearest right angles
+        const bool upright = std::abs(x.x * y.y) >= std::abs(x.y * y.x);
+        x = upright ? glm::dvec2(std::copysign(1.0, x.x), 0)
+                    : glm::dvec2(0, std::copysign(1.0, x.y));
+        y = upright ? glm::dvec2(0, std::copysign(1.0, y.y))
+                    : glm::dvec2(std::copysign(1.0, y.x), 0);
+    }
+    return {x.x, y.x, 0, x.y, y.y, 0, 0, 0, isLeftHanded(camera) ? -1 : 1};
+}
+
+glm::dmat4 uprightClip(const Camera& camera)
+{
+    return plainClip(camera) * glm::dmat4(glm::transpose(uprightTurn(camera)));
+}
+
+CameraMatrices cameraMatrices(const Camera& camera)
+{
+    const glm::dmat3 turn = uprightTurn(camera);
+    const glm::dmat4 clip_from_view = uprightClip(camera);
+    const glm::dmat4 view_from_world = glm::dmat4(turn) * camera.view_from_world;
+    return {clip_from_view, glm::inverse(clip_from_view), view_from_world,
+            glm::inverse(view_from_world), turn};
+}
+
+}  // namespace crevice
