@@ -9,6 +9,7 @@
 #include <crevice/shipped.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace crevice;
 
@@ -222,6 +223,23 @@ TEST_CASE("Light from occluders is filtered as the occlusion is")
             farthest = std::max(farthest, std::abs(light.at(x, y, 1) - ao.at(x, y)));
     CHECK(farthest < 2.0f / 255);
     CHECK(meanChange(ao, Image(ao.extent, 1, float(mean(ao)))) > 0.005);
+}
+
+TEST_CASE("The median is the fifth of nine sorted values")
+{
+    const char* const noise =
+        "floor(fract(sin(dot(floor(gl_FragCoord.xy), vec2(12.99, 78.23))) * 4375.8) * 255.0) / "
+        "255.0";
+    const Image given = filtered({noise, "none"});
+    const Image median = filtered({noise, "median"});
+    for (int y = 1; y < given.extent.height - 1; ++y)
+        for (int x = 1; x < given.extent.width - 1; ++x) {
+            std::array<float, 9> nine;
+            for (int i = 0; i < 9; ++i) nine[i] = given.at(x + i % 3 - 1, y + i / 3 - 1);
+            std::sort(nine.begin(), nine.end());
+            INFO(x << ' ' << y);
+            REQUIRE(median.at(x, y) == nine[4]);
+        }
 }
 
 TEST_CASE("The median takes out single outliers and keeps a straight step")

@@ -22,8 +22,8 @@ void sort(inout vec3 a, inout vec3 b, inout vec3 c)
     vec3 low = min(a, b);
     vec3 high = max(a, b);
     a = min(low, c);
-    c = max(high, c);
     b = max(low, min(high, c));
+    c = max(high, c);
 }
 
 float medianOf(vec3 v)
