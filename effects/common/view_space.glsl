@@ -39,12 +39,14 @@ highp vec3 viewFromDepth(highp vec2 uv, highp float z)
 #endif
 }
 
-// The window depth that viewFromWindow takes to view depth `z`: (m2.z d + m3.z) / (m2.w d + m3.w) = z, solved for d.
-// Nothing cancels: reversed depth keeps the digits that a float texture has for it.
-highp float windowFromView(highp float z)
+// The window depth that viewFromWindow takes to view depth `z`: (m2.z d + near.z) / (m2.w d + near.w) = z, solved for d,
+// where an oblique near plane has `near` change over the screen [Lengyel 2005, "Oblique View Frustum Depth Projection
+// and Clipping"]. Nothing cancels: reversed depth keeps the digits that a float texture has for it.
+highp float windowFromView(highp vec2 uv, highp float z)
 {
     highp mat4 m = view_from_window;
-    return clamp((m[3].z - z * m[3].w) / (z * m[2].w - m[2].z), 0.0, 1.0);
+    highp vec4 near = m[0] * uv.x + m[1] * uv.y + m[3];
+    return clamp((near.z - z * near.w) / (z * m[2].w - m[2].z), 0.0, 1.0);
 }
 
 // One scene unit across the view at a point in view space, in uv.
@@ -65,12 +67,16 @@ highp float viewStepOf(highp vec2 stored, highp vec3 point)
 {
     const highp float kEpsilon = 1.2e-7;  // 2^-23, of 32-bit floats
     highp mat4 m = view_from_window;
-    highp float window = windowFromView(point.z);
+    highp vec4 clip = clip_from_view * vec4(point, 1.0);
+    highp vec2 uv = clip.xy / max(clip.w, kSmallestW) * 0.5 + 0.5;
+    highp vec4 across = m[0] * uv.x + m[1] * uv.y;
+    highp float window = windowFromView(uv, point.z);
     highp float steps = stored.x + stored.y * window;
     highp float slope = abs(m[2].z - point.z * m[2].w) * steps;
-    highp float z = abs(m[2].z) * window + abs(m[3].z);
-    highp float w = abs(m[2].w) * window + abs(m[3].w);
-    return (slope + kEpsilon * (z + abs(point.z) * w)) / max(m[2].w * window + m[3].w, kSmallestW);
+    highp float z = abs(m[2].z) * window + abs(across.z) + abs(m[3].z);
+    highp float w = abs(m[2].w) * window + abs(across.w) + abs(m[3].w);
+    highp float share = m[2].w * window + across.w + m[3].w;
+    return (slope + kEpsilon * (z + abs(point.z) * w)) / max(share, kSmallestW);
 }
 
 // How far a point moves along `normal` while its view depth changes by 1 and it stays behind its pixel.

@@ -44,5 +44,5 @@ void main()
 #else
     const float kBackground = 1.0;
 #endif
-    gl_FragDepth = known ? windowFromView(-distance) : kBackground;
+    gl_FragDepth = known ? windowFromView(gl_FragCoord.xy / viewport_size, -distance) : kBackground;
 }
