@@ -6,11 +6,8 @@
 //   host_position  scene units; alpha 1 on a surface, 0 in the background
 precision highp float;
 
+#include "common/host_picture.glsl"
 #include <surface>
-
-#if CAMERA_TURNED
-uniform highp mat3 view_from_host;  // turns and mirrors, so that its inverse is its transpose
-#endif
 
 in vec2 uv;
 layout(location = 0) out vec4 host_normal;
@@ -19,7 +16,7 @@ layout(location = 1) out vec4 host_position;
 vec3 hostFromView(vec3 vector)
 {
 #if CAMERA_TURNED
-    return vector * view_from_host;
+    return vector * view_from_host;  // turns and mirrors, so that its inverse is its transpose
 #else
     return vector;
 #endif

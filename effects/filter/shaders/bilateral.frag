@@ -14,6 +14,7 @@ precision highp float;  // depths are compared
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
+#include "common/host_picture.glsl"
 #include "filter/shaders/own_slope.glsl"
 
 uniform mediump sampler2D ao;
@@ -25,7 +26,7 @@ layout(location = 0) out float ao_filtered;
 
 void main()
 {
-    vec2 texel = AXIS / vec2(textureSize(ao, 0));
+    vec2 texel = pictureFromHost(AXIS) / vec2(textureSize(ao, 0));
     float center_z = viewZAt(uv);
     float slope = ownSlope(uv, center_z, texel);
     float cut = depth_cut * radius;

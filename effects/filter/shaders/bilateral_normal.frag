@@ -14,6 +14,7 @@
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 precision highp float;  // positions are compared
 
+#include "common/host_picture.glsl"
 #include "filter/shaders/near_plane.glsl"
 
 uniform mediump sampler2D ao;
@@ -38,7 +39,7 @@ vec3 ownNormal()
 
 void main()
 {
-    vec2 texel = AXIS / vec2(textureSize(ao, 0));
+    vec2 texel = pictureFromHost(AXIS) / vec2(textureSize(ao, 0));
     vec2 sum = vec2(texture(ao, uv).r, 1.0);
     Here here;
     if (hereAt(uv, ownNormal(), here)) {

@@ -3,8 +3,8 @@
 // Where a filter may cross from pixel to pixel.
 //
 //   surface  interface: view depth
-//   edges    openness towards the pixel on the left and the one below: 1 is one surface, 0 an edge. The
-//            pixels on the right and above hold the other two.
+//   edges    openness towards the pixel on the left and the one below, in the host's own picture: 1 is one surface, 0
+//            an edge. The pixels on the right and above hold the other two.
 //
 // Two neighbours are one surface where their depths lie on a line with what follows on either side, so
 // that floors at a grazing angle stay open. In perspective the reciprocal of depth is what is straight
@@ -12,6 +12,7 @@
 precision highp float;  // depths are compared
 
 #define SURFACE_WITHOUT_NORMAL
+#include "common/host_picture.glsl"
 #include <surface>
 
 uniform mediump sampler2D ao;
@@ -43,8 +44,8 @@ float opennessOf(float before, vec2 a, vec2 b, float after, float cut)
 void main()
 {
     vec2 texel = 1.0 / vec2(textureSize(ao, 0));
-    vec2 x = vec2(texel.x, 0.0);
-    vec2 y = vec2(0.0, texel.y);
+    vec2 x = pictureFromHost(vec2(1.0, 0.0)) * texel;
+    vec2 y = pictureFromHost(vec2(0.0, 1.0)) * texel;
     vec2 here = depthAt(uv);
     float cut = depth_cut * radius;
     edges = vec2(opennessOf(depthAt(uv - 2.0 * x).y, depthAt(uv - x), here, depthAt(uv + x).y, cut),

@@ -14,6 +14,7 @@ precision highp float;  // depths, and products that fall by many powers of two
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
+#include "common/host_picture.glsl"
 #include "common/view_space.glsl"
 
 uniform mediump sampler2D ao;
@@ -25,7 +26,7 @@ layout(location = 0) out float ao_filtered;
 
 // The standard deviation at a pixel, in pixels along the axis: so large that the window ends at two of
 // them, at most.
-float sigmaInPixels(vec2 size)
+float sigmaInPixels(vec2 axis, vec2 size)
 {
 #if CAMERA_ORTHOGRAPHIC
     float w = viewZAt(uv) > -1e20 ? 1.0 : 1e30;
@@ -33,14 +34,15 @@ float sigmaInPixels(vec2 size)
     float w = max(-viewZAt(uv), 1e-18);
 #endif
     vec2 pixels = 0.5 * size * vec2(clip_from_view[0][0], clip_from_view[1][1]);
-    return min(sigma * radius / w * dot(AXIS, pixels), 0.5 * float(BLUR_RADIUS + 1));
+    return min(sigma * radius / w * dot(axis, pixels), 0.5 * float(BLUR_RADIUS + 1));
 }
 
 void main()
 {
     vec2 size = vec2(textureSize(ao, 0));
-    vec2 texel = AXIS / size;
-    float deviation = max(sigmaInPixels(size), 0.05);  // below it every neighbour's weight, exp(-200), is 0 in float
+    vec2 axis = abs(pictureFromHost(AXIS));
+    vec2 texel = axis / size;
+    float deviation = max(sigmaInPixels(axis, size), 0.05);  // below it every neighbour's weight, exp(-200), is 0 in float
     float factor = exp(-0.5 / (deviation * deviation));
     float squared = factor * factor;
     float weight = 1.0;

@@ -11,6 +11,7 @@
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 precision highp float;  // positions are compared
 
+#include "common/host_picture.glsl"
 #include "filter/shaders/near_plane.glsl"
 
 uniform mediump sampler2D indirect;
@@ -26,7 +27,7 @@ vec4 tapAt(vec2 at, Here here)
 
 void main()
 {
-    vec2 texel = AXIS / vec2(textureSize(indirect, 0));
+    vec2 texel = pictureFromHost(AXIS) / vec2(textureSize(indirect, 0));
     vec4 sum = vec4(texture(indirect, uv).rgb, 1.0);
     Here here;
     if (hereAt(uv, normalAt(uv), here)) {

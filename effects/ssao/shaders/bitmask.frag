@@ -43,6 +43,8 @@ uniform highp sampler2D depth_second;
 uniform highp sampler2D depth_second_back;
 #endif
 
+uniform vec2 viewport_size;
+
 in vec2 uv;
 layout(location = 0) out float ao;
 
@@ -213,7 +215,8 @@ void main()
         ao = 1.0;
         return;
     }
-    March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
+    vec2 at = hostPixel(gl_FragCoord.xy, viewport_size);
+    March march = marchFrom(uv, at, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
     float blocked = 0.0;
     float whole = 0.0;
     for (int i = 0; i < SLICES; ++i) {

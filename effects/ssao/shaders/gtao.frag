@@ -21,6 +21,8 @@ precision highp int;
 
 uniform float max_gap;
 
+uniform vec2 viewport_size;
+
 in vec2 uv;
 layout(location = 0) out float ao;
 #ifdef BENT_NORMALS
@@ -73,7 +75,8 @@ void main()
 #endif
         return;
     }
-    March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
+    vec2 at = hostPixel(gl_FragCoord.xy, viewport_size);
+    March march = marchFrom(uv, at, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
     float open = 0.0;
     float whole = 0.0;
     vec3 bent = vec3(0.0);

@@ -13,6 +13,8 @@ precision highp int;
 #include "ssao/shaders/hbao.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
+uniform vec2 viewport_size;
+
 in vec2 uv;
 layout(location = 0) out float ao;
 
@@ -23,6 +25,7 @@ void main()
         ao = 1.0;
         return;
     }
-    March march = marchFrom(uv, gl_FragCoord.xy, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
+    vec2 at = hostPixel(gl_FragCoord.xy, viewport_size);
+    March march = marchFrom(uv, at, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
     ao = visibilityOf(occlusionOf(march));
 }

@@ -53,6 +53,8 @@ void main()
         return;
     }
     vec3 normal = normalize(texelFetch(normal_tiles, texel, 0).xyz * 2.0 - 1.0);
-    March march = marchFrom(uv, vec2(pixel), 4.0 / vec2(viewPixels()), point, normal);
+    vec2 size = vec2(viewPixels());
+    vec2 at = hostPixel(vec2(pixel) + 0.5, size) - 0.5;
+    March march = marchFrom(uv, at, 4.0 / size, point, normal);
     ao_tiles = visibilityOf(occlusionOf(march));
 }

@@ -23,6 +23,7 @@
 // [Ritschel, Grosch, Seidel 2009, "Approximating Dynamic Global Illumination in Image Space" - the bounce]
 precision highp float;  // positions and depths; mediump bands
 
+#include "common/host_picture.glsl"
 #include "common/tangent_frame.glsl"
 #include "common/view_space.glsl"
 #include <surface>
@@ -38,6 +39,7 @@ uniform float range;
 uniform float bias;
 uniform float bias_length;
 uniform float contrast;
+uniform vec2 viewport_size;
 
 #ifdef WITH_BOUNCE
 uniform mediump sampler2D direct;
@@ -69,9 +71,11 @@ float shown(float occlusion)
     return clamp((open - 0.5) * contrast + 0.5, 0.0, 1.0);
 }
 
+// All of the host's own picture.
 mat3 frameAt(vec3 normal)
 {
-    vec2 noise = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
+    vec2 pixel = hostPixel(gl_FragCoord.xy, viewport_size);
+    vec2 noise = texture(rotation_noise, pixel / vec2(textureSize(rotation_noise, 0))).xy;
 #if BASIS == BASIS_ROTATED
     return rotatedFrame(normal, noise);
 #elif BASIS == BASIS_N_CROSS_T
@@ -97,7 +101,7 @@ void main()
 #if GUARDS
     lift = max(lift, depthTolerance(origin, normal_here, radius));
 #endif
-    mat3 view_from_kernel = frameAt(normal_here);
+    mat3 view_from_kernel = pictureFromHost(frameAt(hostFromPicture(normal_here)));
 #if BIAS_ALONG == BIAS_ALONG_NORMAL
     vec3 center = origin + normal_here * lift;
     const float in_front = 0.0;

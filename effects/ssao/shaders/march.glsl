@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the estimators that march over the screen share: the pixel's slices and where their taps lie.
 
+#include "common/host_picture.glsl"
 #include "common/pixel_noise.glsl"
 #include "ssao/shaders/reach.glsl"
 #include "ssao/shaders/seen.glsl"
@@ -42,7 +43,7 @@ highp float seenReach(highp vec3 point)
 #endif
 }
 
-// `at` counts pixels, `pixel` is one of them in uv.
+// `at` counts pixels of the host's own picture, `pixel` is one of this one in uv.
 March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point, highp vec3 normal)
 {
     March march;
@@ -52,8 +53,10 @@ March marchFrom(highp vec2 uv, highp vec2 at, highp vec2 pixel, highp vec3 point
 #else
     march.to_camera = -normalize(point);
 #endif
-    march.right = normalize(vec3(max(march.to_camera.z, 1e-6), 0.0, -march.to_camera.x));
-    march.up = cross(march.to_camera, march.right);
+    highp vec3 to_camera = hostFromPicture(march.to_camera);
+    highp vec3 right = normalize(vec3(max(to_camera.z, 1e-6), 0.0, -to_camera.x));
+    march.right = pictureFromHost(right);
+    march.up = pictureFromHost(cross(to_camera, right));
     march.shown = reachOf(point);
     // Of a radius wider than the screen the screen's share, within which all taps lie.
     highp float lift = bias * radius / max(max(march.shown.x, march.shown.y), 1.0);

@@ -13,6 +13,7 @@
 precision highp float;  // positions and depths; mediump bands
 
 #include <surface>
+#include "common/host_picture.glsl"
 #include "common/pixel_noise.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 #include "ssao/shaders/reach.glsl"
@@ -20,6 +21,7 @@ precision highp float;  // positions and depths; mediump bands
 
 uniform float bias;
 uniform float turns;
+uniform vec2 viewport_size;
 
 in vec2 uv;
 layout(location = 0) out float ao;
@@ -56,7 +58,7 @@ void main()
     float lift = max(bias, depthTolerance(point, up, radius) * per_radius);
     vec2 reach = reachOf(point);
     vec2 pixel = vec2(dFdx(uv.x), dFdy(uv.y));
-    vec2 noise = pixelNoise(gl_FragCoord.xy);
+    vec2 noise = pixelNoise(hostPixel(gl_FragCoord.xy, viewport_size));
 
     float first = kWhole * (noise.x + turns * noise.y / float(SAMPLES));
     vec2 direction = vec2(cos(first), sin(first));
@@ -67,7 +69,7 @@ void main()
     float known = 0.0;  // taps off the screen say nothing, either way
     for (int i = 0; i < SAMPLES; ++i) {
         float share = (float(i) + noise.y) / float(SAMPLES);
-        vec2 at = uv + share * reach * direction;
+        vec2 at = uv + share * reach * pictureFromHost(direction);
         direction = vec2(turn.x * direction.x - turn.y * direction.y,
                          turn.x * direction.y + turn.y * direction.x);
         if (!isCaptured(at)) continue;

@@ -15,6 +15,7 @@ precision highp float;  // positions and depths; mediump bands
 
 #define SURFACE_WITHOUT_NORMAL
 #include <surface>
+#include "common/host_picture.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 #include "ssao/shaders/probe.glsl"
 #include "ssao/shaders/range_check.glsl"
@@ -25,6 +26,7 @@ uniform vec3 kernel[SAMPLES];
 uniform float range;
 #if ROTATE
 uniform mediump sampler2D rotation_noise;
+uniform vec2 viewport_size;
 #endif
 
 in vec2 uv;
@@ -38,11 +40,13 @@ void main()
         return;
     }
 #if ROTATE
-    vec2 turn = texture(rotation_noise, gl_FragCoord.xy / vec2(textureSize(rotation_noise, 0))).xy;
-    mat3 view_from_kernel = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
+    vec2 at_host = hostPixel(gl_FragCoord.xy, viewport_size);
+    vec2 turn = texture(rotation_noise, at_host / vec2(textureSize(rotation_noise, 0))).xy;
+    mat3 frame = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
 #else
-    const mat3 view_from_kernel = mat3(1.0);
+    const mat3 frame = mat3(1.0);
 #endif
+    mat3 view_from_kernel = pictureFromHost(frame);
     float occlusion = 0.0;
     float known = 0.0;
     for (int i = 0; i < SAMPLES; ++i) {

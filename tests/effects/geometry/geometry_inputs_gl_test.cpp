@@ -258,7 +258,7 @@ TEST_CASE("Distances of a host count as surfaces above 0 and below the far, and 
     for (const float distance : {-5.0f, 0.0f, 10.0f, 11.0f}) CHECK(occlusionAt(distance) == 0);
 }
 
-TEST_CASE("A turned view space changes no picture, nor does what a host stored in it")
+TEST_CASE("A turned view space changes no picture but for noise, nor does what a host stored in it")
 {
     GlFixture gl;
     const Scene scene = need(loadScene("spheres"));
@@ -287,8 +287,10 @@ TEST_CASE("A turned view space changes no picture, nor does what a host stored i
     const auto own = rendererOf(turned);
     const Image ao = gl.read(host->output("ao"));
     CHECK(mean(ao) < 0.99);
-    CHECK(meanChange(gl.read(own->output("ao")), ao) == 0.0);
-    CHECK(meanChange(gl.read(own->output("color")), gl.read(host->output("color"))) < 1e-6);
+    const Image own_ao = gl.read(own->output("ao"));
+    CHECK(meanChange(gl.read(own->output("depth")), gl.read(host->output("depth"))) == 0.0);
+    CHECK(meanChange(own_ao, ao) < 0.02);  // the noise turns with the space
+    CHECK(meanChange(gl.read(own->output("color")), gl.read(host->output("color"))) < 0.02);
 
     using Names = std::vector<std::string>;
     const auto [geometry, textures] = GENERATE(
@@ -310,7 +312,7 @@ TEST_CASE("A turned view space changes no picture, nor does what a host stored i
         need(renderer->render(bare));
         return gl.read(renderer->output("ao"));
     };
-    CHECK(meanChange(occlusion(turned.camera), ao) < (geometry == "host_depth" ? 0.02 : 1e-3));
+    CHECK(meanChange(occlusion(turned.camera), own_ao) < (geometry == "host_depth" ? 0.02 : 1e-3));
     const bool in_view_space = geometry != "host_depth";
     CHECK((meanChange(occlusion(upright.camera), ao) > 0.02) == in_view_space);
 }

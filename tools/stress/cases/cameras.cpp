@@ -89,7 +89,7 @@ std::vector<StressCase> cameraCases()
     return {
         told({"orientation",
               "The test scene through flipped, turned and left-handed projections: means over "
-              "blocks, since noise does not turn.",
+              "blocks.",
               "", orientations, 0, E::same, kSameChange, false, orientation},
              {L::many,
               "hosts of other graphics interfaces flip, and phones turn",
