@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws each of `configs` and leaves the pixels of the canvas in the page, as base64 of RGBA from the lowest row.
+// Draws each of `configs` and leaves the pixels of the canvas in the page, as base64 of RGBA from the lowest row; and
+// the time of the last frame, where the program takes it.
 function pixelsOf(config) {
   part('config').add(new Option(config), 0);
   part('config').selectedIndex = 0;
@@ -13,13 +14,21 @@ function pixelsOf(config) {
   return btoa(text);
 }
 
+function show(id, text) {
+  const result = document.createElement('pre');
+  result.id = id;
+  result.textContent = text + '\n';
+  document.body.append(result);
+}
+
 const started = setInterval(() => {
   if (!draw) return;
   clearInterval(started);
-  for (const config of configs) {
-    const result = document.createElement('pre');
-    result.id = 'pixels_' + config;
-    result.textContent = pixelsOf(config) + '\n';
-    document.body.append(result);
-  }
+  for (const config of configs) show('pixels_' + config, pixelsOf(config));
+  const timed = Module._frameTime && setInterval(() => {
+    const ms = Module._frameTime();
+    if (ms === 0) return;
+    clearInterval(timed);
+    show('frame_ms', ms);
+  }, 10);
 }, 10);
