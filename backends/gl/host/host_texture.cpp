@@ -178,6 +178,10 @@ Result<GlHostCopy> GlHostCopy::make(GlApi& gl, GlState& state, const HostTexture
     copy.host_ = host;
     copy.from_ = GlFramebuffer::make(gl);
     copy.into_ = GlFramebuffer::make(gl);
+    // Desktop OpenGL before 4.1 wants what is drawn into to be there, even of what is only read.
+    const GLenum none = GL_NONE;
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, copy.from_.name());
+    gl.DrawBuffers(1, &none);
     if (Status status = attachForReading(gl, host, copy.from_.name()); !status)
         return status.diagnostics();
     if (const GLenum complete = gl.CheckFramebufferStatus(GL_READ_FRAMEBUFFER);
@@ -202,9 +206,10 @@ Status GlHostCopy::allocate(GlApi& gl, GlState& state, GLenum internal)
     allocateTexture(gl, internal, host_.extent);
     const GLenum point = isDepth(host_) ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0;
     const GLenum buffer = isDepth(host_) ? GL_NONE : GL_COLOR_ATTACHMENT0;
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, into_.name());
-    gl.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, GL_TEXTURE_2D, texture_.name(), 0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, into_.name());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture_.name(), 0);
     gl.DrawBuffers(1, &buffer);
+    gl.ReadBuffer(buffer);
     return takeErrors(gl, "adoptTexture", host_.label.c_str());
 }
 
