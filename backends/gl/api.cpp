@@ -100,10 +100,31 @@ const char* framebufferStatusName(GLenum status)
 
 void setDepthRange(const GlApi& gl, float near_depth, float far_depth)
 {
-    if (gl.DepthRangef)
+    if (gl.DepthRangeIndexed)
+        gl.DepthRangeIndexed(0, near_depth, far_depth);
+    else if (gl.DepthRangeIndexedf)
+        gl.DepthRangeIndexedf(0, near_depth, far_depth);
+    else if (gl.DepthRangef)
         gl.DepthRangef(near_depth, far_depth);
     else if (gl.DepthRange)
         gl.DepthRange(near_depth, far_depth);
+}
+
+void setScissor(const GlApi& gl, GLint x, GLint y, GLsizei width, GLsizei height)
+{
+    if (gl.ScissorIndexed)
+        gl.ScissorIndexed(0, x, y, width, height);
+    else
+        gl.Scissor(x, y, width, height);
+}
+
+void setViewport(const GlApi& gl, float x, float y, float width, float height)
+{
+    if (gl.ViewportIndexedf)
+        gl.ViewportIndexedf(0, x, y, width, height);
+    else
+        gl.Viewport(static_cast<GLint>(x), static_cast<GLint>(y), static_cast<GLsizei>(width),
+                    static_cast<GLsizei>(height));
 }
 
 Status takeErrors(GlApi& gl, const char* what, const char* label)

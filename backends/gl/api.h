@@ -14,8 +14,12 @@
 
 namespace crevice {
 
-/// Of desktop OpenGL before 4.1.
+// Of desktop OpenGL alone.
+typedef void(GL_APIENTRYP PFNGLCLAMPCOLORPROC)(GLenum target, GLenum clamp);
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_value);
+typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_value,
+                                                      double far_value);
+typedef void(GL_APIENTRYP PFNGLPIXELTRANSFERFPROC)(GLenum parameter, GLfloat value);
 
 // X(name, NAME, required): a context that lacks a required one is refused. The others are null
 // where the context does not promise them; `settleOptional` sees to that.
@@ -39,6 +43,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(BlitFramebuffer, BLITFRAMEBUFFER, true) \
     X(BufferData, BUFFERDATA, true) \
     X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS, true) \
+    X(ClampColor, CLAMPCOLOR, false) \
     X(Clear, CLEAR, true) \
     X(ClearBufferfv, CLEARBUFFERFV, true) \
     X(ClipControl, CLIPCONTROLEXT, false) \
@@ -60,6 +65,8 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(DepthFunc, DEPTHFUNC, true) \
     X(DepthMask, DEPTHMASK, true) \
     X(DepthRange, DEPTHRANGE, false) \
+    X(DepthRangeIndexed, DEPTHRANGEINDEXED, false) \
+    X(DepthRangeIndexedf, DEPTHRANGEINDEXEDFOES, false) \
     X(DepthRangef, DEPTHRANGEF, false) \
     X(DetachShader, DETACHSHADER, true) \
     X(Disable, DISABLE, true) \
@@ -119,6 +126,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PauseTransformFeedback, PAUSETRANSFORMFEEDBACK, false) \
     X(PixelStorei, PIXELSTOREI, true) \
+    X(PixelTransferf, PIXELTRANSFERF, false) \
     X(PolygonMode, POLYGONMODENV, false) \
     X(ProgramBinary, PROGRAMBINARY, false) \
     X(ProgramParameteri, PROGRAMPARAMETERI, false) \
@@ -128,6 +136,7 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(ResumeTransformFeedback, RESUMETRANSFORMFEEDBACK, false) \
     X(SamplerParameteri, SAMPLERPARAMETERI, true) \
     X(Scissor, SCISSOR, true) \
+    X(ScissorIndexed, SCISSORINDEXEDOES, false) \
     X(ShaderSource, SHADERSOURCE, true) \
     X(TexImage2D, TEXIMAGE2D, true) \
     X(TexParameteri, TEXPARAMETERI, true) \
@@ -148,7 +157,8 @@ typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_val
     X(UseProgram, USEPROGRAM, true) \
     X(VertexAttribDivisor, VERTEXATTRIBDIVISOR, true) \
     X(VertexAttribPointer, VERTEXATTRIBPOINTER, true) \
-    X(Viewport, VIEWPORT, true)
+    X(Viewport, VIEWPORT, true) \
+    X(ViewportIndexedf, VIEWPORTINDEXEDFOES, false)
 
 /// The functions, without their "gl".
 struct GlApi {
@@ -168,8 +178,16 @@ const char* glErrorName(GLenum error);
 /// "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT" and the like.
 const char* framebufferStatusName(GLenum status);
 
+// Of a context with several viewports these set the first alone: no shader here draws into another,
+// and the host's stay.
+
 /// Where window depth goes to: glDepthRangef, or glDepthRange where that is missing.
 void setDepthRange(const GlApi& gl, float near_depth, float far_depth);
+
+void setScissor(const GlApi& gl, GLint x, GLint y, GLsizei width, GLsizei height);
+
+/// Fractions count only where there are several.
+void setViewport(const GlApi& gl, float x, float y, float width, float height);
 
 /// Takes all pending errors. Allocates nothing when there is none.
 ///

@@ -129,6 +129,15 @@ const char* timerSuffix(const GlInfo& info)
     return info.native_version >= 330 || info.has("GL_ARB_timer_query") ? "" : nullptr;
 }
 
+/// The same for several viewports, which have switches apart as draw buffers do.
+const char* viewportSuffix(const GlInfo& info)
+{
+    if (info.bare) return nullptr;
+    if (info.desktop)
+        return info.native_version >= 410 || info.has("GL_ARB_viewport_array") ? "" : nullptr;
+    return info.native_version >= 320 && info.has("GL_OES_viewport_array") ? "OES" : nullptr;
+}
+
 /// The same for glGetGraphicsResetStatus.
 const char* resetSuffix(const GlInfo& info)
 {
@@ -212,6 +221,12 @@ void settleOptional(GlApi& gl, const GlInfo& info, const GlLoader& load)
     find(gl.BlendEquationi, "glBlendEquationi", blending);
     find(gl.BlendEquationSeparatei, "glBlendEquationSeparatei", blending);
     find(gl.BlendFuncSeparatei, "glBlendFuncSeparatei", blending);
+
+    const char* viewports = viewportSuffix(info);
+    find(gl.DepthRangeIndexed, "glDepthRangeIndexed", info.desktop ? viewports : nullptr);
+    find(gl.DepthRangeIndexedf, "glDepthRangeIndexedf", info.desktop ? nullptr : viewports);
+    find(gl.ScissorIndexed, "glScissorIndexed", viewports);
+    find(gl.ViewportIndexedf, "glViewportIndexedf", viewports);
 
     const char* timers = timerSuffix(info);
     find(gl.BeginQuery, "glBeginQuery", timers);

@@ -87,7 +87,7 @@ Result<Image> GlCopier::read(GlApi& gl, GlState& state, GLuint texture, GLuint n
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.name(), 0);
     if (Status status = takeErrors(gl, "readTexture"); !status) return status.diagnostics();
 
-    gl.Viewport(0, 0, extent.width, extent.height);
+    setViewport(gl, 0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height));
     gl.UseProgram(fetch_bits_.name());
     state.bindTexture(0, texture, nearest);
     drawTriangle(gl);

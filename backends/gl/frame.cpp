@@ -96,11 +96,12 @@ void GlDevice::beginPass(const PassInfo& pass)
 
 void GlDevice::setArea(const PassInfo& pass)
 {
-    gl_.Viewport(0, 0, pass.extent.width, pass.extent.height);
+    const auto [width, height] = pass.extent;
+    setViewport(gl_, 0, 0, static_cast<float>(width), static_cast<float>(height));
     if (pass.at_depth >= 0.0f) setDepthRange(gl_, pass.at_depth, pass.at_depth);
     if (!pass.within_area) return;
     state_.setEnabled(GL_SCISSOR_TEST, true);
-    gl_.Scissor(pass.area.x, pass.area.y, pass.area.extent.width, pass.area.extent.height);
+    setScissor(gl_, pass.area.x, pass.area.y, pass.area.extent.width, pass.area.extent.height);
 }
 
 void GlDevice::resolve(const FramebufferSlot& framebuffer)
@@ -177,7 +178,8 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
     const GlFramebuffer own = bindHostTarget(gl_, host);
     if (Status status = check_errors_ ? checkHostTarget(gl_, host) : Status(); !status)
         return unlessLost(status, "present");
-    gl_.Viewport(host.x, host.y, host.extent.width, host.extent.height);
+    setViewport(gl_, static_cast<float>(host.x), static_cast<float>(host.y),
+                static_cast<float>(host.extent.width), static_cast<float>(host.extent.height));
     copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format),
                  formatInfo(texture.format).channels);
     return check_errors_ ? takeErrors(gl_, "present") : Status();

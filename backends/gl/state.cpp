@@ -2,8 +2,6 @@
 // Saves the host's GL state, sets what drawing needs, and restores the host's.
 #include "backends/gl/state.h"
 
-#include "backends/gl/failure.h"
-
 #include <algorithm>
 #include <iterator>
 
@@ -33,22 +31,24 @@ constexpr GLenum kPrimitiveRestart = 0x8F9D;
 constexpr GLenum kMultisample = 0x809D;
 constexpr GLenum kSampleAlphaToOne = 0x809F;
 constexpr GLenum kPolygonSmooth = 0x0B41;
+constexpr GLenum kPolygonOffsetPoint = 0x2A01;
+constexpr GLenum kPolygonOffsetLine = 0x2A02;
 constexpr GLenum kPolygonStipple = 0x0B42;
 constexpr GLenum kAlphaTest = 0x0BC0;
 constexpr GLenum kPolygonMode = 0x0B40;
 constexpr GLenum kFill = 0x1B02;
 constexpr GLenum kClipDistance0 = 0x3000;
 constexpr GLenum kMaxClipDistances = 0x0D32;
+constexpr GLenum kMaxViewports = 0x825B;
 constexpr GLenum kContextProfileMask = 0x9126;
 constexpr GLint kCompatibilityProfile = 2;
-constexpr GLenum kSamplesPassed = 0x8914;
-constexpr GLenum kFirstStatistic = 0x82EE;  // GL_VERTICES_SUBMITTED, the first of eleven
-constexpr GLenum kLastStatistic = 0x82F8;
-constexpr GLenum kQueryNoWait = 0x8E14;
 constexpr GLenum kPackSwapBytes = 0x0D00;
 constexpr GLenum kUnpackSwapBytes = 0x0CF0;
+constexpr GLenum kPackInvert = 0x8758;       // of GL_MESA_pack_invert
+constexpr GLenum kPackReverseRows = 0x93A4;  // of GL_ANGLE_pack_reverse_row_order
+constexpr GLenum kClampFragmentColor = 0x891B;
 
-// Wanted off but for one; passes turn on what they need. Blending stands with the draw buffers. In
+// Wanted off but for two; passes turn on what they need. Blending stands with the draw buffers. In
 // WebGL 2 fixed-index restart is always on, and no index of a mesh is the one that restarts.
 constexpr Switch kSwitches[] = {
     {GL_CULL_FACE, Where::everywhere},
@@ -64,12 +64,15 @@ constexpr Switch kSwitches[] = {
     {GL_SCISSOR_TEST, Where::everywhere},
     {GL_STENCIL_TEST, Where::everywhere},
     {kColorLogicOp, Where::desktop},
-    {kDepthClamp, Where::desktop},
+    {kDepthClamp, Where::depth_clamp},
     {kFramebufferSrgb, Where::desktop},
-    {kMultisample, Where::desktop, true},
-    {kSampleAlphaToOne, Where::desktop},
+    {kFramebufferSrgb, Where::srgb_control, true},
+    {kMultisample, Where::multisample_control, true},
+    {kSampleAlphaToOne, Where::multisample_control},
     {kPrimitiveRestart, Where::desktop},
     {kPolygonSmooth, Where::desktop},
+    {kPolygonOffsetLine, Where::desktop},   // Mesa 22.3.6 on llvmpipe offsets filled triangles by
+    {kPolygonOffsetPoint, Where::desktop},  // these as well
     {kAlphaTest, Where::compatibility},
     {kPolygonStipple, Where::compatibility},
 };
@@ -80,12 +83,18 @@ constexpr PixelStore kPixelStores[] = {
     {GL_UNPACK_ALIGNMENT, 1, Where::everywhere},   {GL_UNPACK_ROW_LENGTH, 0, Where::everywhere},
     {GL_UNPACK_SKIP_PIXELS, 0, Where::everywhere}, {GL_UNPACK_SKIP_ROWS, 0, Where::everywhere},
     {kPackSwapBytes, 0, Where::desktop},           {kUnpackSwapBytes, 0, Where::desktop},
+    {kPackInvert, 0, Where::inverted_rows},        {kPackReverseRows, 0, Where::reversed_rows},
 };
 
-Diagnostic busy(const std::string& what, const char* help)
-{
-    return failure(Code::host_busy, what + ", which drawing would spoil", help);
-}
+/// What a compatibility profile does to the pixels of a texture that is written.
+constexpr std::pair<GLenum, GLfloat> kTransfers[] = {
+    {0x0D10, 0.0f},                  // GL_MAP_COLOR
+    {0x0D14, 1.0f}, {0x0D15, 0.0f},  // GL_RED_SCALE, GL_RED_BIAS, and so on
+    {0x0D18, 1.0f}, {0x0D19, 0.0f},  // green
+    {0x0D1A, 1.0f}, {0x0D1B, 0.0f},  // blue
+    {0x0D1C, 1.0f}, {0x0D1D, 0.0f},  // alpha
+    {0x0D1E, 1.0f}, {0x0D1F, 0.0f},  // depth
+};
 
 }  // namespace
 
@@ -93,26 +102,22 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     : gl_(gl),
       restore_(restore),
       desktop_(info.desktop),
-      fixed_restart_(info.desktop
-                         ? info.native_version >= 430 || info.has("GL_ARB_ES3_compatibility")
-                         : !info.web),
       asks_feedback_(!info.desktop || info.native_version >= 400 ||
                      info.has("GL_ARB_transform_feedback2")),
-      query_version_(info.native_version),
-      sample_mask_(info.native_version >= (info.desktop ? 320 : 310)),
-      sample_shading_(info.native_version >= (info.desktop ? 400 : 320))
+      query_version_(info.native_version)
 {
+    findExtensions(info);
     if (desktop_ && !info.bare) {
-        GLint profile = 0;
         gl_.GetIntegerv(kMaxClipDistances, &clip_distance_count_);
-        if (info.native_version >= 320) gl_.GetIntegerv(kContextProfileMask, &profile);
-        compatibility_ = (profile & kCompatibilityProfile) != 0;
     } else if (info.has("GL_EXT_clip_cull_distance")) {
         gl_.GetIntegerv(kMaxClipDistances, &clip_distance_count_);
     }
     clip_distance_count_ = std::clamp(clip_distance_count_, 0, 32);
+    if (gl_.ScissorIndexed) gl_.GetIntegerv(kMaxViewports, &scissor_count_);
+    scissor_count_ = std::clamp(scissor_count_, 0, 32);
     static_assert(std::size(kSwitches) <= kMaxSwitches);
     static_assert(std::size(kPixelStores) <= kMaxPixelStores);
+    static_assert(std::size(kTransfers) <= kMaxTransfers);
     static_assert(kMaxTextureUnits <= 32);
     GLint count = 1;
     gl_.GetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
@@ -121,16 +126,28 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     if (gl_.BlendEquationi) blend_count_ = count;
 }
 
-bool GlState::has(GlWhere where) const
+void GlState::findExtensions(const GlInfo& info)
 {
-    switch (where) {
-    case Where::desktop: return desktop_;
-    case Where::compatibility: return compatibility_;
-    case Where::fixed_restart: return fixed_restart_;
-    case Where::sample_mask: return sample_mask_;
-    case Where::sample_shading: return sample_shading_;
-    default: return true;
-    }
+    GLint profile = 0;
+    if (desktop_ && !info.bare && info.native_version >= 320)
+        gl_.GetIntegerv(kContextProfileMask, &profile);
+    const auto set = [this](GlWhere where, bool has) { has_[static_cast<int>(where)] = has; };
+    const auto since = [&info](int desktop, int es) {
+        return info.native_version >= (info.desktop ? desktop : es);
+    };
+    set(Where::everywhere, true);
+    set(Where::desktop, desktop_);
+    set(Where::compatibility, (profile & kCompatibilityProfile) != 0);
+    set(Where::fixed_restart,
+        !info.web && (since(430, 300) || info.has("GL_ARB_ES3_compatibility")));
+    set(Where::sample_mask, since(320, 310));
+    set(Where::sample_shading,
+        since(400, 320) || info.has("GL_ARB_sample_shading") || info.has("GL_OES_sample_shading"));
+    set(Where::depth_clamp, desktop_ || info.has("GL_EXT_depth_clamp"));
+    set(Where::multisample_control, desktop_ || info.has("GL_EXT_multisample_compatibility"));
+    set(Where::srgb_control, !desktop_ && info.has("GL_EXT_sRGB_write_control"));
+    set(Where::inverted_rows, info.has("GL_MESA_pack_invert"));
+    set(Where::reversed_rows, info.has("GL_ANGLE_pack_reverse_row_order"));
 }
 
 void GlState::enter()
@@ -150,6 +167,7 @@ void GlState::neutralize()
     gl_.FrontFace(GL_CCW);
     setDepthRange(gl_, 0.0f, 1.0f);
     neutralizeClipping();
+    neutralizeTransfers();
     unmask();
 }
 
@@ -207,7 +225,7 @@ void GlState::save()
     gl_.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &s.array_buffer);
     gl_.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &s.pack_buffer);
     gl_.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &s.unpack_buffer);
-    gl_.GetIntegerv(GL_VIEWPORT, s.viewport);
+    gl_.GetFloatv(GL_VIEWPORT, s.viewport);
     gl_.GetIntegerv(GL_SCISSOR_BOX, s.scissor);
     gl_.GetFloatv(GL_DEPTH_RANGE, s.depth_range);
     gl_.GetIntegerv(GL_DEPTH_FUNC, &s.depth_function);
@@ -222,6 +240,7 @@ void GlState::save()
     for (int i = 0; i < mask_count_; ++i) saveMask(i);
     for (int i = 0; i < blend_count_; ++i) saveBlend(i);
     saveClipping();
+    saveTransfers();
     s.pauses_feedback = gl_.PauseTransformFeedback && feedbackRuns();
     if (s.pauses_feedback) gl_.PauseTransformFeedback();
 }
@@ -239,8 +258,8 @@ void GlState::restore()
     gl_.BindBuffer(GL_ARRAY_BUFFER, s.array_buffer);
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, s.pack_buffer);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, s.unpack_buffer);
-    gl_.Viewport(s.viewport[0], s.viewport[1], s.viewport[2], s.viewport[3]);
-    gl_.Scissor(s.scissor[0], s.scissor[1], s.scissor[2], s.scissor[3]);
+    setViewport(gl_, s.viewport[0], s.viewport[1], s.viewport[2], s.viewport[3]);
+    setScissor(gl_, s.scissor[0], s.scissor[1], s.scissor[2], s.scissor[3]);
     setDepthRange(gl_, s.depth_range[0], s.depth_range[1]);
     gl_.DepthFunc(s.depth_function);
     gl_.DepthMask(s.depth_mask);
@@ -254,6 +273,7 @@ void GlState::restore()
     for (int i = 0; i < mask_count_; ++i) restoreMask(i);
     for (int i = 0; i < blend_count_; ++i) restoreBlend(i);
     restoreClipping();
+    restoreTransfers();
     if (s.pauses_feedback) gl_.ResumeTransformFeedback();
 }
 
@@ -267,6 +287,9 @@ void GlState::saveClipping()
     // A core profile has one mode for both sides, and some drivers write it once.
     s.polygon_mode[0] = s.polygon_mode[1] = 0;
     if (gl_.PolygonMode) gl_.GetIntegerv(kPolygonMode, s.polygon_mode);
+    s.scissor_tests = 0;
+    for (int i = 0; i < scissor_count_; ++i)
+        if (gl_.IsEnabledi(GL_SCISSOR_TEST, i)) s.scissor_tests |= std::uint32_t(1) << i;
     s.clip_distances = 0;
     for (int i = 0; i < clip_distance_count_; ++i)
         if (gl_.IsEnabled(kClipDistance0 + i)) s.clip_distances |= std::uint32_t(1) << i;
@@ -283,14 +306,39 @@ void GlState::restoreClipping() const
 {
     const Saved& s = saved_;
     if (gl_.ClipControl) gl_.ClipControl(s.clip_origin, s.clip_depth);
-    if (gl_.PolygonMode && compatibility_) {
+    if (gl_.PolygonMode && has(Where::compatibility)) {
         gl_.PolygonMode(GL_FRONT, s.polygon_mode[0]);
         gl_.PolygonMode(GL_BACK, s.polygon_mode[1]);
     } else if (gl_.PolygonMode) {
         gl_.PolygonMode(GL_FRONT_AND_BACK, s.polygon_mode[0]);
     }
+    for (int i = 0; i < scissor_count_; ++i)
+        (s.scissor_tests >> i & 1 ? gl_.Enablei : gl_.Disablei)(GL_SCISSOR_TEST, i);
     for (int i = 0; i < clip_distance_count_; ++i)
         setEnabled(kClipDistance0 + i, s.clip_distances >> i & 1);
+}
+
+void GlState::saveTransfers()
+{
+    if (!has(Where::compatibility)) return;
+    for (std::size_t i = 0; i < std::size(kTransfers); ++i)
+        gl_.GetFloatv(kTransfers[i].first, &saved_.transfers[i]);
+    gl_.GetIntegerv(kClampFragmentColor, &saved_.fragment_clamp);
+}
+
+void GlState::neutralizeTransfers() const
+{
+    if (!has(Where::compatibility)) return;
+    for (const auto& [parameter, value] : kTransfers) gl_.PixelTransferf(parameter, value);
+    gl_.ClampColor(kClampFragmentColor, GL_FALSE);
+}
+
+void GlState::restoreTransfers() const
+{
+    if (!has(Where::compatibility)) return;
+    for (std::size_t i = 0; i < std::size(kTransfers); ++i)
+        gl_.PixelTransferf(kTransfers[i].first, saved_.transfers[i]);
+    gl_.ClampColor(kClampFragmentColor, saved_.fragment_clamp);
 }
 
 ClipControl GlState::clipControl() const
@@ -300,70 +348,6 @@ ClipControl GlState::clipControl() const
     gl_.GetIntegerv(GL_CLIP_ORIGIN_EXT, &origin);
     gl_.GetIntegerv(GL_CLIP_DEPTH_MODE_EXT, &depth);
     return {depth == GL_ZERO_TO_ONE_EXT, origin == GL_UPPER_LEFT_EXT};
-}
-
-bool GlState::feedbackRuns() const
-{
-    GLboolean active = GL_FALSE, paused = GL_FALSE;
-    if (asks_feedback_) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
-    if (active) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
-    return active && !paused;
-}
-
-/// GL has no query for it; a second conditional rendering is refused.
-bool GlState::rendersConditionally()
-{
-    if (!gl_.BeginConditionalRender) return false;
-    if (probe_.name() == 0) {
-        probe_ = GlQuery::make(gl_);
-        gl_.BeginQuery(kSamplesPassed, probe_.name());
-        gl_.EndQuery(kSamplesPassed);
-    }
-    gl_.BeginConditionalRender(probe_.name(), kQueryNoWait);
-    const bool refused = gl_.GetError() != GL_NO_ERROR;
-    if (!refused) gl_.EndConditionalRender();
-    return refused;
-}
-
-Status GlState::checkQueries() const
-{
-    const auto active = [this](GLenum target) {
-        GLint query = 0;
-        gl_.GetQueryiv(target, GL_CURRENT_QUERY, &query);
-        return query != 0;
-    };
-    const char* const help = "end it before the call, and begin another one after";
-    const bool conservative = !desktop_ || query_version_ >= 430;
-    const bool primitives = query_version_ >= 320;
-    if ((desktop_ && active(kSamplesPassed)) || active(GL_ANY_SAMPLES_PASSED) ||
-        (conservative && active(GL_ANY_SAMPLES_PASSED_CONSERVATIVE)))
-        return busy("an occlusion query of the host is active", help);
-    if (primitives && active(GL_PRIMITIVES_GENERATED))
-        return busy("a query of primitives of the host is active", help);
-    for (GLenum each = kFirstStatistic; desktop_ && query_version_ >= 460 && each <= kLastStatistic;
-         ++each)
-        if (active(each)) return busy("a query of pipeline statistics of the host is active", help);
-    return {};
-}
-
-Status GlState::checkHost(bool asks_errors)
-{
-    if (depth_ > 1) return {};  // within a frame, which asked
-    if (Status status = checkQueries(); !status) return status;
-    if (asks_errors && rendersConditionally())
-        return busy("the host renders conditionally", "call glEndConditionalRender first");
-    if (!(gl_.PauseTransformFeedback && restore_) && feedbackRuns())
-        return busy("transform feedback of the host is active, and cannot be paused",
-                    "end it before the call");
-    GLint program = 0, deleted = GL_FALSE;
-    gl_.GetIntegerv(GL_CURRENT_PROGRAM, &program);
-    if (program != 0 && restore_)
-        gl_.GetProgramiv(static_cast<GLuint>(program), GL_DELETE_STATUS, &deleted);
-    if (deleted)
-        return busy(
-            "the host's current program " + std::to_string(program) + " is marked for deletion",
-            "call glUseProgram(0) before the call, or delete the program later");
-    return {};
 }
 
 void GlState::restoreUnits()
@@ -377,68 +361,6 @@ void GlState::restoreUnits()
             gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, units_[unit].multisampled);
     }
     saved_units_ = saved_multisampled_ = 0;
-}
-
-void GlState::saveMask(int index)
-{
-    DrawBuffer& buffer = saved_.draw_buffers[index];
-    if (gl_.IsEnabledi) {
-        buffer.blend = gl_.IsEnabledi(GL_BLEND, index);
-        gl_.GetIntegeri_v(GL_COLOR_WRITEMASK, index, buffer.mask);
-    } else {
-        buffer.blend = gl_.IsEnabled(GL_BLEND);
-        gl_.GetIntegerv(GL_COLOR_WRITEMASK, buffer.mask);
-    }
-}
-
-void GlState::restoreMask(int index) const
-{
-    const DrawBuffer& b = saved_.draw_buffers[index];
-    auto mask = [&](int channel) { return static_cast<GLboolean>(b.mask[channel] != 0); };
-    if (gl_.IsEnabledi) {
-        (b.blend ? gl_.Enablei : gl_.Disablei)(GL_BLEND, index);
-        gl_.ColorMaski(index, mask(0), mask(1), mask(2), mask(3));
-    } else {
-        setEnabled(GL_BLEND, b.blend);
-        gl_.ColorMask(mask(0), mask(1), mask(2), mask(3));
-    }
-}
-
-void GlState::saveBlend(int index)
-{
-    DrawBuffer& buffer = saved_.draw_buffers[index];
-    auto get = [&](GLenum name, GLint& value) {
-        if (gl_.BlendEquationi)
-            gl_.GetIntegeri_v(name, index, &value);
-        else
-            gl_.GetIntegerv(name, &value);
-    };
-    get(GL_BLEND_SRC_RGB, buffer.source_rgb);
-    get(GL_BLEND_SRC_ALPHA, buffer.source_alpha);
-    get(GL_BLEND_DST_RGB, buffer.target_rgb);
-    get(GL_BLEND_DST_ALPHA, buffer.target_alpha);
-    get(GL_BLEND_EQUATION_RGB, buffer.equation_rgb);
-    get(GL_BLEND_EQUATION_ALPHA, buffer.equation_alpha);
-}
-
-void GlState::restoreBlend(int index) const
-{
-    const DrawBuffer& b = saved_.draw_buffers[index];
-    // The advanced equations of OpenGL ES 3.2 are refused by the "Separate" functions.
-    const bool one_equation = b.equation_rgb == b.equation_alpha;
-    if (gl_.BlendEquationi) {
-        gl_.BlendFuncSeparatei(index, b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
-        if (one_equation)
-            gl_.BlendEquationi(index, b.equation_rgb);
-        else
-            gl_.BlendEquationSeparatei(index, b.equation_rgb, b.equation_alpha);
-    } else {
-        gl_.BlendFuncSeparate(b.source_rgb, b.target_rgb, b.source_alpha, b.target_alpha);
-        if (one_equation)
-            gl_.BlendEquation(b.equation_rgb);
-        else
-            gl_.BlendEquationSeparate(b.equation_rgb, b.equation_alpha);
-    }
 }
 
 }  // namespace crevice

@@ -9,12 +9,16 @@
 //                functions and equations, colour mask; dither, scissor test, stencil test, sample
 //                alpha to coverage, sample coverage, sample mask, sample shading
 //   depth        test, function, mask, range
-//   geometry     viewport, scissor box, cull face test and mode, front face, polygon offset fill,
-//                rasterizer discard, primitive restart with fixed index
+//   geometry     the first viewport and scissor box, all scissor tests, cull face test and mode,
+//                front face, polygon offset fill, rasterizer discard, primitive restart with fixed
+//                index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
-//   desktop      sRGB framebuffer, logic operation, depth clamp, primitive restart, swapped bytes,
-//                multisampling, sample alpha to one, polygon mode and smoothing; in a compatibility
-//                profile the alpha test and polygon stipple too
+//   desktop      logic operation, primitive restart, swapped bytes, polygon mode, smoothing and
+//                offsets of lines and points; in a compatibility profile the alpha test, polygon
+//                stipple, what is done to pixels on their way and the clamping of fragments'
+//                colours
+//   extensions   depth clamp, multisampling, sample alpha to one, rows that are read from the top;
+//                sRGB framebuffer: desktop OpenGL writes what shaders give, OpenGL ES encodes it
 //   clip space   clip control, clip distances
 //   feedback     transform feedback is paused
 //
@@ -34,7 +38,13 @@ enum class GlWhere {
     compatibility,
     fixed_restart,
     sample_mask,
-    sample_shading
+    sample_shading,
+    depth_clamp,
+    multisample_control,
+    srgb_control,   // of OpenGL ES
+    inverted_rows,  // of pixels that are read
+    reversed_rows,  // likewise
+    count
 };
 
 class GlState {
@@ -72,8 +82,9 @@ public:
     void setEnabled(GLenum capability, bool enabled) const;
 
 private:
-    static constexpr int kMaxSwitches = 24;
-    static constexpr int kMaxPixelStores = 10;
+    static constexpr int kMaxSwitches = 26;
+    static constexpr int kMaxPixelStores = 12;
+    static constexpr int kMaxTransfers = 12;
 
     struct DrawBuffer {
         bool blend;
@@ -89,17 +100,20 @@ private:
     struct Saved {
         GLint draw_framebuffer, read_framebuffer, renderbuffer, program, vertex_array, active_unit;
         GLint array_buffer, pack_buffer, unpack_buffer;
-        GLint viewport[4];
+        GLfloat viewport[4];
         GLint scissor[4];
         GLfloat depth_range[2];
         GLint depth_function, cull_mode, front_face;
         GLint clip_origin, clip_depth;
         GLint polygon_mode[2];
         std::uint32_t clip_distances;  // a bit for each
+        std::uint32_t scissor_tests;   // a bit for each viewport, where there are several
         bool pauses_feedback;
         GLboolean depth_mask;
         bool switches[kMaxSwitches];
         GLint pixel_stores[kMaxPixelStores];
+        GLfloat transfers[kMaxTransfers];
+        GLint fragment_clamp;
         DrawBuffer draw_buffers[kMaxColorAttachments];
     };
 
@@ -116,18 +130,20 @@ private:
     bool feedbackRuns() const;
     bool rendersConditionally();
     Status checkQueries() const;
-    bool has(GlWhere where) const;
+    void saveTransfers();
+    void neutralizeTransfers() const;
+    void restoreTransfers() const;
+    void findExtensions(const GlInfo& info);
+    bool has(GlWhere where) const { return has_[static_cast<int>(where)]; }
 
     const GlApi& gl_;
     bool restore_;
     bool desktop_;
-    bool compatibility_ = false;  // a context with the fixed functions of old
-    bool fixed_restart_;
+    bool has_[static_cast<int>(GlWhere::count)] = {};
     bool asks_feedback_;  // whether transform feedback is active
     int query_version_;   // desktop OpenGL's as it is; OpenGL ES 3.2 as 320
     int clip_distance_count_ = 0;
-    bool sample_mask_;
-    bool sample_shading_;
+    int scissor_count_ = 0;
     int mask_count_ = 1;   // draw buffers that are masked apart
     int blend_count_ = 1;  // ... and blended apart
     int depth_ = 0;

@@ -43,7 +43,7 @@ struct ProgramCache {
 };
 
 struct GlDeviceOptions {
-    /// Puts the host's state back after each frame and each call outside of one. Off saves some 130
+    /// Puts the host's state back after each frame and each call outside of one. Off saves some 150
     /// queries a frame; the host must then set all state that it relies on.
     bool restore_state = true;
 

@@ -135,7 +135,7 @@ typedef struct crevice_device_desc {
     crevice_loader loader;  ///< Required.
     void* user;             ///< Handed to the loader.
 
-    /// Leaves GL state as it comes, which saves some 130 queries a frame: set all that you rely on.
+    /// Leaves GL state as it comes, which saves some 150 queries a frame: set all that you rely on.
     bool leave_state;
 
     /// Asks neither for GL errors nor whether the context is lost or another one.
