@@ -4,6 +4,7 @@
 #   backends_agree_test.sh CREVICE
 set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/../support/cli_checks.sh"
+source "$(dirname -- "${BASH_SOURCE[0]}")/old_gl.sh"
 
 view=(--scene room --size 320x180)
 for config in learnopengl hemisphere_bilateral; do
@@ -21,10 +22,7 @@ for config in learnopengl hemisphere_bilateral; do
     expect 0 'rmse' compare egl.pfm osmesa.pfm --max-abs 2/255 --max-bad-fraction 0.001
 done
 
-# Desktop OpenGL 3.3 with nothing beyond: no shaders of OpenGL ES, no storage of fixed size, no window depth in
-# floats. Mesa's switches stand for a driver that has no more.
-gl33=(MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330
-    "MESA_EXTENSION_OVERRIDE=-GL_ARB_ES3_compatibility -GL_ARB_ES3_1_compatibility -GL_ARB_ES3_2_compatibility -GL_ARB_ES2_compatibility -GL_ARB_texture_storage -GL_ARB_clip_control -GL_ARB_transform_feedback2 -GL_ARB_get_program_binary -GL_ARB_internalformat_query -GL_ARB_invalidate_subdata")
+# Desktop OpenGL 3.3 with nothing beyond draws the same too.
 for config in learnopengl mobile balanced; do
     for backend in egl old; do
         switches=()
