@@ -68,15 +68,12 @@ highp float viewStepOf(highp vec2 stored, highp vec3 point)
     const highp float kEpsilon = 1.2e-7;  // 2^-23, of 32-bit floats
     highp mat4 m = view_from_window;
     highp vec4 clip = clip_from_view * vec4(point, 1.0);
-    highp vec2 uv = clip.xy / max(clip.w, kSmallestW) * 0.5 + 0.5;
-    highp vec4 across = m[0] * uv.x + m[1] * uv.y;
-    highp float window = windowFromView(uv, point.z);
-    highp float steps = stored.x + stored.y * window;
-    highp float slope = abs(m[2].z - point.z * m[2].w) * steps;
-    highp float z = abs(m[2].z) * window + abs(across.z) + abs(m[3].z);
-    highp float w = abs(m[2].w) * window + abs(across.w) + abs(m[3].w);
-    highp float share = m[2].w * window + across.w + m[3].w;
-    return (slope + kEpsilon * (z + abs(point.z) * w)) / max(share, kSmallestW);
+    highp float share = max(clip.w, kSmallestW);  // of which viewFromWindow finds the inverse
+    highp float window = clamp(0.5 * clip.z / share + 0.5, 0.0, 1.0);
+    highp float slope = abs(m[2].z - point.z * m[2].w) * (stored.x + stored.y * window);
+    highp vec2 others = abs(m[0].zw) + abs(m[1].zw) + abs(m[3].zw);  // at any uv
+    highp vec2 sums = abs(m[2].zw) * window + others;
+    return (slope + kEpsilon * (sums.x + abs(point.z) * sums.y)) * share;
 }
 
 // How far a point moves along `normal` while its view depth changes by 1 and it stays behind its pixel.
