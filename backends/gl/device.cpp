@@ -145,7 +145,9 @@ Status GlDevice::checkName(const HostTexture& host)
         return failure(Code::bad_input,
                        "the host's texture '" + host.label + "' has the name " +
                            std::to_string(host.name) + ", which is no texture of this context",
-                       "make it in the device's context, or in one that shares with it");
+                       host.name == 0
+                           ? "of a window's own depth say that its kind is a framebuffer"
+                           : "make it in the device's context, or in one that shares with it");
     }
     if (host.samples > 1 && !host.copied() && caps_.version < 310)
         return failure(Code::sampler_version,
@@ -161,16 +163,18 @@ Result<TextureId> GlDevice::adoptTexture(const HostTexture& host)
     if (Status status = checkCurrent(); !status) return status.diagnostics();
     Scope scope(*this);
     if (Status status = checkName(host); !status) return status.diagnostics();
+    HostTexture known = host;
     TextureSlot slot{{}, {}, host.name, host.format, host.extent, host.samples, {}};
     if (host.copied()) {
-        Result<GlHostCopy> copy = GlHostCopy::make(gl_, state_, host);
+        Result<GlHostCopy> copy = GlHostCopy::make(gl_, state_, known);
         if (!copy) return unlessLost(copy.diagnostics(), "adoptTexture").diagnostics();
         slot.copy = std::move(*copy);
         slot.name = slot.copy.texture();
         slot.samples = 1;
-    } else if (Status status = checkHostTexture(gl_, state_, host); !status) {
+    } else if (Status status = checkHostTexture(gl_, state_, known); !status) {
         return unlessLost(status, "adoptTexture").diagnostics();
     }
+    slot.format = known.format;
     return TextureId{textures_.add(std::move(slot))};
 }
 
@@ -284,12 +288,12 @@ ObjectInfo GlDevice::info(ObjectId id) const
 {
     switch (id.kind) {
     case ObjectId::Kind::texture:
-        if (const TextureSlot* texture = textures_.find(id.value))
-            return {true,
-                    texture->renderbuffer.name() != 0 ? 0 : texture->name,
-                    texture->samples,
-                    0,
-                    {}};
+        if (const TextureSlot* texture = textures_.find(id.value)) {
+            ObjectInfo info{true, texture->renderbuffer.name() != 0 ? 0 : texture->name,
+                            texture->samples};
+            info.format = texture->format;
+            return info;
+        }
         return {};
     case ObjectId::Kind::mesh:
         if (const MeshSlot* mesh = meshes_.find(id.value))

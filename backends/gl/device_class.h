@@ -152,6 +152,7 @@ private:
     /// A failure, or CV6016 where the reason is that the context is lost.
     Status unlessLost(const Status& failed, const char* what);
     void attach(GLenum point, TextureId id);
+    void multiplyColors();
     Status fill(GlFramebuffer& framebuffer, const std::string& label,
                 const std::vector<TextureId>& color, TextureId depth);
 

@@ -167,6 +167,14 @@ void GlDevice::drawByHost(void (*drawing)(std::uint32_t program, void* host), vo
 
 void GlDevice::drawFullscreen() { copier_.drawTriangle(gl_); }
 
+/// Has what is drawn multiply the colours that are there, and leave alpha.
+void GlDevice::multiplyColors()
+{
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE);
+    gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+}
+
 Status GlDevice::present(TextureId id, const HostFramebuffer& host)
 {
     if (Status status = check_errors_ ? checkCurrent() : Status(); !status) return status;
@@ -180,6 +188,7 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
         return unlessLost(status, "present");
     setViewport(gl_, static_cast<float>(host.x), static_cast<float>(host.y),
                 static_cast<float>(host.extent.width), static_cast<float>(host.extent.height));
+    if (host.multiply) multiplyColors();
     copier_.copy(gl_, state_, texture.name, sampler({Filter::linear, Wrap::clamp}, texture.format),
                  formatInfo(texture.format).channels);
     return check_errors_ ? takeErrors(gl_, "present") : Status();

@@ -142,7 +142,8 @@ Result<TextureId> RecordingDevice::adoptTexture(const HostTexture& host)
     Diagnostics errors;
     if (failsNow(errors, "texture '" + host.label + "'")) return errors;
     Object object{ObjectId::Kind::texture, host.label};
-    object.texture = {host.label, host.format, host.extent, host.copied() ? 1 : host.samples};
+    const Format format = host.format == Format::none ? Format::depth24 : host.format;
+    object.texture = {host.label, format, host.extent, host.copied() ? 1 : host.samples};
     object.native_name = host.copied() ? 0 : host.name;
     object.copied = host.copied();
     object.defined = true;
@@ -241,7 +242,8 @@ ObjectInfo RecordingDevice::info(ObjectId id) const
             object->origin,
             object->label,
             object->normals,
-            object->uv};
+            object->uv,
+            object->texture.format};
 }
 
 void RecordingDevice::destroy(ObjectId id)

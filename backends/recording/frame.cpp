@@ -236,7 +236,7 @@ Status RecordingDevice::present(TextureId id, const HostFramebuffer& host)
     record(Call::present, id.value,
            {host.name, static_cast<std::uint32_t>(host.x), static_cast<std::uint32_t>(host.y),
             static_cast<std::uint32_t>(host.extent.width),
-            static_cast<std::uint32_t>(host.extent.height)});
+            static_cast<std::uint32_t>(host.extent.height), host.multiply});
     if (in_pass_) blame("present inside a pass");
     const Object* texture = find(id, "present");
     if (texture && !texture->defined)

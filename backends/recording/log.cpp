@@ -198,7 +198,9 @@ std::string RecordingDevice::presentText(const Record& call) const
                                std::to_string(static_cast<std::int32_t>(at[2]));
     Line line;
     line.add(label(call.object)).add("-> framebuffer").addInteger(at[0]).add(extent);
-    return line.add("at").add(corner).text();
+    line.add("at").add(corner);
+    if (at[5] != 0) line.add("multiplied");
+    return line.text();
 }
 
 std::string RecordingDevice::bindingText(const Record& call) const

@@ -20,6 +20,7 @@ HostFramebuffer hostFramebuffer(const crevice_target& target)
     host.x = target.x;
     host.y = target.y;
     host.extent = {target.width, target.height};
+    host.multiply = target.multiply;
     return host;
 }
 

@@ -10,8 +10,7 @@ namespace {
 /// Errors: CV6011 for a name that is no format's, and for an unknown kind.
 Status checkTexture(const crevice_texture& texture)
 {
-    if (Status given = checkGiven(texture.format, "the texture's format"); !given) return given;
-    if (formatFromName(texture.format) == Format::none)
+    if (texture.format && formatFromName(texture.format) == Format::none)
         return Diagnostic{Code::bad_input,
                           "there is no format '" + std::string(texture.format) + "'",
                           suggestName(texture.format, formatNames(), "formats")};
@@ -40,7 +39,7 @@ Status takeTexture(const crevice_texture* given, HostTexture& host)
     if (status) status = checkTexture(texture);
     if (!status) return status;
     host.name = texture.name;
-    host.format = formatFromName(texture.format);
+    host.format = texture.format ? formatFromName(texture.format) : Format::none;
     host.extent = {texture.width, texture.height};
     host.samples = texture.samples == 0 ? 1 : texture.samples;
     host.kind = kindOf(texture.kind);

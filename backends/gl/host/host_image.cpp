@@ -138,6 +138,12 @@ bool GlHeld::fits(Format format) const
     return enough;
 }
 
+Format GlHeld::depthFormat() const
+{
+    if (type == GL_FLOAT) return Format::depth32f;
+    return bits[4] == 16 ? Format::depth16 : Format::depth24;
+}
+
 bool GlHeld::empty() const
 {
     return type == GL_NONE || std::all_of(bits, bits + 5, [](GLint count) { return count == 0; });

@@ -21,6 +21,9 @@ struct GlHeld {
 
     /// Whether it can be taken for that format: drivers may hold more bits than were asked for.
     bool fits(Format format) const;
+
+    /// What depth it is.
+    Format depthFormat() const;
     bool empty() const;
 };
 

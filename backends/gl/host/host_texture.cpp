@@ -16,7 +16,8 @@ constexpr GLenum kDepthComponent32 = 0x81A7;  // desktop OpenGL alone
 
 bool isDepth(const HostTexture& host)
 {
-    return formatInfo(host.format).format_class == FormatClass::depth;
+    return host.format == Format::none ||
+           formatInfo(host.format).format_class == FormatClass::depth;
 }
 
 std::string nameOf(const HostTexture& host)
@@ -60,15 +61,19 @@ Status attachForReading(GlApi& gl, const HostTexture& host, GLuint framebuffer)
     return misfit(
         host,
         host.samples > 1 ? "is no GL_TEXTURE_2D_MULTISAMPLE" : kWhat[static_cast<int>(host.kind)],
-        "say what it is by HostTexture::kind, layer and samples");
+        "say what it is: its kind, layer and samples");
+}
+
+bool isDefault(const HostTexture& host)
+{
+    return host.kind == HostTexture::Kind::framebuffer && host.name == 0;
 }
 
 /// Where the host's image is attached in the bound read framebuffer.
 GLenum pointOf(const HostTexture& host)
 {
-    const bool is_default = host.kind == HostTexture::Kind::framebuffer && host.name == 0;
     if (!isDepth(host)) return GL_COLOR_ATTACHMENT0;
-    return is_default ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+    return isDefault(host) ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
 }
 
 Status checkHeld(const HostTexture& host, const GlHeld& held)
@@ -76,11 +81,13 @@ Status checkHeld(const HostTexture& host, const GlHeld& held)
     if (held.empty())
         return misfit(host,
                       "holds nothing of the kind of " + std::string(formatInfo(host.format).name),
-                      "give it storage, and say its format by HostTexture::format");
-    if (held.fits(host.format) && !held.srgb) return {};
+                      "give it storage, and say its format");
+    // Who made the default framebuffer asked for no bits in particular, and finer steps are better.
+    const bool as_said = !isDefault(host) || held.depthFormat() == host.format;
+    if (held.fits(host.format) && !held.srgb && as_said) return {};
     return misfit(host,
                   "holds " + textOf(held) + "; it was said to be " + formatInfo(host.format).name,
-                  "say its format by HostTexture::format, or hand over another");
+                  "say that, or for depth no format, or hand over another");
 }
 
 /// Of the image that is attached to the bound read framebuffer.
@@ -97,7 +104,7 @@ Status checkSize(const GlApi& gl, const HostTexture& host)
             (host.part ? ", and the picture in it is said to end at " : "; it was said to have ") +
             sizeText(end),
         host.part ? "keep the picture within it"
-                  : "say its size by HostTexture::extent; of a part, set part, x and y");
+                  : "say its own width and height; of a part, set part, x and y");
 }
 
 /// What a texture reads as, beside what it holds.
@@ -141,13 +148,13 @@ std::vector<GLenum> copyFormats(const HostTexture& host, const GlHeld& held)
 
 Status checkKind(const HostTexture& host)
 {
-    if (host.format == Format::none || host.extent.width < 1 || host.extent.height < 1)
-        return misfit(host, "has no format or size", "set HostTexture::format and extent");
+    if (host.extent.width < 1 || host.extent.height < 1)
+        return misfit(host, "has no size", "say its width and height");
     if (host.kind == HostTexture::Kind::framebuffer && !isDepth(host))
         return misfit(host, "is asked for colour", "hand over the texture that it draws into");
     if (host.samples < 1)
         return misfit(host, "has " + std::to_string(host.samples) + " samples a pixel",
-                      "set HostTexture::samples to 1 or more");
+                      "say 1 or more");
     const bool placed = host.copied();
     if (!isCountable(placed ? host.x : 0, placed ? host.y : 0, host.extent))
         return misfit(host, "is asked for pixels below 0 or past " + std::to_string(kLastPixel),
@@ -159,19 +166,20 @@ Status checkKind(const HostTexture& host)
 
 }  // namespace
 
-Status checkHostTexture(GlApi& gl, GlState& state, const HostTexture& host)
+Status checkHostTexture(GlApi& gl, GlState& state, HostTexture& host)
 {
     if (Status status = checkKind(host); !status) return status;
     const auto framebuffer = GlFramebuffer::make(gl);
     if (Status status = attachForReading(gl, host, framebuffer.name()); !status) return status;
     const GlHeld held = readHeld(gl, GL_READ_FRAMEBUFFER, pointOf(host));
     (void)gl.GetError();  // of what an attachment that is none cannot be asked
+    if (host.format == Format::none) host.format = held.depthFormat();
     if (Status status = checkHeld(host, held); !status) return status;
     if (Status status = checkSize(gl, host); !status) return status;
     return host.kind == HostTexture::Kind::texture ? checkReading(gl, state, host) : Status();
 }
 
-Result<GlHostCopy> GlHostCopy::make(GlApi& gl, GlState& state, const HostTexture& host)
+Result<GlHostCopy> GlHostCopy::make(GlApi& gl, GlState& state, HostTexture& host)
 {
     if (Status status = checkHostTexture(gl, state, host); !status) return status.diagnostics();
     GlHostCopy copy;

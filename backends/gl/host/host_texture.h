@@ -12,20 +12,21 @@
 namespace crevice {
 
 /// Whether a host's texture that is read as it is has the kind, format and size that it is said to
-/// have. Clobbers unit 0 and the read framebuffer.
+/// have. Puts in the format where none is said. Clobbers unit 0 and the read framebuffer.
 ///
 /// Errors: CV6011 with what it has instead, and the way out.
-Status checkHostTexture(GlApi& gl, GlState& state, const HostTexture& host);
+Status checkHostTexture(GlApi& gl, GlState& state, HostTexture& host);
 
 /// A texture of the device's with what the host has elsewhere.
 class GlHostCopy {
 public:
     GlHostCopy() = default;
 
-    /// Makes the texture and copies into it. Clobbers unit 0 and both framebuffers.
+    /// Makes the texture and copies into it. Puts in the format where none is said. Clobbers unit 0
+    /// and both framebuffers.
     ///
     /// Errors: CV6011 where there is nothing of that kind, format, layer or size; CV6005, CV6009.
-    static Result<GlHostCopy> make(GlApi& gl, GlState& state, const HostTexture& host);
+    static Result<GlHostCopy> make(GlApi& gl, GlState& state, HostTexture& host);
 
     /// Copies again. Clobbers both framebuffers. Errors: CV6005, CV6011.
     Status update(GlApi& gl) const;

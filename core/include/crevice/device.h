@@ -161,7 +161,8 @@ struct HostTexture {
 
     std::uint32_t name = 0;  ///< The API's own (GLuint).
     std::string label = {};  ///< For messages.
-    /// depth24 also stands for GL_DEPTH24_STENCIL8, and depth32f for GL_DEPTH32F_STENCIL8.
+    /// depth24 also stands for GL_DEPTH24_STENCIL8, and depth32f for GL_DEPTH32F_STENCIL8. `none`:
+    /// depth of whichever of the three formats GL says.
     Format format = Format::depth24;
     Extent extent = {};  ///< Of the picture, in pixels; all that the object has, unless `part`.
     int samples = 1;     ///< Above 1 only of a texture: all else is copied, and so resolved.
@@ -294,6 +295,7 @@ struct ObjectInfo {
     std::string_view label = {};    ///< Of a mesh; good as long as that is.
     bool normals = true;            ///< Whether a mesh has them,
     bool uv = true;                 ///< ... and these.
+    Format format = Format::none;   ///< Of a texture.
 };
 
 /// A uniform that a linked program really has.
@@ -353,6 +355,10 @@ struct HostFramebuffer {
     Extent extent = {};
     std::uint32_t texture = 0;  ///< A GL_TEXTURE_2D instead of a framebuffer, where it is not 0.
     int level = 0;              ///< ... of which this level is drawn into.
+
+    /// Multiplies what is there instead, each channel by that of the output, and leaves its alpha:
+    /// AO darkens a finished picture so.
+    bool multiply = false;
 };
 
 /// One context's worth of graphics. Every function must be called with that context current. Where

@@ -9,8 +9,7 @@
 //     crevice_device_create(&device_desc, &device);
 //
 //     crevice_effect_desc desc = {.struct_size = sizeof desc, .width = 1920, .height = 1080};
-//     desc.config = "{\"format\": 1, \"name\": \"ao\", \"extends\": [\"geometry/host_depth\","
-//                   "\"ssao/gtao\", \"filter/bilateral_normal\"]}";
+//     desc.config = "mobile+geometry/host_depth";
 //     crevice_effect* effect;
 //     crevice_effect_create(device, &desc, &effect);
 //
@@ -41,7 +40,7 @@
 //             the context is current on. Devices in different contexts run side by side. Errors
 //             and crevice_version belong to no thread.
 // GL state    It is as before after each call, if your context was current (see
-//             crevice_device_desc); docs/host.md says what must be at its default.
+//             crevice_device_desc).
 //
 // The configs, params and outputs are those of configs/README.md and docs/methods.
 #ifndef CREVICE_CREVICE_H
@@ -177,7 +176,8 @@ CREVICE_API crevice_error* crevice_device_get_info(const crevice_device* device,
 /// called from then on; destroy the device and its effects whenever you like.
 CREVICE_API void crevice_device_abandon(crevice_device* device);
 
-/// What was made on it goes on until it is destroyed too; the last one needs the context current.
+/// What was made on it goes on until it is destroyed too, so that you may keep the effect alone;
+/// the last one needs the context current.
 CREVICE_API void crevice_device_destroy(crevice_device* device);
 
 // ---- Effect: a config that runs -----------------------------------------------------------------
@@ -186,8 +186,10 @@ CREVICE_API void crevice_device_destroy(crevice_device* device);
 typedef struct crevice_effect_desc {
     size_t struct_size;
 
-    /// The name of a config, the path of a file that ends in ".json", or JSON text that begins with
-    /// '{'. Files that JSON text names are found as those of a file in the current folder.
+    /// The name of a config ("mobile"), or with modules laid over it
+    /// ("mobile+geometry/host_depth"); the path of a file that ends in ".json"; or JSON text that
+    /// begins with '{'. Files that JSON text names are found as those of a file in the current
+    /// folder.
     const char* config;
 
     /// A folder with modules and configs of your own, or null: FOLDER/effects/ssao/mine.json is the
@@ -231,8 +233,9 @@ CREVICE_API const crevice_error* crevice_effect_warnings(const crevice_effect* e
 
 // ---- What a frame is drawn from -----------------------------------------------------------------
 
-/// The matrix that drew the depth: 16 floats by columns, as for glUniformMatrix4fv. It may be
-/// off-centre, flipped, turned, reversed or left-handed. Default: orthographic, of the cube
+/// The matrix that drew the depth, without the view: 16 floats by columns, as for
+/// glUniformMatrix4fv. It may be off-centre, flipped, turned, reversed or left-handed. Default:
+/// orthographic, of the cube
 /// [-1, 1].
 CREVICE_API crevice_error* crevice_effect_set_projection(crevice_effect* effect,
                                                          const float* clip_from_view);
@@ -287,7 +290,7 @@ typedef struct crevice_texture {
     uint32_t name;  ///< The GLuint.
 
     /// As configs have it: "depth16", "depth24" (with a stencil or without), "depth32f" (likewise),
-    /// "rgba8" ...
+    /// "rgba8" ... Null: depth of whichever of the three formats GL says.
     const char* format;
     int width, height;  ///< Of the picture, in pixels.
     crevice_texture_kind kind;
@@ -579,11 +582,15 @@ typedef struct crevice_target {
     int x, y;              ///< The rectangle's lower left pixel.
     int width, height;     ///< Of the rectangle, in pixels, above 0.
     int view;              ///< Whose output it is, from 0.
+
+    /// Multiplies what is there instead, each channel by that of the output, and leaves its alpha:
+    /// AO darkens a finished picture so.
+    bool multiply;
 } crevice_target;
 
 /// Draws an output into a rectangle of a framebuffer or texture of yours, scaled: one channel, as
-/// AO has, as grey, two as red and green, alpha 1 where it has none. To half the size, each pixel is
-/// the mean of four. The rest stays as it is.
+/// AO has, as grey, two as red and green, alpha 1 where it has none. To half the size, each pixel
+/// is the mean of four. The rest stays as it is.
 ///
 /// Errors: CV2209 for an unknown name, CV6011 for a rectangle without pixels or one that leaves the
 /// target, and for a view that no frame has had, CV6005 where GL draws into no such target, CV6004,
