@@ -14,28 +14,12 @@ namespace crevice {
 
 namespace {
 
-constexpr const char* kOwnText = "configs/(JSON text).json";
-
 /// A texture of the host's under an id of the device.
 struct SetTexture {
     std::string import;
     HostTexture host;
     TextureId id;
 };
-
-Result<Description> describe(std::string_view config)
-{
-    MemorySources own;
-    LayeredSources sources({&own, &shippedSources()});
-    LoadRequest request{std::string(config)};
-    if (config.substr(0, 1) == "{") {
-        own.add(kOwnText, std::string(config), "(JSON text)");
-        request.config = "(JSON text)";
-    }
-    const Result<Node> document = loadConfig(sources, request);
-    if (!document) return document.diagnostics();
-    return decode(*document, sources);
-}
 
 /// Errors: CV2102 where the config imports no texture of that name.
 Status checkImport(const Description& description, std::string_view name)
@@ -46,8 +30,27 @@ Status checkImport(const Description& description, std::string_view name)
     if (std::count(imports.begin(), imports.end(), name) > 0) return {};
     Diagnostic unknown{Code::reference_missing,
                        "the config imports no texture '" + std::string(name) + "'"};
-    unknown.help = suggestName(name, std::move(imports), "textures");
+    unknown.help = imports.empty()
+                       ? "lay a module over it that takes textures of the host's, as in "
+                         "'mobile+geometry/host_depth'"
+                       : suggestName(name, std::move(imports), "textures");
     return unknown;
+}
+
+/// A warning where a config asks for the camera, and the projection is what nobody sets.
+Diagnostics checkProjection(const Description& description, const Camera& camera)
+{
+    if (camera.clip_from_view != Camera().clip_from_view) return {};
+    for (const ImportDesc& import : description.imports) {
+        if (import.type != ImportType::camera) continue;
+        Diagnostic unset{Code::missing_import,
+                         "the projection was never set: occlusion is that of an orthographic view "
+                         "of the cube [-1, 1]"};
+        unset.help = "set the matrix that drew the depth, by Effect::setProjection";
+        unset.severity = Severity::warning;
+        return {unset};
+    }
+    return {};
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ Status checkImport(const Description& description, std::string_view name)
 struct Effect::State {
     Device& device;
     Frame frame = {};
-    bool has_projection = false, has_view = false;
+    bool has_projection = false, has_view = false, has_drawn = false;
     std::vector<SetTexture> textures = {};
     std::unique_ptr<Renderer> renderer = nullptr;
 
@@ -99,7 +102,9 @@ Effect::~Effect() = default;
 Result<Effect> Effect::create(Device& device, std::string_view config, Extent size,
                               std::vector<std::string> outputs)
 {
-    Result<Description> description = describe(config);
+    const Result<Node> document = loadConfig(shippedSources(), {std::string(config)});
+    if (!document) return document.diagnostics();
+    Result<Description> description = decode(*document, shippedSources());
     if (!description) return description.diagnostics();
     auto state = std::make_unique<State>(device);
     CompileOptions options;
@@ -139,7 +144,8 @@ Status Effect::setTexture(std::string_view name, const HostTexture& host)
     labelled.label = name;
     const Result<TextureId> adopted = state_->device.adoptTexture(labelled);
     if (!adopted) return adopted.diagnostics();
-    const Status planned = state_->renderer->setImportFormat(name, host.format);
+    const Format format = state_->device.info(*adopted).format;
+    const Status planned = state_->renderer->setImportFormat(name, format);
     if (!planned) {
         state_->device.destroy(*adopted);
         return planned;
@@ -180,7 +186,11 @@ Status Effect::render()
     for (const SetTexture& texture : state_->textures)
         if (texture.id && texture.host.copied())
             if (Status status = state_->device.refresh(texture.id); !status) return status;
-    return state_->renderer->render(state_->frame);
+    Status status = state_->renderer->render(state_->frame);
+    if (!status || std::exchange(state_->has_drawn, true) || state_->has_projection) return status;
+    Diagnostics diagnostics = status.diagnostics();
+    append(diagnostics, checkProjection(state_->renderer->description(), state_->frame.camera));
+    return diagnostics;
 }
 
 std::uint32_t Effect::nativeName(std::string_view name) const

@@ -2,6 +2,7 @@
 #include "backends/gl/api.h"
 
 #include "backends/gl/failure.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cstring>
@@ -37,6 +38,19 @@ std::vector<const char*> missingOnEs(const GlApi& gl)
     return missing;
 }
 
+/// Some loaders find nothing where no context is current, GLFW's among them; others find functions
+/// that do nothing.
+Status checkCurrent(const GlApi& gl)
+{
+    if (gl.GetString && gl.GetString(GL_VERSION)) return {};
+    if (gl.GetError && gl.GetError() == GL_CONTEXT_LOST) return contextLost("makeGlDevice");
+    return failure(Code::gl_version,
+                   std::string("no GL context is current on this thread") +
+                       (gl.GetString ? "" : ", or the loader finds none of its functions"),
+                   "make the context current before making a device in it, and give the loader of "
+                   "what made it");
+}
+
 template <class Value, class... Arguments>
 void silence(Value(GL_APIENTRY*& function)(Arguments...))
 {
@@ -51,21 +65,16 @@ Result<GlApi> loadGlApi(const GlLoader& load)
         return failure(Code::gl_function, "the loader of GL functions is empty",
                        "give makeGlDevice a function such as eglGetProcAddress");
     GlApi api;
-    Diagnostics errors;
+    std::vector<std::string> missing;
 #define CREVICE_GL_LOAD(name, upper, required) \
     api.name = reinterpret_cast<PFNGL##upper##PROC>(load("gl" #name)); \
-    if (required && !api.name) \
-        errors.push_back(failure(Code::gl_function, "the context has no function gl" #name, kHelp));
+    if (required && !api.name) missing.push_back("gl" #name);
     CREVICE_GL_FUNCTIONS(CREVICE_GL_LOAD)
 #undef CREVICE_GL_LOAD
-    for (const char* name : missingOnEs(api))
-        errors.push_back(failure(Code::gl_function,
-                                 "the context has no function gl" + std::string(name), kHelp));
-    if (!errors.empty()) return errors;
-    if (api.GetString(GL_VERSION)) return api;
-    if (api.GetError() == GL_CONTEXT_LOST) return contextLost("makeGlDevice");
-    return failure(Code::gl_version, "no GL context is current on this thread",
-                   "make the context current before making a device in it");
+    if (const Status status = checkCurrent(api); !status) return status.diagnostics();
+    for (const char* name : missingOnEs(api)) missing.push_back("gl" + std::string(name));
+    if (missing.empty()) return api;
+    return failure(Code::gl_function, "the context has no function " + joined(missing), kHelp);
 }
 
 const char* glErrorName(GLenum error)

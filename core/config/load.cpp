@@ -4,6 +4,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/config/joined_name.h"
 #include "core/config/left_out.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"
@@ -36,14 +37,38 @@ std::vector<std::string> extendsNames(const SourceSet& sources)
     return names;
 }
 
+// Whether it is the config itself and not its name.
+bool isText(const std::string& config) { return startsWith(config, "{"); }
+
 // The roots of all files of a request: its own, and the folder of the config.
 std::vector<std::string> rootsOf(const LoadRequest& request)
 {
     std::vector<std::string> roots = request.roots;
     const fs::path config = request.config;
-    if (endsWith(request.config, kSuffix))
+    if (isText(request.config))
+        roots.push_back(".");
+    else if (endsWith(request.config, kSuffix))
         roots.push_back(config.has_parent_path() ? config.parent_path().string() : ".");
     return roots;
+}
+
+// A module that is named with the config is laid over it as an override's.
+LoadRequest spreadOut(LoadRequest request)
+{
+    const std::vector<std::string> parts = splitName(request.config);
+    request.config = parts[0];
+    for (std::size_t i = parts.size(); i-- > 1;)
+        request.overrides.insert(request.overrides.begin(), "+" + parts[i]);
+    return request;
+}
+
+// A module is none by itself, and the way to it is short.
+std::string configHelp(const SourceSet& sources, const std::string& config)
+{
+    if (sources.find(config + std::string(kSuffix)))
+        return "'" + config + "' is a module: lay it over a config, as in 'mobile+" + config + "'";
+    return suggestName(config, configNames(sources), "shipped configs") +
+           "; the name of a file of your own ends in .json";
 }
 
 Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& request)
@@ -51,14 +76,16 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     const std::string& config = request.config;
     const bool file = endsWith(config, kSuffix);
     const auto roots = std::make_shared<const std::vector<std::string>>(rootsOf(request));
+    if (isText(config))
+        return std::make_shared<const SourceText>(SourceText{"(JSON text)", config, {}, {}, roots});
     if (SourceRef source = file ? readFile(config, roots) : nullptr) return source;
     const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
     if (SourceRef source = sources.find(file ? config : shipped)) return source;
     return Diagnostic{Code::module_missing,
                       file ? "the file '" + config + "' " + absenceOf(config)
                            : "there is no config '" + config + "'",
-                      suggestName(config, configNames(sources), "shipped configs") +
-                          (file ? "" : "; the name of a file of your own ends in .json")};
+                      file ? suggestName(config, configNames(sources), "shipped configs")
+                           : configHelp(sources, config)};
 }
 
 // Takes the member out of the object.
@@ -500,8 +527,9 @@ void keepOwnName(Node& document, const Node& own)
 
 }  // namespace
 
-Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
+Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
 {
+    const LoadRequest request = spreadOut(asked);
     const Result<SourceRef> config = findConfig(sources, request);
     if (!config) return config.diagnostics();
     FileLoader loader(sources, request);
@@ -536,8 +564,9 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& request)
     return document;
 }
 
-std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& request)
+std::vector<std::string> variantNames(const SourceSet& sources, const LoadRequest& asked)
 {
+    const LoadRequest request = spreadOut(asked);
     const Result<SourceRef> source = findConfig(sources, request);
     if (!source) return {};
     FileLoader loader(sources, request);

@@ -67,7 +67,7 @@ Status Execution::checkImports(const Frame& frame) const
             !findTexture(frame.textures, import.name))
             return refused(import, Code::missing_import,
                            " has no texture for import '" + import.name + "'",
-                           "add one of that name to Frame::textures, or make the import optional");
+                           "hand one over by Effect::setTexture, or in Frame::textures");
     for (std::size_t view = 0; view < views_.size(); ++view) {
         for (const PreparedPass& pass : views_[view].passes) {
             for (const TextureBinding& binding : pass.textures) {

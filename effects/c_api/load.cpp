@@ -14,8 +14,6 @@ namespace crevice {
 
 namespace {
 
-constexpr const char* kTextName = "(JSON text)";
-
 /// Lays the patch over the document.
 Status applyPatch(Node& document, const std::string& patch)
 {
@@ -71,12 +69,8 @@ std::vector<std::string> overridesOf(const Description& loaded, const Descriptio
 
 Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request)
 {
-    MemorySources own;
-    const CheckoutSources checkout(request.folder);
-    const LayeredSources sources({&own, &checkout});
-    const bool text = startsWith(request.config, "{");
-    if (text) own.add("configs/" + std::string(kTextName) + ".json", request.config, kTextName);
-    Result<Node> bare = loadConfig(sources, {text ? kTextName : request.config});
+    const CheckoutSources sources(request.folder);
+    Result<Node> bare = loadConfig(sources, {request.config});
     if (!bare) return bare.diagnostics();
     auto loaded = std::make_unique<LoadedConfig>();
     loaded->bare = std::move(*bare);

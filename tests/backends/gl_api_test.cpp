@@ -82,6 +82,14 @@ TEST_CASE("a context that lacks a function is refused by the function's name")
     CHECK(error.message.find("glTexStorage2D") != std::string::npos);
 }
 
+TEST_CASE("a loader that finds nothing is told that no context is current")
+{
+    const Result<GlApi> gl = loadGlApi([](const char*) -> void* { return nullptr; });
+    REQUIRE(gl.diagnostics().size() == 1);
+    CHECK(gl.diagnostics()[0].code == Code::gl_version);
+    CHECK(gl.diagnostics()[0].message.find("no GL context is current") != std::string::npos);
+}
+
 TEST_CASE("an empty loader is refused")
 {
     const Result<GlApi> gl = loadGlApi({});

@@ -109,7 +109,7 @@ static void check_nulls_of(crevice_effect* effect)
 static void check_scene(crevice_device* device)
 {
     const float positions[] = {-1, -1, -2, 1, -1, -2, 0, 1, -2};
-    const float projection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.1f, -1, 0, 0, 0, 1};
+    const float projection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.1f, -1, 0, 0, -1.05f, 0};
     crevice_effect_desc desc = {.struct_size = sizeof desc, .width = 32, .height = 18};
     desc.config = "mobile";
     crevice_effect* effect = NULL;

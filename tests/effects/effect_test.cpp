@@ -31,7 +31,9 @@ TEST_CASE("An effect is made of a config's name, of JSON text or of a file")
     RecordingDevice device;
     TemporaryFolder folder("effect");
     const std::string file = folder.write("mine.json", kHostDepth);
-    for (const std::string& config : {std::string("balanced"), std::string(kHostDepth), file}) {
+    for (const std::string& config :
+         {std::string("balanced"), std::string("mobile+geometry/host_depth"),
+          std::string(kHostDepth), file}) {
         INFO(config);
         Effect effect = need(Effect::create(device, config, kExtent, {"ao"}));
         CHECK(effect.renderer().plan().outputs.size() == 1);
@@ -223,6 +225,25 @@ TEST_CASE("A host's depth of another format plans again, for its own steps")
     CHECK(!effect.renderer().setImportFormat("dept", Format::depth16));
 }
 
+TEST_CASE("An effect whose projection was never set warns once")
+{
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    need(effect.setTexture("depth", 7, Format::depth24, kExtent));
+    const auto warnings = [&] {
+        const Status status = effect.render();
+        CHECK(status.ok());
+        return messagesOf(status.diagnostics());
+    };
+    CHECK(warnings().find("setProjection") != std::string::npos);
+    CHECK(warnings().find("setProjection") == std::string::npos);
+
+    Effect told = need(Effect::create(device, kHostDepth, kExtent));
+    told.setProjection(kProjection);
+    need(told.setTexture("depth", 7, Format::depth24, kExtent));
+    CHECK(messagesOf(told.render().diagnostics()).find("setProjection") == std::string::npos);
+}
+
 TEST_CASE("An effect refuses what its config does not know, with a way out")
 {
     RecordingDevice device;
@@ -240,6 +261,9 @@ TEST_CASE("An effect refuses what its config does not know, with a way out")
     REQUIRE(!texture);
     CHECK(texture.diagnostics()[0].code == Code::reference_missing);
     CHECK(messagesOf(texture.diagnostics()).find("did you mean 'depth'") != std::string::npos);
+    Effect drawn = need(Effect::create(device, "mobile", kExtent));
+    const Status no_import = drawn.setTexture("depth", 7, Format::depth24, kExtent);
+    CHECK(messagesOf(no_import.diagnostics()).find("+geometry/host_depth") != std::string::npos);
     CHECK(!effect.setParam("radiuss", 1));
     CHECK(!effect.setFeature("no_such", "true"));
     CHECK(effect.frame().textures.empty());

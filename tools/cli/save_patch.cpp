@@ -5,6 +5,7 @@
 #include <crevice/config.h>
 
 #include "core/base/text.h"
+#include "core/config/joined_name.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"
 #include "tools/cli/output_request.h"
@@ -64,7 +65,9 @@ Status checkPatchFile(const ConfigOptions& options, const std::string& file)
 Status savePatch(const ConfigOptions& options, const SourceSet& sources, const std::string& file)
 {
     std::vector<std::string> added;  // modules, each with a plus in front
-    auto extends = nlohmann::json::array({extendsEntry(options.config, file)});
+    auto extends = nlohmann::json::array();
+    for (const std::string& name : splitName(options.config))
+        extends.push_back(extendsEntry(name, file));
     for (const std::string& text : options.overrides) {
         if (!startsWith(text, "+")) continue;
         added.push_back(text);

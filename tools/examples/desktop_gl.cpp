@@ -71,9 +71,7 @@ double run(GLFWwindow* window, const GlLoader& loader, int frames)
         glm::perspective(glm::radians(60.0f), 1.0f * kSize.width / kSize.height, 0.1f, 100.0f);
     const Scene scene("#version 330\n", projection);
     const auto device = need(makeGlDevice(loader));
-    Effect effect = need(Effect::create(*device, R"({ "format": 1, "name": "ao",
-        "extends": ["balanced", "geometry/host_depth"] })",
-                                        kSize));
+    Effect effect = need(Effect::create(*device, "balanced+geometry/host_depth", kSize));
     effect.setProjection(glm::value_ptr(projection));
     need(effect.setTexture("depth", windowDepth()));
     need(effect.setParam("radius", 1.0f));

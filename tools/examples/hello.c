@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion from C: depth of a floor that meets a wall goes in, the mean of AO comes out.
 //
-//     cc hello.c $(pkg-config --cflags --libs crevice) -lGLESv2
+//     cc hello.c $(pkg-config --static --cflags --libs crevice) -lGLESv2
 //
 // An application has a context and a depth texture of its own, and begins at crevice_device_create.
 #include <crevice/crevice.h>

@@ -57,9 +57,7 @@ GLuint makeFramebuffer(GLuint depth)
 
 Effect makeEffect(Device& device, GLuint depth, const glm::mat4& projection)
 {
-    Effect effect = need(Effect::create(device, R"({ "format": 1, "name": "ao",
-        "extends": ["mobile", "geometry/host_depth"] })",
-                                        kSize));
+    Effect effect = need(Effect::create(device, "mobile+geometry/host_depth", kSize));
     effect.setProjection(glm::value_ptr(projection));
     need(effect.setTexture("depth", depth, Format::depth24, kSize));
     need(effect.setParam("radius", 1.0f));

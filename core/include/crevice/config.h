@@ -250,7 +250,10 @@ constexpr int kMaxExtendsDepth = 8;
 
 /// What to load and what to lay over it.
 struct LoadRequest {
-    std::string config;        ///< A shipped config's name ("learnopengl"), or the path of a file.
+    /// A shipped config's name ("learnopengl"), or the path of a file that ends in ".json"; behind
+    /// it modules to lay over it, each with a plus in front: "mobile+geometry/host_depth". Or the
+    /// JSON text itself, from its '{' on, which names files as one in the current folder would.
+    std::string config;
     std::string variant = {};  ///< A name under `variants`; empty for none.
     /// "radius=0.8": a param's default or a feature's, or a pointer, "/passes/blur/when=null", or a
     /// module that the config or a config that it extends names, and another:

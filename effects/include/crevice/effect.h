@@ -3,9 +3,7 @@
 // application needs which has a depth texture and wants its ambient occlusion.
 //
 //     auto device = makeGlDevice(loader);
-//     auto effect = Effect::create(**device, R"({ "format": 1, "name": "ao",
-//         "extends": ["geometry/host_depth", "ssao/gtao", "filter/bilateral_normal"] })", {1920,
-//         1080});
+//     auto effect = Effect::create(**device, "mobile+geometry/host_depth", {1920, 1080});
 //     effect->setProjection(clip_from_view);
 //     effect->setTexture("depth", depth_texture, Format::depth24, {1920, 1080});
 //     effect->render();
@@ -42,9 +40,10 @@ public:
     /// Loads a config and creates every object that it needs on the device, which must outlive the
     /// effect. Its context must be current here and in all calls below.
     ///
-    /// `config` is the name of a shipped config ("balanced"), the path of a file that ends in
-    /// ".json", or JSON text that begins with '{'. Files and folders that a JSON text names are
-    /// found as those of a file in the current folder. `outputs` names those that are wanted, such
+    /// `config` is the name of a shipped config ("balanced"), or with modules laid over it
+    /// ("balanced+geometry/host_depth"); the path of a file that ends in ".json"; or JSON text that
+    /// begins with '{'. Files that a JSON text names are found as those of a file in the current
+    /// folder. `outputs` names those that are wanted, such
     /// as {"ao"}; passes that none of them needs are left out. Empty means all.
     ///
     /// Errors: those of loadConfig, decode and Renderer::create.
@@ -55,8 +54,8 @@ public:
     Effect& operator=(Effect&&) noexcept;
     ~Effect();
 
-    /// The projection: 16 floats by columns, as for glUniformMatrix4fv. It may be off-centre,
-    /// flipped, turned or left-handed. Default: orthographic, of the cube [-1, 1].
+    /// The projection, without the view: 16 floats by columns, as for glUniformMatrix4fv. It may be
+    /// off-centre, flipped, turned or left-handed. Default: orthographic, of the cube [-1, 1].
     void setProjection(const float* clip_from_view);
 
     /// Where the camera stands: 16 doubles by columns. Default: at the origin, looking along -z,
@@ -89,10 +88,12 @@ public:
     Status setParam(std::string_view name, const float* values, int count);
     Status setFeature(std::string_view name, std::string_view value);
 
-    /// Errors: those of Renderer::resize; the old size stays.
+    /// Costs nothing where the size is as before. Errors: those of Renderer::resize; the old size
+    /// stays.
     Status resize(Extent size);
 
-    /// Draws what has changed since the last frame. Errors and warnings: those of Renderer::render.
+    /// Draws what has changed since the last frame. Errors and warnings: those of Renderer::render;
+    /// a warning CV6010 with the first frame where the projection is still the default.
     Status render();
 
     /// The API's name of an output's texture, which is the device's: sample it, and neither write

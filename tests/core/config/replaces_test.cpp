@@ -176,3 +176,37 @@ TEST_CASE("The words of needs and replaces are a list, and belong into a file")
         with(R"("extends": ["plain"], "variants": {"a": {"replaces": ["scene"]}})"), {"mine", "a"});
     CHECK(late.code == Code::unknown_key);
 }
+
+TEST_CASE("A module named behind the config is laid over it, as if by an override")
+{
+    const MemorySources sources = sceneCatalog();
+    const Node named = loaded(sources, {"plain+geometry/host_normal+ssao"});
+    const Node laid = loaded(sources, {"plain", "", {"+geometry/host_normal", "+ssao"}});
+    CHECK(toJson(named) == toJson(laid));
+    CHECK(at(named, "imports/normal"));
+    CHECK(at(named, "name")->text == "plain");
+
+    TemporaryFolder folder("a+b");
+    const std::string file_name = folder.write("mine.json", file(R"("extends": ["plain"])"));
+    CHECK(at(loaded(sources, {file_name}), "imports/scene"));
+    CHECK(at(loaded(sources, {file_name + "+geometry/host"}), "imports/depth"));
+    CHECK(variantNames(sources, {"plain+geometry/host"}) == std::vector<std::string>{"bare"});
+}
+
+TEST_CASE("A module alone is no config, and the message says how to lay it over one")
+{
+    const Diagnostic alone = failure(sceneCatalog(), {"geometry/host"});
+    CHECK(alone.code == Code::module_missing);
+    CHECK(alone.help.find("+geometry/host'") != std::string::npos);
+    const Diagnostic misspelt = failure(sceneCatalog(), {"plain+geometry/hots"});
+    CHECK(misspelt.code == Code::module_missing);
+    CHECK(misspelt.help.find("did you mean 'geometry/host'") != std::string::npos);
+}
+
+TEST_CASE("JSON text is a config, and plus signs in it are its own")
+{
+    const Node document =
+        loaded(sceneCatalog(), {file(R"("extends": ["plain"], "description": "a+b")")});
+    CHECK(at(document, "description")->text == "a+b");
+    CHECK(document.place.source->name == "(JSON text)");
+}
