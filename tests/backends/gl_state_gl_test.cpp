@@ -2,7 +2,7 @@
 // The host's state: strange values go in, the same come out, and the picture does not care. Whole
 // lives of hosts are in host_states_gl_test.cpp.
 #include "backends/gl/caps.h"
-#include "tests/backends/host_states/random_host.h"
+#include "tests/backends/host/states/random_host.h"
 #include "tests/support/gl_fixture.h"
 
 namespace crevice {

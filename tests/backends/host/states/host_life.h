@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backends/gl/caps.h"
-#include "tests/backends/host_states/random_host.h"
+#include "tests/backends/host/states/random_host.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/kept_programs.h"
 

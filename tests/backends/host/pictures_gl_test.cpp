@@ -106,6 +106,10 @@ TEST_CASE_METHOD(Pictures, "Depth of every format is read, whole and in part")
         const GLuint name = depthTexture(format, kExtent);
         HostTexture host{name, "depth", format.format, kExtent};
         checkStep(need(device->adoptTexture(host)), 3);
+        host.format = Format::none;
+        const TextureId found = need(device->adoptTexture(host));
+        CHECK(device->info(found).format == format.format);
+        checkStep(found, 3);
         host.part = true;
         host.x = 2;
         host.y = 1;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "backends/gl/objects.h"
-#include "tests/backends/host_states/settings.h"
-#include "tests/backends/host_states/state_reader.h"
+#include "tests/backends/host/states/settings.h"
+#include "tests/backends/host/states/state_reader.h"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/backends/host_states/random_host.h"
+#include "tests/backends/host/states/random_host.h"
 
 #include "backends/gl/formats.h"
 #include "tests/support/gl_fixture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The host's own objects: depth in every place that it may lie in, targets and a vertex buffer.
-#include "tests/backends/host_states/host_life.h"
+#include "tests/backends/host/states/host_life.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -118,6 +118,40 @@ TEST_CASE_METHOD(Targets, "One channel is presented as grey, two as red and gree
     }
 }
 
+TEST_CASE_METHOD(Targets, "What is presented may multiply what is there, and then leaves its alpha")
+{
+    const GLuint into = colorTexture(GL_RGBA8, {4, 4});
+    const TextureId drawn = need(device->adoptTexture({into, "host", Format::rgba8, {4, 4}}));
+    const TextureId ao = texture(Format::r8);
+    const auto fill = [&](TextureId id, const std::vector<float>& color) {
+        Image image({4, 4}, static_cast<int>(color.size()));
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = color[i % color.size()];
+        need(device->writeTexture(id, image));
+    };
+    const TextureId picture = texture(Format::rgba8);
+    fill(picture, {1.0f, 0.8f, 0.4f, 0.6f});
+    fill(ao, {0.5f});
+    HostFramebuffer target;
+    target.texture = into;
+    target.extent = {4, 4};
+    need(device->present(picture, target));
+    target.extent = {2, 4};
+    target.multiply = true;
+    need(device->present(ao, target));
+    target.multiply = false;
+    target.x = 2;
+    target.extent = {1, 4};
+    need(device->present(ao, target));
+    constexpr float kWanted[3][4] = {
+        {0.5f, 0.4f, 0.2f, 0.6f}, {0.5f, 0.5f, 0.5f, 1.0f}, {1.0f, 0.8f, 0.4f, 0.6f}};
+    const Image found = read(drawn);
+    for (int column = 1; column < 4; ++column)
+        for (int channel = 0; channel < 4; ++channel)
+            CHECK(found.at(column, 2, channel) ==
+                  Approx(kWanted[column - 1][channel]).margin(0.003));
+}
+
 TEST_CASE("A rectangle that leaves the host's target is refused, on OpenGL ES 3.0 too")
 {
     Targets host(GENERATE(GlDeviceOptions(), bare()));

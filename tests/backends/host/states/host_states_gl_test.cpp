@@ -2,7 +2,7 @@
 // Hosts in random states live with crevice from first to last: after each step they find their
 // state as it was, and they get the pictures of a fresh context. CREVICE_HOST_STATES is how many,
 // and has the figures told; CREVICE_FIRST_HOST_STATE picks the first.
-#include "tests/backends/host_states/host_life.h"
+#include "tests/backends/host/states/host_life.h"
 
 #include <cstdlib>
 #include <map>

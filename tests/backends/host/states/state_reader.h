@@ -2,7 +2,7 @@
 // Reads every value of a context's state that GL can be asked for.
 #pragma once
 
-#include "tests/backends/host_states/gl_calls.h"
+#include "tests/backends/host/states/gl_calls.h"
 
 namespace crevice {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/backends/host_states/state_reader.h"
+#include "tests/backends/host/states/state_reader.h"
 
 #include <algorithm>
 #include <cstring>

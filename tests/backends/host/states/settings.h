@@ -2,8 +2,8 @@
 // Sets the values of a context, all but its switches and bindings, to what GL allows.
 #pragma once
 
-#include "tests/backends/host_states/gl_calls.h"
-#include "tests/backends/host_states/random.h"
+#include "tests/backends/host/states/gl_calls.h"
+#include "tests/backends/host/states/random.h"
 
 namespace crevice {
 

@@ -4,7 +4,7 @@
 #   host_states_test.sh CREVICE_GL_TESTS [es32|es30|gl45|gl33|compatibility]...
 # Without names all of them. CREVICE_HOST_STATES is how many states in each.
 set -euo pipefail
-source "$(dirname -- "${BASH_SOURCE[0]}")/../old_gl.sh"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../../old_gl.sh"
 tests=$1
 shift
 (($# > 0)) || set -- es32 es30 gl45 gl33 compatibility

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/backends/host_states/host_life.h"
+#include "tests/backends/host/states/host_life.h"
 
 #include <crevice/config.h>
 #include <crevice/frame.h>
