@@ -32,6 +32,36 @@ foreach(shared ON OFF)
   run(ninja -C "${WORK}/within_${shared}" -n --quiet)
 endforeach()
 
+# A project of C alone, on a machine without GLM.
+file(WRITE "${WORK}/c/CMakeLists.txt" "cmake_minimum_required(VERSION 3.22)
+project(c LANGUAGES C)
+find_package(crevice REQUIRED)
+add_executable(c ${c_program})
+target_link_libraries(c PRIVATE crevice::crevice)
+")
+run("${CMAKE_COMMAND}" -G Ninja -S "${WORK}/c" -B "${WORK}/c/build" "-DCMAKE_PREFIX_PATH=${WORK}/prefix"
+  "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_C_FLAGS=${FLAGS}" -DCMAKE_DISABLE_FIND_PACKAGE_glm=ON)
+run("${CMAKE_COMMAND}" --build "${WORK}/c/build")
+
+# The manual's links lead to what is installed with it.
+file(GLOB_RECURSE pages "${WORK}/prefix/share/doc/libcrevice-dev/README.md"
+  "${WORK}/prefix/share/doc/libcrevice-dev/docs/host.md")
+if(NOT pages)
+  message(FATAL_ERROR "no manual is installed")
+endif()
+foreach(page IN LISTS pages)
+  file(READ "${page}" text)
+  get_filename_component(folder "${page}" DIRECTORY)
+  string(REPLACE "](" "@(" text "${text}")  # brackets would join the entries of a list
+  string(REGEX MATCHALL "@[(][A-Za-z0-9_./-]+[#)]" links "${text}")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^@.|.$" "" link "${link}")
+    if(NOT EXISTS "${folder}/${link}")
+      message(FATAL_ERROR "${page} links to ${link}, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+
 # crevice.pc, of a tree that was moved.
 find_program(pkg_config NAMES pkgconf pkg-config)
 if(pkg_config)

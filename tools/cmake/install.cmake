@@ -37,6 +37,18 @@ endif()
 configure_file(effects/c_api/crevice.pc.in crevice.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crevice.pc DESTINATION ${pc_dir} COMPONENT development)
 
+# The manual and the examples, laid out as here, so that links between them hold.
+set(manual ${CMAKE_INSTALL_DATADIR}/doc/libcrevice-dev)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${manual} COMPONENT development)
+install(FILES tools/scripts/packages.txt DESTINATION ${manual}/tools/scripts COMPONENT development)
+install(DIRECTORY tests/outside DESTINATION ${manual}/tests COMPONENT development)
+install(DIRECTORY docs/ DESTINATION ${manual}/docs COMPONENT development
+  FILES_MATCHING REGEX "[.](md|png|json)$" PATTERN bench EXCLUDE)
+install(DIRECTORY tools/examples/ DESTINATION ${manual}/tools/examples COMPONENT development)
+foreach(folder configs effects)
+  install(FILES ${folder}/README.md DESTINATION ${manual}/${folder} COMPONENT development)
+endforeach()
+
 if(TARGET crevice)
   install(TARGETS crevice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
 endif()

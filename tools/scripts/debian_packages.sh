@@ -49,16 +49,18 @@ root=$(mktemp -d "${TMPDIR:-/tmp}/crevice_debian.XXXXXX")
 trap 'rm -rf -- "$root"' EXIT
 chmod 755 "$root"
 debootstrap --variant=minbase bookworm "$root" >"$build/debootstrap.log" || fail "see $build/debootstrap.log"
-cp "$build"/*.deb tools/examples/*.{c,cpp,h} "$root/tmp"
+cp "$build"/*.deb "$root/tmp"
 inside() { chroot "$root" env LC_ALL=C DEBIAN_FRONTEND=noninteractive bash -euc "$1"; }
 echo "== the command, with what it recommends"
 inside 'apt-get -q=2 update && apt-get -q=2 install -y /tmp/crevice-tools_*.deb >/tmp/apt.log'
 inside 'cd /tmp && crevice --version && crevice render balanced --size 256x144 --out ao=ao.png && ls -l ao.png'
-echo "== programs in C and C++, with the library"
+echo "== programs in C and C++, with the library: the examples as they are installed"
 inside 'apt-get -q=2 install -y /tmp/libcrevice0_*.deb /tmp/libcrevice-dev_*.deb g++ pkg-config libgles-dev >/tmp/apt.log'
+inside 'cp -r /usr/share/doc/libcrevice-dev/tools/examples/* /tmp'
 inside 'cd /tmp && cc -std=c99 hello.c $(pkg-config --cflags --libs crevice) -lGLESv2 -o hello_c && ./hello_c'
 static="-lcrevice_effects -lcrevice_backends -lcrevice_core"
 inside "cd /tmp && c++ -std=c++17 hello.cpp $static -lGLESv2 -o hello && ./hello"
+inside "cd /tmp/host_draws && c++ -std=c++17 main.cpp $static -lGLESv2 -o host_draws && ./host_draws skinned.json"
 echo "== programs with windows, by SDL2 and GLFW"
 inside 'apt-get -q=2 install -y libsdl2-dev libglfw3-dev xvfb xauth >/tmp/apt.log'
 inside "cd /tmp && c++ -std=c++17 host_depth.cpp \$(pkg-config --cflags sdl2) $static -lSDL2 -lGLESv2 -o host_depth"
