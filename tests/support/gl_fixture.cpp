@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/gl_fixture.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 namespace crevice {
 
 const char* const kFullscreenVertex = R"(#version 300 es
@@ -48,6 +51,21 @@ PassInfo wholePass(FramebufferId framebuffer, Extent extent, int colors)
     pass.color_count = colors;
     for (int i = 0; i < colors; ++i) pass.color_load[i] = LoadOp::clear;
     return pass;
+}
+
+std::vector<Vertex> step()
+{
+    std::vector<Vertex> all;
+    const auto quad = [&all](glm::vec3 at, glm::vec3 x, glm::vec3 y, glm::vec3 n) {
+        for (const glm::vec2 c : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+            const glm::vec3 p = at + x * c.x + y * c.y;
+            all.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {c.x, c.y}});
+        }
+    };
+    quad({-1, -1, 1}, {2, 0, 0}, {0, 0, -1}, {0, 1, 0});
+    quad({-1, -1, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    quad({-1, 0, 0}, {2, 0, 0}, {0, 0, -1}, {0, 1, 0});
+    return all;
 }
 
 MeshDesc square(float z)

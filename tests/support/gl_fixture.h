@@ -42,6 +42,10 @@ GLuint depthTexture(const GlApi& gl, Extent extent, const std::vector<float>& de
 /// A triangle list of rectangles over the clip-space square [-1, 1] at depth `z`.
 MeshDesc square(float z);
 
+/// Two floors and a wall between them, as triangles without indices. Their numbers are exact in
+/// every type that a host's vertices may have.
+std::vector<Vertex> step();
+
 class GlFixture {
 public:
     explicit GlFixture(const GlDeviceOptions& options = {}, Context& context = testContext());

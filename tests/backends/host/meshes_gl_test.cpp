@@ -17,22 +17,9 @@ namespace {
 
 constexpr Extent kExtent = {64, 36};
 
-/// A step that stands on the ground: its numbers are exact in every type that is tried.
 const std::vector<Vertex>& vertices()
 {
-    static const std::vector<Vertex> made = [] {
-        std::vector<Vertex> all;
-        const auto quad = [&all](glm::vec3 at, glm::vec3 x, glm::vec3 y, glm::vec3 n) {
-            for (const glm::vec2 c : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
-                const glm::vec3 p = at + x * c.x + y * c.y;
-                all.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {c.x, c.y}});
-            }
-        };
-        quad({-1, -1, 1}, {2, 0, 0}, {0, 0, -1}, {0, 1, 0});
-        quad({-1, -1, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1});
-        quad({-1, 0, 0}, {2, 0, 0}, {0, 0, -1}, {0, 1, 0});
-        return all;
-    }();
+    static const std::vector<Vertex> made = step();
     return made;
 }
 

@@ -11,22 +11,6 @@ namespace {
 
 constexpr Extent kLarger = {40, 24};
 
-/// Two walls and a floor, as triangles without indices.
-std::vector<Vertex> corner()
-{
-    std::vector<Vertex> all;
-    const auto quad = [&all](glm::vec3 at, glm::vec3 x, glm::vec3 y, glm::vec3 n) {
-        for (const glm::vec2 c : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
-            const glm::vec3 p = at + x * c.x + y * c.y;
-            all.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {c.x, c.y}});
-        }
-    };
-    quad({-1, -1, 1}, {2, 0, 0}, {0, 0, -1}, {0, 1, 0});
-    quad({-1, -1, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1});
-    quad({-1, 0, 0}, {2, 0, 0}, {0, 0, -1}, {0, 1, 0});
-    return all;
-}
-
 }  // namespace
 
 /// Steps of depth in what is bound for drawing.
@@ -152,7 +136,7 @@ Image HostLife::readShown(int target) const
 
 void HostLife::makeBuffers()
 {
-    const std::vector<Vertex> data = corner();
+    const std::vector<Vertex> data = step();
     vertices_ = GlBuffer::make(gl);
     array_ = GlVertexArray::make(gl);
     gl.BindVertexArray(array_.name());
