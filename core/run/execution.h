@@ -20,6 +20,8 @@
 
 namespace crevice {
 
+class FrameClock;
+
 /// Programs that are kept though the plan does not need them, so that a pass or feature that was
 /// switched off comes back at once; beyond, the oldest go.
 constexpr std::size_t kMaxIdlePrograms = 32;
@@ -149,7 +151,7 @@ private:
 
     // execution_timed.cpp
     TimingMethod timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
-                          double& clock_ms);
+                          const FrameClock& clock, double& clock_ms);
     int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
     void readTimers(FrameTimes& times);
 

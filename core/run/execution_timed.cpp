@@ -1,20 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Running a prepared plan with a time for each pass.
 #include "core/run/execution.h"
-
-#include <chrono>
+#include "core/run/frame_clock.h"
 
 namespace crevice {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point begin)
-{
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-}  // namespace
 
 Result<FrameTimes> Execution::runTimed(const Frame& frame)
 {
@@ -22,7 +11,8 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
     times.pass_ms.resize(plan_.passes.size());
     timers_.forget();
     device_.finish();
-    const Clock::time_point start = Clock::now();
+    const FrameClock clock(device_.caps().software);
+    const double start = clock.now();
     if (Status status = device_.beginFrame(); !status) return status.diagnostics();
     cache_.clear();
     begin(frame);
@@ -31,12 +21,12 @@ Result<FrameTimes> Execution::runTimed(const Frame& frame)
     for (const PreparedView& view : views_) {
         setView(frame, view);
         for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
-            times.method = timePass(view.passes[i], slot++, view.camera, times.pass_ms[i]);
+            times.method = timePass(view.passes[i], slot++, view.camera, clock, times.pass_ms[i]);
     }
     const Status status = end(frame);
     if (!status) return status.diagnostics();
     device_.finish();
-    times.total_ms = millisecondsSince(start);
+    times.total_ms = clock.now() - start;
     if (times.method == TimingMethod::gpu_timer) readTimers(times);
     return {std::move(times), status.diagnostics()};
 }
@@ -51,18 +41,18 @@ bool Execution::setTiming(bool on)
 /// The method is the same for every pass: the device's answer is, and so is the count of passes.
 /// Adds to `clock_ms`; with the GPU's timer that stays as it is.
 TimingMethod Execution::timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
-                                 double& clock_ms)
+                                 const FrameClock& clock, double& clock_ms)
 {
     if (runCount() <= kMaxTimers && device_.beginTimer(slot)) {
         runPass(pass, camera);
         device_.endTimer();
         return TimingMethod::gpu_timer;
     }
-    const Clock::time_point begin = Clock::now();
+    const double begin = clock.now();
     runPass(pass, camera);
     device_.finish();
-    clock_ms += millisecondsSince(begin);
-    return TimingMethod::wall_clock;
+    clock_ms += clock.now() - begin;
+    return clock.method();
 }
 
 void Execution::readTimers(FrameTimes& times)

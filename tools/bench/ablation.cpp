@@ -5,17 +5,18 @@
 #include <crevice/renderer.h>
 
 #include "core/base/numbers.h"
+#include "core/run/frame_clock.h"
 #include "tools/bench/times.h"
 #include "tools/bench/views.h"
 #include "tools/cli/output.h"
 #include "tools/measure/line_file.h"
 #include "tools/plan/costs.h"
+#include "tools/plan/without_occlusion.h"
 #include "tools/render/host_textures.h"
 #include "tools/render/scene_upload.h"
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
@@ -42,6 +43,7 @@ static void to_json(json& line, const AblationRow& row)
             {"factor", row.factor},
             {"texture_bytes", row.texture_bytes},
             {"elided", row.elided},
+            {"clock", row.clock},
             {"repeats", row.repeats},
             {"device", row.device},
             {"version", row.version}};
@@ -61,6 +63,7 @@ static void from_json(const json& line, AblationRow& row)
            line.at("factor"),
            line.at("texture_bytes"),
            line.at("elided"),
+           line.value("clock", "wall"),
            line.at("repeats"),
            line.at("device"),
            line.at("version")};
@@ -68,7 +71,6 @@ static void from_json(const json& line, AblationRow& row)
 
 namespace {
 
-constexpr const char* kIntensity = "intensity";
 constexpr const char* kAllOptimizations = "all";
 
 struct Situation {
@@ -96,11 +98,11 @@ void advance(const Situation& situation, Frame& frame, double step)
 
 Result<double> millisecondsOf(Device& device, Renderer& renderer, const Frame& frame)
 {
-    const auto begin = std::chrono::steady_clock::now();
+    const FrameClock clock(device.caps().software);
+    const double begin = clock.now();
     if (const Status drawn = renderer.render(frame); !drawn) return drawn.diagnostics();
     device.finish();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    return took.count();
+    return clock.now() - begin;
 }
 
 /// A renderer without an optimization, and what its turns took.
@@ -238,8 +240,7 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task,
     for (const Situation& situation : kSituations) {
         Frame frame = makeFrame(*scene, view.camera, view.extent);
         Description description = task.description;
-        for (ParamDesc& param : description.params)
-            if (situation.off && param.name == kIntensity) param.value.fill(0);
+        if (situation.off) description = withoutOcclusion(std::move(description));
         auto host = HostTextures::make(device, description, view.extent, frame);
         if (!host) return host.diagnostics();
         Result<Frame> hosted = host->frameOf(frame);
@@ -253,6 +254,7 @@ Result<std::vector<AblationRow>> ablate(Device& device, const BenchTask& task,
         for (const Contender& each : *all) {
             rows.push_back(rowOf(task, view, situation, each, all->front()));
             rows.back().device = device.caps().name;
+            rows.back().clock = clockName(FrameClock(device.caps().software).method());
             rows.back().key = keyOnDevice(task.sample.key, device.caps().name);
         }
     }

@@ -3,8 +3,9 @@
 //
 // A config is drawn in situations that a host meets: a moving camera, a moving light, nothing that
 // moves, occlusion that is off, occlusion alone. In each, renderers with all optimizations, without
-// one of them and with none take turns (see tools/bench/times.h). What counts is a whole frame by
-// the wall clock, the wait for the GPU included.
+// one of them and with none take turns (see tools/bench/times.h). What counts is a whole frame, the
+// wait for the GPU included: on a software renderer by the processor time of the process, elsewhere
+// by the wall clock.
 //
 // Results are JSON Lines, FOLDER/ablation.jsonl, one line an optimization, situation, scene and
 // config.
@@ -32,8 +33,9 @@ struct AblationRow {
     /// Over the time with all optimizations, turn by turn; 1 where `optimization` is empty.
     TimeFigures factor;
     double texture_bytes = 0;
-    int elided = 0;   ///< Passes, attachments and textures that the plan leaves out.
-    int repeats = 0;  ///< Turns.
+    int elided = 0;     ///< Passes, attachments and textures that the plan leaves out.
+    std::string clock;  ///< As BenchSample has it, never "query".
+    int repeats = 0;    ///< Turns.
     std::string device;
     std::string version;  ///< Of crevice.
 };

@@ -48,7 +48,7 @@ public:
         compareBias(before.error.bias, now.error.bias);
         compareMotion(before.motion, now.motion);
         if (limits_.errors_only) return;
-        if (!same_device) {
+        if (!same_device || before.clock != now.clock) {
             ++result.without_ratios;
             return;
         }

@@ -38,7 +38,7 @@ struct BenchComparison {
     std::vector<std::string> failed;   ///< Had figures, and now fail: sample and reason.
     std::vector<std::string> missing;  ///< Had figures, and are not measured now.
     int compared = 0;                  ///< Samples in both.
-    int without_ratios = 0;            ///< Of those, measured on another device.
+    int without_ratios = 0;  ///< Of those, measured on another device or by another clock.
 
     bool differs() const
     {
@@ -48,7 +48,7 @@ struct BenchComparison {
 
 /// Samples are the same where identityOf() is, whatever became of their shaders; one from the same
 /// device goes before one from another. Errors are compared always, cost ratios on one device
-/// alone.
+/// and by one clock alone.
 BenchComparison compareBenches(const std::vector<BenchSample>& before,
                                const std::vector<BenchSample>& now, const BenchLimits& limits = {});
 

@@ -7,6 +7,7 @@
 #include "tools/image/image_metrics.h"
 #include "tools/motion/measure.h"
 #include "tools/plan/costs.h"
+#include "tools/plan/without_occlusion.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene_upload.h"
@@ -39,7 +40,7 @@ Image withOpenBackground(Image ground_truth)
 /// Puts the frames' times into the sample, in all and pass by pass.
 void describeFrames(const std::vector<FrameTimes>& frames, const Plan& plan, BenchSample& sample)
 {
-    sample.clock = frames[0].method == TimingMethod::gpu_timer ? "query" : "wall";
+    sample.clock = clockName(frames[0].method);
     sample.repeats = static_cast<int>(frames.size());
     std::vector<double> times(frames.size());
     const auto figuresOf = [&frames, &times](auto time) {
@@ -225,7 +226,7 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     if (sample.output != kOcclusionOutput)
         renderer = setting_->makeRenderer(device_, task.description, {sample.output}, &*frame);
     if (!renderer) return renderer.diagnostics();
-    if (const Status timed = measureTimes(**renderer, *frame, sample); !timed)
+    if (const Status timed = measureTimes(task, **renderer, *frame, sample); !timed)
         return timed.diagnostics();
     if (const Status known = measureErrors(task, *ao, sample); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();
@@ -237,9 +238,13 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     return sample;
 }
 
-Status BenchMeter::measureTimes(Renderer& renderer, const Frame& frame, BenchSample& sample)
+Status BenchMeter::measureTimes(const BenchTask& task, Renderer& renderer, const Frame& frame,
+                                BenchSample& sample)
 {
-    TurnTaker taker(renderer, frame);
+    const auto own = ownGeometry(renderer.plan(), task.description, traitsOf(frame), device_.caps(),
+                                 {sample.extent});
+    if (!own) return own.diagnostics();
+    TurnTaker taker(renderer, frame, *own);
     if (const Status warm = taker.takeTurn(); !warm) return warm;
     taker.restart();
     TimeFigures ratio;
@@ -250,9 +255,14 @@ Status BenchMeter::measureTimes(Renderer& renderer, const Frame& frame, BenchSam
         ratio = ratioFigures(taker.costs(), setting_->unitCosts());
         if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
     }
-    if (setting_->yardstick) sample.ratio_learnopengl = ratio.median;
+    if (setting_->yardstick) {
+        sample.ratio_learnopengl = ratio.median;
+        sample.ratio_with_geometry =
+            ratioFigures(taker.costsWithGeometry(), setting_->unitCosts()).median;
+    }
     sample.ratio_copy = ratio.median * setting_->unitOverCopy();
     sample.cost = timeFigures(taker.costs());
+    sample.cost_with_geometry = timeFigures(taker.costsWithGeometry());
     describeFrames(taker.frames(), renderer.plan(), sample);
     return {};
 }

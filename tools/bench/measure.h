@@ -5,7 +5,7 @@
 // copy of the depth texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius
 // take turns (see tools/bench/times.h) until both ratios are known to a few per cent. The cost of a
 // config is the sum over its passes other than draw passes: for `ao`, what it adds to a host that
-// has a G-buffer.
+// has a G-buffer. Beside it stands the cost with the geometry that the occlusion alone needs.
 #pragma once
 
 #include "tools/bench/bench.h"
@@ -48,7 +48,8 @@ private:
     Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
     void measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
                        BenchSample& sample);
-    Status measureTimes(Renderer& renderer, const Frame& frame, BenchSample& sample);
+    Status measureTimes(const BenchTask& task, Renderer& renderer, const Frame& frame,
+                        BenchSample& sample);
     Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
     Result<double> idealError(const BenchTask& task, unsigned ideal);
 

@@ -23,6 +23,10 @@ namespace {
 /// to be first.
 constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
 
+/// How software renderers are timed. Part of each key, so that samples by another clock are
+/// measured again and never stand beside these.
+constexpr const char* kClock = "processor time";
+
 bool isPreset(const BenchTask& task)
 {
     return std::find(std::begin(kPresets), std::end(kPresets), task.sample.config) !=
@@ -64,6 +68,7 @@ ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::s
     hash.add(radius);
     hash.addText(task.reference);
     hash.addText(content);
+    hash.addText(kClock);
     if (sample.output != kOcclusionOutput) hash.addText(sample.output);
     if (motion) hash.addText("motion");
     return hash;

@@ -30,9 +30,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides,
                                    scene, camera, extent, radius, rays, radius_px, samples,
                                    triangles, device, software, version, error, error_without_ao,
                                    budget, budget_failure, motion, motion_failure, clock, repeats,
-                                   total, cost, passes, ratio_copy, ratio_learnopengl,
-                                   texture_bytes, bytes_read, bytes_written, ao_picture,
-                                   ground_truth_picture, difference_picture)
+                                   total, cost, cost_with_geometry, passes, ratio_copy,
+                                   ratio_learnopengl, ratio_with_geometry, texture_bytes,
+                                   bytes_read, bytes_written, ao_picture, ground_truth_picture,
+                                   difference_picture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, bench_samples)
 
 namespace {
@@ -59,6 +60,8 @@ BenchSample parseSample(nlohmann::json json)
     json.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
     json.emplace("motion", MotionFigures());
     json.emplace("motion_failure", "");
+    json.emplace("cost_with_geometry", TimeFigures());
+    json.emplace("ratio_with_geometry", 0.0);
     BenchSample sample = json.get<BenchSample>();
     if (not_finite && sample.failure.empty()) sample.failure = "a figure is not finite";
     return sample;

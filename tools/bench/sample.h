@@ -85,14 +85,19 @@ struct BenchSample {
     MotionFigures motion;        ///< Without paths where it was not asked for.
     std::string motion_failure;  ///< Why it could not be measured; else empty.
 
-    std::string clock;  ///< "wall" (glFinish and a steady clock) or "query" (GPU timer).
+    std::string clock;  ///< clockName of tools/bench/times.h: "query", "cpu" or "wall".
     int repeats = 0;
     TimeFigures total;  ///< All passes, those that draw the scene's geometry too.
     /// The passes that draw no geometry: for `ao`, what it adds to a host that has a G-buffer.
     TimeFigures cost;
+    /// The same and the draw passes that the occlusion alone needs
+    /// (tools/plan/without_occlusion.h): back faces, further layers and, with forward lighting,
+    /// depth. Zeros in earlier versions' lines.
+    TimeFigures cost_with_geometry;
     std::vector<PassTime> passes;
-    double ratio_copy = 0;         ///< Cost over that of a copy of the depth texture, same run.
-    double ratio_learnopengl = 0;  ///< Cost over that of learnopengl, same run.
+    double ratio_copy = 0;           ///< Cost over that of a copy of the depth texture, same run.
+    double ratio_learnopengl = 0;    ///< Cost over that of learnopengl, same run.
+    double ratio_with_geometry = 0;  ///< cost_with_geometry over the cost of learnopengl, same run.
 
     double texture_bytes = 0;
     double bytes_read = 0;  ///< Estimated, a frame.

@@ -49,6 +49,24 @@ double occlusionCost(const Plan& plan, const FrameTimes& times)
     return sum;
 }
 
+double costWithGeometry(const Plan& plan, const FrameTimes& times, const std::vector<bool>& own)
+{
+    double sum = occlusionCost(plan, times);
+    for (std::size_t pass = 0; pass < own.size(); ++pass)
+        if (own[pass]) sum += times.pass_ms[pass];
+    return sum;
+}
+
+const char* clockName(TimingMethod method)
+{
+    switch (method) {
+    case TimingMethod::gpu_timer: return "query";
+    case TimingMethod::processor_time: return "cpu";
+    case TimingMethod::wall_clock: break;
+    }
+    return "wall";
+}
+
 TimeFigures timeFigures(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
@@ -90,17 +108,19 @@ Status drawTurn(const std::function<Result<double>()>& draw)
 
 Status TurnTaker::takeTurn()
 {
-    std::vector<double> costs;
+    std::vector<double> costs, with_geometry;
     const Status drawn = drawTurn([&]() -> Result<double> {
         Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
         if (!times) return times.diagnostics();
         costs.push_back(occlusionCost(renderer_->plan(), *times));
+        with_geometry.push_back(costWithGeometry(renderer_->plan(), *times, own_geometry_));
         const double ms = times->total_ms;
         frames_.push_back(std::move(*times));
         return ms;
     });
     if (!drawn) return drawn;
     costs_.push_back(timeFigures(std::move(costs)).median);
+    costs_with_geometry_.push_back(timeFigures(std::move(with_geometry)).median);
     return {};
 }
 
@@ -108,6 +128,7 @@ void TurnTaker::restart()
 {
     frames_.clear();
     costs_.clear();
+    costs_with_geometry_.clear();
 }
 
 }  // namespace crevice

@@ -18,6 +18,7 @@
 #include <crevice/renderer.h>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace crevice {
@@ -29,6 +30,13 @@ Result<FrameTimes> timeFrame(Renderer& renderer, const Frame& frame);
 /// The sum over the passes that are no draw passes: what a host with a G-buffer pays for the
 /// occlusion.
 double occlusionCost(const Plan& plan, const FrameTimes& times);
+
+/// The same and the passes that `own` names, one flag a pass as ownGeometry has them: what a host
+/// pays that draws this geometry for the occlusion alone. Without flags there is none.
+double costWithGeometry(const Plan& plan, const FrameTimes& times, const std::vector<bool>& own);
+
+/// "query" (the GPU's timer), "cpu" (processor time of the process) or "wall".
+const char* clockName(TimingMethod method);
 
 /// Median and quartiles, interpolated between neighbours. Requires at least one value.
 TimeFigures timeFigures(std::vector<double> values);
@@ -51,7 +59,13 @@ Status drawTurn(const std::function<Result<double>()>& draw);
 /// outlive it.
 class TurnTaker {
 public:
-    TurnTaker(Renderer& renderer, const Frame& frame) : renderer_(&renderer), frame_(&frame) {}
+    /// `own_geometry` has a flag for each pass, see costWithGeometry.
+    TurnTaker(Renderer& renderer, const Frame& frame, std::vector<bool> own_geometry = {})
+        : renderer_(&renderer),
+          frame_(&frame),
+          own_geometry_(std::move(own_geometry))
+    {
+    }
 
     /// Draws until the turn is long enough to be measured. Errors: those of timeFrame.
     Status takeTurn();
@@ -65,11 +79,16 @@ public:
     /// occlusionCost, the median of each turn.
     const std::vector<double>& costs() const { return costs_; }
 
+    /// costWithGeometry, the median of each turn.
+    const std::vector<double>& costsWithGeometry() const { return costs_with_geometry_; }
+
 private:
     Renderer* renderer_;
     const Frame* frame_;
+    std::vector<bool> own_geometry_;
     std::vector<FrameTimes> frames_;
     std::vector<double> costs_;
+    std::vector<double> costs_with_geometry_;
 };
 
 }  // namespace crevice

@@ -16,7 +16,7 @@ bool shows(const ResultView& view, const BenchSample& sample)
 {
     return view.device == sample.device && view.scene == sample.scene &&
            view.camera == sample.camera && view.extent == sample.extent &&
-           view.radius == sample.radius;
+           view.radius == sample.radius && view.clock == sample.clock;
 }
 
 void nameViews(std::vector<ResultView>& views)
@@ -59,9 +59,14 @@ std::vector<ResultView> benchViews(const std::vector<BenchSample>& samples)
         auto view = std::find_if(views.begin(), views.end(),
                                  [&sample](const ResultView& v) { return shows(v, sample); });
         if (view == views.end())
-            view = views.insert(
-                views.end(),
-                {sample.device, sample.scene, sample.camera, sample.extent, sample.radius, {}, {}});
+            view = views.insert(views.end(), {sample.device,
+                                              sample.scene,
+                                              sample.camera,
+                                              sample.extent,
+                                              sample.radius,
+                                              sample.clock,
+                                              {},
+                                              {}});
         view->samples.push_back(i);
     }
     std::stable_sort(views.begin(), views.end(), [](const ResultView& a, const ResultView& b) {

@@ -17,6 +17,7 @@ struct ResultView {
     std::string camera;
     Extent extent;
     double radius = 0;
+    std::string clock;                 ///< As BenchSample has it.
     std::vector<std::size_t> samples;  ///< Indexes, in the order of the results.
     /// The scene; with its camera where it was seen from several.
     std::string name;

@@ -37,8 +37,10 @@ int printComparison(const BenchComparison& comparison)
     for (const std::string& sample : comparison.missing) print("missing now: %s\n", sample.c_str());
     for (const std::string& failure : comparison.failed) print("fails now: %s\n", failure.c_str());
     if (comparison.without_ratios > 0)
-        print("%d of %d bench samples were measured on another device: cost ratios not compared\n",
-              comparison.without_ratios, comparison.compared);
+        print(
+            "%d of %d bench samples were measured on another device or by another clock: cost "
+            "ratios not compared\n",
+            comparison.without_ratios, comparison.compared);
     print("%d bench samples compared: %zu figures worse, %zu better; %zu fail, %zu missing\n",
           comparison.compared, comparison.worse.size(),
           comparison.better.size() + comparison.better_errors.size(), comparison.failed.size(),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lays out the report: which config to take, each scene, what is missing.
 "use strict";
+const CLOCKS = {
+  query: "the GPU's timer", cpu: "the processor time of the process", wall: "wall clock"
+};
 const ROLES = {
   cheapest: "Cheapest",
   balanced: data.coverage.whole ? "Take this" : "Take this of these",
@@ -33,9 +36,8 @@ function showAnswer(parent, advice) {
     `in the worst of ${advice.views.length} scenes (${advice.views.join(", ")})` :
     `in the scene ${advice.views[0]}`;
   const renderer = advice.software ? "a software renderer, " : "";
-  const clock = advice.clock === "query" ? "GPU" : "wall clock";
   add(box, "p", {class: "soft"},
-    `Measured at ${advice.size}, ${scenes}, on ${advice.device} (${renderer}timed by the ${clock}).`);
+    `Measured at ${advice.size}, ${scenes}, on ${advice.device} (${renderer}timed by ${CLOCKS[advice.clock]}).`);
 }
 function showSteps(parent, advice) {
   if (!advice.steps.length) return;

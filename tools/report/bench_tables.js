@@ -113,7 +113,9 @@ const COLUMNS = [
   ["cost, ms", p => three(p.cost.median)],
   ["middle half", p => `${three(p.cost.q1)}–${three(p.cost.q3)}`],
   ["× copy", p => times(p.ratio_copy)], ["× learnopengl", p => times(p.ratio_learnopengl)],
-  ["with geometry, ms", p => three(p.total.median)], ["MB", p => megabytes(p.texture_bytes)],
+  ["with its geometry, ms", p => three(p.cost_with_geometry.median)],
+  ["with it × learnopengl", p => times(p.ratio_with_geometry)],
+  ["frame, ms", p => three(p.total.median)], ["MB", p => megabytes(p.texture_bytes)],
   ["MB read", p => megabytes(p.bytes_read)], ["MB written", p => megabytes(p.bytes_written)],
   ["passes, ms", p => p.passes.map(pass => `${pass.name} ${three(pass.ms.median)}`).join(" · ")]
 ];
@@ -143,7 +145,7 @@ function showAblation(parent, rows) {
   if (!rows.length) return;
   add(parent, "h2", {id: "optimizations"}, "What each optimization saves");
   add(parent, "p", {class: "soft"},
-    "Wall-clock time of whole frames. The columns after the time with all optimizations are ratios: the " +
+    `Whole frames, by ${CLOCKS[rows[0].clock]}. The columns after the time with all optimizations are ratios: the ` +
       "time without that optimization, or without any, over the time with all.");
   const groups = new Map();
   for (const row of rows) {

@@ -283,6 +283,8 @@ SceneTraits traitsOf(const Frame& frame);
 enum class TimingMethod {
     wall_clock,  ///< CPU and GPU together, waiting for the GPU after each pass: no two overlap.
     gpu_timer,   ///< The GPU alone, nothing waiting.
+    /// The processor time of the process, all threads together, waiting as with `wall_clock`.
+    processor_time,
 };
 
 /// All in milliseconds. Compare only figures of one method.
@@ -293,7 +295,7 @@ struct FrameTimes {
     /// run. Negative where the GPU's timer gave no valid result.
     std::vector<double> pass_ms = {};
 
-    /// By the clock: all of the frame, with what lies between the passes. By the GPU's timer: the
+    /// By a clock: all of the frame, with what lies between the passes. By the GPU's timer: the
     /// sum of the passes, or -1 when one of them is void; then draw again.
     double total_ms = 0;
 };

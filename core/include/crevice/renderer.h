@@ -57,8 +57,9 @@ public:
     Status render(const Frame& frame);
 
     /// The same, but runs every pass and measures how long each takes: by the GPU's timer where the
-    /// device has one and the plan's views have at most kMaxTimers passes together, else by the
-    /// clock, waiting for the GPU after each pass. Slower than `render`, and allocates.
+    /// device has one and the plan's views have at most kMaxTimers passes together, else waiting
+    /// for the GPU after each pass: by the processor time of the process on a software renderer, by
+    /// the wall clock elsewhere. Slower than `render`, and allocates.
     ///
     /// Errors: those of `render`. A void measurement is no error, see FrameTimes.
     Result<FrameTimes> renderTimed(const Frame& frame);

@@ -112,6 +112,7 @@ TEST_CASE(
     for (const AblationRow& row : rows) {
         INFO(row.situation << ' ' << row.optimization);
         CHECK(row.repeats == 3);
+        CHECK(row.clock == (gl.device->caps().software ? "cpu" : "wall"));
         CHECK(row.ms.median > 0);
         if (row.optimization.empty()) CHECK(row.factor.median == 1.0);
     }
@@ -146,6 +147,9 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
     CHECK(sample.total.q1 <= sample.total.q3);
     CHECK(sample.cost.median > 0.0);
     CHECK(sample.cost.median < sample.total.median);
+    CHECK(sample.clock == (sample.software ? "cpu" : "query"));
+    CHECK(sample.cost_with_geometry.median == sample.cost.median);  // deferred, one layer
+    CHECK(sample.ratio_with_geometry == sample.ratio_learnopengl);
     CHECK(sample.ratio_copy > 0.0);
     CHECK(sample.ratio_learnopengl > 0.0);
     CHECK(sample.radius_px > 1.0);
@@ -175,6 +179,10 @@ TEST_CASE("A bench of whole frames times the lighting too, and has the errors of
     CHECK(forward.passes.back().name == "lighting");
     const double drawn = forward.passes.front().ms.median + forward.passes.back().ms.median;
     CHECK(forward.cost.median + 0.5 * drawn < forward.total.median);
+    CHECK(forward.cost_with_geometry.median >
+          forward.cost.median + 0.5 * forward.passes.front().ms.median);
+    CHECK(forward.cost_with_geometry.median + 0.5 * forward.passes.back().ms.median <
+          forward.total.median);
 }
 
 TEST_CASE("A bench measures motion: open pictures change as the truth alone, taps flicker")

@@ -4,6 +4,7 @@
 
 #include <crevice/plan.h>
 
+#include "tests/tools/bench/fixture.h"
 #include "tests/tools/bench/small.h"
 #include "tools/bench/errors.h"
 #include "tools/bench/times.h"
@@ -186,6 +187,28 @@ TEST_CASE("The cost of the occlusion is every pass but the draw passes")
     FrameTimes times;
     times.pass_ms = {100, 2, 0.5};
     CHECK(occlusionCost(made, times) == 2.5);
+}
+
+TEST_CASE("With its own geometry, the cost has the draw passes that are flagged")
+{
+    Plan made;
+    made.passes.resize(3);
+    made.passes[0].type = made.passes[1].type = PassType::draw;
+    FrameTimes times;
+    times.pass_ms = {100, 20, 3};
+    CHECK(costWithGeometry(made, times, {false, true, false}) == 23);
+    CHECK(costWithGeometry(made, times, {}) == 3);
+}
+
+TEST_CASE("Samples by different clocks are in different views")
+{
+    std::vector<BenchSample> samples(3, benchSample("a", 4, 1, 0.1));
+    samples[1].clock = "cpu";
+    const std::vector<ResultView> views = benchViews(samples);
+    REQUIRE(views.size() == 2);
+    CHECK(views[0].clock == "query");
+    CHECK(views[0].samples == std::vector<std::size_t>{0, 2});
+    CHECK(views[1].clock == "cpu");
 }
 
 TEST_CASE("The radius on screen is that of the median depth, for both kinds of projection")

@@ -150,6 +150,17 @@ TEST_CASE("on another device errors are compared and ratios are not")
     CHECK(compareBenches({kBefore}, {now, kBefore}).worse.empty());
 }
 
+TEST_CASE("ratios by another clock are not compared, and errors are")
+{
+    BenchSample now = kBefore;
+    now.clock = "cpu";
+    now.ratio_copy *= 5;
+    now.error.rmse += 0.1;
+    REQUIRE(compared(now).worse.size() == 1);
+    CHECK(compared(now).worse[0].figure == "rmse");
+    CHECK(compared(now).without_ratios == 1);
+}
+
 TEST_CASE("what fails or is missing now is worse, and what failed before does not count")
 {
     BenchSample failed = kBefore;
