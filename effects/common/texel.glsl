@@ -14,16 +14,20 @@ const highp float kTie = 1.0 / 256.0;
 // all, and the mean rmse of `high` in six scenes falls from 0.0456 to 0.0448.
 highp vec2 hostTexelUnder(highp vec2 at)
 {
-    highp vec2 odd = mod(floor(0.5 * at.yx), 2.0);
-    return floor(at + kTie * (2.0 * odd - 1.0));
+    highp vec2 quarter = fract(0.25 * at.yx);  // from a half on in every other pair of rows or columns
+    return floor(at + vec2(quarter.x < 0.5 ? -kTie : kTie, quarter.y < 0.5 ? -kTie : kTie));
 }
 
 // The texel at `at`, counted in texels from texel `first` of a texture of `size` texels, which has as many more than
 // the view on either side.
 highp ivec2 texelUnder(highp vec2 at, highp vec2 first, highp vec2 size)
 {
+#if CAMERA_TURNED
     highp vec2 view = size - 2.0 * first;
     highp vec2 texel = pixelFromHost(hostTexelUnder(hostPixel(at, view)) + 0.5, view) - 0.5;
+#else
+    highp vec2 texel = hostTexelUnder(at);
+#endif
     return ivec2(clamp(texel + first, vec2(0.0), size - 1.0));
 }
 

@@ -14,6 +14,16 @@ bool viewPosition(highp vec2 at, out highp vec3 point)
     return stored.a > 0.5;
 }
 
+// The same as the authors' shaders read it for their taps, where the sampler rounds: cheaper, and at the ties of texels
+// the picture of a camera that turns is not quite that of one that does not.
+#define SURFACE_AT_TAPS
+bool viewPositionAtTap(highp vec2 at, out highp vec3 point)
+{
+    highp vec4 stored = texture(position, at);
+    point = viewFromHost(stored.xyz);
+    return stored.a > 0.5;
+}
+
 // How far above the tangent plane of `point` its own surface may come out within `reach`: wherever, as normals
 // are stored.
 highp float depthTolerance(highp vec3 point, highp vec3 normal, highp float reach)

@@ -114,25 +114,29 @@ void main()
 #ifdef WITH_BOUNCE
     vec3 reflected = vec3(0.0);
 #endif
+#if GUARDS
     float known = 0.0;
+#else
+    const float known = float(SAMPLES);
+#endif
     for (int i = 0; i < SAMPLES; ++i) {
         vec3 probe = center + view_from_kernel * kernel[i] * radius;
         vec2 at;
         if (!uvOfProbe(probe, at)) continue;
-        known += 1.0;
         vec3 seen;
         bool drawn = samplePosition(uv, at, seen);
 #if GUARDS
+        known += 1.0;
         // What lies in the tangent plane cannot occlude; without this a plane seen at a grazing angle
         // shades itself, since a texel's one depth stands for all of its slope.
         bool above = dot(seen - origin, normal_here) > lift;
         if (!drawn || !above) continue;
 #endif
-        if (seen.z < probe.z + in_front) continue;
-        float weight = rangeWeight(origin.z, probe.z, seen.z, radius * range);
+        // Chosen and not skipped: pixels side by side seldom agree.
+        float weight = seen.z < probe.z + in_front ? 0.0 : rangeWeight(origin.z, probe.z, seen.z, radius * range);
         occlusion += weight;
 #ifdef WITH_BOUNCE
-        reflected += weight * reflectedFrom(at, seen, origin);
+        if (weight > 0.0) reflected += weight * reflectedFrom(at, seen, origin);
 #endif
     }
     ao = shown(occlusion / max(known, 1.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a tap sees: the surface at its uv, or with DEPTH_LEVELS, far from the pixel, a texel nearby that stands
-// for it. Needs the interface `surface` before it.
+// for it. Needs the interface `surface` before it, which may define SURFACE_AT_TAPS and have a viewPositionAtTap for
+// estimators without GUARDS.
 
 #ifndef DEPTH_LEVELS
 #define DEPTH_LEVELS 0
@@ -32,6 +33,11 @@ bool samplePosition(highp vec2 from, inout highp vec2 at, out highp vec3 point)
 #else
 bool samplePosition(highp vec2 from, highp vec2 at, out highp vec3 point)
 {
+#if defined SURFACE_AT_TAPS && defined GUARDS
+#if !GUARDS
+    return viewPositionAtTap(at, point);
+#endif
+#endif
     return viewPosition(at, point);
 }
 #endif
