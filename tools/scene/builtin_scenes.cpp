@@ -2,6 +2,8 @@
 // The scenes that need no file.
 #include "tools/scene/builtin_scenes.h"
 
+#include "tools/scene/builtin/parts.h"
+#include "tools/scene/builtin/street.h"
 #include "tools/scene/mesh_shapes.h"
 
 #include "core/base/text.h"
@@ -16,75 +18,15 @@ namespace crevice {
 
 namespace {
 
-// How deep a resting body is sunk, in metres: no light leaks below it, and no eye sees it.
-constexpr float kSunk = 0.002f;
-
 constexpr int kSphereRings = 48;
 constexpr float kRoomHeight = 2.5f;
 constexpr float kRoomHalf = 2.0f;  // half of its width and depth
 constexpr float kWallThickness = 0.1f;
 
-int addMaterial(Scene& scene, const char* name, const glm::vec3& color, float specular = 0.0f,
-                float shininess = 16.0f)
-{
-    SceneMaterial material;
-    material.name = name;
-    material.base_color = glm::vec4(color, 1.0f);
-    material.specular = glm::vec3(specular);
-    material.shininess = shininess;
-    scene.materials.push_back(material);
-    return static_cast<int>(scene.materials.size()) - 1;
-}
-
-void addObject(Scene& scene, const char* name, MeshDesc mesh, int material,
-               const glm::mat4& world_from_model = glm::mat4(1.0f))
-{
-    mesh.label = name;
-    scene.meshes.push_back(std::move(mesh));
-    const int index = static_cast<int>(scene.meshes.size()) - 1;
-    scene.instances.push_back({index, world_from_model, material});
-}
-
-// Moved to a spot on the floor and turned about the vertical.
-glm::mat4 standing(float x, float z, float turn_degrees)
-{
-    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), {x, -kSunk, z});
-    return glm::rotate(moved, glm::radians(turn_degrees), {0, 1, 0});
-}
-
-MeshDesc makeBlock(float width, float height, float depth)
-{
-    return makeBox({-width / 2, 0, -depth / 2}, {width / 2, height, depth / 2});
-}
-
 void addSphere(Scene& scene, const char* name, float radius, float x, float z, int material)
 {
     addObject(scene, name, makeSphere(radius, kSphereRings), material,
               glm::translate(glm::mat4(1.0f), {x, radius - kSunk, z}));
-}
-
-void addCamera(Scene& scene, const char* name, const glm::vec3& eye, const glm::vec3& at)
-{
-    SceneCamera camera;
-    camera.name = name;
-    camera.view_from_world = glm::lookAt(eye, at, glm::vec3(0, 1, 0));
-    scene.cameras.push_back(camera);
-}
-
-void addLights(Scene& scene, const glm::vec3& light)
-{
-    SceneLight point;
-    point.name = "light";
-    point.light.position = light;
-    point.light.color = {0.5f, 0.47f, 0.41f};
-    point.light.attenuation = {1.0f, 0.09f, 0.032f};
-    SceneLight sky;
-    sky.name = "sky";
-    sky.light.directional = true;
-    sky.light.direction = glm::normalize(glm::vec3(-0.35f, -0.9f, -0.4f));
-    sky.light.color = {0.08f, 0.09f, 0.11f};
-    scene.ambient_light = {1.3f, 1.3f, 1.35f};  // much of a room's light has no direction
-    scene.lights = {point, sky};
 }
 
 std::vector<std::filesystem::path> modelFolders()
@@ -220,7 +162,7 @@ Scene makeSpheresScene()
 
 const std::vector<std::string>& builtinSceneNames()
 {
-    static const std::vector<std::string> names = {"corner", "plane", "room", "spheres"};
+    static const std::vector<std::string> names = {"corner", "plane", "room", "spheres", "street"};
     return names;
 }
 
@@ -233,6 +175,7 @@ Result<Scene> builtinScene(std::string_view name)
     if (name == "plane") scene = makePlaneScene();
     if (name == "room") scene = makeRoomScene();
     if (name == "spheres") scene = makeSpheresScene();
+    if (name == "street") scene = makeStreetScene();
     if (scene) scene->name = name;
     return scene;
 }

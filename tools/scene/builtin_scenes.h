@@ -12,7 +12,7 @@
 
 namespace crevice {
 
-/// "corner", "plane", "room", "spheres".
+/// "corner", "plane", "room", "spheres", "street".
 const std::vector<std::string>& builtinSceneNames();
 
 /// The scene of that name. "room" needs the Stanford bunny of Debian's glmark2-data, looked for as

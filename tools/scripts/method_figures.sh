@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Fills in the figures of README.md and docs/methods: in each table that ends in `| room | spheres | cost |`, the row of a
-# config gets its rmse in both scenes and its cost in the room, as a ratio to learnopengl's; so does the row of a level of
-# quality, such as `quality=low`.
+# Fills in the figures of README.md and docs/methods: in each table that ends in
+# `| room | spheres | street | cost | with geometry |`, the row of a config gets its rmse in the three scenes and, as ratios
+# to the cost of learnopengl in the room, its cost without and with the geometry that occlusion alone needs; so does the
+# row of a level of quality, such as `quality=low`.
 #
 #   tools/scripts/method_figures.sh            measures every shipped config; half an hour, on a quiet machine
 #   tools/scripts/method_figures.sh FOLDER...  takes what `crevice bench` left there at 480x270 and radius 1
@@ -21,7 +22,7 @@ source tools/scripts/built_crevice.sh
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 if ((${#results[@]} == 0)); then
-    bench=(bench --scene room --scene spheres --size 480x270 --radius 1 --no-budget --out "$work")
+    bench=(bench --scene room --scene spheres --scene street --size 480x270 --radius 1 --no-budget --out "$work")
     "$CREVICE" "${bench[@]}"
     for level in off low medium high ultra; do
         "$CREVICE" "${bench[@]}" --config quality --set "quality=$level"
@@ -32,6 +33,7 @@ fi
 
 for page in README.md docs/methods/*.md; do
     awk -F, -v page="$page" '
+        function ratioText(ratio) { return sprintf(ratio < 10 ? "%.2f" : "%.0f", ratio) }
         FNR == 1 && NR != 1 { FS = "|" }
         FILENAME != page {  # the report: columns by their names
             if (FNR == 1) { for (i = 1; i <= NF; ++i) column[$i] = i; next }
@@ -41,18 +43,20 @@ for page in README.md docs/methods/*.md; do
             sub(/ ?radius=1/, "", set)
             name = "`" (set == "" ? $1 : set) "`"
             rmse[name, $column["scene"]] = sprintf("%.3f", $column["rmse"])
-            ratio = $column["ratio_learnopengl"]
-            if ($column["scene"] == "room") cost[name] = sprintf(ratio < 10 ? "%.2f" : "%.0f", ratio)
+            if ($column["scene"] != "room") next
+            cost[name] = ratioText($column["ratio_learnopengl"])
+            with_geometry[name] = ratioText($column["ratio_with_geometry"])
             next
         }
         { $0 = $0 }  # split again, at the bars
         !/^\|/ { table = 0 }
-        /\| room \| spheres \| cost \|$/ { table = 1 }
+        /\| room \| spheres \| street \| cost \| with geometry \|$/ { table = 1 }
         { config = $2; gsub(" ", "", config) }
-        table && (config in cost) && ((config, "spheres") in rmse) {
+        table && (config in cost) && ((config, "spheres") in rmse) && ((config, "street") in rmse) {
             row = ""
-            for (i = 2; i < NF - 3; ++i) row = row "|" $i
-            $0 = row "| " rmse[config, "room"] " | " rmse[config, "spheres"] " | " cost[config] " |"
+            for (i = 2; i < NF - 5; ++i) row = row "|" $i
+            $0 = row "| " rmse[config, "room"] " | " rmse[config, "spheres"] " | " rmse[config, "street"] " | " \
+                cost[config] " | " with_geometry[config] " |"
         }
         { print }' "$work/report.csv" "$page" >"$work/page.md"
     cmp -s "$work/page.md" "$page" || { cp -- "$work/page.md" "$page"; echo "changed $page"; }
