@@ -20,6 +20,7 @@ namespace crevice {
 
 struct BenchOptions {
     std::vector<std::string> configs = {};  ///< Empty: every shipped config.
+    std::vector<std::string> peers = {};    ///< Configs of others, marked so; see peersOf.
     std::vector<std::string> scenes = {};
     ImportOptions import = {};  ///< Of those that are files.
     std::vector<std::string> sizes = {"960x540"};
@@ -61,6 +62,10 @@ struct BenchPlan {
     PlannedBench planned;     ///< All shards' samples; the device is the runner's to fill in.
     Diagnostics diagnostics;  ///< Unusable scenes (errors), values that do not fit (warnings).
 };
+
+/// The configs that tools/scripts/peers.sh has left in a folder: its .json files, by name.
+/// Errors: CV8001 where there are none.
+Result<std::vector<std::string>> peersOf(const std::string& folder);
 
 /// Crosses scenes, sizes, radii, configs and sample counts, and takes the shard's share: a task's
 /// key, which names no device, decides whose it is. What is asked for twice is one task. The tasks

@@ -63,6 +63,7 @@ public:
     {
         for (const std::size_t i : view.samples) {
             without_ao_ = std::max(without_ao_, samples_[i].error_without_ao);
+            if (samples_[i].peer) continue;  // nobody could take it
             addSample(view.name, i, samples_[i]);
         }
     }

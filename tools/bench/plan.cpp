@@ -2,6 +2,7 @@
 // Which samples a bench measures: the product of its lists, their keys and their shards.
 #include "tools/bench/bench.h"
 
+#include "tools/bench/views.h"
 #include "tools/measure/taps.h"
 #include "tools/reference/reference_cache.h"
 #include "tools/scene/camera_framing.h"
@@ -14,6 +15,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 namespace crevice {
@@ -42,7 +44,7 @@ std::string commandHash(const BenchOptions& options)
         for (const auto& item : list) addOne(item);
     };
     for (const auto* texts :
-         {&options.configs, &options.scenes, &options.sizes, &options.overrides})
+         {&options.configs, &options.peers, &options.scenes, &options.sizes, &options.overrides})
         add(*texts, [&hash](const std::string& text) { hash.addText(text); });
     add(options.radii, [&hash](double radius) { hash.add(radius); });
     add(options.samples, [&hash](int count) { hash.add(count); });
@@ -97,6 +99,7 @@ private:
     void addView(const std::shared_ptr<const Scene>& scene, Place& place);
     void addConfigs(Place place);
     void addConfig(const Place& place, const std::string& config);
+    void markPeers(std::size_t first);
     std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
                                                           const Description& description);
     void addTask(const Place& place, const std::string& config, std::vector<std::string> overrides);
@@ -163,6 +166,19 @@ void Planner::addConfigs(Place place)
     for (const double radius : radii) {
         place.radius = radius;
         for (const std::string& config : configs) addConfig(place, config);
+        const std::size_t first = plan.tasks.size();
+        for (const std::string& peer : options_.peers) addConfig(place, peer);
+        markPeers(first);
+    }
+}
+
+/// The tasks from `first` on. A peer's family is its file's name.
+void Planner::markPeers(std::size_t first)
+{
+    for (std::size_t task = first; task < plan.tasks.size(); ++task) {
+        BenchSample& sample = plan.tasks[task].sample;
+        sample.peer = true;
+        sample.family = sampleLabel(sample);
     }
 }
 
@@ -284,6 +300,21 @@ void Planner::addTask(const Place& place, const std::string& config,
 Camera BenchView::matrices() const
 {
     return {camera.view_from_world, clipFromView(camera, extent, bounds)};
+}
+
+Result<std::vector<std::string>> peersOf(const std::string& folder)
+{
+    std::vector<std::string> files;
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+    if (files.empty()) {
+        Diagnostic error{Code::usage, "no configs of peers are in '" + folder + "'"};
+        error.help = "tools/scripts/peers.sh FOLDER makes them";
+        return error;
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 std::string sampleTitle(const BenchSample& sample)

@@ -26,8 +26,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangeFigures, rms, p99, p999, truth, rmse, c
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncoveredFigures, frames, rmse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionFigures, paths, settled_after, uncovered, uncovered_rest,
                                    uncovered_pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, family, output,
-                                   scene, camera, extent, radius, rays, radius_px, samples,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, peer, overrides, family,
+                                   output, scene, camera, extent, radius, rays, radius_px, samples,
                                    triangles, device, software, version, error, error_without_ao,
                                    budget, budget_failure, motion, motion_failure, clock, repeats,
                                    total, cost, cost_with_geometry, passes, ratio_copy,
@@ -58,6 +58,7 @@ BenchSample parseSample(nlohmann::json json)
 {
     const bool not_finite = replaceNulls(json);
     json.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
+    json.emplace("peer", false);
     json.emplace("motion", MotionFigures());
     json.emplace("motion_failure", "");
     json.emplace("cost_with_geometry", TimeFigures());

@@ -61,6 +61,7 @@ struct BenchSample {
     std::string failure;  ///< Why there are no figures; empty when there are.
 
     std::string config;
+    bool peer = false;  ///< Another's shaders, by --peers: shown to compare, never to take.
     std::vector<std::string> overrides;  ///< As --set has them.
     std::string family;  ///< Bench samples that differ only in `samples` share it: "learnopengl".
     std::string output = kOcclusionOutput;  ///< Whose passes are timed.

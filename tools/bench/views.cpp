@@ -3,6 +3,7 @@
 #include "tools/bench/views.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
@@ -107,6 +108,7 @@ std::string viewName(const std::string& scene, const std::string& camera)
 std::string sampleLabel(const BenchSample& sample)
 {
     std::string label = sample.config;
+    if (sample.peer) label = std::filesystem::path(sample.config).stem().string() + " (peer)";
     for (const std::string& value : sample.overrides)
         if (value.rfind("radius=", 0) != 0) label += " " + value;
     return label + outputSuffix(sample);

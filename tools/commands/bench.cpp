@@ -31,6 +31,7 @@ struct BenchCommand {
     std::string checkout;
     std::string backend;
     RunOptions run{"1/1", "", "bench"};
+    std::string peers;
     bool no_budget = false;
     bool list = false;
     bool ablate = false;
@@ -132,6 +133,11 @@ int bench(BenchCommand command)
     if (command.bench.scenes.empty())
         command.bench.scenes =
             command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
+    if (!command.peers.empty()) {
+        const auto peers = peersOf(command.peers);
+        if (!peers) return report(peers.diagnostics(), false);
+        command.bench.peers = *peers;
+    }
     const CheckoutSources sources(command.checkout, command.bench.roots);
     const Result<BenchPlan> plan = planBench(command.bench, sources);
     if (!plan) return report(plan.diagnostics(), false);
@@ -150,6 +156,10 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
     app.add_option("--config", bench.configs,
                    "A shipped config's name or a file; may be repeated. Default: all shipped ones")
         ->allow_extra_args(false);
+    app.add_option("--peers", command.peers,
+                   "Measure what tools/scripts/peers.sh has left in this folder, too: the shaders "
+                   "of other libraries, for reports alone")
+        ->type_name("FOLDER");
     app.add_option(
            "--scene", bench.scenes,
            "A file or a built-in scene; may be repeated. Default: room, and all built-in ones "

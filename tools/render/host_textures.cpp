@@ -5,8 +5,10 @@
 #include <crevice/shipped.h>
 
 #include "tools/cli/config_options.h"
+#include "tools/image/image_file.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace crevice {
 namespace {
@@ -50,7 +52,30 @@ bool lacks(const Frame& scene, const ImportDesc& import)
     return import.type == ImportType::texture && !findNamed(scene.textures, import.name);
 }
 
+/// Where a picture for the import would be; empty for an import of a shipped module.
+std::string pictureOf(const ImportDesc& import)
+{
+    const SourceRef& source = import.place.source;
+    if (!source || !source->path.empty()) return {};
+    return std::filesystem::path(source->name).replace_filename(import.name + ".png").string();
+}
+
 }  // namespace
+
+/// Where there is no such file, nothing comes of it: the renderer reports a texture that lacks.
+Status HostTextures::readPicture(Device& device, const ImportDesc& import)
+{
+    const std::string path = pictureOf(import);
+    std::error_code unreadable;
+    if (path.empty() || !std::filesystem::is_regular_file(path, unreadable)) return {};
+    const Result<Image> image = readImage(path);
+    if (!image) return image.diagnostics();
+    const auto texture =
+        device.createTexture({import.name, formatFromName(import.format), image->extent});
+    if (!texture) return texture.diagnostics();
+    pictures_.push_back({import.name, Owned<TextureId>(device, *texture)});
+    return device.writeTexture(*texture, *image);
+}
 
 Result<HostTextures> HostTextures::make(Device& device, const Description& description,
                                         Extent extent, const Frame& scene)
@@ -65,7 +90,12 @@ Result<HostTextures> HostTextures::make(Device& device, const Description& descr
     bool draws = false;
     for (const ImportDesc& import : imports) {
         draws |= import.type == ImportType::draw_list;
-        if (!lacks(scene, import) || !findNamed(host->outputs, import.name)) continue;
+        if (!lacks(scene, import)) continue;
+        if (!findNamed(host->outputs, import.name)) {
+            if (const Status read = textures.readPicture(device, import); !read)
+                return read.diagnostics();
+            continue;
+        }
         textures.names_.push_back(import.name);
         fitFormat(*host, import, device.caps());
     }
@@ -82,6 +112,8 @@ Result<HostTextures> HostTextures::make(Device& device, const Description& descr
 Result<Frame> HostTextures::frameOf(const Frame& scene)
 {
     Frame frame = scene;
+    for (const Picture& picture : pictures_)
+        frame.textures.push_back({picture.name, picture.texture.id()});
     if (!renderer_) return frame;
     if (const Status drawn = renderer_->render(scene); !drawn) return drawn.diagnostics();
     const auto texturesOf = [&](int view, std::vector<ImportedTexture>& textures) {

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The textures of a surface that a config imports, drawn as its host would.
+// The textures that a config imports, as its host would hand them over: those of a surface drawn,
+// others read from pictures beside the config.
 #pragma once
 
 #include <crevice/config.h>
 #include <crevice/renderer.h>
+
+#include "core/gpu/owned.h"
 
 #include <memory>
 
 namespace crevice {
 
 /// Draws depth, normals, distances or positions of a scene, of which it knows `depth`, `normal`,
-/// `linear_depth`, `log_depth` and `position`. The device must outlive it.
+/// `linear_depth`, `log_depth` and `position`. Another texture, such as a tile of noise, is
+/// NAME.png in the folder of the file that declares the import. The device must outlive it.
 class HostTextures {
 public:
     /// For what the description imports of these and the frame does not have, each in the import's
     /// format where the device draws to that; where that is nothing, nothing is made. Errors: those
-    /// of Renderer::create.
+    /// of Renderer::create and Device::createTexture; CV7005 for a picture that is broken.
     static Result<HostTextures> make(Device& device, const Description& description, Extent extent,
                                      const Frame& scene);
 
@@ -25,7 +29,15 @@ public:
     Result<Frame> frameOf(const Frame& scene);
 
 private:
-    std::unique_ptr<Renderer> renderer_;  // null where nothing is imported
+    struct Picture {
+        std::string name;
+        Owned<TextureId> texture;
+    };
+
+    Status readPicture(Device& device, const ImportDesc& import);
+
+    std::vector<Picture> pictures_;
+    std::unique_ptr<Renderer> renderer_;  // null where nothing is drawn
     std::vector<std::string> names_;
     bool draws_ = true;
 };

@@ -6,6 +6,7 @@ const SHAPES = [  // around 0,0
   "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z", "M-4.6-4.6h9.2v9.2h-9.2z", "M0-6L5.6 4.4H-5.6z",
   "M0-6.4L6.4 0L0 6.4L-6.4 0z", "M0 6L5.6-4.4H-5.6z"];
 const families = [...new Set(benchSamples.filter(p => !p.failure).map(p => p.family))];
+const peers = new Set(benchSamples.filter(p => p.peer).map(p => p.family));  // drawn hollow
 const colorOf = family => `var(--f${Math.max(0, families.indexOf(family)) % 8})`;
 const shapeOf = family => SHAPES[Math.max(0, families.indexOf(family)) % SHAPES.length];
 
@@ -109,8 +110,9 @@ function nameMarks({svg, left, right, top, bottom}, names, taken) {
   }
 }
 function mark(parent, family, x, y, scale = 1) {
-  return add(parent, "path",
-    {d: shapeOf(family), fill: colorOf(family), transform: `translate(${x} ${y}) scale(${scale})`});
+  const transform = `translate(${x} ${y}) scale(${scale})`, color = colorOf(family);
+  const paint = peers.has(family) ? {class: "peer", style: `--peer:${color}`} : {fill: color};
+  return add(parent, "path", {d: shapeOf(family), transform, ...paint});
 }
 function legend(parent, entries) {
   const list = add(parent, "div", {class: "legend"});
