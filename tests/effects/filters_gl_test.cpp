@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 using namespace crevice;
 
@@ -223,6 +224,29 @@ TEST_CASE("Light from occluders is filtered as the occlusion is")
             farthest = std::max(farthest, std::abs(light.at(x, y, 1) - ao.at(x, y)));
     CHECK(farthest < 2.0f / 255);
     CHECK(meanChange(ao, Image(ao.extent, 1, float(mean(ao)))) > 0.005);
+}
+
+TEST_CASE("A box of any size is the mean of its pixels, half of those at the ends where it is even")
+{
+    const std::string noise =
+        "fract(sin(dot(floor(gl_FragCoord.xy), vec2(12.9898, 78.233))) * 43.5453)";
+    const auto boxOf = [&](int size) {
+        return filtered({noise, "box", "plane", kSlant, {"blur_size=" + std::to_string(size)}});
+    };
+    const Image raw = boxOf(1);
+    for (int size = 2; size <= 9; ++size) {
+        INFO(size);
+        const int reach = size / 2;
+        const auto share = [&](int off) { return std::abs(2 * off) == size ? 0.5 : 1.0; };
+        const Image box = boxOf(size);
+        for (const auto& [x, y] : {std::pair(40, 30), {41, 30}, {64, 36}, {87, 45}}) {
+            double sum = 0;
+            for (int v = -reach; v <= reach; ++v)
+                for (int u = -reach; u <= reach; ++u)
+                    sum += share(u) * share(v) * raw.at(x + u, y + v);
+            CHECK(box.at(x, y) == Approx(sum / (size * size)).margin(1.5 / 255));
+        }
+    }
 }
 
 TEST_CASE("The median is the fifth of nine sorted values")
