@@ -15,8 +15,13 @@ using Row = std::vector<std::string>;
 
 constexpr double kMebibyte = 1 << 20;
 
-/// Columns of the table before those of the GPUs.
-const Row kPassColumns = {"pass", "size", "fetches", "tile MiB", "read MiB"};
+/// Columns of the table before those of the GPUs; the two last only where there is one GPU.
+Row passColumns(bool detailed)
+{
+    Row names = {"pass", "px", "fetches", "MiB"};
+    if (detailed) names.insert(names.end(), {"read", "size"});
+    return names;
+}
 
 /// The columns of one GPU: those that its compiler tells. All of them where it is the only one.
 struct Columns {
@@ -26,8 +31,8 @@ struct Columns {
     Row names() const
     {
         Row names = {"inst", "sp:fi", "occ"};
-        if (!gpu->units.empty()) names.push_back("cycles");
-        if (gpu->disassembled) names.push_back("16-bit");
+        if (!gpu->units.empty()) names.push_back("cyc");
+        if (gpu->disassembled) names.push_back("16b");
         if (!detailed) return names;
         names.insert(names.end(), gpu->units.begin(), gpu->units.end());
         if (*gpu->registers) names.push_back("regs");
@@ -92,12 +97,6 @@ Row cellsOf(const Columns& columns, const GpuSum& sum)
     return cells;
 }
 
-Row bytesCells(const MovedBytes& bytes)
-{
-    return {fixed((bytes.written + bytes.loaded) / kMebibyte, 2),
-            fixed((bytes.read - bytes.loaded) / kMebibyte, 2)};
-}
-
 void addCells(Row& row, Row cells)
 {
     row.insert(row.end(), std::make_move_iterator(cells.begin()),
@@ -112,18 +111,18 @@ struct Line {
 
 class Table {
 public:
-    explicit Table(const CostReport& report)
+    explicit Table(const CostReport& report) : detailed_(report.gpus.size() == 1)
     {
-        for (const CostGpu* gpu : report.gpus) columns_.push_back({gpu, report.gpus.size() == 1});
-        Row names = kPassColumns;
+        for (const CostGpu* gpu : report.gpus) columns_.push_back({gpu, detailed_});
+        Row names = passColumns(detailed_);
         for (const Columns& each : columns_) addCells(names, each.names());
         lines_.push_back({"", names});
     }
 
     void add(const PassCost& pass)
     {
-        Row row = {pass.pass, sizeText(pass.extent), pass.fetches ? fixed(*pass.fetches, 2) : "-"};
-        addCells(row, bytesCells(pass.bytes));
+        Row row = firstCells(pass.pass, fixed(pass.pixels, 2), pass.fetches, pass.bytes,
+                             sizeText(pass.extent));
         for (std::size_t i = 0; i < columns_.size(); ++i)
             addCells(row, cellsOf(columns_[i], pass.figures[i]));
         lines_.push_back({"", std::move(row)});
@@ -131,8 +130,7 @@ public:
 
     void add(const std::string& name, const CostSum& sum)
     {
-        Row row = {name, "", sum.fetches ? fixed(*sum.fetches, 2) : "-"};
-        addCells(row, bytesCells(sum.bytes));
+        Row row = firstCells(name, "", sum.fetches, sum.bytes, "");
         for (std::size_t i = 0; i < columns_.size(); ++i)
             addCells(row, cellsOf(columns_[i], sum.gpus[i]));
         lines_.push_back({"", std::move(row)});
@@ -154,10 +152,20 @@ public:
     }
 
 private:
+    Row firstCells(const std::string& name, const std::string& pixels,
+                   const std::optional<double>& fetches, const MovedBytes& bytes,
+                   const std::string& size) const
+    {
+        Row row = {name, pixels, fetches ? fixed(*fetches, 2) : "-",
+                   fixed((bytes.written + bytes.loaded) / kMebibyte, 2)};
+        if (detailed_) addCells(row, {fixed((bytes.read - bytes.loaded) / kMebibyte, 2), size});
+        return row;
+    }
+
     /// Whether a GPU's columns begin there: a wider gap goes before them.
     bool begins(std::size_t column) const
     {
-        std::size_t first = kPassColumns.size();
+        std::size_t first = passColumns(detailed_).size();
         for (const Columns& each : columns_) {
             if (first == column) return true;
             first += each.names().size();
@@ -171,7 +179,7 @@ private:
         std::string text;
         for (std::size_t i = 0; i < line.cells.size(); ++i) {
             const std::string padding(widths[i] - line.cells[i].size(), ' ');
-            if (i > 0) text += begins(i) ? "  | " : " ";
+            if (i > 0) text += begins(i) ? " | " : " ";
             text += i == 0 ? line.cells[i] + padding : padding + line.cells[i];
         }
         text.erase(text.find_last_not_of(' ') + 1);
@@ -184,7 +192,7 @@ private:
         std::string text;
         std::size_t at = 0, gpu = 0;
         for (std::size_t i = 0; i < widths.size(); ++i) {
-            at += i == 0 ? 0 : begins(i) ? 4 : 1;
+            at += i == 0 ? 0 : begins(i) ? 3 : 1;
             if (begins(i)) {
                 text.resize(at - 2, ' ');
                 text += std::string("| ") + columns_[gpu++].gpu->name;
@@ -194,6 +202,7 @@ private:
         return text + "\n";
     }
 
+    bool detailed_;
     std::vector<Columns> columns_;
     std::vector<Line> lines_;
 };
@@ -253,8 +262,9 @@ std::string toText(const CostReport& report)
         text += "\n";
     }
     return text +
-           "Mend spills (sp:fi above 0:0) first, then occ below its most. cycles count loops once; "
-           "fetches as they run. docs/cost.md explains all.\n";
+           "Mend spills (sp:fi above 0:0) first, then occ below its most. cyc counts loops once, "
+           "fetches "
+           "as they run; both are for a pixel. See docs/cost.md.\n";
 }
 
 }  // namespace crevice
