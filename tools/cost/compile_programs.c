@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Has the driver of the current EGL device compile and link programs, and prints what its compiler says of them. `crevice
-// cost` runs it on Mesa's drivers for phones; tools/scripts/mobile_compilers.sh builds it.
+// Has the driver of the current EGL device compile and link programs, and prints what its compiler says of them.
+// `crevice cost` runs it on Mesa's drivers for phones; tools/scripts/mobile_compilers.sh builds it.
 //
 // Standard input, for each program:
 //   program NAME VERTEX_BYTES FRAGMENT_BYTES\n, then the two texts

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What the presets cost on phones' GPUs, against what was approved. CREVICE may name a built command; otherwise the release
-# preset is built. Half a minute; tools/scripts/mobile_compilers.sh builds the compilers first, once.
+# What the presets cost on phones' GPUs, against what was approved. CREVICE may name a built command; otherwise the
+# release preset is built. Half a minute; tools/scripts/mobile_compilers.sh builds the compilers first, once.
 #
 #   tools/scripts/cost_figures.sh          measures, and writes docs/cost/phones.json and the table of docs/cost.md
 #   tools/scripts/cost_figures.sh --check  1 where a preset spills, loses occupancy or takes a tenth more; 77, and one

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds what `crevice cost` asks: the shader compilers of phones' GPUs (Arm Mali, Qualcomm Adreno, Broadcom V3D), which
+# Builds what `crevice cost` asks: the shader compilers of phones' GPUs (Arm Mali, Qualcomm Adreno, Broadcom V3D). They
 # are Mesa's drivers for them over stand-ins of their kernel drivers, from the source package of this Debian's Mesa. No
-# such GPU is needed and nothing of the system's Mesa changes. Prints the folder. Safe to run again; a folder that already
-# has the drivers in inst/ only gets our own program.
+# such GPU is needed, and nothing of the system's Mesa changes. Prints the folder. Safe to run again; a folder that
+# already has the drivers in inst/ only gets our own program.
 #
 #   tools/scripts/mobile_compilers.sh [FOLDER]    ten minutes on two cores, 1 GB; then they are there
 #
@@ -56,7 +56,7 @@ fetch_source() {
         mkdir source && tar xf mesa_*.orig.tar.* -C source --strip-components=1
 }
 
-# No window system, no video, no LLVM: the compilers need none of it. Its scripts want Debian's own Python, which has mako.
+# No window system, no video, no LLVM: the compilers need none of it. Its scripts want the Python that has mako.
 configure() {
     printf "[binaries]\npython3 = '/usr/bin/python3'\n" >native.ini
     rm -rf -- build

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What takes too long for every change, once a night: builds the compilers of phones' GPUs, where they are not there, and
-# asks them what the presets cost. The rest is tools/test.sh.
+# What takes too long for every change, once a night: builds the compilers of phones' GPUs, where they are not there,
+# and asks them what the presets cost. The rest is tools/test.sh.
 #
 #   tools/scripts/nightly.sh
 set -euo pipefail
