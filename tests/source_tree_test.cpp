@@ -32,8 +32,8 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
       "renderer"}},
     {"backends", {"gl", "context", "recording"}},
     {"tools",
-     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "cost",
-      "motion", "measure", "bench", "stress", "report", "commands", "examples"}},
+     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "cost", "motion",
+      "measure", "bench", "stress", "report", "commands", "examples"}},
 };
 
 std::string readText(const fs::path& path)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/cli/run_program.h"
 
+#include "core/base/numbers.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -141,7 +143,7 @@ ProgramRun runProgram(const std::string& path, const std::vector<std::string>& v
     while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
     }
     if (!in_time)
-        run.failure = "it ran for more than " + std::to_string(static_cast<int>(time_s)) + " s";
+        run.failure = "it ran for more than " + fixed(time_s, 1) + " s";
     else if (!WIFEXITED(status))
         run.failure = "it was ended by signal " + std::to_string(WTERMSIG(status));
     run.ended = run.failure.empty();

@@ -95,6 +95,7 @@ private:
 
     void sums(const std::string& where, const GpuSum& was, const GpuSum& is)
     {
+        if (is.refused && !was.refused) return;  // the sum lacks a pass, as `passes` says
         grown(where, "instructions", was.instructions, is.instructions);
         if (was.cycles >= 0) grown(where, "cycles a pixel", was.cycles, is.cycles);
         // Where none spilled, `passes` says which does.

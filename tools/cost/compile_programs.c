@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Has the driver of the current EGL device compile and link programs, and prints what its compiler says of them.
-// `crevice cost` runs it on Mesa's drivers for phones; tools/scripts/mobile_compilers.sh builds it.
+// Has the driver of the current EGL device compile and link programs, and prints what its compiler
+// says of them. `crevice cost` runs it on Mesa's drivers for phones;
+// tools/scripts/mobile_compilers.sh builds it.
 //
 // Standard input, for each program:
 //   program NAME VERTEX_BYTES FRAGMENT_BYTES\n, then the two texts
 // Output, stdout and stderr in one so that their order stays:
-//   device RENDERER, then version VERSION
-//   program NAME before the compiler's own lines, which are its KHR_debug messages and what it prints by itself
-//   refused ... for each line of the log of what does not compile or link
+//   device RENDERER, then version VERSION;
+//   program NAME, then the compiler's own lines: its KHR_debug messages, and what it prints by
+//   itself;
+//   refused LINE, for each line of the log of what does not compile or link;
 //   end
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -22,8 +24,8 @@ static int fail(const char* what)
     return 1;
 }
 
-static void onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
-                      const void* user)
+static void onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                      const GLchar* text, const void* user)
 {
     (void)source, (void)type, (void)id, (void)severity, (void)length, (void)user;
     printf("%s\n", text);
@@ -85,9 +87,11 @@ static int openContext(void)
     if (!eglInitialize(display, NULL, NULL)) return fail("no EGL display");
     eglBindAPI(EGL_OPENGL_ES_API);
     const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+    const EGLContext context =
+        eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
     if (!context) return fail("no OpenGL ES 3 context");
-    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return fail("the context is not current");
+    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+        return fail("the context is not current");
     const PFNGLDEBUGMESSAGECALLBACKPROC listen =
         (PFNGLDEBUGMESSAGECALLBACKPROC)eglGetProcAddress("glDebugMessageCallbackKHR");
     if (!listen) return fail("no GL_KHR_debug, by which compilers tell their figures");
@@ -106,7 +110,8 @@ int main(void)
     printf("version %s\n", (const char*)glGetString(GL_VERSION));
     char name[256];
     size_t vertex_size, fragment_size;
-    while (scanf("program %255s %zu %zu", name, &vertex_size, &fragment_size) == 3 && getchar() == '\n') {
+    while (scanf("program %255s %zu %zu", name, &vertex_size, &fragment_size) == 3 &&
+           getchar() == '\n') {
         char* vertex = readText(vertex_size);
         char* fragment = readText(fragment_size);
         if (!vertex || !fragment) return fail("the input ends within a program");

@@ -2,7 +2,7 @@
 // Fetches counted in frames that are drawn, against counts that are known.
 #include "tests/support/gl_fixture.h"
 #include "tests/support/need.h"
-#include "tests/support/shipped_subjects.h"
+#include "tools/cli/config_options.h"
 #include "tools/cost/counting_device.h"
 #include "tools/cost/fetches.h"
 #include "tools/render/read_output.h"
