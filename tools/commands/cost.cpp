@@ -33,8 +33,10 @@ CostOptions sameAs(const CostReport& approved, const CostOptions& options)
     CostOptions same = options;
     same.configs.clear();
     for (const ConfigCost& config : approved.configs) same.configs.push_back(config.config);
+    same.config.variant = approved.variant;
     same.config.overrides = approved.set;
     same.scene.scene = approved.scene;
+    same.scene.camera = approved.camera;
     same.scene.size =
         std::to_string(approved.extent.width) + "x" + std::to_string(approved.extent.height);
     same.gpus.clear();

@@ -155,6 +155,8 @@ Result<CostReport> measureCost(const CostOptions& options, const SourceSet& sour
     CostReport report;
     report.scene = options.scene.scene;
     report.extent = view->extent;
+    report.camera = options.scene.camera;
+    report.variant = options.config.variant;
     report.set = options.config.overrides;
     report.gpus = *gpus;
     for (const std::string& config : options.configs) {

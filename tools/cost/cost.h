@@ -46,7 +46,9 @@ struct ConfigCost {
 struct CostReport {
     std::string scene;
     Extent extent;
-    std::vector<std::string> set;  ///< Overrides, in force in all configs.
+    std::string camera;            ///< As --camera had it.
+    std::string variant;           ///< Of all configs, and
+    std::vector<std::string> set;  ///< ... overrides in force in them.
     std::string version;           ///< Of the compilers: "Mesa 22.3.6".
     std::vector<const CostGpu*> gpus;
     std::vector<ConfigCost> configs;
