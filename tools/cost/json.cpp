@@ -153,6 +153,8 @@ CostReport reportFrom(const Json& json)
     CostReport report;
     report.scene = json.at("scene");
     report.extent = {json.at("size").at(0), json.at("size").at(1)};
+    report.camera = json.at("camera");
+    report.variant = json.at("variant");
     report.set = json.at("set").get<std::vector<std::string>>();
     report.version = json.at("compilers");
     for (const std::string name : json.at("gpus"))
@@ -172,9 +174,10 @@ CostReport reportFrom(const Json& json)
 
 std::string toJson(const CostReport& report)
 {
-    Json json = {{"scene", report.scene}, {"size", {report.extent.width, report.extent.height}},
-                 {"set", report.set},     {"compilers", report.version},
-                 {"gpus", Json::array()}, {"configs", Json::array()}};
+    Json json = {{"scene", report.scene},   {"size", {report.extent.width, report.extent.height}},
+                 {"camera", report.camera}, {"variant", report.variant},
+                 {"set", report.set},       {"compilers", report.version},
+                 {"gpus", Json::array()},   {"configs", Json::array()}};
     for (const CostGpu* gpu : report.gpus) json["gpus"].push_back(gpu->name);
     for (const ConfigCost& config : report.configs) {
         Json each = {{"config", config.config}};

@@ -229,7 +229,8 @@ std::string tableOf(const CostReport& report, const ConfigCost& config)
         addPasses(table, config, PassRole::geometry_for_ao);
         table.add("AO with that", sumOfAo(report, config, true));
     }
-    table.title("not for AO alone");
+    if (hasPasses(config, PassRole::geometry) || hasPasses(config, PassRole::picture))
+        table.title("not for AO alone");
     addPasses(table, config, PassRole::geometry);
     addPasses(table, config, PassRole::picture);
     return table.text();
@@ -252,7 +253,7 @@ std::string toText(const CostReport& report)
 {
     std::string text;
     for (const ConfigCost& config : report.configs) {
-        std::string set;
+        std::string set = report.variant.empty() ? "" : " --variant " + report.variant;
         for (const std::string& each : report.set) set += " " + each;
         text += config.config + set + ": " + report.scene + ", " + sizeText(report.extent) +
                 ", compilers of " + report.version + "\n";

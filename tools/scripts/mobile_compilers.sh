@@ -56,11 +56,11 @@ fetch_source() {
         mkdir source && tar xf mesa_*.orig.tar.* -C source --strip-components=1
 }
 
-# No window system, no video, no LLVM: the compilers need none of it. Its scripts want the Python that has mako.
+# No window system, no video, no LLVM: the compilers need none of it.
 configure() {
     printf "[binaries]\npython3 = '/usr/bin/python3'\n" >native.ini
     rm -rf -- build
-    PATH=/usr/bin:$PATH meson setup build source --native-file native.ini --prefix="$folder/inst" --libdir=lib \
+    meson setup build source --native-file native.ini --prefix="$folder/inst" --libdir=lib \
         -Dbuildtype=release -Db_ndebug=true -Dtools=drm-shim -Dgallium-drivers=panfrost,freedreno,v3d \
         -Dvulkan-drivers= -Dllvm=disabled -Dplatforms= -Degl=enabled -Dgbm=enabled -Dgles1=disabled -Dgles2=enabled \
         -Dglx=disabled -Dglvnd=false -Ddri-drivers-path="$folder/inst/dri" -Dgallium-vdpau=disabled \
@@ -68,6 +68,7 @@ configure() {
 }
 
 : >"$log"
+export PATH=/usr/bin:$PATH  # Debian's Python first, which has mako: Mesa's scripts run whichever comes first
 cd -- "$folder"
 if ! has_drivers; then
     echo "mobile_compilers.sh: building in $folder; about ten minutes on two cores" >&2

@@ -44,6 +44,8 @@ CostReport report()
     CostReport made;
     made.scene = "room";
     made.extent = {128, 64};
+    made.camera = "eye=4,2,6";
+    made.variant = "fast";
     made.set = {"radius=0.5"};
     made.version = "Mesa 22.3.6";
     made.gpus = {findCostGpu("Mali-G57")};
