@@ -32,7 +32,7 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
       "renderer"}},
     {"backends", {"gl", "context", "recording"}},
     {"tools",
-     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "motion",
+     {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "cost", "motion",
       "measure", "bench", "stress", "report", "commands", "examples"}},
 };
 

@@ -65,6 +65,7 @@ int exitCodeOf(const Diagnostics& diagnostics)
     case Code::too_many:
     case Code::out_of_memory:
     case Code::context_lost:
+    case Code::no_compilers:
     case Code::no_backend: return kExitMachine;
     default: return kExitBadInput;
     }

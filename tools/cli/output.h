@@ -17,7 +17,8 @@ enum ExitCode {
     kExitUsage = 2,     ///< The arguments cannot be understood.
     kExitMachine = 3,   ///< The machine lacks something: no context, no float target, no memory.
     kExitOutput = 4,    ///< A result cannot be written.
-    /// `compare`, `compare-bench`: over a limit; `doctor`: a pass is wrong; `stress`: a case fails.
+    /// `compare`, `compare-bench`, `cost`: over a limit; `doctor`: a pass is wrong; `stress`: a
+    /// case fails.
     kExitDiffers = 5,
     kExitInterrupted = 130,  ///< `bench`, `stress`: stopped by SIGINT or SIGTERM; can go on.
 };

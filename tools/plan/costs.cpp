@@ -53,7 +53,9 @@ MovedBytes movedBytes(const Plan& plan, const PlanPass& pass)
     for (const PlanInput& input : pass.inputs) {
         if (input.kind == InputKind::constant) continue;
         const bool known = input.kind == InputKind::target || input.kind == InputKind::history;
-        bytes.read += known ? texels(input.index) : count * kUnknownTexelBytes;
+        const double read = known ? texels(input.index) : count * kUnknownTexelBytes;
+        bytes.read += read;
+        if (input.sampler.empty()) bytes.loaded += read;
     }
     const auto write = [&](const PlanAttachment& attachment) {
         if (attachment.store != StoreOp::store) return;
@@ -73,6 +75,7 @@ MovedBytes movedBytes(const Plan& plan)
     for (const PlanPass& pass : plan.passes) {
         const MovedBytes bytes = movedBytes(plan, pass);
         total.read += bytes.read;
+        total.loaded += bytes.loaded;
         total.written += bytes.written;
     }
     return total;

@@ -9,7 +9,8 @@ namespace crevice {
 /// Of all views in one frame, with one texel of each input a pixel.
 struct MovedBytes {
     double read = 0;
-    double written = 0;
+    double loaded = 0;   ///< Of `read`: what tiled GPUs load before they draw, the pass's mask.
+    double written = 0;  ///< What they store when a tile is drawn.
 };
 
 MovedBytes movedBytes(const Plan& plan, const PlanPass& pass);

@@ -106,6 +106,7 @@ enum class Code : int {
     no_timers = 6018,       ///< The GPU's time cannot be measured (a warning).
     mesh_lacks = 6019,      ///< A pass reads normals or uv that a mesh does not have (a warning).
     unfilled_block = 6020,  ///< A uniform block that nobody fills (a warning).
+    no_compilers = 6021,    ///< The compilers of phones' GPUs are not there, or do not work.
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.

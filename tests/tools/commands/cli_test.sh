@@ -15,7 +15,7 @@ expect 2 'not in range' render gtao --path pan --frames 0 --out ao=%d.png
 expect 2 'excludes --watch' render gtao --path pan --watch
 expect 0 '^crevice 0\.1\.0$' --version
 expect 0 'Exit codes' --help
-for command in render validate explain compare reference; do
+for command in render validate explain compare reference cost; do
     expect 0 'Examples:' "$command" --help
 done
 expect 2 'CV8001'

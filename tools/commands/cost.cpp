@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// crevice cost: what configs cost on phones' GPUs, by their compilers, and whether it is more than
+// what was approved.
+#include "tools/cost/cost.h"
+#include "tools/cli/output.h"
+#include "tools/cli/output_request.h"
+#include "tools/commands/commands.h"
+#include "tools/cost/check.h"
+#include "tools/image/image_file.h"
+
+#include "core/base/files.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace crevice {
+namespace {
+
+constexpr std::size_t kMaxCostBytes = 64u << 20;  // that of all shipped configs is below one
+
+struct CostCommand {
+    CostOptions cost;
+    bool json = false;
+    std::string out;
+    std::string check;  ///< A file of approved costs.
+};
+
+/// The configs, scene, size, overrides and GPUs of the approved costs, so that nothing but the
+/// shaders can differ.
+CostOptions sameAs(const CostReport& approved, const CostOptions& options)
+{
+    CostOptions same = options;
+    same.configs.clear();
+    for (const ConfigCost& config : approved.configs) same.configs.push_back(config.config);
+    same.config.variant = approved.variant;
+    same.config.overrides = approved.set;
+    same.scene.scene = approved.scene;
+    same.scene.camera = approved.camera;
+    same.scene.size =
+        std::to_string(approved.extent.width) + "x" + std::to_string(approved.extent.height);
+    same.gpus.clear();
+    for (const CostGpu* gpu : approved.gpus) same.gpus.push_back(gpu->name);
+    return same;
+}
+
+int printComparison(const CostComparison& comparison)
+{
+    for (const std::string& each : comparison.better) print("better: %s\n", each.c_str());
+    for (const std::string& each : comparison.worse) print("worse: %s\n", each.c_str());
+    print("%zu figures worse, %zu better\n", comparison.worse.size(), comparison.better.size());
+    return comparison.worse.empty() ? kExitOk : kExitDiffers;
+}
+
+int checkCosts(const CostCommand& command, const SourceSet& sources)
+{
+    const FileBytes file = readBytes(command.check, kMaxCostBytes);
+    if (!file)
+        return report({{Code::results_broken, "'" + command.check + "': " + file.failure,
+                        "name a file that 'crevice cost CONFIG... --out FILE' wrote"}},
+                      command.json);
+    const Result<CostReport> approved = readCost(command.check, file.bytes);
+    if (!approved) return report(approved.diagnostics(), command.json);
+    const Result<CostReport> now = measureCost(sameAs(*approved, command.cost), sources);
+    if (!now) return report(now.diagnostics(), command.json);
+    if (now->version != approved->version)
+        printMessage("approved with the compilers of %s, and these are of %s: figures may differ\n",
+                     approved->version.c_str(), now->version.c_str());
+    return printComparison(compareCosts(*approved, *now));
+}
+
+int cost(const CostCommand& command)
+{
+    const bool checks = !command.check.empty();
+    if (checks != command.cost.configs.empty() ||
+        (checks && (command.json || !command.out.empty())))
+        return report({{Code::usage,
+                        checks ? "--check takes no CONFIG, --json or --out: the file "
+                                 "says what was measured"
+                               : "a CONFIG is missing",
+                        "see crevice cost --help"}},
+                      false);
+    const CheckoutSources sources(command.cost.config.checkout, command.cost.config.roots);
+    if (checks) return checkCosts(command, sources);
+    if (!command.out.empty())
+        if (const Status writable = checkWritable(command.out); !writable)
+            return report(writable.diagnostics(), command.json);
+    const Result<CostReport> measured = measureCost(command.cost, sources);
+    report(measured.diagnostics(), command.json && !measured);
+    if (!measured) return exitCodeOf(measured.diagnostics());
+    if (!command.out.empty())
+        if (const Status written = writeFile(command.out, toJson(*measured)); !written)
+            return report(written.diagnostics(), command.json);
+    printLines(command.json ? toJson(*measured) : toText(*measured));
+    return kExitOk;
+}
+
+}  // namespace
+
+void addCostCommand(CLI::App& app, int& exit_code)
+{
+    CLI::App* command = app.add_subcommand(
+        "cost",
+        "Show what configs cost on phones' GPUs, by their own compilers; no phone is needed");
+    auto options = std::make_shared<CostCommand>();
+    command->add_option("CONFIG", options->cost.configs, "Shipped configs' names, or files");
+    addConfigOptions(*command, options->cost.config);
+    addSceneOptions(*command, options->cost.scene);
+    std::string gpus = "Ask this GPU's compiler alone, in more detail; may be repeated:";
+    for (const CostGpu& gpu : costGpus())
+        gpus += std::string(&gpu == &costGpus().front() ? " " : ", ") + gpu.name;
+    command->add_option("--gpu", options->cost.gpus, gpus)
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--compilers", options->cost.compilers,
+                     "Where tools/scripts/mobile_compilers.sh built them. Default: "
+                     "CREVICE_MOBILE_COMPILERS, or the script's own")
+        ->type_name("FOLDER");
+    command->add_flag("--json", options->json, "Print all figures as JSON");
+    command->add_option("--out", options->out, "Write that JSON to a file, for --check")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--check", options->check,
+            "Measure what that file of --out holds again, and fail (5) where a pass spills "
+            "or loses occupancy, or where a config's AO takes a tenth more")
+        ->type_name("FILE");
+    command->footer(
+        "Examples:\n"
+        "  crevice cost mobile learnopengl\n"
+        "  crevice cost my.json --set samples=4 --gpu Mali-G57\n"
+        "  crevice cost mobile balanced --out before.json\n"
+        "  crevice cost --check before.json");
+    command->callback([options, &exit_code] { exit_code = cost(*options); });
+}
+
+}  // namespace crevice
