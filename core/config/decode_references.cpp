@@ -89,7 +89,8 @@ void Checker::run()
         const ImportDesc* import = findNamed(description_.imports, each.size.of.name);
         if (!import || import->type != ImportType::texture)
             expect(each.size.of, who + "follows the size of", targets_);
-        expect(each.size.scale_param, who + "takes its scale from", params_);
+        if (!each.size.optional)
+            expect(each.size.scale_param, who + "takes its scale from", params_);
         expect(each.samples_param, who + "takes its samples from", params_);
     }
     for (const PassDesc& each : description_.passes) checkPass(each);
@@ -281,6 +282,8 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
     std::string modules;
     for (const std::string& path : sources.list()) {
         if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
+        if (path.find("/bench/") != std::string::npos || startsWith(path, "bench/"))
+            continue;  // laid over configs, and not to be extended
         const SourceRef source = sources.find(path);
         if (!source || source->text.find('"' + name + '"') == std::string::npos) continue;
         const Result<Node> document = parseDocument(source);

@@ -132,6 +132,8 @@ void fields(V& v, SizeDesc& s)
     v.field("scale", NumberOrName<float>{s.scale, s.scale_param},
             "Factor in each direction, 0.5 for half resolution; or the name of a float param.",
             range(smallestScale(s), kLargestScale));
+    v.field("optional", s.optional,
+            "Whether the param that `scale` names may be lacking: the scale then is 1.");
     if (!v.has("scale"))
         v.refuse("border", Code::bad_enum, "there is no 'scale' that adds a border");
 }

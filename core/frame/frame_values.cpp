@@ -28,6 +28,7 @@ const FrameValueInfo kFrameValues[frame_value_count] = {
     {"light_cone", GlslType::vec4, kMaxLights, kLights},
     {"ambient_light", GlslType::vec3, 1, kLights},
     {"viewport_size", GlslType::vec2, 1, std::nullopt},
+    {"ray_from_pixel", GlslType::mat3, 1, kCamera},
     {"history_valid", GlslType::float_, 1, std::nullopt},
     {"frame_index", GlslType::int_, 1, std::nullopt},
     {"previous_view_from_view", GlslType::mat4, 1, kCamera},

@@ -29,6 +29,7 @@ enum FrameValue : std::size_t {
     light_cone,
     ambient_light,
     viewport_size,
+    ray_from_pixel,
     history_valid,
     frame_index,
     previous_view_from_view,

@@ -15,6 +15,22 @@ namespace {
 // Clip space is 2 wide about 0, windows 1 from 0 on.
 const glm::dmat4 kClipFromWindow(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1);
 
+// From (uv, 1) to x and y of view space, at z = 1 of a perspective view, and anywhere along
+// parallel rays; the third row is (0, 0, 1). Clip space gives x + s z of it, or x + s.
+glm::dmat3 rayFromUv(const glm::dmat4& clip_from_view)
+{
+    const bool parallel = clip_from_view[2][3] == 0.0;
+    const glm::dvec4 of_rest = clip_from_view[parallel ? 3 : 2];
+    const double w = of_rest.w;  // 1, or -1 as z is
+    const auto column = [w](const glm::dvec4& of, double last) {
+        return glm::dvec3(of.x / w, of.y / w, last);
+    };
+    const glm::dmat3 clip_from_ray = {column(clip_from_view[0], 0), column(clip_from_view[1], 0),
+                                      column(of_rest, 1)};
+    const glm::dmat3 clip_from_uv(2, 0, 0, 0, 2, 0, -1, -1, 1);
+    return glm::inverse(clip_from_ray) * clip_from_uv;
+}
+
 }  // namespace
 
 std::size_t wordsOf(GlslType type, int count)
@@ -85,6 +101,7 @@ void ValueTable::setFrame(const Frame& frame, const CameraMatrices& camera)
     write(view_from_world, glm::mat4(camera.view_from_world));
     write(world_from_view, glm::mat4(camera.world_from_view));
     write(view_from_host, glm::mat3(camera.view_from_host));
+    ray_from_uv_ = rayFromUv(camera.clip_from_view);
     write(ambient_light, isFinite(frame.ambient_light) ? frame.ambient_light : glm::vec3(0.0f));
     Light dark;
     dark.color = glm::vec3(0.0f);
@@ -111,7 +128,10 @@ void ValueTable::setHistory(const FrameHistory& history, const CameraMatrices& c
 
 void ValueTable::setViewport(Extent extent)
 {
+    const glm::dvec2 pixel(1.0 / extent.width, 1.0 / extent.height);
     write(viewport_size, glm::vec2(extent.width, extent.height));
+    write(ray_from_pixel,
+          glm::mat3(ray_from_uv_[0] * pixel.x, ray_from_uv_[1] * pixel.y, ray_from_uv_[2]));
 }
 
 void ValueTable::setDraw(const DrawItem& item, const MeshOrigin& origin, const Material& material,

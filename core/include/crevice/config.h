@@ -93,6 +93,7 @@ constexpr double kLargestScale = 4.0;
 struct SizeDesc {
     Reference of = {};  ///< Another target; empty, or an imported texture, follows the output.
     Reference scale_param = {};  ///< The param that gives the scale; empty when `scale` does.
+    bool optional = false;       ///< The param may be lacking: the scale then is 1.
     float scale = 1.0f;          ///< [kSmallestScale, kLargestScale].
     bool border = false;         ///< What `scale`, 1 or more, adds is whole pixels on either side.
     Place place = {};            ///< Of the value that was set last.
