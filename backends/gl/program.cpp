@@ -3,6 +3,9 @@
 
 #include "backends/gl/failure.h"
 
+#include <cctype>
+#include <string_view>
+
 namespace crevice {
 
 namespace {
@@ -65,11 +68,33 @@ std::string desktopText(const std::string& text)
            (end == std::string::npos ? "" : text.substr(end));
 }
 
+/// With highp for mediump, which is more than asked for, and as long a text: its lines and columns
+/// stay.
+std::string highpText(std::string text)
+{
+    constexpr std::string_view kMedium = "mediump", kHigh = "highp  ";
+    const auto inWord = [&](std::size_t at) {
+        return at < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_');
+    };
+    for (std::size_t at = text.find(kMedium); at != std::string::npos;
+         at = text.find(kMedium, at + 1))
+        if (!inWord(at - 1) && !inWord(at + kMedium.size()))
+            text.replace(at, kMedium.size(), kHigh);
+    return text;
+}
+
+std::string driverText(const GlApi& gl, const std::string& text)
+{
+    const std::string whole = gl.glsl_330 ? desktopText(text) : text;
+    return gl.emulates_mediump ? highpText(whole) : whole;
+}
+
 Result<GlShader> compileStage(GlApi& gl, GLenum kind, const GlslStage& stage,
                               const std::string& label)
 {
     GlShader shader(gl, gl.CreateShader(kind));
-    const std::string whole = gl.glsl_330 ? desktopText(stage.text) : stage.text;
+    const std::string whole = driverText(gl, stage.text);
     const GLchar* text = whole.data();
     const auto length = static_cast<GLint>(whole.size());
     gl.ShaderSource(shader.name(), 1, &text, &length);
