@@ -39,6 +39,23 @@ highp vec3 viewFromDepth(highp vec2 uv, highp float z)
 #endif
 }
 
+// View depth at which the ray behind `uv`, within a pixel of `point`, meets the plane through it; on planes that all but
+// run along the ray, and on what seems to face away, no further from the point than the plane that leans by kSteepest.
+highp float planeZ(highp vec2 uv, highp vec3 point, highp vec3 normal)
+{
+    const highp float kSteepest = 8.0;  // view depth over way across the view
+#if CAMERA_ORTHOGRAPHIC
+    highp vec2 way = (view_from_window * vec4(uv, 0.0, 1.0)).xy - point.xy;
+    highp float facing = normal.z;
+#else
+    highp vec3 ray = (view_from_window * vec4(uv, 0.0, 1.0)).xyz;
+    highp vec2 way = ray.xy * (point.z / ray.z) - point.xy;
+    highp float facing = dot(normal, ray / ray.z);
+#endif
+    highp vec2 slope = clamp(-normal.xy / max(facing, 1e-6), -kSteepest, kSteepest);
+    return point.z + dot(way, slope);
+}
+
 // The window depth that viewFromWindow takes to view depth `z`: (m2.z d + near.z) / (m2.w d + near.w) = z, solved for d,
 // where an oblique near plane has `near` change over the screen [Lengyel 2005, "Oblique View Frustum Depth Projection
 // and Clipping"]. Nothing cancels: reversed depth keeps the digits that a float texture has for it.

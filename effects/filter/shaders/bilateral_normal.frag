@@ -1,50 +1,68 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
-// One direction of a separable mean over four pixels that stops at steps and edges.
+// One direction of a separable mean over four pixels that stops at steps and edges in depth.
 //
-//   surface      interface: point and normal in view space
-//   normal_low   with NEIGHBOUR_NORMALS: those normals, read instead
-//   ao           what is filtered
-//   ao_filtered  the weighted mean; unchanged in the background and where no neighbour counts
-//   AXIS         vec2(1.0, 0.0) or vec2(0.0, 1.0)
+//   ao             what is filtered; with PACKED its depth beside it: r, and the digits of its share in gba
+//   source_depth   without PACKED: depth as a share, with the guard band
+//   source_normal  normals, with the guard band
+//   ao_filtered    the weighted mean; unchanged in the background and where no neighbour counts. With PACKS its depth
+//                  beside it
+//   AXIS           vec2(1.0, 0.0) or vec2(0.0, 1.0)
+//   UNFILTERED     the value as it comes: for error budgets
 //
 // Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that
 // noise which repeats every four pixels vanishes, and the picture does not shift. The taps are ours, as is all of
-// near_plane.glsl but the idea, weights by what is seen: docs/methods/filters.md has its error and cost.
+// off_plane.glsl but the idea, weights by what is seen: docs/methods/filters.md has its error and cost.
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
-precision highp float;  // positions are compared
+precision highp float;  // depths are compared
+precision highp int;
 
 #include "common/host_picture.glsl"
-#include "filter/shaders/near_plane.glsl"
+#include "filter/shaders/off_plane.glsl"
 
 uniform mediump sampler2D ao;
+#if !PACKED
+uniform highp sampler2D source_depth;
+#endif
 
-in vec2 uv;
-layout(location = 0) out float ao_filtered;
-
-// What the tap adds to the weighted sum, and its weight.
-vec2 tapAt(vec2 at, Here here)
-{
-    return nearnessOf(at, here) * vec2(texture(ao, at).r, 1.0);
-}
-
-vec3 ownNormal()
-{
-#ifdef NEIGHBOUR_NORMALS
-    return lowNormalAt(uv);
+#if PACKS
+layout(location = 0) out vec4 ao_filtered;
 #else
-    return normalAt(uv);
+layout(location = 0) out float ao_filtered;
+#endif
+
+// Occlusion and share of a pixel; off the view those of the nearest one.
+vec2 valueAt(ivec2 pixel, ivec2 band)
+{
+    ivec2 inside = clamp(pixel, ivec2(0), textureSize(ao, 0) - 1);
+#if PACKED
+    vec4 stored = texelFetch(ao, inside, 0);
+    return vec2(stored.r, shareOfDigits(stored.gba));
+#else
+    return vec2(texelFetch(ao, inside, 0).r, texelFetch(source_depth, inside + band, 0).r);
 #endif
 }
 
 void main()
 {
-    vec2 texel = pictureFromHost(AXIS) / vec2(textureSize(ao, 0));
-    vec2 sum = vec2(texture(ao, uv).r, 1.0);
-    Here here;
-    if (hereAt(uv, ownNormal(), here)) {
-        sum += tapAt(uv - texel, here) + tapAt(uv + texel, here);
-        sum += 0.5 * (tapAt(uv - 2.0 * texel, here) + tapAt(uv + 2.0 * texel, here));
-    }
-    ao_filtered = sum.x / sum.y;
+    ivec2 band = (textureSize(source_normal, 0) - textureSize(ao, 0)) / 2;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 axis = ivec2(pictureFromHost(AXIS));
+    vec2 here = valueAt(pixel, band);
+    vec2 before = valueAt(pixel - axis, band);
+    vec2 after = valueAt(pixel + axis, band);
+    vec2 first = valueAt(pixel - 2 * axis, band);
+    vec2 last = valueAt(pixel + 2 * axis, band);
+    vec4 shares = vec4(first.y, before.y, after.y, last.y);
+    mediump vec4 weights = weightsAlong(vec2(axis), here.y, shares, texelFetch(source_normal, pixel + band, 0));
+#ifdef UNFILTERED
+    weights = vec4(0.0);
+#endif
+    mediump float sum = here.x + dot(weights, vec4(first.x, before.x, after.x, last.x));
+    mediump float mean = sum / (1.0 + dot(weights, vec4(1.0)));
+#if PACKS
+    ao_filtered = vec4(mean, digitsOfShare(here.y));
+#else
+    ao_filtered = mean;
+#endif
 }

@@ -3,13 +3,10 @@
 // so that neither a step nor an edge is smoothed over. A plane is filtered alike however it lies to the camera.
 //
 // What is across an edge lies on a slope about half as steep as the normals turn, and at full size needs no normal of
-// its own: those of neighbours cost half as much again and err more, by 0.3 to 11 %. At a lower resolution a neighbour
-// just across the near edge of a box lies almost in the plane of its top, which then has dark dots along the edge: a
-// shader with NEIGHBOUR_NORMALS takes the mean of the slopes off either plane. Both weights fall in a straight line,
+// its own: those of neighbours cost half as much again and err more, by 0.3 to 11 %. Both weights fall in a straight line,
 // which is ours.
 //
-//   surface     interface: point and normal in view space
-//   normal_low  with NEIGHBOUR_NORMALS: normals at the resolution of the neighbours
+//   surface  interface: point and normal in view space
 //
 // [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
 
@@ -19,16 +16,6 @@
 uniform highp float radius;
 uniform highp float depth_cut;
 uniform highp float slope_cut;
-
-#ifdef NEIGHBOUR_NORMALS
-uniform mediump sampler2D normal_low;
-
-// The normal in view space at the centre of a pixel of the lower resolution, to within its rounding of length 1.
-highp vec3 lowNormalAt(highp vec2 at)
-{
-    return texture(normal_low, at).xyz * 2.0 - 1.0;
-}
-#endif
 
 // A pixel's point, its tangent plane, and what that is to its neighbours.
 struct Here {
@@ -59,9 +46,6 @@ highp float cutsOf(highp vec2 at, Here here)
     bool known = viewPosition(at, point);
     highp vec3 way = point - here.point;
     highp float off = abs(dot(way, here.normal));
-#ifdef NEIGHBOUR_NORMALS
-    off = 0.5 * (off + abs(dot(way, lowNormalAt(at))));
-#endif
     highp float slope = max(off - here.step, 0.0) * inversesqrt(max(dot(way, way), 1e-30));
     const highp float kFarOff = 1e4;  // whose square a float holds
     return known ? min(off * here.per_length + slope / slope_cut, kFarOff) : kFarOff;

@@ -4,9 +4,10 @@
 // camera then saw it, and the new value joins it.
 //
 //   surface              interface: points
+//   source_depth         with FROM_SOURCE: in its place, as filters of fewer pixels compare it
 //   ao                   this frame's occlusion; what is not in 0..1 is dropped
 //   ao_filtered_history  the mean up to the last frame
-//   ao_depth_history     where that was: rgb view depth, a the frames in the mean, over 255
+//   ao_depth_history     where that was: rgb the digits of its share of depth, a the frames in the mean, over 255
 //   ao_cycle_history     the pixel's `ao` when a cycle of noise last began
 //   velocity             with HOST_VELOCITY: how far on the screen what a pixel sees has come since the last frame, in uv
 //   ao_filtered          the mean; `ao` itself where there is no earlier frame
@@ -23,8 +24,12 @@ precision highp int;
 #define SURFACE_WITHOUT_NORMAL
 #include "common/noise_cycle.glsl"
 #include "common/view_space.glsl"
-#include "filter/shaders/depth_digits.glsl"
+#include "common/depth_share.glsl"
+#ifdef FROM_SOURCE
+uniform highp sampler2D source_depth;
+#else
 #include <surface>
+#endif
 
 uniform highp mat4 previous_view_from_view;
 uniform highp mat4 previous_clip_from_view;
@@ -97,7 +102,7 @@ vec2 historyOf(vec3 point, float slope, out bool still)
         if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
         vec2 share = mix(1.0 - between, between, vec2(step));
         vec4 was = texelFetch(ao_depth_history, at, 0);
-        float weight = abs(zOf(was.rgb) - z) < apart ? share.x * share.y : 0.0;
+        float weight = abs(zOfShare(max(shareOfDigits(was.rgb), kFarthestShare), depthUnit()) - z) < apart ? share.x * share.y : 0.0;
         sum += weight * vec3(texelFetch(ao_filtered_history, at, 0).r, was.a, 1.0);
     }
     // A sliver of a texel is no history: under 5 % of the bilinear weights, by choice.
@@ -118,10 +123,22 @@ vec2 rangeAround(float now)
     return vec2(sum.x, kClampWidth * sqrt(max(sum.y - sum.x * sum.x, 0.0)));
 }
 
+#ifdef FROM_SOURCE
+bool pointHere(out vec3 point)
+{
+    ivec2 band = (textureSize(source_depth, 0) - textureSize(ao, 0)) / 2;
+    float share = texelFetch(source_depth, ivec2(gl_FragCoord.xy) + band, 0).r;
+    point = viewFromDepth(uv, zOfShare(max(share, kFarthestShare), depthUnit()));
+    return share > 0.0;
+}
+#else
+bool pointHere(out vec3 point) { return viewPosition(uv, point); }
+#endif
+
 void main()
 {
     vec3 point;
-    bool known = viewPosition(uv, point);
+    bool known = pointHere(point);
     bool still = false;
     float slope = fwidth(known ? point.z : 0.0);
     vec2 history = known ? historyOf(point, slope, still) : vec2(0.0);
@@ -147,7 +164,7 @@ void main()
     float weight = settled ? 1.0 : earlier / (earlier + 1.0);
     ao_filtered = frames > 0.0 ? mix(now, history.x, weight) : now;
     float counted = min(frames + (usable ? 1.0 : 0.0), history_frames);
-    ao_depth = vec4(known ? digitsOf(point.z) : vec3(0.0), known ? counted / kMostFrames : 0.0);
+    ao_depth = vec4(known ? digitsOfShare(shareOfZ(point.z, depthUnit())) : vec3(0.0), known ? counted / kMostFrames : 0.0);
     // What a moving camera has gathered is no mean to stand still: nothing is like its noise.
     ao_cycle = still ? (begins ? now : cycle) : 1.0 - step(0.5, now);
 }

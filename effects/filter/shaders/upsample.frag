@@ -1,20 +1,29 @@
 #version 300 es
 // SPDX-License-Identifier: MIT
 // Full-size occlusion from that of fewer pixels: the mean of the four nearest by how near they lie on the
-// screen and to the pixel's tangent plane.
+// screen and in depth.
 //
-//   surface      interface: point and normal in view space, at full size
-//   normal_low   normals at that of ao_low
-//   ao_low       occlusion at a lower resolution, each pixel that of the surface at its uv
-//   ao_filtered  the weighted mean; 1 in the background
+//   surface        interface: view depth, at full size
+//   source_normal  normals at the size of ao_low, with the guard band
+//   ao_low         occlusion at a lower resolution in r, and the digits of its share of depth in gba
+//   low_depth      with DEPTH_APART: those digits in rgb
+//   ao_filtered    the weighted mean; 1 in the background
 //
-// Where all four lie on other surfaces, a thin wire say, or on a curved one, those nearest to the plane serve.
+// A neighbour counts if the pixel lies in its plane: what lies across the near edge of a box does not, at the same
+// depth. Where all four lie on other surfaces, a thin wire say, or on a curved one, those nearest in depth serve.
 // [Kopf et al. 2007, "Joint Bilateral Upsampling"] - bilinear shares times a weight by the full-size picture
-precision highp float;  // positions are compared
+precision highp float;  // depths are compared
+precision highp int;
 
-#include "filter/shaders/near_plane.glsl"
+#define SURFACE_WITHOUT_NORMAL
+#include <surface>
+#include "filter/shaders/off_plane.glsl"
 
-uniform mediump sampler2D ao_low;
+uniform highp sampler2D ao_low;  // its digits make up 24 bits
+#ifdef DEPTH_APART
+uniform highp sampler2D low_depth;
+#endif
+uniform vec2 viewport_size;
 
 in vec2 uv;
 layout(location = 0) out float ao_filtered;
@@ -23,29 +32,54 @@ layout(location = 0) out float ao_filtered;
 // objects would have no value at all, and with one that does not fall, round ones take on what lies behind them.
 const float kMinWeight = 0.03;
 
-// What the low-resolution pixel adds to the weighted sum, and its weight.
-vec2 tapAt(vec2 corner, vec2 texel, vec2 toward, vec2 share, Here here)
+// Occlusion, and the share of depth.
+vec2 valueAt(ivec2 texel)
 {
-    vec2 at = clamp((corner + toward) * texel, 0.5 * texel, 1.0 - 0.5 * texel);
-    vec2 shares = mix(1.0 - share, share, toward);
-    float cuts = cutsOf(at, here);
-    float weight = shares.x * shares.y * max(here.whole - cuts, kMinWeight / (1.0 + cuts * cuts));
-    return weight * vec2(texture(ao_low, at).r, 1.0);
+    vec4 stored = texelFetch(ao_low, texel, 0);
+#ifdef DEPTH_APART
+    return vec2(stored.r, shareOfDigits(texelFetch(low_depth, texel, 0).rgb));
+#else
+    return vec2(stored.r, shareOfDigits(stored.gba));
+#endif
 }
 
 void main()
 {
-    ao_filtered = 1.0;
-    Here here;
-    if (!hereAt(uv, normalAt(uv), here)) return;
-    vec2 size = vec2(textureSize(ao_low, 0));
-    vec2 place = uv * size - 0.5;
-    vec2 share = fract(place);
-    vec2 corner = floor(place) + 0.5;
-    vec2 texel = 1.0 / size;
-    vec2 sum = tapAt(corner, texel, vec2(0.0, 0.0), share, here);
-    sum += tapAt(corner, texel, vec2(1.0, 0.0), share, here);
-    sum += tapAt(corner, texel, vec2(0.0, 1.0), share, here);
-    sum += tapAt(corner, texel, vec2(1.0, 1.0), share, here);
-    ao_filtered = sum.x / sum.y;
+    float z = viewZAt(uv);
+    if (z <= kBackgroundZ) {
+        ao_filtered = 1.0;
+        return;
+    }
+    ivec2 size = textureSize(ao_low, 0);
+    vec2 place = uv * vec2(size) - 0.5;
+    ivec2 first = ivec2(floor(place));
+    vec2 along = place - vec2(first);
+    ivec2 low = max(first, 0);
+    ivec2 high = min(first + 1, size - 1);
+    vec2 a = valueAt(low);
+    vec2 b = valueAt(ivec2(high.x, low.y));
+    vec2 c = valueAt(ivec2(low.x, high.y));
+    vec2 d = valueAt(high);
+
+    // From the pixel to each neighbour: across and up in pixels of ao_low, and in depth.
+    vec4 across = vec4(-along.x, 1.0 - along.x, -along.x, 1.0 - along.x);
+    vec4 up = vec4(-along.yy, 1.0 - along.yy);
+    float share = shareOfZ(z, depthUnit());
+    vec4 behind = (vec4(a.y, b.y, c.y, d.y) - share) * lengthPerShare(share);
+    // From each neighbour's plane.
+    ivec2 band = (textureSize(source_normal, 0) - size) / 2;
+    vec3 ray = rayThrough(gl_FragCoord.xy);
+    vec2 low_pixel = pixelSize(share) * viewport_size / vec2(size);
+    vec4 stored = texelFetch(source_normal, low + band, 0);
+    vec3 normal_a = normalOf(stored);
+    vec3 normal_b = normalOf(texelFetch(source_normal, ivec2(high.x, low.y) + band, 0));
+    vec3 normal_c = normalOf(texelFetch(source_normal, ivec2(low.x, high.y) + band, 0));
+    vec3 normal_d = normalOf(texelFetch(source_normal, high + band, 0));
+    vec4 off = vec4(dot(normal_a, ray), dot(normal_b, ray), dot(normal_c, ray), dot(normal_d, ray)) * behind;
+    off += vec4(normal_a.x, normal_b.x, normal_c.x, normal_d.x) * across * low_pixel.x;
+    off += vec4(normal_a.y, normal_b.y, normal_c.y, normal_d.y) * up * low_pixel.y;
+    float noise = 4.0 * toleranceOf(stored.a) * radius;
+    vec4 cuts = cutsOf(abs(off), noise, vec4(1.0 / max(low_pixel.x, 1e-20)));
+    vec4 weights = (1.0 - abs(across)) * (1.0 - abs(up)) * max(1.0 - cuts, kMinWeight / (1.0 + cuts * cuts));
+    ao_filtered = dot(weights, vec4(a.x, b.x, c.x, d.x)) / dot(weights, vec4(1.0));
 }

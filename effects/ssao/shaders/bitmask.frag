@@ -4,22 +4,19 @@
 // sectors of equal light, and each tap blocks the sectors between its front and its back, so that light
 // passes behind thin objects.
 //
-//   surface            interface: point and normal in view space
-//   depth_back         with BACK_FACES: the first back faces, which end what the surface begins
-//   depth_second       with SECOND_LAYER: the first front faces behind those
-//   depth_second_back  with SECOND_LAYER: the back faces that end them
-//   ao                 visibility, 1 open .. 0 blocked; 1 in the background
+//   source_depth, source_normal  as ssao/shaders/march.glsl has them
+//   source_layers                with BACK_FACES: what ssao/shaders/layers.frag wrote
+//   ao                           visibility, 1 open .. 0 blocked; 1 in the background
 //
 // [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
-// of equal angle. Slices are those of ssao/shaders/slice.glsl. That taps join, and that each is clipped to the radius,
+// of equal angle. That taps join, and that each is clipped to the radius,
 // is ours. Off the screen the surface last seen goes on. Figures are rmse in the room and on the spheres, 480x270,
 // radius 1; docs/methods/bitmask.md says how to measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16
 
-#include <surface>
-#include "geometry/shaders/depth_point.glsl"
 #include "ssao/shaders/march.glsl"
+#include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
 // Switches of geometry/back_faces and geometry/second_layer, which a config may lack. The second layer is what lies
@@ -32,202 +29,187 @@ precision highp int;    // all 32 bits of a mask: mediump has 16
 #define SECOND_LAYER 0
 #endif
 
-uniform float thickness;
-uniform float max_gap;
-
+uniform mediump float thickness;
+uniform mediump float max_gap;
 #if BACK_FACES
-uniform highp sampler2D depth_back;
-#endif
-#if SECOND_LAYER
-uniform highp sampler2D depth_second;
-uniform highp sampler2D depth_second_back;
+uniform mediump sampler2D source_layers;
 #endif
 
-uniform vec2 viewport_size;
-
-in vec2 uv;
 layout(location = 0) out float ao;
 
 // What a side's last tap has seen.
 struct Trail {
-    vec3 offset;   // of its front from the point
-    vec3 way;      // to there from the tap before; 0 where they do not join
-    float sector;  // 0..kSectors, of where its front ends within the radius
-    float front;   // how far behind the point, along the view, it begins
-    float back;    // and ends
-    float step;    // from the front of the tap before
-    bool inside;   // whether its front is within the radius
+    mediump vec3 offset;   // of its front from the point
+    mediump float sector;  // 0..kSectors, of where its front ends within the radius
+    mediump float deep;    // from front to back
+    mediump float step;    // in depth, from the front of the tap before
+    mediump vec2 gone_on;  // height and depth where the surface leaves the radius, if it goes on as it came
 };
 
 // Of a side. One less than an int has bits, so that the bit beyond the last is one too.
-const float kSectors = 31.0;
-
-// How deep a sheet, whose back is its front, counts in radii: less parts steep sheets between taps, more closes what is
-// open behind leaves. rmse of `high` in a courtyard of open shells and among leaves: 0.037 and 0.129, with 0.1 0.070
-// and 0.145, with 0.2 0.042 and 0.127, with 0.3 0.035 and 0.134.
-const float kSheet = 0.25;
+const mediump float kSectors = 31.0;
 
 // Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
-uint maskOf(float first, float last)
+uint maskOf(mediump float first, mediump float last)
 {
     return (1u << uint(max(first, last) + 0.5)) - (1u << uint(min(first, last) + 0.5));
 }
 
 // [Anderson 2005, "Bit Twiddling Hacks" - counting bits set, in parallel]
-float countOf(uint mask)
+mediump float countOf(uint mask)
 {
     uint pairs = mask - ((mask >> 1u) & 0x55555555u);
     uint fours = (pairs & 0x33333333u) + ((pairs >> 2u) & 0x33333333u);
     return float((((fours + (fours >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
 }
 
-float sectorOf(March march, Side side, vec3 outwards, vec3 offset)
-{
-    return kSectors * cosineArcIntegral(side, cosineOf(march, side, outwards, offset)) / max(side.whole, 1e-6);
-}
-
 // What `max_gap` counts as where backs are known: thicknesses then are those of the scene, most of them less than
 // `thickness`, and of two layers the second shows what gaps would have to stand for.
 #if SECOND_LAYER
-const float kGap = 8.0 / 6.0;
+const mediump float kGap = 8.0 / 6.0;
 #elif BACK_FACES
-const float kGap = 5.0;
+const mediump float kGap = 5.0;
 #else
-const float kGap = 1.0;
+const mediump float kGap = 1.0;
 #endif
 
+// A ray of the view through what a tap sees.
+struct Ray {
+    mediump vec3 away;         // unit, from the camera
+    mediump float rise;        // per length, over the surface
+    mediump float towards;     // per length, to the camera
+};
+
 // How much of what lies between two neighbouring taps is filled: half of a gap in depth as large as the nearer of them
-// is deep, times `max_gap` and the spacing of the taps, or as the radius.
-float filledBetween(Trail trail, float front, float deep)
+// is deep, times `max_gap` and the spacing of the taps, or as the radius. `step` is towards the camera.
+mediump float filledBetween(Trail trail, mediump float step_here, mediump float deep)
 {
-    float share = kGap * max_gap / float(STEPS);
-    float thick = trail.back - trail.front;
-    float uneven = unevenStep(front - trail.front, trail.step);
-    float behind = (uneven - thick) / max(min(share * thick, radius), 1e-30);
-    float before = (-uneven - deep) / max(min(share * deep, radius), 1e-30);
-    return trail.inside ? filledShare(max(max(behind, before), 0.0)) : 0.0;
+    mediump float share = kGap * max_gap / float(STEPS);
+    mediump float uneven = unevenStep(step_here, trail.step);
+    mediump float behind = (-uneven - trail.deep) / max(min(share * trail.deep, 1.0), 1e-3);
+    mediump float before = (uneven - deep) / max(min(share * deep, 1.0), 1e-3);
+    return dot(trail.offset, trail.offset) < 1.0 ? filledShare(max(max(behind, before), 0.0)) : 0.0;
 }
 
-// The sectors blocked by something whose front is at `offset` and which is `deep` along the ray `away`,
+// The sector at a height over the surface; `inverse` is one over the distance, `towards` the distance to the camera.
+mediump float sectorOf(Side side, mediump float height, mediump float towards, mediump float inverse)
+{
+    mediump float up = clamp(height * inverse / side.projected_length, 0.0, 1.0);
+    bool beyond = side.sin_n > 0.0 && towards * inverse > side.cos_n;
+    if (beyond) up = up > side.cos_n ? 2.0 - up : 0.0;
+    return min(kSectors * lightBelow(up, side.cos_n, side.sin_n) / side.whole, kSectors);
+}
+
+// The sectors blocked by something whose front is at `offset` and which is `deep` along its ray,
 // as far as it lies within the radius; and by the surface that joins it to the tap before, without which
 // few taps would miss most of what blocks.
-uint blockedBy(March march, Side side, vec3 outwards, vec3 offset, vec3 away, float deep, inout Trail trail)
+uint blockedBy(March march, Side side, mediump vec3 offset, Ray ray, mediump float deep, inout Trail trail)
 {
-    float front = -dot(offset, march.to_camera);
-    float filled = filledBetween(trail, front, deep);
+    mediump float square = dot(offset, offset);
+    mediump vec3 way = offset - trail.offset;
+    mediump float height = dot(offset, march.normal);
+    mediump float rise = dot(way, march.normal);
+    mediump float step_here = dot(way, march.to_camera);
+    mediump float filled = filledBetween(trail, step_here, deep);
 
-    // The ray is within the radius from -along - root to root - along: |offset + s away| = radius, solved for s.
-    float along = dot(offset, away);
-    float reached = length(offset);
-    float square = along * along + (radius - reached) * (radius + reached);
-    float root = sqrt(max(square, 0.0));
-    float first = max(-along - root, 0.0);
-    float last = min(deep, root - along);
-    bool inside = reached < radius;
-    bool within = square > 0.0 && first <= last;
+    // The ray is within the radius from -along - root to root - along: |offset + s away| = 1, solved for s.
+    mediump float along = dot(offset, ray.away);
+    mediump float within = along * along + 1.0 - square;
+    mediump float root = sqrt(max(within, 0.0));
+    mediump float first = max(-along - root, 0.0);
+    mediump float last = min(deep, root - along);
+    bool inside = square < 1.0;
+    bool meets = within > 0.0 && first <= last;
     // Of a front beyond the radius, where what joins it leaves the radius.
-    vec3 begin = offset + away * first;
-    if (!inside && filled > 0.0) begin = mix(trail.offset, offset, shareWithin(trail.offset, offset));
-    uint blocked = 0u;
-    float sector = kSectors;
-    if (within || filled > 0.0) {
-        sector = sectorOf(march, side, outwards, begin);
-        float part = 0.5 * filled * (trail.sector - sector);  // from either end
-        if (within) blocked = maskOf(sector, sectorOf(march, side, outwards, offset + away * last));
-        blocked |= maskOf(sector, sector + part) | maskOf(trail.sector - part, trail.sector);
+    mediump float a = max(dot(way, way), 1e-4);
+    mediump float b = dot(trail.offset, way);
+    mediump float leaves = (sqrt(max(b * b - a * (dot(trail.offset, trail.offset) - 1.0), 0.0)) - b) / a;
+    mediump float towards = dot(offset, march.to_camera);
+    mediump float goes_on = filled > 0.5 ? max(leaves - 1.0, 0.0) : 0.0;
+    leaves = clamp(leaves, 0.0, 1.0);
+    mediump float begin = height + first * ray.rise;
+    mediump float begin_towards = towards + first * ray.towards;
+    if (!inside && filled > 0.0) {
+        begin = height + (leaves - 1.0) * rise;
+        begin_towards = towards + (leaves - 1.0) * step_here;
     }
-    vec3 way = filled > 0.5 ? offset - trail.offset : vec3(0.0);
-    trail = Trail(offset, way, sector, front, front + deep, front - trail.front, inside);
+    uint blocked = 0u;
+    mediump float sector = 0.0;
+    if (meets || filled > 0.0) {
+        sector = sectorOf(side, begin, begin_towards, inside ? inversesqrt(max(square, 1e-5)) : 1.0);
+        mediump float part = 0.5 * filled * (trail.sector - sector);  // from either end
+        blocked = maskOf(sector, sector + part) | maskOf(trail.sector - part, trail.sector);
+    }
+    if (meets) {
+        mediump float end = square + last * (2.0 * along + last);
+        blocked |= maskOf(sector, sectorOf(side, height + last * ray.rise, towards + last * ray.towards,
+                                           inversesqrt(max(end, 1e-5))));
+    }
+    mediump vec2 gone_on = vec2(height, towards) + goes_on * vec2(rise, step_here);
+    trail = Trail(offset, sector, deep, step_here, gone_on);
     return blocked;
 }
 
-// Away from the camera, at an offset from the point.
-vec3 awayAt(March march, vec3 offset)
-{
-#if CAMERA_ORTHOGRAPHIC
-    return vec3(0.0, 0.0, -1.0);
-#else
-    return normalize(march.point + offset);
-#endif
-}
-
 #if BACK_FACES
-// Thickness of the object whose front is at `front`: up to its back face, that of a sheet where the back is the front,
-// or `thickness` where none was drawn.
-float depthOf(highp sampler2D backs, March march, vec2 at, vec3 front)
+mediump float lengthOf(mediump float stored)
 {
-    vec3 back;
-    bool closed = pointIn(backs, at, back);
-    float deep = length(back - march.point - front);
-    if (closed && back.z < march.point.z + front.z) return deep;
-#if SCENE_SHEETS
-    if (closed) return kSheet * radius;
-#endif
-    return thickness * radius;
+    return stored / max(1.0 - stored, 1e-3);
 }
 #endif
 
-uint blockedOn(March march, Slice slice, Side side, float sign)
+// What has been seen where nothing is near.
+const Trail kNothing = Trail(vec3(2.0), 0.0, 0.0, 0.0, vec2(0.0));
+
+// The sectors blocked by the first things that taps see, or with `second` by those behind them: one march each, for both
+// at once take more registers than phones have.
+uint blockedOn(March march, Side side, bool second)
 {
-    vec3 outwards = outward(march, slice, sign);
-    float edge = edgeOf(march, slice, sign);
-    float stride = strideOf(edge);
     uint blocked = 0u;
-    Trail trail = Trail(vec3(0.0), vec3(0.0), kSectors, 0.0, thickness * radius, 0.0, true);
-#if SECOND_LAYER
-    Trail second = Trail(vec3(0.0), vec3(0.0), kSectors, 0.0, 0.0, 0.0, false);
-#endif
+    Trail trail = kNothing;
+    if (!second) trail = Trail(vec3(0.0), 0.0, thickness, 0.0, vec2(0.0));
+    highp vec2 at = side.first;
     for (int i = 0; i < STEPS; ++i) {
-        vec2 at = tapAt(march, slice, sign, stride, i);
-        vec3 offset;
-        if (!offsetAt(march, at, offset)) {
-            trail.inside = false;
-            continue;
-        }
-        vec3 away = awayAt(march, offset);
-        float deep = thickness * radius;
+        highp vec2 pixel = floor(at);
+        mediump vec3 offset = offsetAt(march, at);
+        at += side.step;
+        Ray ray;
+        ray.away = awayAt(pixel + 0.5);
+        ray.rise = dot(ray.away, march.normal);
+        ray.towards = dot(ray.away, march.to_camera);
+        mediump float deep = thickness;
 #if BACK_FACES
-        deep = depthOf(depth_back, march, at, offset);
+        mediump vec3 layers = texelFetch(source_layers, ivec2(pixel) + march.band, 0).xyz;
+        mediump float stored = second ? layers.z : layers.x;
+        if (stored < 1.0) deep = lengthOf(stored);
 #endif
-        blocked |= blockedBy(march, side, outwards, offset, away, deep, trail);
 #if SECOND_LAYER
-        vec3 behind;
-        if (!pointIn(depth_second, at, behind)) {
-            second.inside = false;
-            continue;
-        }
-        behind -= march.point;
-        deep = depthOf(depth_second_back, march, at, behind);
-        blocked |= blockedBy(march, side, outwards, behind, away, deep, second);
+        if (second) offset += ray.away * min(lengthOf(layers.y), 40.0);
 #endif
+        blocked |= blockedBy(march, side, offset, ray, deep, trail);
     }
-    if (edge < 1.0 && trail.inside) {
-        vec3 end = goneOn(trail.offset, trail.way);
-        blocked |= maskOf(sectorOf(march, side, outwards, end), trail.sector);
-    }
+    // Off the screen the surface last seen goes on until it leaves the radius.
+    if (side.cut && !second && dot(trail.offset, trail.offset) < 1.0)
+        blocked |= maskOf(sectorOf(side, trail.gone_on.x, trail.gone_on.y, 1.0), trail.sector);
     return blocked;
 }
 
 void main()
 {
-    vec3 point;
-    if (!viewPosition(uv, point)) {
-        ao = 1.0;
-        return;
+    March march;
+    // Not a constant: written out, the sides would take more registers than a phone has.
+    int sides = marchFrom(gl_FragCoord.xy, march) ? 2 * SLICES : 0;
+    int layers = min(sides, 1 + SECOND_LAYER);
+    mediump float blocked = 0.0;
+    mediump float whole = 0.0;
+    mediump vec2 turn = firstTurn(march);
+    for (int i = 0; i < sides; ++i) {
+        Side side = sideOf(march, turn);
+        mediump float light = side.projected_length * side.whole;
+        uint mask = 0u;
+        for (int layer = 0; layer < layers; ++layer) mask |= blockedOn(march, side, layer > 0);
+        blocked += light * countOf(mask) / kSectors;
+        whole += light;
+        turn = nextTurn(turn);
     }
-    vec2 at = hostPixel(gl_FragCoord.xy, viewport_size);
-    March march = marchFrom(uv, at, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
-    float blocked = 0.0;
-    float whole = 0.0;
-    for (int i = 0; i < SLICES; ++i) {
-        Slice slice = sliceOf(march, i);
-        float weight = slice.projected_length;
-        for (float sign = -1.0; sign < 2.0; sign += 2.0) {
-            Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
-            float share = countOf(blockedOn(march, slice, side, sign)) / kSectors;
-            blocked += weight * side.whole * share;
-            whole += weight * side.whole;
-        }
-    }
-    ao = visibilityOf(radiusFade(march) * blocked / max(whole, 1e-6));
+    ao = visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }

@@ -2,101 +2,95 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion from the horizons of slices through the hemisphere, cosine-weighted.
 //
-//   surface      interface: point and normal in view space
+//   source_depth, source_normal  ssao/shaders/march.glsl
 //   ao           visibility, 1 open .. 0 blocked; 1 in the background
 //   bent_normal  with BENT_NORMALS: mean open direction, view space, stored as n * 0.5 + 0.5
-//
-// Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count;
-// where the surface leaves the radius between two taps, the place where it does is interpolated, without
-// which few taps see too low a horizon. Off the screen the surface last seen goes on.
-// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
-// is algorithm 2. They fade taps towards the radius; the interpolation is ours, see ssao/shaders/march.glsl for its
-// figures.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 
-#include <surface>
 #include "ssao/shaders/march.glsl"
+#include "ssao/shaders/lift.glsl"
 #include "ssao/shaders/occlusion_curve.glsl"
 
 uniform float max_gap;
 
-uniform vec2 viewport_size;
-
-in vec2 uv;
 layout(location = 0) out float ao;
 #ifdef BENT_NORMALS
 layout(location = 1) out vec4 bent_normal;
 #endif
 
-// Cosine of the horizon of one side. [Jimenez et al. 2016: lines 17 to 26 of algorithm 1]
-float horizonOf(March march, Slice slice, Side side, float sign)
+// Lift of the horizon of one side. [Jimenez et al. 2016: lines 17 to 26 of algorithm 1]
+mediump float horizonOf(March march, Side side, int steps)
 {
-    vec3 outwards = outward(march, slice, sign);
-    float lift = 0.0;  // of the horizon
-    float edge = edgeOf(march, slice, sign);
-    float stride = strideOf(edge);
-    vec3 before = vec3(0.0);
-    vec3 way = vec3(0.0);
-    float before_distance = 0.0;
-    float before_step = 0.0;
-    float widest = max_gap / float(STEPS) * radius;
-    for (int i = 0; i < STEPS; ++i) {
-        vec2 at = tapAt(march, slice, sign, stride, i);
-        vec3 offset;
-        if (!offsetAt(march, at, offset)) continue;
-        float distance_here = length(offset);
-        way = offset - before;
-        float step_here = dot(way, march.to_camera);
-        float filled = filledShare(unevenStep(step_here, before_step) / widest);
-        if (filled < 0.5) way = vec3(0.0);
-        if (distance_here < radius) {
-            lift = max(lift, liftOf(march, side, outwards, offset));
-        } else if (before_distance < radius) {
-            vec3 leaves = mix(before, offset, shareWithin(before, offset));
-            lift += filled * max(liftOf(march, side, outwards, leaves) - lift, 0.0);
-        }
+    mediump float horizon = 0.0;
+    mediump vec3 before = vec3(0.0);  // what the tap before saw
+    mediump float near = 0.0;         // its distance, squared
+    mediump float step_before = 0.0;
+    mediump float gone_on = 0.0;
+    mediump float per_gap = float(STEPS) / max_gap;
+    mediump float per_height = 1.0 / side.projected_length;
+    mediump float normal_ends = side.sin_n > 0.0 ? side.cos_n : 2.0;
+    highp vec2 at = side.first;
+    for (int i = 0; i < steps; ++i) {
+        mediump vec3 offset = offsetAt(march, at);
+        at += side.step;
+        mediump float far = dot(offset, offset);
+        mediump vec3 way = offset - before;
+        mediump float height = dot(offset, march.normal);
+        mediump float rise = dot(way, march.normal);
+        mediump float step_here = dot(way, march.to_camera);
+        mediump float filled = filledShare(unevenStep(step_here, step_before) * per_gap);
+        // Of a surface that goes on beyond the radius, where it leaves it: t of |before + t way| = 1.
+        mediump float a = max(dot(way, way), 1e-4);
+        mediump float b = dot(before, way);
+        mediump float leaves = (sqrt(max(b * b - a * (near - 1.0), 0.0)) - b) / a;
+        bool inside = far < 1.0;
+        mediump float inverse = inversesqrt(max(far, 1e-5));
+        mediump float up = inside ? height * inverse : height + rise * clamp(leaves - 1.0, -1.0, 0.0);
+        up = clamp(up * per_height, 0.0, 1.0);
+        if (dot(offset, march.to_camera) * inverse > normal_ends) up = up > side.cos_n ? 2.0 - up : 0.0;
+        mediump float higher = max(up - horizon, 0.0);
+        horizon += inside ? higher : near < 1.0 ? filled * higher : 0.0;
+        gone_on = height + (filled < 0.5 ? 0.0 : rise * max(leaves - 1.0, 0.0));
         before = offset;
-        before_distance = distance_here;
-        before_step = step_here;
+        near = far;
+        step_before = step_here;
     }
-    if (edge < 1.0 && before_distance < radius)
-        lift = max(lift, liftOf(march, side, outwards, goneOn(before, way)));
-    return cosineOfLift(side, lift);
+    // Off the screen the surface last seen goes on until it leaves the radius.
+    if (side.cut && near < 1.0) horizon = max(horizon, min(gone_on * per_height, 1.0));
+    return horizon;
 }
 
 void main()
 {
-    vec3 point;
-    if (!viewPosition(uv, point)) {
-        ao = 1.0;
+    March march;
+    // No constants: written out, the loops would take more registers than a phone has.
+    bool known = marchFrom(gl_FragCoord.xy, march);
+    int sides = known ? 2 * SLICES : 0;
+    int steps = known ? STEPS : 0;
+    mediump float blocked = 0.0;
+    mediump float whole = 0.0;
 #ifdef BENT_NORMALS
-        bent_normal = vec4(0.5, 0.5, 1.0, 0.0);
+    mediump vec3 bent = vec3(0.0);
 #endif
-        return;
-    }
-    vec2 at = hostPixel(gl_FragCoord.xy, viewport_size);
-    March march = marchFrom(uv, at, vec2(dFdx(uv.x), dFdy(uv.y)), point, normalAt(uv));
-    float open = 0.0;
-    float whole = 0.0;
-    vec3 bent = vec3(0.0);
-    for (int i = 0; i < SLICES; ++i) {
-        Slice slice = sliceOf(march, i);
-        float weight = slice.projected_length;
-        for (float sign = -1.0; sign < 2.0; sign += 2.0) {
-            Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
-            float horizon = horizonOf(march, slice, side, sign);
-            open += weight * cosineArcIntegral(side, horizon);
-            whole += weight * side.whole;
+    mediump vec2 turn = firstTurn(march);
+    for (int i = 0; i < sides; ++i) {
+        Side side = sideOf(march, turn);
+        mediump float horizon = horizonOf(march, side, steps);
+        blocked += side.projected_length * lightBelow(horizon, side.cos_n, side.sin_n);
+        whole += side.projected_length * side.whole;
 #ifdef BENT_NORMALS
-            vec2 direction = openDirection(side, horizon);
-            bent += weight * (march.to_camera * direction.x + slice.along * (sign * direction.y));
+        mediump vec2 direction = openDirection(horizon, side.cos_n, side.sin_n);
+        bent += side.projected_length * (march.to_camera * direction.x + side.along * direction.y);
 #endif
-        }
+        turn = nextTurn(turn);
     }
 #ifdef BENT_NORMALS
-    bent = mix(march.normal * 1e-3, bent, radiusFade(march));
-    bent_normal = vec4(normalize(bent + march.normal * 1e-6) * 0.5 + 0.5, 1.0);
+    bent_normal = vec4(0.5, 0.5, 1.0, 0.0);
+    if (sides > 0) {
+        bent = mix(march.normal * 1e-3, bent, radiusFade(march));
+        bent_normal = vec4(normalize(bent + march.normal * 1e-3) * 0.5 + 0.5, 1.0);
+    }
 #endif
-    ao = visibilityOf(radiusFade(march) * (1.0 - open / max(whole, 1e-6)));
+    ao = visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }

@@ -10,7 +10,7 @@
 // [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"] - the integral of sin h - sin t, of elevations
 // over the screen; here angles count from the camera, so that sines are cosines. [SCS Software] - skip or count.
 
-#include "ssao/shaders/march.glsl"
+#include "ssao/shaders/hbao_march.glsl"
 
 uniform highp float angle_bias;
 uniform highp float falloff;

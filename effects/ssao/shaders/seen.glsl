@@ -7,6 +7,16 @@
 #define DEPTH_LEVELS 0
 #endif
 
+bool positionAtTap(highp vec2 at, out highp vec3 point)
+{
+#if defined SURFACE_AT_TAPS && defined GUARDS
+#if !GUARDS
+    return viewPositionAtTap(at, point);
+#endif
+#endif
+    return viewPosition(at, point);
+}
+
 #if DEPTH_LEVELS && !defined SEEN_IN_TILES
 #include "common/depth_levels.glsl"
 #include "common/view_space.glsl"
@@ -23,7 +33,7 @@ bool samplePosition(highp vec2 from, inout highp vec2 at, out highp vec3 point)
     highp vec2 pixels = (at - from) * viewSizeIn(vec2(size));
     highp float doublings = 0.5 * log2(max(dot(pixels, pixels), 1e-6) / (near_taps * near_taps));
     highp int level = min(int(doublings + 1.0), kDepthLevels);
-    if (doublings < 0.0 || min(size.x, size.y) >> level == 0) return viewPosition(at, point);
+    if (doublings < 0.0 || min(size.x, size.y) >> level == 0) return positionAtTap(at, point);
     highp ivec2 texel = min(texelInGuardBand(at, vec2(size)) >> level, (size >> level) - 1);
     highp float stored = texelFetch(depth_levels, levelCorner(level, size) + texel, 0).r;
     at = uvFromGuardBand(levelSource(level, texel), vec2(size));
@@ -33,11 +43,6 @@ bool samplePosition(highp vec2 from, inout highp vec2 at, out highp vec3 point)
 #else
 bool samplePosition(highp vec2 from, highp vec2 at, out highp vec3 point)
 {
-#if defined SURFACE_AT_TAPS && defined GUARDS
-#if !GUARDS
-    return viewPositionAtTap(at, point);
-#endif
-#endif
-    return viewPosition(at, point);
+    return positionAtTap(at, point);
 }
 #endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// How much a neighbour counts: less the farther it and the pixel are from one plane, both by itself and as a slope, so
+// that neither a step nor an edge is smoothed over. A plane is filtered alike however it lies to the camera.
+//
+// Depths are shares (common/depth_share.glsl), which run almost straight over the screen on a plane. Both weights fall
+// in a straight line, which is ours.
+//
+//   source_normal  normals at the size of the occlusion, with the guard band, and tolerances
+//
+// [Tomasi, Manduchi 1998, "Bilateral Filtering for Gray and Color Images"]
+
+#include "common/depth_share.glsl"
+#include "common/pixel_ray.glsl"
+#include "common/tolerance.glsl"
+
+uniform mediump sampler2D source_normal;
+uniform highp float depth_cut;
+uniform highp float slope_cut;
+
+highp vec3 normalOf(mediump vec4 stored) { return stored.xyz * 2.0 - 1.0; }
+
+// One pixel of the pass, in scene units at its depth.
+highp vec2 pixelSize(highp float share)
+{
+    highp vec2 size = vec2(ray_from_pixel[0].x, ray_from_pixel[1].y);
+#if !CAMERA_ORTHOGRAPHIC
+    highp float unit = depthUnit();
+    size *= unit - unit / max(share, kFarthestShare);  // view depth
+#endif
+    return size;
+}
+
+// How much the view depth changes with the share.
+highp float lengthPerShare(highp float share)
+{
+#if CAMERA_ORTHOGRAPHIC
+    highp float kept = clamp(min(share, 1.0 - share), kFarthestShare, 0.5);
+    return 0.5 * depthUnit() / (kept * kept);
+#else
+    highp float kept = max(share, kFarthestShare);
+    return depthUnit() / (kept * kept);
+#endif
+}
+
+// Of lengths off the plane, in cuts: at 1 and more a neighbour does not count. `noise` is what the points and the normal
+// may be off, `per_way` one over the lengths of the ways there.
+highp vec4 cutsOf(highp vec4 off, highp float noise, highp vec4 per_way)
+{
+    // With the filter off what takes occlusion to full size still goes by depth.
+    highp float cut = depth_cut > 0.0 ? depth_cut : 0.05;
+    highp vec4 slopes = max(off - noise, 0.0) * per_way;
+    return min(off / max(cut * radius, 1e-20) + slopes / slope_cut, 1e4);
+}
+
+// Weights of the pixels two and one before, one and two after along an axis, the outer ones by half, from their shares
+// and that of the pixel between. `stored` is what source_normal has there.
+highp vec4 weightsAlong(highp vec2 axis, highp float share, highp vec4 shares, mediump vec4 stored)
+{
+    const highp vec4 kHalf = vec4(0.5, 1.0, 1.0, 0.5);
+    highp float facing = dot(normalOf(stored), rayThrough(gl_FragCoord.xy));
+    highp vec2 size = pixelSize(share);
+    highp vec4 behind = (shares - share) * lengthPerShare(share);
+    highp float rise = dot(normalOf(stored).xy * size, axis);
+    highp vec4 off = abs(facing * behind + rise * vec4(-2.0, -1.0, 1.0, 2.0));
+    highp float noise = 4.0 * toleranceOf(stored.a) * radius + 2.0 * shareStep(share);
+    highp float per_way = 1.0 / max(size.x, 1e-20);
+    return depth_cut > 0.0 ? max(1.0 - cutsOf(off, noise, per_way * kHalf), 0.0) * kHalf : vec4(0.0);
+}

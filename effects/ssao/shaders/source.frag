@@ -1,0 +1,36 @@
+#version 300 es
+// SPDX-License-Identifier: MIT
+// What marching estimators and their filters read of the surface, at the size of the occlusion, with the guard band.
+//
+//   surface        interface: point and normal in view space
+//   source_depth   view depth as a share (common/depth_share.glsl); 0 in the background
+//   source_normal  normal in view space, stored as n * 0.5 + 0.5, and in alpha how far off its plane the surface may
+//                  come out (common/tolerance.glsl)
+//
+// Each texel stands for one texel of the surface, whose plane it meets at its own middle: so a plane stays one.
+precision highp float;  // positions and depths
+precision highp int;
+
+#include <surface>
+#include "common/depth_share.glsl"
+#include "common/tolerance.glsl"
+
+uniform vec2 viewport_size;
+
+layout(location = 0) out vec4 source_normal;
+
+void main()
+{
+    vec2 at = uvFromGuardBand(ivec2(gl_FragCoord.xy), viewport_size);
+    vec3 point;
+    if (!viewPosition(at, point)) {
+        source_normal = vec4(0.0);
+        gl_FragDepth = 0.0;
+        return;
+    }
+    vec3 normal = normalAt(at);
+    if (!(dot(normal, normal) < 2.0)) normal = vec3(0.0, 0.0, 1.0);  // a host's that are no numbers
+    float tolerance = depthTolerance(point, normal, 0.0) / max(radius, 1e-30);
+    source_normal = vec4(normal * 0.5 + 0.5, storedTolerance(tolerance));
+    gl_FragDepth = shareOfZ(planeZ(at, point, normal), depthUnit());
+}
