@@ -47,13 +47,13 @@ Plan planOn(const Description& description)
 }
 
 /// The passes between the scene and the light, by name: among those that are ready the order is
-/// that of the document, which other modules lead.
+/// that of the document, which other modules lead. A host has no layers.
 std::vector<std::string> occlusionPasses(const Plan& plan)
 {
     std::vector<std::string> names;
     for (const PlanPass& pass : plan.passes)
         if (pass.type == PassType::fullscreen && pass.name != "lighting" &&
-            pass.name != "host_distance")
+            pass.name != "host_distance" && pass.name != "source_layers")
             names.push_back(pass.name);
     std::sort(names.begin(), names.end());
     return names;

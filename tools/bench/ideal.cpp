@@ -114,6 +114,20 @@ void append(std::vector<T>& all, const std::vector<T>& added)
         if (!findNamed(all, each.name)) all.push_back(each);
 }
 
+/// Whether one target holds more than occlusion: what reads it cannot read `ao` instead.
+bool packsMore(const Description& description, const std::string& target)
+{
+    const TargetDesc* packed = findNamed(description.targets, target);
+    return packed && formatInfo(packed->formats.front()).channels > 1;
+}
+
+/// Has filters that pack more than occlusion give it as it comes: their shaders know UNFILTERED.
+void passThrough(Description& description, const Step& step)
+{
+    if (ShaderDesc* shader = named(description.shaders, step.pass->shader.name))
+        shader->defines["UNFILTERED"] = "1";
+}
+
 }  // namespace
 
 void leaveOutFilter(Description& description)
@@ -121,9 +135,12 @@ void leaveOutFilter(Description& description)
     OutputDesc* output = named(description.outputs, kOcclusionOutput);
     if (!output) return;
     const double scale = scaleOf(description, kOcclusionTarget);
-    for (const Step& step : filterSteps(description, output->target.name)) {
+    const std::vector<Step> steps = filterSteps(description, output->target.name);
+    for (const Step& step : steps) {
         if (scaleOf(description, step.to) == scale) continue;
-        readOcclusion(step);
+        if (!packsMore(description, step.from)) return readOcclusion(step);
+        for (const Step* before = steps.data(); before != &step; ++before)
+            passThrough(description, *before);
         return;
     }
     if (findNamed(description.targets, kOcclusionTarget) &&

@@ -107,7 +107,7 @@ wide='["depth32f"]'
     row taps learnopengl -- learnopengl samples=128
     row filter gtao -- gtao filter/bilateral_normal=filter/none
     row filter learnopengl -- learnopengl filter/box=filter/none
-    row filter balanced -- balanced '/passes/upsample/inputs={"ao_low":"ao"}'
+    row filter balanced -- balanced depth_cut=0
     row half_size balanced -- balanced filter/upsample=filter/bilateral_normal
     row half_size mobile -- mobile filter/upsample=filter/bilateral_normal
     row off_screen gtao guard_band=1 -- gtao guard_band=2

@@ -72,7 +72,7 @@ TEST_CASE("A texel of a level is one of the texels of depth that it stands for")
 
 TEST_CASE("Levels change little, the nearer they begin the more, and nothing beyond every tap")
 {
-    for (const char* config : {"gtao", "bitmask_back", "hbao", "sao", "learnopengl", "ogldev45"}) {
+    for (const char* config : {"hbao", "sao", "learnopengl", "ogldev45"}) {
         INFO(config);
         const Image without = withoutLevels(config, room({"radius=1"}));
         const auto change = [&](const char* near_taps) {

@@ -312,7 +312,8 @@ TEST_CASE("A turned view space changes no picture but for noise, nor does what a
         need(renderer->render(bare));
         return gl.read(renderer->output("ao"));
     };
-    CHECK(meanChange(occlusion(turned.camera), own_ao) < (geometry == "host_depth" ? 0.02 : 1e-3));
+    // Noise is in the picture; how far stored positions are off is known in four steps.
+    CHECK(meanChange(occlusion(turned.camera), own_ao) < (geometry == "host_depth" ? 0.02 : 4e-3));
     const bool in_view_space = geometry != "host_depth";
     CHECK((meanChange(occlusion(upright.camera), ao) > 0.02) == in_view_space);
 }

@@ -44,7 +44,7 @@ TEST_CASE("Fetches are counted as often as loops run, in pixels that the mask le
     constexpr double kAround = 3;
     const auto filled = need(countFetches(described("learnopengl"), viewOf("corner")));
     CHECK(filled.at("foreground") == kPixels);
-    CHECK(filled.at("filter") == 16 * kPixels);
+    CHECK(filled.at("filter") == 9 * kPixels);
     CHECK(filled.at("ssao") == (64 + kAround) * kPixels);
     const auto fewer =
         need(countFetches(described("learnopengl", {"samples=16"}), viewOf("corner")));
