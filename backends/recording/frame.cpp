@@ -2,29 +2,13 @@
 // The recording device inside a frame: what is drawn in which order, and with which content.
 #include <crevice/recording_device.h>
 
+#include "core/run/uniform_values.h"
+
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
 namespace crevice {
-namespace {
-
-int uniformWords(GlslType type)
-{
-    switch (type) {
-    case GlslType::vec2:
-    case GlslType::ivec2: return 2;
-    case GlslType::vec3:
-    case GlslType::ivec3: return 3;
-    case GlslType::vec4:
-    case GlslType::ivec4: return 4;
-    case GlslType::mat3: return 9;
-    case GlslType::mat4: return 16;
-    default: return 1;
-    }
-}
-
-}  // namespace
 
 Status RecordingDevice::beginFrame()
 {
@@ -177,7 +161,7 @@ void RecordingDevice::setTexture(int location, int unit, TextureId id, const Sam
 
 void RecordingDevice::setUniform(int location, GlslType type, int count, const void* data)
 {
-    const std::size_t size = static_cast<std::size_t>(std::max(count, 0)) * uniformWords(type);
+    const std::size_t size = wordsOf(type, std::max(count, 0));
     record(Call::set_uniform, 0,
            {static_cast<std::uint32_t>(location), static_cast<std::uint32_t>(type),
             static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(size)});

@@ -37,9 +37,12 @@ std::size_t wordsOf(GlslType type, int count)
 {
     const auto words = [type] {
         switch (type) {
-        case GlslType::vec2: return 2;
-        case GlslType::vec3: return 3;
-        case GlslType::vec4: return 4;
+        case GlslType::vec2:
+        case GlslType::ivec2: return 2;
+        case GlslType::vec3:
+        case GlslType::ivec3: return 3;
+        case GlslType::vec4:
+        case GlslType::ivec4: return 4;
         case GlslType::mat3: return 9;
         case GlslType::mat4: return 16;
         default: return 1;

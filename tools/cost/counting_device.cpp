@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/cost/counting_device.h"
 
+#include "core/run/uniform_values.h"
+
 #include <cmath>
 #include <cstring>
 
 namespace crevice {
 
 namespace {
-
-/// 32-bit words that a value of the type takes.
-int wordsOf(GlslType type)
-{
-    switch (type) {
-    case GlslType::vec2:
-    case GlslType::ivec2: return 2;
-    case GlslType::vec3:
-    case GlslType::ivec3: return 3;
-    case GlslType::vec4:
-    case GlslType::ivec4: return 4;
-    case GlslType::mat3: return 9;
-    case GlslType::mat4: return 16;
-    default: return 1;
-    }
-}
 
 /// Sums what countedFragment's output says over all pixels.
 double sumOf(const Image& image)
@@ -168,7 +154,7 @@ void CountingDevice::setUniform(int location, GlslType type, int count, const vo
     Uniform& uniform = twins_[program_.value].uniforms[location];
     uniform.type = type;
     uniform.count = count;
-    uniform.words.resize(static_cast<std::size_t>(wordsOf(type)) * count);
+    uniform.words.resize(wordsOf(type, count));
     std::memcpy(uniform.words.data(), data, uniform.words.size() * sizeof uniform.words[0]);
     device_.setUniform(location, type, count, data);
 }
