@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion from the horizons of slices through the hemisphere, cosine-weighted.
 //
-//   source_depth, source_normal  ssao/shaders/march.glsl
-//   ao           visibility, 1 open .. 0 blocked; 1 in the background
-//   bent_normal  with BENT_NORMALS: mean open direction, view space, stored as n * 0.5 + 0.5
+//   source_depth, source_normal  as ssao/shaders/march.glsl has them
+//   ao                           visibility, 1 open .. 0 blocked; 1 in the background
+//   bent_normal                  with BENT_NORMALS: mean open direction, view space, stored as n * 0.5 + 0.5
+//
+// Everything below the highest tap of a side counts as blocked. A tap beyond the radius does not count; where the
+// surface leaves the radius between two taps, the place where it does is interpolated, without which few taps see too
+// low a horizon. Off the screen the surface last seen goes on.
+// [Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion"] - algorithm 1; the bent normal
+// is algorithm 2. They fade taps towards the radius; the interpolation is ours.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;
 

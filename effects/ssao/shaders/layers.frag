@@ -63,5 +63,6 @@ void main()
             lengths.yz = vec2(distance(behind, front) / max(radius, 1e-30), depthOf(depth_second_back, at, behind));
 #endif
     }
-    source_layers = vec4(min(lengths, kUnknown) / (1.0 + min(lengths, kUnknown)), 1.0);
+    lengths = min(lengths, kUnknown);
+    source_layers = vec4(lengths / (1.0 + lengths), 1.0);
 }

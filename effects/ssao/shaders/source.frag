@@ -30,7 +30,7 @@ void main()
     }
     vec3 normal = normalAt(at);
     if (!(dot(normal, normal) < 2.0)) normal = vec3(0.0, 0.0, 1.0);  // a host's that are no numbers
-    float tolerance = depthTolerance(point, normal, 0.0) / max(radius, 1e-30);
+    float tolerance = depthTolerance(point, normal, 0.0) / usedRadius();
     source_normal = vec4(normal * 0.5 + 0.5, storedTolerance(tolerance));
     gl_FragDepth = shareOfZ(planeZ(at, point, normal), depthUnit());
 }
