@@ -94,7 +94,7 @@ TEST_CASE("Levels of tiny and odd views, and of views with a guard band, draw vi
         for (const char* guard : {"guard_band=1", "guard_band=1.37"}) {
             PictureRequest request = room({"radius=4", "near_taps=1", guard});
             request.extent = extent;
-            CHECK(allVisibility(drawn("gtao", request)));
+            CHECK(allVisibility(drawn("hbao", request)));
         }
 }
 

@@ -116,7 +116,7 @@ done
 # --- an edit against the run before it: a filter that is a texel off fails no case, and differs ---
 mkdir edited
 cp -r -- "$checkout/effects" "$checkout/configs" edited
-sed -i 's/floor(place) + 0.5/floor(place) + 1.5/' edited/effects/filter/shaders/upsample.frag
+sed -i 's/uv \* vec2(size) - 0.5;/uv * vec2(size) + 0.5;/' edited/effects/filter/shaders/upsample.frag
 samples=(stress mobile --case samples --quick --size 128x72)
 "$crevice" "${samples[@]}" --out before >stdout.txt 2>stderr.txt || true
 expect 0 '^0 steps differ from before' "${samples[@]}" --out before --against before
