@@ -18,11 +18,6 @@ constexpr double kFloatMargin = 1e-5;
 // Binary digits of a float past its first.
 constexpr int kFloatDigits = 23;
 
-struct Sphere {
-    glm::dvec3 center;
-    double radius;
-};
-
 // The most by which the matrix makes a length longer.
 double stretchOf(const glm::dmat4& matrix)
 {
@@ -33,57 +28,6 @@ double stretchOf(const glm::dmat4& matrix)
         stretch = std::max(
             stretch, std::abs(squares[i][0]) + std::abs(squares[i][1]) + std::abs(squares[i][2]));
     return std::sqrt(stretch);
-}
-
-// Requires bounds.
-Sphere boundsInView(const DrawItem& item, const CameraMatrices& camera)
-{
-    const glm::dmat4 view_from_model = camera.view_from_world * item.world_from_model;
-    const glm::dvec3 center(view_from_model * glm::dvec4(item.bounds_center, 1.0));
-    // Shaders place vertices in floats.
-    return {center, item.bounds_radius * stretchOf(view_from_model) * (1 + kFloatMargin) +
-                        glm::length(center) * kFloatMargin};
-}
-
-bool isOutside(const Sphere& sphere, const CameraMatrices& camera, double wider)
-{
-    const glm::dvec4 center(sphere.center, 1.0);
-    const glm::dmat4 rows = glm::transpose(camera.clip_from_view);
-    const glm::dvec4 planes[] = {rows[3] * wider + rows[0], rows[3] * wider - rows[0],
-                                 rows[3] * wider + rows[1], rows[3] * wider - rows[1],
-                                 rows[3] + rows[2],         rows[3] - rows[2]};
-    for (const glm::dvec4& plane : planes)
-        if (glm::dot(plane, center) < -sphere.radius * glm::length(glm::dvec3(plane))) return true;
-    return false;
-}
-
-// Whether at no point of the sphere a length comes to a pixel, as shaders count
-// (effects/ssao/shaders/reach.glsl).
-bool isBelowPixel(const Sphere& sphere, const glm::dmat4& clip_from_view, const Extent& extent,
-                  double length)
-{
-    const bool perspective = clip_from_view[2][3] != 0.0;
-    const double nearest = perspective ? -(sphere.center.z + sphere.radius) : 1.0;
-    const double across = std::max(std::abs(clip_from_view[0][0]) * extent.width,
-                                   std::abs(clip_from_view[1][1]) * extent.height);
-    return nearest > 0.0 && 0.5 * length * across < nearest * (1 - kFloatMargin);
-}
-
-// The corners of a box about the sphere, on the screen; all of it where one lies behind the camera.
-ViewArea areaOf(const Sphere& sphere, const glm::dmat4& clip_from_view)
-{
-    ViewArea area = {1, 1, 0, 0};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        const glm::dvec4 clip =
-            clip_from_view * glm::dvec4(sphere.center + sphere.radius * sides, 1.0);
-        if (!(clip.w > 0.0)) return {};
-        const glm::dvec2 at = glm::dvec2(clip) / clip.w * 0.5 + 0.5;
-        if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
-        area = {std::min(area.left, at.x), std::min(area.bottom, at.y), std::max(area.right, at.x),
-                std::max(area.top, at.y)};
-    }
-    return area;
 }
 
 // How far apart floats are at the largest coordinate of an item with bounds, in scene units.
@@ -97,33 +41,79 @@ double vertexStep(const DrawItem& item)
 
 }  // namespace
 
-bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
+ViewSphere boundsInView(const DrawItem& item, const glm::dmat4& view_from_model)
 {
-    return item.bounds_radius >= 0.0f && isOutside(boundsInView(item, camera), camera, wider);
+    if (item.bounds_radius < 0.0f) return {};
+    const glm::dvec3 center(view_from_model * glm::dvec4(item.bounds_center, 1.0));
+    // Shaders place vertices in floats.
+    return {center, item.bounds_radius * stretchOf(view_from_model) * (1 + kFloatMargin) +
+                        glm::length(center) * kFloatMargin};
 }
 
-ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
-                     const Extent& extent, double length)
+ViewVolume viewVolume(const CameraMatrices& camera, double wider)
 {
-    ViewArea area = {1, 1, 0, 0};
-    for (const DrawItem& item : draws) {
-        if (!drawsSomething(item)) continue;
-        if (item.bounds_radius < 0.0f) return {};
-        const Sphere sphere = boundsInView(item, camera);
-        if (isOutside(sphere, camera, 1.0) ||
-            isBelowPixel(sphere, camera.clip_from_view, extent, length))
-            continue;
-        const ViewArea own = areaOf(sphere, camera.clip_from_view);
-        area = {std::min(area.left, own.left), std::min(area.bottom, own.bottom),
-                std::max(area.right, own.right), std::max(area.top, own.top)};
-        if (area.left <= 0 && area.bottom <= 0 && area.right >= 1 && area.top >= 1) return {};
+    ViewVolume volume;
+    const glm::dmat4 rows = glm::transpose(camera.clip_from_view);
+    const glm::dvec4 all[] = {rows[3] * wider + rows[0], rows[3] * wider - rows[0],
+                              rows[3] * wider + rows[1], rows[3] * wider - rows[1],
+                              rows[3] + rows[2],         rows[3] - rows[2]};
+    for (int i = 0; i < 6; ++i) {
+        volume.planes[i] = all[i];
+        volume.lengths[i] = glm::length(glm::dvec3(all[i]));
+    }
+    return volume;
+}
+
+bool isOutside(const ViewSphere& sphere, const ViewVolume& volume)
+{
+    if (sphere.radius < 0.0) return false;
+    const glm::dvec4 center(sphere.center, 1.0);
+    for (int i = 0; i < 6; ++i)
+        if (glm::dot(volume.planes[i], center) < -sphere.radius * volume.lengths[i]) return true;
+    return false;
+}
+
+// As shaders count (effects/ssao/shaders/reach.glsl).
+double pixelReach(const glm::dmat4& clip_from_view, const Extent& extent, double length)
+{
+    const double across = std::max(std::abs(clip_from_view[0][0]) * extent.width,
+                                   std::abs(clip_from_view[1][1]) * extent.height);
+    return 0.5 * length * across;
+}
+
+bool isBelowPixel(const ViewSphere& sphere, const glm::dmat4& clip_from_view, double reach)
+{
+    const bool perspective = clip_from_view[2][3] != 0.0;
+    const double nearest = perspective ? -(sphere.center.z + sphere.radius) : 1.0;
+    return sphere.radius >= 0.0 && nearest > 0.0 && reach < nearest * (1 - kFloatMargin);
+}
+
+ViewArea areaOf(const ViewSphere& sphere, const glm::dmat4& clip_from_view)
+{
+    ViewArea area = kNoArea;
+    const glm::dvec4 center = clip_from_view * glm::dvec4(sphere.center, 1.0);
+    const glm::dmat4 sides = clip_from_view * sphere.radius;
+    for (int corner = 0; corner < 8; ++corner) {  // of a box about the sphere
+        glm::dvec4 clip = center;
+        for (int i = 0; i < 3; ++i) clip += corner >> i & 1 ? sides[i] : -sides[i];
+        if (!(clip.w > 0.0)) return {};
+        const glm::dvec2 at = glm::dvec2(clip) / clip.w * 0.5 + 0.5;
+        if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
+        area = united(area, {at.x, at.y, at.x, at.y});
     }
     return area;
+}
+
+ViewArea united(const ViewArea& area, const ViewArea& other)
+{
+    return {std::min(area.left, other.left), std::min(area.bottom, other.bottom),
+            std::max(area.right, other.right), std::max(area.top, other.top)};
 }
 
 DrawRange rangeOf(const std::vector<DrawItem>& draws, const Camera& camera)
 {
     const CameraMatrices matrices = cameraMatrices(camera);
+    const ViewVolume volume = viewVolume(matrices, 1.0);
     const CameraRange planes = rangeOf(camera);
     const bool orthographic = camera.orthographic();
     DrawRange range;
@@ -131,9 +121,10 @@ DrawRange rangeOf(const std::vector<DrawItem>& draws, const Camera& camera)
     for (const DrawItem& item : draws) {
         if (!drawsSomething(item)) continue;
         if (item.bounds_radius < 0.0f) return {};
-        const Sphere sphere = boundsInView(item, matrices);
+        const ViewSphere sphere =
+            boundsInView(item, matrices.view_from_world * item.world_from_model);
         const double depth = -sphere.center.z;
-        if (!std::isfinite(depth + sphere.radius) || isOutside(sphere, matrices, 1.0)) continue;
+        if (!std::isfinite(depth + sphere.radius) || isOutside(sphere, volume)) continue;
         const double nearest = std::max(depth - sphere.radius, planes.near_distance);
         const double farthest = std::min(depth + sphere.radius, planes.far_distance);
         const double distance = orthographic ? std::abs(depth) : (nearest + farthest) / 2;

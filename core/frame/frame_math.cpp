@@ -113,11 +113,6 @@ glm::mat3 normalMatrix(const glm::dmat4& matrix)
     return glm::mat3(cofactors * (sign / size));
 }
 
-bool isMirrored(const DrawItem& item, const CameraMatrices& camera)
-{
-    return mirrors(item.world_from_model) != mirrors(camera.view_from_world);
-}
-
 bool isSheet(const DrawItem& item, const Material& material)
 {
     return item.sheet || material.alpha_cutoff > 0.0f;

@@ -45,15 +45,36 @@ SceneTraits steadyTraitsOf(const Frame& frame);
 /// transpose, but also right for a matrix that flattens, which has none. Rotations keep lengths.
 glm::mat3 normalMatrix(const glm::dmat4& matrix);
 
-/// Whether front faces of an item come out as back faces: it, the view or the projection mirrors.
-bool isMirrored(const DrawItem& item, const CameraMatrices& camera);
-
 /// Whether it has no back of its own, so that no pass culls it.
 bool isSheet(const DrawItem& item, const Material& material);
 
-/// Whether nothing of the item shows in a view `wider` times as wide and high as the camera's.
-/// Never true of one without bounds.
-bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider);
+/// A sphere around what an item draws, in view space. Of one without bounds the radius is below 0.
+struct ViewSphere {
+    glm::dvec3 center = glm::dvec3(0.0);
+    double radius = -1;
+};
+
+/// `view_from_model` is the product of the view's and the item's own.
+ViewSphere boundsInView(const DrawItem& item, const glm::dmat4& view_from_model);
+
+/// What a view `wider` times as wide and high as the camera's shows: the inner side of six planes.
+struct ViewVolume {
+    glm::dvec4 planes[6];
+    double lengths[6];  ///< Of the planes' normals.
+};
+
+ViewVolume viewVolume(const CameraMatrices& camera, double wider);
+
+/// Whether nothing of what is drawn shows. Never true of what has no bounds.
+bool isOutside(const ViewSphere& sphere, const ViewVolume& volume);
+
+/// Whether a length comes to a pixel at no point of a sphere: `reach` is `pixelReach` of it. Never
+/// true of an infinite one, nor of what has no bounds.
+bool isBelowPixel(const ViewSphere& sphere, const glm::dmat4& clip_from_view, double reach);
+
+/// The distance at which a `length` in scene units is a pixel of a view of `extent`; of parallel
+/// rays, pixels that it is at any.
+double pixelReach(const glm::dmat4& clip_from_view, const Extent& extent, double length);
 
 /// A part of a view in shares of its width and height, from the lower left; empty where right <
 /// left.
@@ -61,11 +82,13 @@ struct ViewArea {
     double left = 0, bottom = 0, right = 1, top = 1;
 };
 
-/// The part in which draws can show: those at which a `length` in scene units comes to a pixel of
-/// a view of `extent`, or all where it is infinite. All of the view where that is not known,
-/// without bounds say.
-ViewArea areaOfDraws(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
-                     const Extent& extent, double length);
+constexpr ViewArea kNoArea = {1, 1, 0, 0};
+
+/// The part in which a sphere can show: all where it reaches behind the camera.
+ViewArea areaOf(const ViewSphere& sphere, const glm::dmat4& clip_from_view);
+
+/// The least that holds both.
+ViewArea united(const ViewArea& area, const ViewArea& other);
 
 /// The pixels of a picture of the view that the area touches.
 PixelArea pixelsOf(const ViewArea& area, const Extent& extent);

@@ -35,10 +35,9 @@ void DrawWarnings::add(const Plan& plan, const PlanPass& pass,
     if (blockOf(plan.programs[pass.program])) note(blocks_);
 }
 
-void DrawWarnings::look(const DrawItem& item, const Material& material, const Device& device)
+void DrawWarnings::look(const DrawItem& item, const ObjectInfo& mesh, const Material& material)
 {
     if (item.callback) return;
-    const ObjectInfo mesh = device.info(item.mesh);
     if (normals_.plan && !mesh.normals)
         warn(normals_, mesh, "normals, and each counts as (0, 0, 1)",
              "set HostMesh::normal, or take a config that draws depth alone, such as mobile");

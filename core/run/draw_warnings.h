@@ -20,8 +20,8 @@ public:
     /// plan must outlive this.
     void add(const Plan& plan, const PlanPass& pass, const std::vector<UniformInfo>& active);
 
-    /// Looks at what is drawn. Allocates only where there is something to say.
-    void look(const DrawItem& item, const Material& material, const Device& device);
+    /// Looks at what is drawn, with its mesh. Allocates only where there is something to say.
+    void look(const DrawItem& item, const ObjectInfo& mesh, const Material& material);
 
     /// What is new since the last call.
     Diagnostics take() { return std::exchange(found_, {}); }

@@ -3,25 +3,14 @@
 #include "core/run/execution.h"
 
 #include "core/frame/frame_math.h"
-#include "core/frame/frame_values.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 namespace crevice {
 namespace {
-
-// What to cull of a draw in a pass that culls `cull`: the other side where it is mirrored, and
-// nothing of a sheet.
-Cull cullOf(Cull cull, const DrawItem& item, const Material& material, const CameraMatrices& camera)
-{
-    if (cull == Cull::none || isSheet(item, material)) return Cull::none;
-    if (!isMirrored(item, camera)) return cull;
-    return cull == Cull::back ? Cull::front : Cull::back;
-}
 
 /// Null where there is none of that name, or a null id behind it.
 const ImportedTexture* findTexture(const std::vector<ImportedTexture>& textures,
@@ -195,40 +184,7 @@ void Execution::setView(const Frame& frame, const PreparedView& view)
 {
     values_.setFrame(frame, view.camera);
     values_.setHistory(view.before, view.camera);
-    draws_area_.reset();
-}
-
-/// Whether draws, materials or their contents differ from the last frame.
-bool Execution::updateDraws(const Frame& frame)
-{
-    const DrawItem no_draw;
-    const Material no_material;
-    bool changed = frame.revision != drawn_.revision;
-    drawn_.revision = frame.revision;
-    const auto take = [&changed](const auto& item, auto& taken) {
-        if (taken == item) return;
-        taken = item;
-        changed = true;
-    };
-    changed = changed || frame.draws.size() != drawn_.draws.size();
-    drawn_.draws.resize(frame.draws.size());
-    drawn_.elided = false;
-    for (std::size_t i = 0; i < frame.draws.size(); ++i) {
-        const DrawItem& item = frame.draws[i];
-        const bool drawn = drawsSomething(item) && isDrawable(frame, item, device_);
-        drawn_.elided = drawn_.elided || (drawsSomething(item) && !drawn);
-        changed = changed || (drawn && item.callback && item.revision == 0);
-        if (drawn) warnings_.look(item, frame.materials[item.material], device_);
-        take(drawn ? item : no_draw, drawn_.draws[i]);
-    }
-    changed = changed || frame.materials.size() != drawn_.materials.size();
-    drawn_.materials.resize(frame.materials.size());
-    for (std::size_t i = 0; i < frame.materials.size(); ++i)
-        take(isFinite(frame.materials[i]) ? frame.materials[i] : no_material, drawn_.materials[i]);
-    drawn_.elided = drawn_.elided || !isFinite(frame.ambient_light) ||
-                    !std::all_of(frame.lights.begin(), frame.lights.end(),
-                                 [](const Light& light) { return isFinite(light); });
-    return changed;
+    view_draws_.begin(view.camera);
 }
 
 /// Whether the pass's values are others than when it ran last.
@@ -293,7 +249,7 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
     values_.setViewport(pass.info.extent);
     PassInfo info = pass.info;
     info.within_area = pass.plan->scissor;
-    if (pass.plan->scissor) info.area = areaOf(pass, camera);
+    if (pass.plan->scissor) info.area = areaOf(pass);
     device_.beginPass(info);
     if (!pass.plan->scissor || (info.area.extent.width > 0 && info.area.extent.height > 0)) {
         device_.setProgram(pass.program, pass.state);
@@ -305,63 +261,6 @@ void Execution::runPass(const PreparedPass& pass, const CameraMatrices& camera)
             device_.drawFullscreen();
     }
     device_.endPass();
-}
-
-/// Where a bounded pass is drawn.
-PixelArea Execution::areaOf(const PreparedPass& pass, const CameraMatrices& camera)
-{
-    const Extent& extent = pass.info.extent;
-    if (const int length = pass.plan->cull_below_pixel; length >= 0)
-        return pixelsOf(areaOfDraws(drawn_.draws, camera, extent, values_.param(length)), extent);
-    constexpr double kAny = std::numeric_limits<double>::infinity();
-    if (!draws_area_) draws_area_ = areaOfDraws(drawn_.draws, camera, extent, kAny);
-    return pixelsOf(*draws_area_, extent);
-}
-
-void Execution::runDraws(const PreparedPass& pass, const CameraMatrices& camera)
-{
-    StateDesc state = pass.state;
-    for (const DrawItem& item : drawn_.draws) {
-        if (!drawsSomething(item)) continue;
-        if (pass.plan->frustum_scale > 0.0f && isOutside(item, camera, pass.plan->frustum_scale))
-            continue;
-        const Material& material = drawn_.materials[item.material];
-        const Cull cull = cullOf(pass.state.cull, item, material, camera);
-        if (cull != state.cull) {
-            state.cull = cull;
-            device_.setProgram(pass.program, state);
-            setTextures(pass.textures);
-        }
-        values_.setDraw(item, device_.info(item.mesh).origin, material, camera);
-        setUniforms(pass.draw_uniforms);
-        for (const TextureBinding& binding : pass.material_textures) {
-            const TextureId map = material.*kMaterialMaps[binding.map].texture;
-            device_.setTexture(binding.location, binding.unit, map ? map : white_.id(),
-                               binding.sampling);
-        }
-        if (item.callback) {
-            drawByHost(pass, item);
-            device_.setProgram(pass.program, state);
-            setTextures(pass.textures);
-            setUniforms(pass.uniforms);
-        } else {
-            device_.draw(item.mesh, item.first, item.count);
-        }
-    }
-}
-
-void Execution::drawByHost(const PreparedPass& pass, const DrawItem& item)
-{
-    struct Call {
-        const char* pass;
-        const DrawItem& item;
-        const ValueTable& values;
-    } call{pass.info.label, item, values_};
-    const auto draw = [](std::uint32_t program, void* data) {
-        const Call& made = *static_cast<Call*>(data);
-        made.item.callback(DrawCall(made.pass, program, made.values), made.item.host);
-    };
-    device_.drawByHost(draw, &call);
 }
 
 void Execution::setTextures(const std::vector<TextureBinding>& textures)

@@ -12,10 +12,9 @@
 #include "core/run/dirty_passes.h"
 #include "core/run/draw_warnings.h"
 #include "core/run/pass_timers.h"
-#include "core/run/uniform_values.h"
+#include "core/run/view_draws.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace crevice {
@@ -108,19 +107,17 @@ private:
             odd_frame;  // that takes its place in every second frame; null likewise
     };
 
+    // What a pass has sent of the draw before, so that it sends of the next what differs.
+    struct SentDraw {
+        const std::uint32_t* values = nullptr;  // null where nothing is known to be as it was sent
+        const Material* material = nullptr;     // whose textures are bound; null likewise
+    };
+
     struct PreparedView {
         FrameHistory history;  // for the next frame
         FrameHistory before;   // for this one
         CameraMatrices camera = {};
         std::vector<PreparedPass> passes;  // the plan's
-    };
-
-    // What draw passes drew last; nothing in the place of what cannot be drawn.
-    struct DrawnList {
-        std::vector<DrawItem> draws;
-        std::vector<Material> materials;
-        std::uint64_t revision = 0;
-        bool elided = false;  // something of the frame
     };
 
     Execution(Device& device, Plan plan);
@@ -161,17 +158,20 @@ private:
     void clearNewHistories();
     void setView(const Frame& frame, const PreparedView& view);
     Status end(const Frame& frame);
-    bool updateDraws(const Frame& frame);
     bool takeUniforms(PreparedPass& pass);
     void swapHistories();
     void clearHistory(const PreparedPass& pass);
     Status checkImports(const Frame& frame) const;
     void runPass(const PreparedPass& pass, const CameraMatrices& camera);
-    void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
-    void drawByHost(const PreparedPass& pass, const DrawItem& item);
-    PixelArea areaOf(const PreparedPass& pass, const CameraMatrices& camera);
     void setTextures(const std::vector<TextureBinding>& textures);
     void setUniforms(const std::vector<UniformBinding>& uniforms);
+
+    // execution_draws.cpp
+    bool updateDraws(const Frame& frame);
+    PixelArea areaOf(const PreparedPass& pass);
+    void runDraws(const PreparedPass& pass, const CameraMatrices& camera);
+    void setDraw(const PreparedPass& pass, std::size_t draw, SentDraw& sent);
+    void drawByHost(const PreparedPass& pass, const DrawItem& item);
 
     Device& device_;
     Plan plan_;
@@ -179,11 +179,11 @@ private:
     PassCache cache_;
     PassTimers timers_;
     std::vector<char> changed_;  // by run, for cache_
-    DrawnList drawn_;
+    DrawnList drawn_;            // what draw passes drew last
+    ViewDraws view_draws_{drawn_};
     DrawWarnings warnings_;
-    std::optional<ViewArea> draws_area_;  // of the present view, once a pass has asked
-    bool swapped_ = false;                // whether histories and their targets have changed places
-    bool remembers_ = false;              // whether histories hold anything
+    bool swapped_ = false;    // whether histories and their targets have changed places
+    bool remembers_ = false;  // whether histories hold anything
     std::vector<std::string> compiled_;
 
     // Destroyed from the last to the first: framebuffers before the textures that they draw into.

@@ -301,6 +301,8 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& active, int
     }
     const int count = std::min(active.count, uniform->count);
     const bool per_draw = uniform->source == UniformSource::draw;
+    if (uniform->source == UniformSource::draw && uniform->index == view_normal_from_model)
+        view_draws_.readNormals();
     auto& uniforms = per_draw ? prepared.draw_uniforms : prepared.uniforms;
     uniforms.push_back({active.location, active.type, count, values_.offsetOf(*uniform)});
     if (!per_draw) prepared.sent.resize(prepared.sent.size() + wordsOf(active.type, count));

@@ -2,10 +2,7 @@
 // Filling the value table from params, frames and draws.
 #include "core/run/uniform_values.h"
 
-#include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 
@@ -54,6 +51,7 @@ std::size_t wordsOf(GlslType type, int count)
 ValueTable::ValueTable(const Plan& plan) : plan_(plan)
 {
     for (const FrameValueInfo& info : kFrameValues) add(info.type, info.count);
+    draw_words_ = words_.size() - drawOffset();  // a draw's are the last
     for (const PlanParam& param : plan.params) add(param.type, 1);
     for (const GeneratorDesc& generated : plan.generated)
         add(GlslType::vec3, generatesTexture(generated.generator) ? 0 : generated.count);
@@ -137,14 +135,12 @@ void ValueTable::setViewport(Extent extent)
           glm::mat3(ray_from_uv_[0] * pixel.x, ray_from_uv_[1] * pixel.y, ray_from_uv_[2]));
 }
 
-void ValueTable::setDraw(const DrawItem& item, const MeshOrigin& origin, const Material& material,
-                         const CameraMatrices& camera)
+void ValueTable::setDraw(const glm::dmat4& view_from_mesh, const Material& material,
+                         const CameraMatrices& camera, bool normals)
 {
-    const glm::dmat4 to_view = glm::translate(camera.view_from_world * item.world_from_model,
-                                              glm::dvec3(origin.x, origin.y, origin.z));
-    write(clip_from_model, glm::mat4(camera.clip_from_view * to_view));
-    write(view_from_model, glm::mat4(to_view));
-    write(view_normal_from_model, normalMatrix(to_view));
+    write(clip_from_model, glm::mat4(camera.clip_from_view * view_from_mesh));
+    write(view_from_model, glm::mat4(view_from_mesh));
+    if (normals) write(view_normal_from_model, normalMatrix(view_from_mesh));
     write(base_color, material.base_color);
     write(alpha_cutoff, material.alpha_cutoff);
     write(specular, material.specular);
@@ -152,6 +148,16 @@ void ValueTable::setDraw(const DrawItem& item, const MeshOrigin& origin, const M
     write(material_ambient, std::clamp(material.ambient, 0.0f, 1.0f));
     write(normal_scale, material.normal_map ? material.normal_scale : 0.0f);
     write(occlusion_strength, material.occlusion_strength);
+}
+
+void ValueTable::keepDraw(std::uint32_t* words) const
+{
+    std::copy_n(&words_[drawOffset()], draw_words_, words);
+}
+
+void ValueTable::takeDraw(const std::uint32_t* words)
+{
+    std::copy_n(words, draw_words_, &words_[drawOffset()]);
 }
 
 const float* DrawCall::matrix(std::string_view name) const

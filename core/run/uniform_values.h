@@ -8,6 +8,7 @@
 #include <crevice/plan.h>
 
 #include "core/frame/frame_math.h"
+#include "core/frame/frame_values.h"
 
 #include <cstring>
 #include <vector>
@@ -37,8 +38,17 @@ public:
     void setFrame(const Frame& frame, const CameraMatrices& camera);
     void setHistory(const FrameHistory& history, const CameraMatrices& camera);
     void setViewport(Extent extent);
-    void setDraw(const DrawItem& item, const MeshOrigin& origin, const Material& material,
-                 const CameraMatrices& camera);
+
+    /// The values of a draw whose mesh lies at `view_from_mesh`. `normals`: whether anything reads
+    /// how those turn, which takes as long as all else; if not, that value means nothing.
+    void setDraw(const glm::dmat4& view_from_mesh, const Material& material,
+                 const CameraMatrices& camera, bool normals);
+
+    /// The values of a draw as one piece of so many words, from `drawOffset` on.
+    std::size_t drawWords() const { return draw_words_; }
+    std::size_t drawOffset() const { return offsets_[clip_from_model]; }
+    void keepDraw(std::uint32_t* words) const;
+    void takeDraw(const std::uint32_t* words);
 
 private:
     void add(GlslType type, int count);
@@ -56,6 +66,7 @@ private:
     std::vector<std::size_t>
         offsets_;  // of the frame's values as in FrameValue, of params, of generated
     std::vector<std::uint32_t> words_;
+    std::size_t draw_words_;
 };
 
 }  // namespace crevice

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/frame/frame_math.h"
+#include "core/run/view_draws.h"
 
 #include <crevice/shipped.h>
 
@@ -43,6 +44,21 @@ bool shows(const glm::mat4& clip_from_model, const glm::vec3& point, float wider
     const glm::vec4 clip = clip_from_model * glm::vec4(point, 1);
     return std::abs(clip.x) <= wider * clip.w && std::abs(clip.y) <= wider * clip.w &&
            std::abs(clip.z) <= clip.w;
+}
+
+bool isOutside(const DrawItem& item, const CameraMatrices& camera, double wider)
+{
+    const glm::dmat4 view_from_model = camera.view_from_world * item.world_from_model;
+    return isOutside(boundsInView(item, view_from_model), viewVolume(camera, wider));
+}
+
+PixelArea pixelsOf(const std::vector<DrawItem>& draws, const CameraMatrices& camera,
+                   const Extent& extent, double length)
+{
+    const DrawnList drawn = {draws, {}, {}};
+    ViewDraws view(drawn);
+    view.begin(camera);
+    return pixelsOf(view.area(extent, length), extent);
 }
 
 }  // namespace
@@ -106,9 +122,8 @@ TEST_CASE("What shows of a draw lies in the area of draws, and the area of what 
             item.count = 3;
             item.bounds_radius = 0.5f * std::abs(around(random));
             item.world_from_model = glm::translate(glm::dmat4(1), glm::dvec3(12.0f * vector()));
-            const PixelArea area = pixelsOf(
-                areaOfDraws({item}, matrices, extent, std::numeric_limits<double>::infinity()),
-                extent);
+            const PixelArea area =
+                pixelsOf({item}, matrices, extent, std::numeric_limits<double>::infinity());
             const Extent all = area.extent;
             small += all.width > 0 && all.width * all.height < extent.width * extent.height / 20;
             for (int k = 0; k < 40; ++k) {
@@ -136,7 +151,7 @@ TEST_CASE(
     const CameraMatrices matrices = cameraMatrices(camera);
     const Extent extent = {100, 100};
     const auto pixels = [&](const std::vector<DrawItem>& draws, double length) {
-        const Extent all = pixelsOf(areaOfDraws(draws, matrices, extent, length), extent).extent;
+        const Extent all = pixelsOf(draws, matrices, extent, length).extent;
         return all.width * all.height;
     };
     const double any = std::numeric_limits<double>::infinity();

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What a frame draws, and where each draw lies in a view: computed once a view, for all of its
+// passes.
+//
+// Private to core/run. Memory grows with the count of draws and is kept from frame to frame.
+#pragma once
+
+#include "core/run/uniform_values.h"
+
+#include <vector>
+
+namespace crevice {
+
+/// What draw passes draw; nothing in the place of what cannot be drawn.
+struct DrawnList {
+    std::vector<DrawItem> draws;
+    std::vector<MeshOrigin> origins;  ///< Of the draws' meshes.
+    std::vector<Material> materials;
+    std::uint64_t revision = 0;
+    bool elided = false;  ///< Something of the frame.
+};
+
+/// A draw in a view.
+struct PlacedDraw {
+    glm::dmat4 view_from_model;
+    ViewSphere sphere;
+    bool mirrored;  ///< Front faces come out as back faces: the item, the view or the projection
+                    ///< mirrors.
+    bool valued;    ///< Its values are computed.
+};
+
+class ViewDraws {
+public:
+    /// The list must outlive it.
+    explicit ViewDraws(const DrawnList& drawn) : drawn_(drawn) {}
+
+    /// From now on normals are turned for all draws, not for those alone that the host makes.
+    void readNormals() { normals_ = true; }
+
+    /// Goes to another view, or to another state of the list. The camera must outlive its use.
+    void begin(const CameraMatrices& camera);
+
+    /// By draw. Of an item that draws nothing there is nothing in its place.
+    const std::vector<PlacedDraw>& placed();
+
+    /// The values of a draw, as ValueTable::keepDraw has them, until `begin`: computed, in that
+    /// table, for the first pass that asks. Requires `placed`.
+    const std::uint32_t* values(std::size_t draw, ValueTable& table);
+
+    /// The part in which draws can show: those at which a `length` in scene units comes to a pixel
+    /// of a view of `extent`, or all where it is infinite. All of the view where that is not known,
+    /// without bounds say.
+    ViewArea area(const Extent& extent, double length);
+
+private:
+    struct ReachedArea {
+        double reach;
+        ViewArea area;
+    };
+
+    void place();
+    ViewArea areaWithin(double reach);
+    const ViewArea& areaOfDraw(std::size_t draw);
+
+    const DrawnList& drawn_;
+    const CameraMatrices* camera_ = nullptr;
+    bool normals_ = false;
+    bool is_placed_ = false;
+    ViewVolume volume_ = {};
+    std::vector<PlacedDraw> placed_;
+    std::vector<ReachedArea> reached_;   // what `area` has answered
+    std::vector<ViewArea> areas_;        // of the first draws, as far as anyone asked
+    std::vector<std::uint32_t> values_;  // of all draws, one after the other
+};
+
+}  // namespace crevice
