@@ -54,7 +54,10 @@ void addOptions(Cell& cell, std::size_t index)
     if (has(*cell.estimator, "rotation")) cell.overrides.push_back(rotations[index / 2 % 3]);
     if (has(*cell.input, "guard_band") && index % 4 == 0)
         cell.overrides.push_back("guard_band=1.2");
-    if (has(*cell.filter, "ao_scale") && index % 2) cell.overrides.push_back("ao_scale=0.25");
+    // Tiles of every fourth pixel: at a quarter of the size none is as near as the radius.
+    const bool tiles = std::string_view(cell.estimator->name) == "ssao/hbao_plus";
+    if (has(*cell.filter, "ao_scale") && index % 2)
+        cell.overrides.push_back(tiles ? "ao_scale=0.5" : "ao_scale=0.25");
 }
 
 /// All pairs of estimator and filter, each on two inputs three apart, so that every estimator and

@@ -38,7 +38,7 @@ mediump float horizonOf(March march, Side side, int steps)
     mediump float normal_ends = side.sin_n > 0.0 ? side.cos_n : 2.0;
     highp vec2 at = side.first;
     for (int i = 0; i < steps; ++i) {
-        mediump vec3 offset = offsetAt(march, at);
+        mediump vec3 offset = offsetAt(march, texelOf(march, at));
         at += side.step;
         mediump float far = dot(offset, offset);
         mediump vec3 way = offset - before;
@@ -79,9 +79,8 @@ void main()
 #ifdef BENT_NORMALS
     mediump vec3 bent = vec3(0.0);
 #endif
-    mediump vec2 turn = firstTurn(march);
     for (int i = 0; i < sides; ++i) {
-        Side side = sideOf(march, turn);
+        Side side = sideOf(march, i);
         mediump float horizon = horizonOf(march, side, steps);
         blocked += side.projected_length * lightBelow(horizon, side.cos_n, side.sin_n);
         whole += side.projected_length * side.whole;
@@ -89,7 +88,6 @@ void main()
         mediump vec2 direction = openDirection(horizon, side.cos_n, side.sin_n);
         bent += side.projected_length * (march.to_camera * direction.x + side.along * direction.y);
 #endif
-        turn = nextTurn(turn);
     }
 #ifdef BENT_NORMALS
     bent_normal = vec4(0.5, 0.5, 1.0, 0.0);

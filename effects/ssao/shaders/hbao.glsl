@@ -1,104 +1,110 @@
 // SPDX-License-Identifier: MIT
-// The occlusion of a point by the horizons about it, for whoever provides `viewPosition` and `depthTolerance`.
+// The occlusion of a point by the horizons about it.
 //
 // Each side of a slice is marched outwards. Where a tap rises above all before it, the part of the side
 // between the two horizons is blocked, the less the farther the tap lies.
 //
+//   LIGHT           uniform or cosine: how much light an angle over the surface brings
 //   THIN_OCCLUDERS  skip: distance counts in space, so that light passes behind what stands far in front;
 //                   count: distance counts across the view ray, as if everything went on behind
 //
 // [Bavoil, Sainz 2008, "Image-Space Horizon-Based Ambient Occlusion"] - the integral of sin h - sin t, of elevations
 // over the screen; here angles count from the camera, so that sines are cosines. [SCS Software] - skip or count.
 
-#include "ssao/shaders/hbao_march.glsl"
+#include "ssao/shaders/lift.glsl"
+#include "ssao/shaders/march.glsl"
+#include "ssao/shaders/occlusion_curve.glsl"
 
-uniform highp float angle_bias;
-uniform highp float falloff;
+uniform mediump float angle_bias;
+uniform mediump float falloff;
 
-// How much a tap counts, 0..1. 1 - d^2 / R^2 with falloff 1, as in NVIDIA's sample gl_ssao.
-highp float weightOf(March march, highp vec3 offset)
+// How much what lies at an offset counts, 0..1. 1 - d^2 / R^2 with falloff 1, as in NVIDIA's sample gl_ssao.
+mediump float weightOf(March march, mediump vec3 offset)
 {
 #if THIN_OCCLUDERS == THIN_OCCLUDERS_COUNT
-    offset -= march.to_camera * dot(offset, march.to_camera);
+    mediump float nearer = dot(offset, march.to_camera);
+    offset -= march.to_camera * nearer;
+    if (nearer < -0.7 * kFar) return 0.0;  // the background
 #endif
-    highp float share = dot(offset, offset) / max(radius * radius, 1e-30);
+    mediump float share = dot(offset, offset);
     return share < 1.0 ? 1.0 - falloff * share : 0.0;
 }
 
-// The light of a side up to the cosine `c` of an angle from the direction to the camera.
-highp float lightBelow(Side side, highp float c)
+// The light of a side between its surface and a lift.
+mediump float lightUpTo(Side side, mediump float lift)
 {
 #if LIGHT == LIGHT_COSINE
-    return cosineArcIntegral(side, c);
+    return lightBelow(lift, side.cos_n, side.sin_n);
 #else
-    return 1.0 - c;
+    mediump float up = min(lift, 2.0 - lift);
+    mediump float level = sqrt(max(1.0 - up * up, 0.0));
+    return side.cos_n * up + side.sin_n * (lift > 1.0 ? 1.0 + level : 1.0 - level);
 #endif
 }
 
-// What is known of a side so far.
-struct Blocked {
-    highp float horizon;  // its cosine
-    highp float open;     // the light below it
-    highp float sum;      // the light that is blocked
-};
-
-// Raises the horizon to `offset`, with the weight of what lies there.
-void raise(March march, Side side, highp vec3 outwards, highp vec3 offset, highp float weight, inout Blocked blocked)
+// How far up an offset of this length leads, off the normal on whichever side.
+mediump float liftOf(March march, Side side, mediump vec3 offset)
 {
-    highp float rise = cosineOf(march, side, outwards, offset);
-    if (weight <= 0.0 || rise <= blocked.horizon) return;
-    highp float still_open = lightBelow(side, rise);
-    blocked.sum += weight * (blocked.open - still_open);
-    blocked.open = still_open;
-    blocked.horizon = rise;
+    mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
+    mediump float up = clamp(dot(offset, march.normal) * inverse / side.projected_length, 0.0, 1.0);
+    mediump float normal_ends = side.sin_n > 0.0 ? side.cos_n : 2.0;
+    if (dot(offset, march.to_camera) * inverse > normal_ends) up = up > side.cos_n ? 2.0 - up : 0.0;
+    return up;
 }
 
-// The blocked light of one side. Off the screen the surface last seen goes on, with the mean of the weights of both its
-// ends.
-highp float blockedOn(March march, Slice slice, Side side, highp float sign)
+// The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean
+// of the weights of both its ends.
+mediump float blockedOn(March march, Side side, mediump float least_lift, int steps)
 {
-    highp vec3 outwards = outward(march, slice, sign);
-    highp float angle = radians(angle_bias);
-    // The tangent, raised by the bias, at most up to the camera.
-    highp float horizon = side.cos_n < sin(angle) ? 1.0 : side.cos_n * sin(angle) - side.sin_n * cos(angle);
-    Blocked blocked = Blocked(horizon, lightBelow(side, horizon), 0.0);
-    highp float edge = edgeOf(march, slice, sign);
-    highp float stride = strideOf(edge);
-    highp vec3 before = vec3(0.0);
-    highp vec3 way = vec3(0.0);
-    for (int i = 0; i < STEPS; ++i) {
-        highp vec3 offset;
-        highp vec2 at = tapAt(march, slice, sign, stride, i);
-        if (!offsetAt(march, at, offset)) continue;
-        raise(march, side, outwards, offset, weightOf(march, offset), blocked);
-        way = offset - before;
+    // The light below the horizon: at first that below the bias, of a side that ends before, all.
+    mediump float below = lightUpTo(side, side.sin_n > 0.0 ? least_lift : min(least_lift, side.cos_n));
+    mediump float blocked = 0.0;
+    mediump float weight = 0.0;
+    mediump vec3 before = vec3(0.0);
+    mediump vec3 way = vec3(0.0);
+    highp vec2 at = side.first;
+    for (int i = 0; i < steps; ++i) {
+        mediump vec3 offset = offsetAt(march, texelOf(march, at));
+        at += side.step;
+        weight = weightOf(march, offset);
+        mediump float higher = max(lightUpTo(side, liftOf(march, side, offset)) - below, 0.0);
+        blocked += weight * higher;
+        below += weight > 0.0 ? higher : 0.0;
+        way = dot(before, before) < 1.0 ? offset - before : vec3(0.0);
         before = offset;
     }
-    highp float weight = weightOf(march, before);
-    if (edge < 1.0 && weight > 0.0) {
-        highp vec3 end = goneOn(before, way);
-        raise(march, side, outwards, end, 0.5 * (weight + weightOf(march, end)), blocked);
+    mediump float near = dot(before, before);
+    if (side.cut && near < 1.0) {
+        mediump float a = max(dot(way, way), 1e-4);
+        mediump float b = dot(before, way);
+        mediump float leaves = (sqrt(max(b * b - a * (near - 1.0), 0.0)) - b) / a;
+        mediump float height = dot(before + way * max(leaves, 0.0), march.normal);
+        mediump float lift = clamp(height / side.projected_length, 0.0, 1.0);
+        blocked += 0.5 * (weight + 1.0 - falloff) * max(lightUpTo(side, lift) - below, 0.0);
     }
-    return blocked.sum;
+    return blocked;
 }
 
-// Of all slices, 0..1.
-highp float occlusionOf(March march)
+// 1 open .. 0 blocked, of a pixel of the marched picture; 1 in the background.
+mediump float visibilityAt(highp vec2 pixel)
 {
-    highp float blocked = 0.0;
-    highp float whole = 0.0;
-    for (int i = 0; i < SLICES; ++i) {
-        Slice slice = sliceOf(march, i);
+    March march;
+    // No constants: written out, the loops would take more registers than a phone has.
+    bool known = marchFrom(pixel, march);
+    int sides = known ? 2 * SLICES : 0;
+    int steps = known ? STEPS : 0;
+    mediump float least_lift = sin(radians(angle_bias));
+    mediump float blocked = 0.0;
+    mediump float whole = 0.0;
+    for (int i = 0; i < sides; ++i) {
+        Side side = sideOf(march, i);
 #if LIGHT == LIGHT_COSINE
-        highp float weight = slice.projected_length;
+        blocked += side.projected_length * blockedOn(march, side, least_lift, steps);
+        whole += side.projected_length * side.whole;
 #else
-        const highp float weight = 1.0;
+        blocked += blockedOn(march, side, least_lift, steps);
+        whole += 1.0;  // of every two sides 2
 #endif
-        for (highp float sign = -1.0; sign < 2.0; sign += 2.0) {
-            Side side = sideOf(slice.cos_n, slice.sin_n * sign, slice.projected_length);
-            blocked += weight * blockedOn(march, slice, side, sign);
-            whole += weight * lightBelow(side, lastCosine(side));
-        }
     }
-    return radiusFade(march) * blocked / max(whole, 1e-6);
+    return visibilityOf(radiusFade(march) * blocked / max(whole, 1e-3));
 }

@@ -21,6 +21,14 @@ uniform highp vec2 viewport_size;
 
 const highp float kPi = 3.14159265;
 
+// The picture that is marched, whose pixels those below are: the view, or a tile of it (hbao_plus.frag).
+#ifndef MARCH_IN_TILES
+const highp float kStride = 1.0;  // from one of its pixels to the next, in the view's
+highp vec2 inView(highp vec2 pixel) { return pixel; }
+highp vec2 marchedSize() { return viewport_size; }
+highp ivec2 marchedTexel(highp vec2 pixel) { return ivec2(pixel); }  // without the guard band
+#endif
+
 // One pixel and its surface. Lengths in radii.
 struct March {
     highp vec3 point;        // view space, lifted off its own surface
@@ -30,13 +38,13 @@ struct March {
     highp ivec2 band;        // the guard band's texels on either side
     mediump vec3 normal;
     mediump vec3 to_camera;  // unit
-    mediump float shown;     // one radius across the view, in pixels
     mediump vec2 noise;      // 0..1: turns the slices, shifts the taps
 };
 
-// The point at view depth `z` behind a pixel, in the view's pixels; lengths in radii.
+// The point at view depth `z` behind a pixel; lengths in radii.
 highp vec3 pointOn(March march, highp vec2 pixel, highp float z)
 {
+    pixel = inView(pixel);
     highp vec2 ray = (ray_from_pixel * vec3(pixel, 1.0)).xy;
 #if CAMERA_ORTHOGRAPHIC
     return vec3(ray / march.radius, z);
@@ -60,7 +68,7 @@ highp float seenReach(highp vec3 point)
 bool marchFrom(highp vec2 pixel, out March march)
 {
     march.band = (textureSize(source_depth, 0) - ivec2(viewport_size)) / 2;
-    highp ivec2 texel = ivec2(pixel) + march.band;
+    highp ivec2 texel = marchedTexel(pixel) + march.band;
     highp float stored = texelFetch(source_depth, texel, 0).r;
     highp float share = max(stored, kFarthestShare);
     mediump vec4 stored_normal = texelFetch(source_normal, texel, 0);
@@ -83,29 +91,13 @@ bool marchFrom(highp vec2 pixel, out March march)
 #endif
     // Of a radius wider than the screen the screen's share.
     highp float lift = bias * wider / max(screens, 1.0);
-    highp float facing = abs(dot(march.normal, rayThrough(pixel)));
+    highp float facing = abs(dot(march.normal, rayThrough(inView(pixel))));
     highp float rounding = shareStep(share) / march.radius * facing;
     highp float tolerance = stored_normal.a > 0.0 ? toleranceOf(stored_normal.a) * wider : 0.0;  // the least is no more
     march.point = point + march.normal * max(lift, max(rounding, tolerance));
     march.pixel = pixel;
-    march.shown = min(max(shown.x, shown.y), 100.0);
-    march.noise = pixelNoise(hostPixel(pixel, viewport_size));
+    march.noise = pixelNoise(hostPixel(inView(pixel), viewport_size));
     return stored > 0.0;
-}
-
-// The direction of the first side about the view ray, as cosine and sine, and of the next: the sides lie evenly over a
-// turn.
-mediump vec2 firstTurn(March march)
-{
-    mediump float angle = kPi / float(SLICES) * march.noise.x;
-    return vec2(cos(angle), sin(angle));
-}
-
-mediump vec2 nextTurn(mediump vec2 turn)
-{
-    const mediump float c = cos(kPi / float(SLICES));
-    const mediump float s = sin(kPi / float(SLICES));
-    return turn * c + vec2(-turn.y, turn.x) * s;
 }
 
 // One side of a slice through the hemisphere.
@@ -125,8 +117,11 @@ struct Side {
 // to leave it, and at most up to the edge; the first is a pixel away, at least. Ours: of four steps the last lies at
 // 0.9 to 1.2 radii.
 // [Jimenez et al. 2016: lines 5 to 15 of algorithm 1, which turns about the view axis]
-Side sideOf(March march, mediump vec2 turn)
+Side sideOf(March march, int i)
 {
+    // Evenly over a turn.
+    mediump float angle = kPi / float(SLICES) * (march.noise.x + float(i));
+    mediump vec2 turn = vec2(cos(angle), sin(angle));
     Side side;
     mediump vec3 to_camera = hostFromPicture(march.to_camera);
     mediump vec3 right = normalize(vec3(max(to_camera.z, 1e-3), 0.0, -to_camera.x));
@@ -144,12 +139,12 @@ Side sideOf(March march, mediump vec2 turn)
     highp vec2 ray = march.point.xy / march.point.z;
     way.xy = (way.xy - ray * way.z) / min(march.point.z + way.z, 0.05 * march.point.z);
 #endif
-    highp vec2 pixels = way.xy / vec2(ray_from_pixel[0].x, ray_from_pixel[1].y);
+    highp vec2 pixels = way.xy / (kStride * vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
 #if CAMERA_ORTHOGRAPHIC
     pixels *= march.radius;
 #endif
     highp vec2 band = vec2(march.band);
-    highp vec2 room = mix(march.pixel, viewport_size - march.pixel, step(0.0, pixels)) + band - 0.5;
+    highp vec2 room = mix(march.pixel, marchedSize() - march.pixel, step(0.0, pixels)) + band - 0.5 / kStride;
     room /= max(abs(pixels), 1e-6);
     highp float edge = min(room.x, room.y);
     side.step = pixels * min(1.0 / (float(STEPS) - 0.6), edge / float(STEPS));
@@ -159,12 +154,29 @@ Side sideOf(March march, mediump vec2 turn)
     return side;
 }
 
-// What the tap at `pixel` sees, from the point. Far off it is nearer than it is, within what 16 bits hold.
-mediump vec3 offsetAt(March march, highp vec2 pixel)
+// The texel that a tap at `pixel` reads. Far off only every fourth row is read, the next towards the middle of the
+// picture: a quarter of the memory, which caches hold. At 1920x1080 on a CPU, radius 10 in the room, the pass takes 204 ms
+// in balanced, with all rows 289; rmse changes by 1 % or less.
+highp vec2 texelOf(March march, highp vec2 pixel)
 {
-    const highp float kFar = 40.0;
+    const highp float kFarPixels = 64.0;
+    highp vec2 way = abs(pixel - march.pixel);
     highp vec2 texel = floor(pixel);
-    highp float share = texelFetch(source_depth, ivec2(texel) + march.band, 0).r;
+    highp float middle = floor(0.5 * marchedSize().y);
+    if (max(way.x, way.y) > kFarPixels) texel.y = middle + 4.0 * trunc(0.25 * (texel.y - middle));
+#ifdef MARCH_IN_TILES
+    texel = clamp(texel, vec2(0.0), marchedSize() - 1.0);  // beyond the edge lies another tile
+#endif
+    return texel;
+}
+
+// In radii. Squares of it are within 16 bits.
+const highp float kFar = 40.0;
+
+// What the tap that reads `texel` sees, from the point. Far off it is nearer than it is, within what 16 bits hold.
+mediump vec3 offsetAt(March march, highp vec2 texel)
+{
+    highp float share = texelFetch(source_depth, marchedTexel(texel) + march.band, 0).r;
     highp float z = clamp(zOfShare(share, march.unit), march.point.z - kFar, march.point.z + kFar);
     return pointOn(march, texel + 0.5, z) - march.point;
 }
@@ -175,7 +187,7 @@ mediump vec3 awayAt(highp vec2 pixel)
 #if CAMERA_ORTHOGRAPHIC
     return vec3(0.0, 0.0, -1.0);
 #else
-    return -normalize(rayThrough(pixel));
+    return -normalize(rayThrough(inView(pixel)));
 #endif
 }
 
@@ -193,9 +205,16 @@ mediump float unevenStep(mediump float step_here, mediump float step_before)
     return abs(uneven) < abs(step_here) ? uneven : step_here;
 }
 
-// 1 where the radius is two pixels or more, 0 where it is below one: no tap is as near, and there is nothing
-// to see. Ours; XeGTAO fades as well, from ten pixels on.
+// 1 where the radius is two pixels or more across the view, 0 where it is below one: no tap is as near, and there is
+// nothing to see. Ours; XeGTAO fades as well, from ten pixels on.
 mediump float radiusFade(March march)
 {
-    return clamp(march.shown - 1.0, 0.0, 1.0);
+    highp vec2 size = abs(vec2(ray_from_pixel[0].x, ray_from_pixel[1].y));
+    highp float pixel = min(size.x, size.y);
+#if CAMERA_ORTHOGRAPHIC
+    highp float shown = march.radius / max(pixel, 1e-30);
+#else
+    highp float shown = 1.0 / max(pixel * abs(march.point.z), 1e-30);
+#endif
+    return clamp(shown - 1.0, 0.0, 1.0);
 }

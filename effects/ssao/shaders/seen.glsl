@@ -17,7 +17,7 @@ bool positionAtTap(highp vec2 at, out highp vec3 point)
     return viewPosition(at, point);
 }
 
-#if DEPTH_LEVELS && !defined SEEN_IN_TILES
+#if DEPTH_LEVELS
 #include "common/depth_levels.glsl"
 #include "common/view_space.glsl"
 

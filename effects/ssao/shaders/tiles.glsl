@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The view's pixels in 4x4 tiles of every fourth pixel each. Where the view is not a multiple of four, the
-// last texels of some tiles stand for no pixel.
+// A picture's pixels in 4x4 tiles of every fourth pixel each, in a texture of the picture's size. Where that is not a
+// multiple of four, the first columns and rows of tiles are a pixel wider and higher.
 
-#include "common/guard_band.glsl"
-
-uniform highp sampler2D stored_depth;  // as the geometry pass wrote it; it has the view's size
-
-// Of the view, without its guard band.
-highp ivec2 viewPixels()
+// The first texel of a tile.
+highp ivec2 cornerOf(highp ivec2 tile, highp ivec2 size)
 {
-    return ivec2(viewSizeIn(vec2(textureSize(stored_depth, 0))));
+    return tile * (size / 4) + min(tile, size % 4);
 }
 
-highp vec2 uvOfPixel(highp ivec2 pixel)
+// The tile of a texel: its pixels are 4 * (texel - cornerOf(tile)) + tile.
+highp ivec2 tileOf(highp ivec2 texel, highp ivec2 size)
 {
-    return (vec2(pixel) + 0.5) / vec2(viewPixels());
+    highp ivec2 tile = ivec2(0);
+    for (int i = 1; i < 4; ++i) tile += ivec2(greaterThanEqual(texel, cornerOf(ivec2(i), size)));
+    return tile;
 }
 
-// The pixel that a texel of the tiles stands for; `tile` is the size of one.
-highp ivec2 pixelOfTexel(highp ivec2 texel, highp ivec2 tile)
+highp ivec2 texelOfPixel(highp ivec2 pixel, highp ivec2 size)
 {
-    return 4 * (texel % tile) + texel / tile;
-}
-
-highp ivec2 texelOfPixel(highp ivec2 pixel, highp ivec2 tile)
-{
-    return pixel % 4 * tile + pixel / 4;
+    return cornerOf(pixel % 4, size) + pixel / 4;
 }

@@ -101,7 +101,7 @@ expect 0 'configs/learnopengl.json:[0-9]+:[0-9]+: 0.5' explain learnopengl --why
 expect 0 'command line|--set' explain learnopengl --why radius --set radius=2
 expect 0 'before that by' explain learnopengl --why /params/radius/default
 expect 1 'CV2102' explain learnopengl --why params.radus
-expect 0 'depth is target depth' explain hbao --why passes.ssao.inputs.depth
+expect 0 'depth is target depth' explain sao --why passes.ssao.inputs.depth
 expect 0 'by default' explain gtao --why passes.ssao.state.cull --format json
 expect_json
 expect 1 'CV2102' explain gtao --why passes.ssao.inputs.deep

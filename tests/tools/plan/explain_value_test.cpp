@@ -215,7 +215,7 @@ TEST_CASE("what a patch deleted is reported with the place that deleted it")
 
 TEST_CASE("a sampler or uniform that no file mentions binds by its name")
 {
-    const LoadRequest request = {"hbao"};
+    const LoadRequest request = {"sao"};
     const Result<Node> document = loadConfig(shippedSources(), request);
     REQUIRE(document);
     ConfigOptions options;
