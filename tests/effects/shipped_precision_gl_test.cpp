@@ -34,8 +34,10 @@ Description describe(const Subject& subject, const SourceSet& sources, float uni
     LoadRequest request = {subject.config, subject.variant, {"radius=0.8"}};
     const auto load = [&] { return need(decode(need(loadConfig(sources, request)), sources)); };
     Description description = load();
-    if (findNamed(description.params, "slices")) {
-        request.overrides.insert(request.overrides.end(), {"slices=2", "steps=4"});
+    if (const ParamDesc* slices = findNamed(description.params, "slices")) {
+        const bool many = slices->value[0] > 8;
+        request.overrides.push_back(many ? "slices=4" : "slices=2");
+        request.overrides.push_back(many ? "steps=8" : "steps=4");
         description = load();
     }
     for (ParamDesc& param : description.params)
