@@ -155,8 +155,8 @@ Side sideOf(March march, int i)
 }
 
 // The texel that a tap at `pixel` reads. Far off only every fourth row is read, the next towards the middle of the
-// picture: a quarter of the memory, which caches hold. At 1920x1080 on a CPU, radius 10 in the room, the pass takes 204 ms
-// in balanced, with all rows 289; rmse changes by 1 % or less.
+// picture: a quarter of the memory, which caches hold. At 1920x1080 on a CPU, radius 10 in the room, the pass takes
+// 204 ms in balanced, with all rows 289; rmse changes by 1 % or less.
 highp vec2 texelOf(March march, highp vec2 pixel)
 {
     const highp float kFarPixels = 64.0;
