@@ -94,10 +94,8 @@ mediump float filledBetween(Trail trail, mediump float step_here, mediump float 
 // The sector at a height over the surface; `inverse` is one over the distance, `towards` the distance to the camera.
 mediump float sectorOf(Side side, mediump float height, mediump float towards, mediump float inverse)
 {
-    mediump float up = clamp(height * inverse / side.projected_length, 0.0, 1.0);
-    bool beyond = side.sin_n > 0.0 && towards * inverse > side.cos_n;
-    if (beyond) up = up > side.cos_n ? 2.0 - up : 0.0;
-    return min(kSectors * lightBelow(up, side.cos_n, side.sin_n) / side.whole, kSectors);
+    mediump float lift = liftOf(height * inverse / side.projected_length, towards * inverse, side.cos_n, side.sin_n);
+    return min(kSectors * lightBelow(lift, side.cos_n, side.sin_n) / side.whole, kSectors);
 }
 
 // The sectors blocked by something whose front is at `offset` and which is `deep` along its ray,

@@ -35,7 +35,6 @@ mediump float horizonOf(March march, Side side, int steps)
     mediump float gone_on = 0.0;
     mediump float per_gap = float(STEPS) / max_gap;
     mediump float per_height = 1.0 / side.projected_length;
-    mediump float normal_ends = side.sin_n > 0.0 ? side.cos_n : 2.0;
     highp vec2 at = side.first;
     for (int i = 0; i < steps; ++i) {
         mediump vec3 offset = offsetAt(march, texelOf(march, at));
@@ -53,8 +52,7 @@ mediump float horizonOf(March march, Side side, int steps)
         bool inside = far < 1.0;
         mediump float inverse = inversesqrt(max(far, 1e-5));
         mediump float up = inside ? height * inverse : height + rise * clamp(leaves - 1.0, -1.0, 0.0);
-        up = clamp(up * per_height, 0.0, 1.0);
-        if (dot(offset, march.to_camera) * inverse > normal_ends) up = up > side.cos_n ? 2.0 - up : 0.0;
+        up = liftOf(up * per_height, dot(offset, march.to_camera) * inverse, side.cos_n, side.sin_n);
         mediump float higher = max(up - horizon, 0.0);
         horizon += inside ? higher : near < 1.0 ? filled * higher : 0.0;
         gone_on = height + (filled < 0.5 ? 0.0 : rise * max(leaves - 1.0, 0.0));

@@ -42,14 +42,12 @@ mediump float lightUpTo(Side side, mediump float lift)
 #endif
 }
 
-// How far up an offset of this length leads, off the normal on whichever side.
-mediump float liftOf(March march, Side side, mediump vec3 offset)
+// The light of a side between its surface and where an offset leads.
+mediump float lightUpTo(March march, Side side, mediump vec3 offset)
 {
     mediump float inverse = inversesqrt(max(dot(offset, offset), 1e-5));
-    mediump float up = clamp(dot(offset, march.normal) * inverse / side.projected_length, 0.0, 1.0);
-    mediump float normal_ends = side.sin_n > 0.0 ? side.cos_n : 2.0;
-    if (dot(offset, march.to_camera) * inverse > normal_ends) up = up > side.cos_n ? 2.0 - up : 0.0;
-    return up;
+    mediump float height = dot(offset, march.normal) * inverse / side.projected_length;
+    return lightUpTo(side, liftOf(height, dot(offset, march.to_camera) * inverse, side.cos_n, side.sin_n));
 }
 
 // The blocked light of one side. Off the screen the surface last seen goes on until it leaves the radius, with the mean
@@ -67,7 +65,7 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
         mediump vec3 offset = offsetAt(march, texelOf(march, at));
         at += side.step;
         weight = weightOf(march, offset);
-        mediump float higher = max(lightUpTo(side, liftOf(march, side, offset)) - below, 0.0);
+        mediump float higher = max(lightUpTo(march, side, offset) - below, 0.0);
         blocked += weight * higher;
         below += weight > 0.0 ? higher : 0.0;
         way = dot(before, before) < 1.0 ? offset - before : vec3(0.0);
@@ -78,9 +76,8 @@ mediump float blockedOn(March march, Side side, mediump float least_lift, int st
         mediump float a = max(dot(way, way), 1e-4);
         mediump float b = dot(before, way);
         mediump float leaves = (sqrt(max(b * b - a * (near - 1.0), 0.0)) - b) / a;
-        mediump float height = dot(before + way * max(leaves, 0.0), march.normal);
-        mediump float lift = clamp(height / side.projected_length, 0.0, 1.0);
-        blocked += 0.5 * (weight + 1.0 - falloff) * max(lightUpTo(side, lift) - below, 0.0);
+        mediump vec3 end = before + way * max(leaves, 0.0);
+        blocked += 0.5 * (weight + 1.0 - falloff) * max(lightUpTo(march, side, end) - below, 0.0);
     }
     return blocked;
 }

@@ -10,6 +10,16 @@
 
 #include "common/angles.glsl"
 
+// The lift of a direction: of its height over the surface within the slice and of how far it leads to the camera, both
+// of unit length; the normal leans towards its side by the angle n.
+mediump float liftOf(mediump float height, mediump float towards, mediump float cos_n, mediump float sin_n)
+{
+    mediump float up = clamp(height, 0.0, 1.0);
+    bool beyond = sin_n > 0.0 && towards > cos_n;
+    if (beyond) up = up > cos_n ? 2.0 - up : 0.0;
+    return up;
+}
+
 // asin(u) - u sqrt(1 - u^2) of u in 0..1, to within 7e-5.
 mediump float liftIntegral(mediump float u)
 {

@@ -150,6 +150,7 @@ Side sideOf(March march, int i)
     side.step = pixels * min(1.0 / (float(STEPS) - 0.6), edge / float(STEPS));
     side.cut = edge < 1.0;
     highp float least = inversesqrt(max(dot(side.step, side.step), 1e-12));
+    least = min(least, max(edge * (float(STEPS) - 0.6), float(STEPS)) - float(STEPS - 1));  // the last within the edge
     side.first = march.pixel + side.step * max(march.noise.y, least);
     return side;
 }
@@ -205,7 +206,7 @@ mediump float unevenStep(mediump float step_here, mediump float step_before)
     return abs(uneven) < abs(step_here) ? uneven : step_here;
 }
 
-// 1 where the radius is two pixels or more across the view, 0 where it is below one: no tap is as near, and there is
+// 1 where the radius is two pixels or more across the view, 0 where it is below one: no tap is nearer, and there is
 // nothing to see. Ours; XeGTAO fades as well, from ten pixels on.
 mediump float radiusFade(March march)
 {
