@@ -10,8 +10,8 @@
 
 #include "common/angles.glsl"
 
-// The lift of a direction: of its height over the surface within the slice and of how far it leads to the camera, both
-// of unit length; the normal leans towards its side by the angle n.
+// The lift of a unit direction within the slice, from its components along the surface's normal and towards the camera.
+// The normal leans towards the direction's side by the angle n.
 mediump float liftOf(mediump float height, mediump float towards, mediump float cos_n, mediump float sin_n)
 {
     mediump float up = clamp(height, 0.0, 1.0);
