@@ -24,12 +24,13 @@ if [[ ${CI:-} == true ]]; then
     export CREVICE_REQUIRE_GL=1 CREVICE_REQUIRE_BROWSER=1 CREVICE_REQUIRE_JSONSCHEMA=1
 fi
 
-failed=()
+failed=() taken=()
 # Runs a stage, a function below, and goes on where it fails, so that one run shows everything.
 stage() {
-    local title=$1 command=$2
+    local title=$1 command=$2 begin=$SECONDS
     printf '\n== %s\n' "$title"
     "$command" || failed+=("$title")
+    taken+=("$((SECONDS - begin)) s  $title")
 }
 
 all_tests() {
@@ -117,6 +118,8 @@ else
     stage "Fuzzers, 30 seconds each" fuzzers
 fi
 
+printf '\n'
+printf '%s\n' "${taken[@]}"
 if ((${#failed[@]})); then
     printf '\nFAILED: %s\n' "${failed[@]}"
     exit 1

@@ -4,18 +4,11 @@
 
 #include "tests/support/catch.h"
 
-#include <algorithm>
 #include <ctime>
 
 using namespace crevice;
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr double kSanitizerFactor = 20;
-#else
-constexpr double kSanitizerFactor = 1;
-#endif
 
 SourceRef textOf(const std::string& text)
 {
@@ -156,19 +149,17 @@ TEST_CASE("the size ends at one mebibyte")
     CHECK(failureOf(text + " ").code == Code::too_large);
 }
 
-TEST_CASE("a mebibyte of the smallest values is read in a moment")
+TEST_CASE("a mebibyte of the smallest values does not cost its square")
 {
     std::string text = "{\"a\":[0";
     while (text.size() < kMaxDocumentBytes - 4) text += ",0";
     const SourceRef source = textOf(text + "]}");
-    constexpr double kMost = 1;  // seconds of this process: what is quadratic takes minutes
-    double least = 1e30;
-    for (int i = 0; i < 5 && least > kMost; ++i) {
-        const std::clock_t begin = std::clock();
-        CHECK(parseDocument(source).ok());
-        least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-    }
-    CHECK(least <= kMost * kSanitizerFactor);
+    const std::clock_t begin = std::clock();
+    CHECK(parseDocument(source).ok());
+    const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    // Seconds of this process: it takes one, emulated or sanitized ten, and what is quadratic
+    // minutes.
+    CHECK(taken < 30);
 }
 
 TEST_CASE("a mebibyte of small values is read whole")
