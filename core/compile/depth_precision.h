@@ -21,14 +21,9 @@ constexpr double kResolvedShare = 0.1;
 // Steps, in radii, that nobody sees where draws lie. A horizon raised by an angle blocks the square
 // of its sine of an open surface; half a step of 8 bits is 0.002.
 
-/// Of what is marched over, where a change adds up over all slices and filters spread it. The
-/// nearest of four taps lies an eighth of the radius away, and a step raises its horizon by eight:
-/// sin^2(8 * 0.0028) = 0.0005, a quarter of what is seen.
-constexpr double kUnseenMarched = 0.0028;
-
-/// Of stored positions that are marched over. All three coordinates round, so that surfaces are off
-/// by sqrt(3) as much as those of depth: 0.0028 / 1.732.
-constexpr double kUnseenMarchedPosition = 0.0016;
+/// Of what is marched over. Above 0.0002 radii a point is lifted by up to ten steps, since its lift
+/// is stored in two bits (effects/common/tolerance.glsl), and normals rebuilt from depth tilt.
+constexpr double kUnseenMarched = 0.0006;
 
 /// Of what the offsets of a kernel over the surface are compared with, which lie half the radius
 /// away; their surface and the point itself round: sin^2(2 * 2 * 0.01) = 0.0016. Where the kernel
@@ -42,13 +37,11 @@ constexpr double kUnseenAround = 0.0027;
 
 /// Of the depth test alone, which confuses surfaces that lie no farther apart, next to where they
 /// meet. Occlusion reaches a radius to either side of there, so a picture of which a sixth is
-/// occluded changes by 0.16 * 0.025 / 2.
-constexpr double kUnseenHidden = 0.025;
+/// occluded changes by 0.16 * 0.02 / 2.
+constexpr double kUnseenHidden = 0.02;
 
-/// Of the floats of vertices: each rounds, and once more in view space, as does what occludes it,
-/// so that surfaces are off by twice as much as those that a kernel is compared with, on both
-/// sides.
-constexpr double kUnseenVertex = kUnseenProbed / 4;
+/// Of the floats of vertices: a point and what occludes it round as both ends of a kernel do.
+constexpr double kUnseenVertex = kUnseenProbed;
 
 /// Where a radius covers fewer pixels, estimators fade: nothing is asked of a format there.
 constexpr double kLeastRadiusPixels = 2.0;

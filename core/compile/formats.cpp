@@ -112,14 +112,12 @@ double unseenProbed(const State& state, const Pass& pass, const PlanUniform& ker
 }
 
 // The same of a texture, which `reader` reads or nobody.
-double unseenShare(const State& state, const StoredSurface& surface, const std::string& name,
-                   const Pass* reader)
+double unseenShare(const State& state, const std::string& name, const Pass* reader)
 {
     if (reader) {
         if (const PlanUniform* kernel = kernelOf(*reader))
             return unseenProbed(state, *reader, *kernel);
-        return surface.semantic == Semantic::view_position ? kUnseenMarchedPosition
-                                                           : kUnseenMarched;
+        return kUnseenMarched;
     }
     if (!(state.traits.draws.distance > 0)) return 0;
     const int target = indexOf(state.description.targets, name);
@@ -143,7 +141,7 @@ void Lint::checkTexture(StoredSurface surface, const Reference& at)
     const Pass* const reader = readerOf(state, at.name);
     if (reader) (kernelOf(*reader) ? probed : marched) = true;
     surface.hidden = !reader;
-    const double share = unseenShare(state, surface, at.name, reader);
+    const double share = unseenShare(state, at.name, reader);
     const PrecisionNeed need = needOfDraws(
         state.traits, precisionNeed(state.description, state.traits, state.options.extent.height),
         radius.value[0], share);
