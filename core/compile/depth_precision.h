@@ -22,7 +22,8 @@ constexpr double kResolvedShare = 0.1;
 // of its sine of an open surface; half a step of 8 bits is 0.002.
 
 /// Of what is marched over. Above 0.0002 radii a point is lifted by up to ten steps, since its lift
-/// is stored in two bits (effects/common/tolerance.glsl), and normals rebuilt from depth tilt.
+/// is stored in two bits (effects/common/tolerance.glsl), and normals rebuilt from depth tilt. The
+/// limit is measured, by the figures in docs/formats.md.
 constexpr double kUnseenMarched = 0.0006;
 
 /// Of what the offsets of a kernel over the surface are compared with, which lie half the radius

@@ -336,6 +336,10 @@ TEST_CASE("Figures of what is foretold", "[.]")
     for (const Group& group : groups()) {
         const Tally tally = tallyOf(stage, group, random, 600);
         print(group.name, tally);
+        CAPTURE(group.name);
+        if (group.kind == Kind::depth || group.kind == Kind::view_depth ||
+            group.kind == Kind::position)
+            CHECK(tally.recall() >= kLeastRecall);
         all += tally;
     }
     print("all", all);
