@@ -82,6 +82,4 @@ Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Exten
     return traceSurfaces(**built, camera, extent);
 }
 
-bool canTrace() { return true; }
-
 }  // namespace crevice

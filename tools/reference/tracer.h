@@ -68,7 +68,4 @@ struct SurfaceMap {
 Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Extent extent);
 Result<SurfaceMap> traceSurfaces(const RayScene& scene, const Camera& camera, Extent extent);
 
-/// Always.
-bool canTrace();
-
 }  // namespace crevice
