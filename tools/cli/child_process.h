@@ -32,6 +32,7 @@ public:
     Sender& operator=(const Sender&) = delete;
 
     void bytes(void* data, std::size_t size);
+    bool holds(std::uint64_t) const { return true; }  ///< Nothing is received.
 
 private:
     void write(const char* data, std::size_t size);
@@ -47,6 +48,9 @@ public:
     Receiver(int file, double time_s);
 
     void bytes(void* data, std::size_t size);
+
+    /// Whether so many bytes may come; the sender is a copy of this process and is believed.
+    bool holds(std::uint64_t) const { return !failed_; }
     bool failed() const { return failed_; }
     bool late() const { return late_; }
 

@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: MIT
-// A scene as bytes between two processes of one program: one list of members serves both ways.
+// A scene as bytes between two programs of one version: one list of members serves both ways.
+//
+// A Pipe has `void bytes(void* data, std::size_t size)`, which sends or receives, and `bool
+// holds(std::uint64_t size)`: false where it receives and is known to have less than that left. The
+// bytes are the same whatever the size of a word; only the order of bytes is the machine's.
 #pragma once
 
-#include "tools/cli/child_process.h"
 #include "tools/scene/scene.h"
 
+#include <cstdint>
 #include <type_traits>
 
 namespace crevice {
 
+/// What is sent as it lies in memory: it has no padding and no length of its own.
+template <class T>
+inline constexpr bool kIsPlain =
+    (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_enum_v<T>;
+template <int N, class T, glm::qualifier Q>
+inline constexpr bool kIsPlain<glm::vec<N, T, Q>> = true;
+template <int C, int R, class T, glm::qualifier Q>
+inline constexpr bool kIsPlain<glm::mat<C, R, T, Q>> = true;
+template <>
+inline constexpr bool kIsPlain<Vertex> = sizeof(Vertex) == 8 * sizeof(float);
+
+template <class Pipe>
+void transfer(Pipe& pipe, bool& value);
+template <class Pipe>
+void transfer(Pipe& pipe, std::string& text);
+template <class Pipe, class Entry>
+void transfer(Pipe& pipe, std::vector<Entry>& list);
 template <class Pipe, class T>
 void transfer(Pipe& pipe, T& value);
 
@@ -18,17 +39,31 @@ void transferAll(Pipe& pipe, Members&... members)
     (transfer(pipe, members), ...);
 }
 
+/// What is received takes memory as it comes, and not as its length says.
 template <class Pipe, class List>
 void transferList(Pipe& pipe, List& list)
 {
     using Entry = typename List::value_type;
-    std::size_t size = list.size();
+    std::uint64_t size = list.size();
     pipe.bytes(&size, sizeof(size));
-    list.resize(size);
-    if constexpr (std::is_trivially_copyable_v<Entry>)
-        pipe.bytes(list.data(), size * sizeof(Entry));
-    else
-        for (Entry& entry : list) transfer(pipe, entry);
+    if constexpr (kIsPlain<Entry>) {
+        const bool holds = size <= UINT64_MAX / sizeof(Entry) && pipe.holds(size * sizeof(Entry));
+        list.resize(holds ? static_cast<std::size_t>(size) : 0);
+        pipe.bytes(list.data(), list.size() * sizeof(Entry));
+    } else {
+        for (std::size_t index = 0; index < size && pipe.holds(0); ++index) {
+            if (index == list.size()) list.emplace_back();
+            transfer(pipe, list[index]);
+        }
+    }
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, bool& value)
+{
+    std::uint8_t byte = value ? 1 : 0;
+    pipe.bytes(&byte, sizeof(byte));
+    value = byte != 0;
 }
 
 template <class Pipe>
@@ -66,7 +101,15 @@ void transfer(Pipe& pipe, SceneTexture& texture)
 {
     auto& [name, image] = texture;
     auto& [extent, channels, pixels] = image;
-    transferAll(pipe, name, extent, channels, pixels);
+    auto& [width, height] = extent;
+    transferAll(pipe, name, width, height, channels, pixels);
+}
+
+template <class Pipe>
+void transfer(Pipe& pipe, SceneInstance& instance)
+{
+    auto& [mesh, world_from_model, material] = instance;
+    transferAll(pipe, mesh, world_from_model, material);
 }
 
 template <class Pipe>
@@ -80,7 +123,9 @@ template <class Pipe>
 void transfer(Pipe& pipe, SceneLight& named)
 {
     auto& [name, light] = named;
-    transferAll(pipe, name, light);
+    auto& [directional, position, direction, color, attenuation, spot, inner, outer] = light;
+    transferAll(pipe, name, directional, position, direction, color, attenuation, spot, inner,
+                outer);
 }
 
 template <class Pipe>
@@ -100,7 +145,7 @@ void transfer(Pipe& pipe, Diagnostic& diagnostic)
 template <class Pipe, class T>
 void transfer(Pipe& pipe, T& value)
 {
-    static_assert(std::is_trivially_copyable_v<T>, "list its members");
+    static_assert(kIsPlain<T>, "list its members");
     pipe.bytes(&value, sizeof(value));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What glTF files require and use that is not read.
-#include "tools/scene/gltf_check.h"
+#include "tools/scene/file/gltf_check.h"
 
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

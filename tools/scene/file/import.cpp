@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
-#include "tools/scene/import.h"
+#include "tools/scene/file/import.h"
 
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "tools/image/image_file.h"
-#include "tools/scene/folder.h"
-#include "tools/scene/gltf_check.h"
-#include "tools/scene/materials.h"
+#include "tools/scene/file/folder.h"
+#include "tools/scene/file/gltf_check.h"
+#include "tools/scene/file/materials.h"
 #include "tools/scene/mesh_normals.h"
 #include "tools/scene/views.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Versions and extensions of glTF, by what Assimp 5.2 and the import of materials read.
-#include "tools/scene/gltf_check.h"
+#include "tools/scene/file/gltf_check.h"
 
 #include "core/base/files.h"
 #include "core/base/text.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Materials and textures of an Assimp scene.
-#include "tools/scene/materials.h"
+#include "tools/scene/file/materials.h"
 
 #include "tools/image/image_file.h"
-#include "tools/scene/folder.h"
+#include "tools/scene/file/folder.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>

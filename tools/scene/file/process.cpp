@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes read in a process of their own: Assimp 5.2 asserts on some broken files and never returns
 // from others.
-#include "tools/scene/import.h"
+#include "tools/cli/child_process.h"
+#include "tools/scene/file/import.h"
 #include "tools/scene/transfer.h"
 
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The folders of a scene.
-#include "tools/scene/folder.h"
+#include "tools/scene/file/folder.h"
 
 #include "core/base/text.h"
 
