@@ -4,6 +4,7 @@
 
 #include <crevice/shipped.h>
 
+#include "core/base/numbers.h"
 #include "core/config/field_types.h"
 #include "core/json/merge.h"
 #include "tools/cli/patch_text.h"
@@ -55,10 +56,13 @@ std::vector<std::string> filesOf(const Node& document, const Description& descri
     return files;
 }
 
+/// As the shortest text says it: 1.2, not the double that its float is.
+Json plain(float value) { return Json::parse(shortest(value)); }
+
 Json valuesOf(const ParamDesc& param)
 {
     auto values = Json::array();
-    for (int i = 0; i < componentCount(param.type); ++i) values.push_back(param.value[i]);
+    for (int i = 0; i < componentCount(param.type); ++i) values.push_back(plain(param.value[i]));
     return values;
 }
 
@@ -253,8 +257,8 @@ Json Slot::state() const
     for (const ViewDesc& view : now.views)
         json["views"].push_back({{"name", view.name},
                                  {"target", view.target.name},
-                                 {"scale", view.scale},
-                                 {"offset", view.offset}});
+                                 {"scale", plain(view.scale)},
+                                 {"offset", plain(view.offset)}});
     return json;
 }
 

@@ -40,7 +40,7 @@ Status Trace::begin(const std::string& text, Extent extent, const TraceOptions& 
     if (!tree_) tree_ = makeBvhScene(scene_, glm::inverse(camera.view_from_world)[3]);
     Result<ProgressiveTrace> progress = ProgressiveTrace::begin(*tree_, camera, extent, options);
     if (!progress) return progress.diagnostics();
-    progress_ = std::move(*progress);
+    progress_.emplace(std::move(*progress));
     return {};
 }
 

@@ -21,6 +21,13 @@ export async function openEngine(canvas) {
   return engine;
 }
 
+/// What the browser tells of the GPU: WebGL's own answers say as little as they can.
+function machineOf(canvas) {
+  const gl = canvas.getContext('webgl2'), names = gl.getExtension('WEBGL_debug_renderer_info');
+  const renderer = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  return {renderer, software: /swiftshader|llvmpipe|software/i.test(renderer)};
+}
+
 class Engine {
   constructor(module, canvas) {
     this.module = module;
@@ -73,7 +80,7 @@ class Engine {
     const answer =
       this.calls.open('#' + this.canvas.id, JSON.stringify(displayConfig), displayShader, width, height);
     if (!answer.ok) throw new Error(answer.diagnostics.map(d => [d.message, d.help].join('; ')).join('\n'));
-    this.machine = answer.machine;
+    this.machine = {...answer.machine, ...machineOf(this.canvas)};
     this.size = [width, height];
   }
 
