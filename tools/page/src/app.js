@@ -8,9 +8,11 @@ export const SLOT = {a: 0, b: 1, without: 2, measure: 3};
 const OUTPUTS = ["color", "ao"];
 const APPLY_AFTER_MS = 250;  // of the last key in an editor
 
-/// A view is "color", "ao", any other output, "without" (lit without AO) or "target:NAME".
-export const targetOf = show => show.startsWith("target:") ? show.slice(7) : null;
-const drawnName = show => show === "without" ? "color" : show;
+/// A view is "color", "ao", "without" (lit without AO), "view:NAME" (a view of the config's) or "target:NAME". The engine's
+/// name of what is looked at beside the outputs, or null:
+export const lookOf = show =>
+  show.startsWith("target:") ? "target." + show.slice(7) : show.startsWith("view:") ? show.slice(5) : null;
+const drawnName = show => lookOf(show) ?? (show === "without" ? "color" : show);
 
 export class App {
   constructor(engine) {
@@ -139,7 +141,7 @@ export class App {
   }
 
   request(side, slot) {
-    const {config, variant} = this.effective(side), look = targetOf(side.show);
+    const {config, variant} = this.effective(side), look = lookOf(side.show);
     return this.ask(() => this.engine.load(slot, {
       config, variant: variant || undefined, outputs: OUTPUTS, look, size: this.engine.size,
       without_occlusion: side.show === "without" && slot !== SLOT.a
@@ -182,7 +184,8 @@ export class App {
     if (!state) return [];
     const outputs = state.outputs.filter(name => OUTPUTS.includes(name));
     const without = outputs.includes("color") ? ["without"] : [];
-    return [...outputs, ...without, ...state.targets.map(t => "target:" + t.name)];
+    const targets = [...new Set(state.targets.map(t => "target:" + t.name))];
+    return [...outputs, ...without, ...state.views.map(v => "view:" + v.name), ...targets];
   }
   loadOthers() {
     if (this.a.show === "without") this.must(() => this.request({...this.a}, SLOT.without));
@@ -209,7 +212,7 @@ export class App {
   }
   showA(before) {
     if (this.a.show === "without") return this.must(() => this.request(this.a, SLOT.without));
-    return targetOf(this.a.show) || targetOf(before) ? this.loadA() : null;
+    return lookOf(this.a.show) || lookOf(before) ? this.loadA() : null;
   }
   refreshB() {
     return this.needsB() ? this.loadB() : null;

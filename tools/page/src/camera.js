@@ -15,20 +15,12 @@ const turned = (v, axis, angle) => plus(plus(v.map(x => x * Math.cos(angle)), cr
 const number = x => String(Number(x.toPrecision(5)));
 const point = p => p.map(number).join(",");
 
-/// What `kept` of the old text follows: near, far and shift.
+/// Near, far and shift stay as the old text has them.
 export function cameraText(camera, old = "") {
   const rest = old.split(";").filter(part => /^\s*(near|far|shift)=/.test(part));
   const up = point(camera.up) === "0,1,0" ? [] : ["up=" + point(camera.up)];
   const lens = camera.ortho_height ? "ortho=" + number(camera.ortho_height) : "fov=" + number(camera.fov_deg);
   return [`eye=${point(camera.eye)}`, `at=${point(camera.at)}`, ...up, lens, ...rest].join(";");
-}
-
-/// A camera that was not made by hand looks at some point: better to go round what is in the picture.
-export function withPivot(camera, scene) {
-  const forward = unit(sub(camera.at, camera.eye));
-  const centre = scene.min.map((x, i) => (x + scene.max[i]) / 2);
-  const far = Math.min(2 * scene.diagonal, Math.max(0.05 * scene.diagonal, dot(sub(centre, camera.eye), forward)));
-  return {...camera, at: plus(camera.eye, forward, far)};
 }
 
 /// Angles in radians: how far what is seen turns to the right, and the eye goes up.

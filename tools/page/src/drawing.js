@@ -33,7 +33,7 @@ export class Drawing {
   }
   hasHistory() {
     if (this.history === undefined)
-      this.history = !!this.app.guard(() => this.app.engine.plan(0)?.targets.some(t => t.history_texture != null));
+      this.history = !!this.app.guard(() => this.app.stateA() && this.app.engine.plan(0).targets.some(t => t.history_texture != null));
     return this.history;
   }
 

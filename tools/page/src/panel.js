@@ -35,17 +35,17 @@ export class Panel {
     this.params = [];
     this.features = [];
     this.buildHead(state);
-    if (state.features.length) this.buildFeatures(this.group("Features", open), state);
     const groups = new Map();
     for (const param of state.params) {
       const name = param.group || NO_GROUP;
       groups.set(name, [...groups.get(name) ?? [], param]);
     }
-    const named = [...groups].sort(([a], [b]) => (a === NO_GROUP) - (b === NO_GROUP));
-    for (const [name, params] of named) {
+    const rank = ([name, params]) => params.some(p => p.semantic === "length") ? 0 : name === NO_GROUP ? 2 : 1;
+    for (const [name, params] of [...groups].sort((a, b) => rank(a) - rank(b))) {
       const parent = this.group(name, open);
       for (const param of params) this.params.push(new Param(this.app, parent, param));
     }
+    if (state.features.length) this.buildFeatures(this.group("Features", open), state);
   }
   openGroups() {
     return new Map([...this.root.querySelectorAll("details")].map(d => [d.dataset.name, d.open]));

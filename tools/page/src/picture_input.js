@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pointers, wheel and keys on the picture move the camera.
-import {cameraText, orbit, pan, withPivot, zoom} from "./camera.js";
+import {cameraText, orbit, pan, zoom} from "./camera.js";
 
 const TURN = Math.PI;        // radians for a drag over the picture's height
 const KEY_TURN = 5 * Math.PI / 180;
@@ -20,12 +20,14 @@ export class PictureInput {
     app.on("turn", degrees => this.change(c => orbit(c, degrees * Math.PI / 180, 0)));
   }
 
+  // The engine is asked only for cameras that are not made here: it finds the point to go round by drawing depth.
   change(move) {
-    const {app} = this, now = app.resolved();
+    const {app} = this, now = this.made?.text === app.camera ? this.made.camera : app.resolved();
     if (!now) return;
     if (app.drawing.path) app.drawing.play(null);
-    const own = app.camera.includes("eye=");
-    app.setCamera(cameraText(move(own ? now : withPivot(now, app.engine.scene)), app.camera));
+    const camera = move(now), text = cameraText(camera, app.camera);
+    this.made = {text, camera};
+    app.setCamera(text);
   }
 
   down(e) {

@@ -5,6 +5,7 @@ import {shareLink} from "./link.js";
 import {copyText} from "./dom.js";
 
 const NAMES = {color: "Lit", ao: "AO", without: "Without AO"};
+const nameOf = show => NAMES[show] ?? show.replace(/^(target|view):/, "");
 const OWN_MODEL = "\u0000own";
 
 export function makeToolbar(app) {
@@ -100,15 +101,14 @@ function makeShows(app) {
 
 function showOptions(app, state) {
   const texts = Object.fromEntries((state?.targets ?? []).map(t => ["target:" + t.name, `${t.name} (${t.format})`]));
-  return app.choices(state).map(value => ({
-    value, text: NAMES[value] ?? texts[value] ?? value, group: texts[value] ? "Targets" : null
-  }));
+  const group = value => value.startsWith("target:") ? "Targets" : value.startsWith("view:") ? "Views" : null;
+  return app.choices(state).map(value => ({value, text: texts[value] ?? nameOf(value), group: group(value)}));
 }
 
 function nameSides(app) {
   const text = side => {
     const config = side.config || app.a.config, variant = side.config ? side.variant : app.a.variant;
-    return `${config}${variant ? ":" + variant : ""} · ${NAMES[side.show] ?? side.show.replace("target:", "")}`;
+    return `${config}${variant ? ":" + variant : ""} · ${nameOf(side.show)}`;
   };
   const {on} = app.split;
   $("name-a").textContent = (on ? "A: " : "") + text(app.a);
