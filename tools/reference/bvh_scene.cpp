@@ -201,7 +201,7 @@ bool BvhScene::intersect(const TraceRay& ray, TraceHit& hit) const
             state.end = std::min(state.end, bodies_.endOf(searched, nearest.distance));
         return false;
     });
-    if (nearest.distance > ray.limit) return false;
+    if (!nearest.found()) return false;
     hit = bodies_.all()[nearest.instance].hitAt(from_center, nearest);
     return true;
 }

@@ -115,7 +115,7 @@ bool EmbreeScene::intersect(const TraceRay& ray, TraceHit& hit) const
     embree.ray.mask = ~0u;
     embree.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_, &context.embree, &embree);
-    if (nearest.distance > ray.limit) return false;
+    if (!nearest.found()) return false;
     hit = bodies_.all()[nearest.instance].hitAt(from_center, nearest);
     return true;
 }

@@ -37,19 +37,28 @@ unsigned probeOf(unsigned group, unsigned pass, unsigned passes)
     return group * passes + place;
 }
 
+// Which pass has its turn: Pascal's triangle, modulo 2, times the digits of the turn. Any window of
+// its rows is invertible, so that the first 2, 4, 8 ... passes together are spread evenly, too.
+unsigned passOf(unsigned turn, unsigned passes)
+{
+    unsigned pass = 0;
+    for (unsigned row = 0; (1u << row) < passes; ++row)
+        for (unsigned column = 0; column <= row; ++column)
+            if ((column & ~row) == 0 && (turn >> column & 1)) pass ^= 1u << row;
+    return pass;
+}
+
 }  // namespace
 
 ProbePasses makeProbes(int count, int passes)
 {
     ProbePasses made;
-    const auto groups = static_cast<unsigned>((count + passes - 1) / passes);
-    for (int turn = 0; turn < passes; ++turn) {
-        const auto pass = static_cast<unsigned>(mirrored(static_cast<unsigned>(turn)) * passes);
+    const auto all = static_cast<unsigned>(count), turns = static_cast<unsigned>(passes);
+    for (unsigned turn = 0; turn < turns; ++turn) {
         made.begins.push_back(static_cast<int>(made.probes.size()));
-        for (unsigned group = 0; group < groups; ++group) {
-            const unsigned index = probeOf(group, pass, static_cast<unsigned>(passes));
-            if (index < static_cast<unsigned>(count))
-                made.probes.push_back(makeProbe(index, count));
+        for (unsigned group = 0; group * turns < all; ++group) {
+            const unsigned index = probeOf(group, passOf(turn, turns), turns);
+            if (index < all) made.probes.push_back(makeProbe(index, count));
         }
     }
     made.begins.push_back(count);

@@ -15,9 +15,11 @@ namespace crevice {
 
 /// A triangle that a ray hits.
 struct TraceCandidate {
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = std::numeric_limits<double>::infinity();  ///< In lengths of the direction.
     unsigned instance = 0, triangle = 0;
     double u = 0.0, v = 0.0;  ///< Weights of its second and third corner.
+
+    bool found() const { return distance < std::numeric_limits<double>::infinity(); }
 };
 
 /// A triangle's plane, seen from a point.
