@@ -162,8 +162,7 @@ export class App {
       this.keepShow();
       this.loadOthers();
     } else
-      this.say(describe(this.diagnostics) +
-        (this.stateA() ? " The last good picture stays." : ""), "error");
+      this.say(describe(this.diagnostics) + (this.stateA() ? "\nThe last good picture stays." : ""), "error");
     this.emit("diagnostics");
     this.emit("loaded");
     this.redraw();
@@ -182,7 +181,7 @@ export class App {
   }
   choices(state) {
     if (!state) return [];
-    const outputs = state.outputs.filter(name => OUTPUTS.includes(name));
+    const outputs = OUTPUTS.filter(name => state.outputs.includes(name));
     const without = outputs.includes("color") ? ["without"] : [];
     const targets = [...new Set(state.targets.map(t => "target:" + t.name))];
     return [...outputs, ...without, ...state.views.map(v => "view:" + v.name), ...targets];

@@ -32,16 +32,18 @@ export function literal(value) {
 export function setEdits(text, path, value) {
   const tree = treeOf(text);
   if (!tree) return null;
-  const node = nodeAt(tree, path);
-  if (node?.type !== "object") return place(text, tree, path, value);
-  return place(text, tree, [...path, "default"], value);
+  return place(text, tree, memberAt(tree, path), value, literal(value));
 }
+const memberAt = (tree, path) => nodeAt(tree, path)?.type === "object" ? [...path, "default"] : path;
 
 /// Edits that make `path` say what the text `before` said of it, or nothing.
 export function restoreEdits(text, before, path) {
   const tree = treeOf(text), old = before === null ? null : saidAt(treeOf(before), path);
   if (!tree) return null;
-  if (old) return setEdits(text, path, JSON.parse(before.slice(old.offset, old.offset + old.length)));
+  if (old) {
+    const raw = before.slice(old.offset, old.offset + old.length);
+    return place(text, tree, memberAt(tree, path), JSON.parse(raw), raw);
+  }
   let at = path, node = nodeAt(tree, path);
   if (node?.type === "object" && nodeAt(node, ["default"])) at = [...path, "default"], node = nodeAt(tree, at);
   if (!node) return [];
@@ -54,9 +56,9 @@ export function restoreEdits(text, before, path) {
   return [removal(text, node.parent)];
 }
 
-function place(text, tree, path, value) {
+function place(text, tree, path, value, content) {
   const node = nodeAt(tree, path);
-  if (node) return [{offset: node.offset, length: node.length, content: literal(value)}];
+  if (node) return [{offset: node.offset, length: node.length, content}];
   let depth = path.length - 1;
   while (depth > 0 && nodeAt(tree, path.slice(0, depth))?.type !== "object") --depth;
   const blocking = nodeAt(tree, path.slice(0, depth + 1));  // a null or a bare value is in the way

@@ -95,9 +95,10 @@ function valueOf(node) {
   return Object.fromEntries(node.children.filter(p => p.children[1]).map(p => [p.children[0].value, valueOf(p.children[1])]));
 }
 
-/// "nothing to do again", "planned again", "compiled ssao, blur: 34 ms".
+/// "compiled 'ssao', 'blur', 34 ms"; the engine's sentences end with what was compiled.
 export function costText({name, planned, compiled, ms}) {
-  const took = ms >= 0.05 ? `, ${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms` : "";
-  if (compiled.length) return `${name}: compiled ${compiled.join(", ")}${took}`;
-  return planned ? `${name}: planned again${took}, nothing compiled` : `${name}: costs nothing to change`;
+  const took = `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms`;
+  const passes = compiled.map(each => /compiled ('.*)$/.exec(each)?.[1] ?? each);
+  if (passes.length) return `${name}: compiled ${passes.join(", ")}, ${took}`;
+  return planned || ms > 1 ? `${name}: planned again, nothing compiled, ${took}` : `${name}: cost nothing to change`;
 }

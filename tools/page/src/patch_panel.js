@@ -11,7 +11,7 @@ export function makePatch(app) {
   const save = button(row, "Download", () => download(fileName(), text.textContent + "\n"), {id: "patch-save"});
   button(row, "Share as a link", () => $("share").click());
   const note = add(root, "p", {class: "soft"}), text = add(root, "pre", {id: "patch-text", tabindex: 0, "aria-label": "The patch"});
-  const fileName = () => `${nameIn(text.textContent) ?? app.a.config}.json`;
+  const fileName = () => `${nameIn(text.textContent) ?? app.a.config + "_mine"}.json`;
   const show = () => {
     if (app.tab !== "patch" || !app.stateA()) return;
     const answer = app.ask(() => app.engine.patch(0));

@@ -69,8 +69,8 @@ function drawGraph(parent, plan, layout) {
     node.width = Math.max(...node.lines.map(l => l.length)) * CHAR_PX + 2 * PAD_PX;
     node.height = node.lines.length * LINE_PX + PAD_PX;
   }
-  const {width, height, paths} = layout(nodes, edges);
-  const svg = add(parent, "svg", {viewBox: `0 0 ${width} ${height}`, style: `width:${width}px;height:${height}px`, role: "img",
+  const {left, width, height, paths} = layout(nodes, edges);
+  const svg = add(parent, "svg", {viewBox: `${left} 0 ${width} ${height}`, style: `width:${width}px;height:${height}px`, role: "img",
     "aria-label": `Passes in order: ${plan.passes.map(p => p.name).join(", ")}`});
   const defs = add(svg, "defs");
   const arrow = add(defs, "marker", {id: "arrow", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto"});

@@ -6,6 +6,7 @@ import {Truth} from "./truth.js";
 
 const RAYS = [16, 64, 256, 1024];
 const TRACE_AFTER_MS = 300;      // of the last move
+const SHOW_EVERY_MS = 150;       // while rays come in
 const DEFAULT_RADIUS_SHARE = 0.05;  // of the scene's diagonal, for configs without a length
 
 /// The radius of a slot's config: its param "radius", else its first length.
@@ -121,7 +122,8 @@ export class TruthView {
   progress(key, {done, image}) {
     if (!this.on || key !== this.key) return;
     this.bar.value = done;
-    if (image) {
+    if (image && (done >= 1 || performance.now() - (this.shownAt ?? 0) > SHOW_EVERY_MS)) {
+      this.shownAt = performance.now();
       this.image = image;
       this.stale = false;
       this.compare();
@@ -144,7 +146,8 @@ export class TruthView {
     const {figures} = this, signed = x => (x >= 0 ? "+" : "−") + Math.abs(x).toFixed(4);
     this.list.classList.toggle("stale", this.stale || !figures);
     this.numbers.rmse.textContent = figures ? figures.rmse.toFixed(4) : "–";
-    this.numbers.bias.textContent = figures ? signed(figures.bias) + (figures.bias >= 0 ? " too bright" : " too dark") : "–";
+    this.numbers.bias.textContent = figures ? signed(figures.bias) : "–";
+    this.numbers.bias.title = figures ? (figures.bias >= 0 ? "too bright" : "too dark") : "";
     this.numbers.p99.textContent = figures ? figures.p99.toFixed(4) : "–";
     this.hint.textContent = this.on
       ? `Traced with ${this.rays} rays a pixel within ${shown(radiusOf(this.app))} scene units, A's radius. AO of A minus the truth:`
