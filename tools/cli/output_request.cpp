@@ -13,8 +13,6 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
-constexpr std::string_view kTargetPrefix = "target.";
-
 Diagnostic usageError(std::string message, std::string help)
 {
     Diagnostic error{Code::usage, std::move(message)};
@@ -26,20 +24,6 @@ Diagnostic unwritable(const std::string& file, const std::string& reason, std::s
 {
     Diagnostic error{Code::cannot_write, "'" + file + "' cannot be written: " + reason};
     error.help = std::move(help);
-    return error;
-}
-
-Diagnostic unknownOutput(const Description& description, const std::string& name)
-{
-    std::vector<std::string> names = namesOf(description.outputs);
-    for (const ViewDesc& view : description.views) names.push_back(view.name);
-    for (const TargetDesc& target : description.targets)
-        names.push_back(findNamed(description.outputs, target.name)
-                            ? std::string(kTargetPrefix) + target.name
-                            : target.name);
-    Diagnostic error{Code::output_missing, "the config '" + description.name +
-                                               "' has no output, view or target '" + name + "'"};
-    error.help = suggestName(name, std::move(names), "names");
     return error;
 }
 
@@ -60,19 +44,6 @@ FramePlace framePlaceOf(const std::string& pattern)
                         pattern[at + 2] >= '1' && pattern[at + 2] <= '9' && pattern[at + 3] == 'd';
     if (!padded) return {};
     return {at, 4, static_cast<std::size_t>(pattern[at + 2] - '0')};
-}
-
-/// Exports a target under a name of its own and returns that name.
-std::string exportTarget(Description& description, const std::string& target)
-{
-    const std::string name = std::string(kTargetPrefix) + target;
-    if (!findNamed(description.outputs, name)) {
-        OutputDesc output;
-        output.name = name;
-        output.target.name = target;
-        description.outputs.push_back(std::move(output));
-    }
-    return name;
 }
 
 }  // namespace
@@ -105,24 +76,6 @@ Status checkFramePattern(const std::string& file)
     if (place.size > 0 && file.find('%', place.at + 1) == std::string::npos) return {};
     return usageError("the file '" + file + "' of --out has not one place for the frame's number",
                       "with --path write a file as 'frame_%03d.png', with one %d or %03d");
-}
-
-Result<OutputSource> exposeOutput(Description& description, const std::string& name)
-{
-    if (findNamed(description.outputs, name)) return OutputSource{name};
-    if (const ViewDesc* view = findNamed(description.views, name))
-        return OutputSource{exportTarget(description, view->target.name), view->scale,
-                            view->offset};
-    const bool prefixed = name.rfind(kTargetPrefix, 0) == 0;
-    const std::string target = prefixed ? name.substr(kTargetPrefix.size()) : name;
-    if (findNamed(description.targets, target))
-        return OutputSource{exportTarget(description, target)};
-    return unknownOutput(description, name);
-}
-
-void applyView(Image& image, const OutputSource& source)
-{
-    for (float& value : image.pixels) value = value * source.scale + source.offset;
 }
 
 Status checkWritable(const std::string& file)

@@ -2,8 +2,6 @@
 // What `crevice render --out NAME=FILE` asks for: an output, a debug view or any target, in a file.
 #pragma once
 
-#include <crevice/config.h>
-#include <crevice/image.h>
 #include <crevice/result.h>
 
 #include <string>
@@ -25,21 +23,6 @@ std::string frameFile(const std::string& pattern, int frame);
 
 /// Errors: CV8001 for a file without one place for the frame's number, written %d or %03d.
 Status checkFramePattern(const std::string& file);
-
-/// How a request is met: the config's output that holds the pixels, and how a view shows them.
-struct OutputSource {
-    std::string output;
-    float scale = 1.0f;
-    float offset = 0.0f;
-};
-
-/// Finds the name among outputs, then views, then targets ("target.ao" where an output hides it),
-/// and has the description export the target behind it. Errors: CV2209 with the names that would
-/// do.
-Result<OutputSource> exposeOutput(Description& description, const std::string& name);
-
-/// value * scale + offset in every channel.
-void applyView(Image& image, const OutputSource& source);
 
 /// Checks that a file can be written, before any work is done.
 /// Errors: CV7007 for a folder that does not exist or is not writable, and for a file that is a

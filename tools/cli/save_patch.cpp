@@ -6,12 +6,9 @@
 
 #include "core/base/text.h"
 #include "core/config/joined_name.h"
-#include "core/json/merge.h"
-#include "core/json/override.h"
 #include "tools/cli/output_request.h"
+#include "tools/cli/patch_text.h"
 #include "tools/image/image_file.h"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
@@ -36,19 +33,6 @@ std::string extendsEntry(const std::string& config, const std::string& file)
     return startsWith(path, "../") ? path : "./" + path;
 }
 
-/// Writes {"radius": {"default": 0.8}} as {"radius": 0.8} where the base declares it.
-void shorten(nlohmann::ordered_json& patch, const Node& base)
-{
-    for (const char* section : {"params", "features"}) {
-        const Node* declared = base.find(section);
-        if (!declared || !patch.contains(section) || !patch[section].is_object()) continue;
-        for (auto& [name, entry] : patch[section].items())
-            if (declared->find(name) && entry.size() == 1 && entry.is_object() &&
-                entry.contains("default") && !entry["default"].is_null())
-                entry = nlohmann::ordered_json(entry["default"]);
-    }
-}
-
 }  // namespace
 
 Status checkPatchFile(const ConfigOptions& options, const std::string& file)
@@ -65,7 +49,7 @@ Status checkPatchFile(const ConfigOptions& options, const std::string& file)
 Status savePatch(const ConfigOptions& options, const SourceSet& sources, const std::string& file)
 {
     std::vector<std::string> added;  // modules, each with a plus in front
-    auto extends = nlohmann::json::array();
+    std::vector<std::string> extends;
     for (const std::string& name : splitName(options.config))
         extends.push_back(extendsEntry(name, file));
     for (const std::string& text : options.overrides) {
@@ -77,17 +61,9 @@ Status savePatch(const ConfigOptions& options, const SourceSet& sources, const s
     if (!base) return base.diagnostics();
     Result<Node> now = loadConfig(sources, requestOf(options));
     if (!now) return now.diagnostics();
-    const Result<Description> description = decode(*now, sources);
-    if (!description) return description.diagnostics();
-    for (const Diagnostic& each : description->unused) {  // what a swapped module took with it
-        if (each.code != Code::unknown_param) continue;
-        if (Status gone = applyOverride(*now, each.pointer + "=null"); !gone) return gone;
-    }
-    nlohmann::ordered_json json = {{"format", 1}, {"extends", extends}};
-    auto patch = nlohmann::ordered_json::parse(toJson(patchBetween(*base, *now)));
-    shorten(patch, *base);
-    json.update(patch);
-    return writeFile(file, json.dump(2) + '\n');
+    const Result<std::string> text = patchText(*base, *now, extends, sources);
+    if (!text) return text.diagnostics();
+    return writeFile(file, *text);
 }
 
 }  // namespace crevice

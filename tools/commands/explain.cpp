@@ -2,13 +2,13 @@
 // crevice explain: the plan of a config, what it leaves out and why, and where a value came from.
 #include "tools/cli/config_options.h"
 #include "tools/cli/output.h"
-#include "tools/cli/output_request.h"
 #include "tools/commands/commands.h"
 #include "tools/device/open_device.h"
 #include "tools/plan/diff.h"
 #include "tools/plan/explain_value.h"
 #include "tools/plan/planning.h"
 #include "tools/plan/print.h"
+#include "tools/render/output_source.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/options.h"
 

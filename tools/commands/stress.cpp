@@ -107,8 +107,6 @@ void printTable(const std::vector<StressSeries>& all)
         "refused\n",
         totals.series, totals.failing, totals.failures, totals.invalid, totals.beyond,
         totals.refused);
-    if (!canTrace())
-        print("Built without Embree: no ground truth, so vanished occlusion is not looked for.\n");
 }
 
 nlohmann::json pointsJson(const std::vector<StressSeries>& all)

@@ -153,10 +153,8 @@ void setPixel(Image& image, int x, int y, float red, float green, float blue)
     image.at(x, y, 2) = blue;
 }
 
-}  // namespace
-
-Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
-                                      const Image* mask, double threshold)
+Result<ImageDifference> compare(const Image& test, const Image& ground_truth, const Image* mask,
+                                double threshold, bool fit)
 {
     if (const Status status = checkSizes(test, ground_truth, mask); !status)
         return status.diagnostics();
@@ -164,8 +162,22 @@ Result<ImageDifference> compareImages(const Image& test, const Image& ground_tru
     const Pairs pairs = collectPairs(test, ground_truth, mask, figures);
     if (pairs.test.empty()) return figures;
     addErrors(pairs, threshold, figures);
-    fitPower(pairs, figures);
+    if (fit) fitPower(pairs, figures);
     return figures;
+}
+
+}  // namespace
+
+Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
+                                      const Image* mask, double threshold)
+{
+    return compare(test, ground_truth, mask, threshold, true);
+}
+
+Result<ImageDifference> compareUnfitted(const Image& test, const Image& ground_truth,
+                                        const Image* mask, double threshold)
+{
+    return compare(test, ground_truth, mask, threshold, false);
 }
 
 Result<Image> differencePicture(const Image& test, const Image& ground_truth, const Image* mask,

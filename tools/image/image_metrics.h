@@ -30,6 +30,10 @@ struct ImageDifference {
 Result<ImageDifference> compareImages(const Image& test, const Image& ground_truth,
                                       const Image* mask = nullptr, double threshold = 0.05);
 
+/// The same without rmse_fit and power_fit, which take most of the time.
+Result<ImageDifference> compareUnfitted(const Image& test, const Image& ground_truth,
+                                        const Image* mask = nullptr, double threshold = 0.05);
+
 /// (test - ground truth) of the first channel as a picture: white is equal, blue is darker than the
 /// ground truth, red is brighter, full colour at `range`; masked pixels are grey, broken ones
 /// magenta.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ground truth that screen-space occlusion is measured against: ray-traced, by Embree.
+// The ground truth that screen-space occlusion is measured against, ray-traced.
 //
 // One primary ray goes through each pixel's centre; the shading normal is the interpolated vertex
 // normal. From there `rays` cosine-weighted directions are probed (Hammersley points, rotated per
@@ -16,7 +16,7 @@
 //   Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 #pragma once
 
-#include "tools/scene/scene.h"
+#include "tools/reference/ray_scene.h"
 
 #include <functional>
 
@@ -37,9 +37,13 @@ struct TraceOptions {
 /// Ambient visibility, 1 open to 0 blocked, one channel; pixels that see no surface are NaN. Any
 /// invertible `clip_from_view` will do. The same input gives the same picture.
 ///
-/// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6009, CV6012 when
-/// built without Embree, CV6011 for a projection that has no inverse.
+/// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6009 for a scene
+/// that memory cannot hold, CV6011 for a projection that has no inverse.
 Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Extent extent,
+                                    const TraceOptions& options);
+
+/// The same of a scene that is ready to be searched.
+Result<Image> traceAmbientOcclusion(const RayScene& scene, const Camera& camera, Extent extent,
                                     const TraceOptions& options);
 
 /// What the centre of a pixel sees.
@@ -62,8 +66,6 @@ struct SurfaceMap {
 
 /// The surfaces that `traceAmbientOcclusion` shades. Errors: the same.
 Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Extent extent);
-
-/// False when built without Embree.
-bool canTrace();
+Result<SurfaceMap> traceSurfaces(const RayScene& scene, const Camera& camera, Extent extent);
 
 }  // namespace crevice

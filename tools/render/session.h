@@ -9,6 +9,7 @@
 #include "tools/device/open_device.h"
 #include "tools/render/camera_path.h"
 #include "tools/render/host_textures.h"
+#include "tools/render/output_source.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/stereo.h"
 #include "tools/scene/options.h"

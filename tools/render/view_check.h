@@ -6,22 +6,12 @@
 #include <crevice/compile.h>
 #include <crevice/renderer.h>
 
+#include "tools/render/view_depth.h"
 #include "tools/scene/scene.h"
 
 #include <optional>
 
 namespace crevice {
-
-/// Draws nothing but depth, where the copy cost of a bench and the radius on screen come from.
-constexpr const char* kDepthModule = "bench/depth.json";
-
-/// Window depths of a frame's first view, 1 in the background: no plan has to keep its own.
-/// Errors: those of Renderer::create, Renderer::render and Device::readTexture.
-Result<Image> drawDepth(Device& device, Frame frame, Extent extent);
-
-/// Median distance along the view axis of what such depths show. Nothing where that is the
-/// background alone.
-std::optional<double> medianDistance(const Image& depth, const Camera& camera);
 
 /// Pixels that a length covers at a distance.
 double pixelsOf(double length, double distance, const Camera& camera, Extent extent);

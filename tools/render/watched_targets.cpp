@@ -2,7 +2,7 @@
 // Exporting targets.
 #include "tools/render/watched_targets.h"
 
-#include "tools/cli/output_request.h"
+#include "tools/render/output_source.h"
 
 namespace crevice {
 

@@ -64,7 +64,7 @@ function drawPlot(parent, view, taken) {
   if (!shown.length) return add(parent, "p", {}, "No bench sample has a time on this axis."), null;
   const names = families.filter(f => shown.some(i => benchSamples[i].family === f));
   const series = names.map(family => ({
-    family,
+    color: colorOf(family),
     points: shown.filter(i => benchSamples[i].family === family)
               .sort((a, b) => benchSamples[a].samples - benchSamples[b].samples)
               .map(i => ({x: cost(benchSamples[i]), y: height(benchSamples[i])}))

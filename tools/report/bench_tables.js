@@ -86,7 +86,8 @@ function showCurves(parent, curves, title) {
 }
 function showCurve(card, curves, [heading, xlabel, ylabel, slope, meaning]) {
   add(card, "h4", {}, heading);
-  const series = curves.map(c => ({family: c.family, points: c.points.map(([x, y]) => ({x, y}))}));
+  const series = curves.map(c => (
+    {family: c.family, color: colorOf(c.family), points: c.points.map(([x, y]) => ({x, y}))}));
   const place = chart(card, {series, height: 260, xlabel, ylabel, title: heading});
   if (slope) showGuide(place, slope, meaning);
   for (const s of series)

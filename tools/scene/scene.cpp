@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What scenes of any origin share: bounds, projections, and finding the one that is meant.
+// What scenes of any origin share: bounds and projections.
 #include "tools/scene/scene.h"
-
-#include "tools/scene/builtin_scenes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace crevice {
 
@@ -57,45 +54,6 @@ DepthRange clipDistances(const SceneCamera& camera, const Bounds& bounds)
     return range;
 }
 
-bool looksLikeFile(const std::string& name)
-{
-    return name.find_first_of("/\\.") != std::string::npos;
-}
-
-// Files beside the missing one that have its extension.
-std::vector<std::string> filesNearby(const std::filesystem::path& path)
-{
-    std::vector<std::string> names;
-    std::error_code error;
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    std::filesystem::directory_iterator entries(folder, error);
-    for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error))
-        if (entries->path().extension() == path.extension())
-            names.push_back((path.parent_path() / entries->path().filename()).string());
-    return names;
-}
-
-Diagnostic sceneMissing(const std::string& name)
-{
-    Diagnostic error = {Code::scene_missing, "there is no scene '" + name + "'"};
-    if (looksLikeFile(name)) error.message = "the scene file '" + name + "' does not exist";
-    const auto files = looksLikeFile(name) ? filesNearby(name) : std::vector<std::string>();
-    error.help = files.empty() ? suggestName(name, builtinSceneNames(), "built-in scenes")
-                               : suggestName(name, files, "files");
-    return error;
-}
-
-// A light over the shoulder of whoever looks at the scene from the front.
-SceneLight defaultLight()
-{
-    SceneLight light;
-    light.name = "default";
-    light.light.directional = true;
-    light.light.direction = glm::normalize(glm::vec3(-0.4f, -0.8f, -0.6f));
-    light.light.color = glm::vec3(0.7f);
-    return light;
-}
-
 }  // namespace
 
 void Bounds::add(const glm::dvec3& point)
@@ -131,18 +89,6 @@ glm::mat4 clipFromView(const SceneCamera& camera, Extent extent, const Bounds& b
                                                     range.far_distance);
     const glm::dvec3 clip_shift = {-2.0 * camera.shift, 0.0};  // clip space is 2 wide
     return glm::translate(glm::dmat4(1.0), clip_shift) * centered;
-}
-
-Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& options)
-{
-    const auto& names = builtinSceneNames();
-    if (std::find(names.begin(), names.end(), name_or_file) != names.end())
-        return builtinScene(name_or_file);
-    std::error_code error;
-    if (!std::filesystem::exists(name_or_file, error)) return sceneMissing(name_or_file);
-    Result<Scene> scene = importScene(name_or_file, options);
-    if (scene && scene->lights.empty()) scene->lights.push_back(defaultLight());
-    return scene;
 }
 
 }  // namespace crevice

@@ -3,6 +3,7 @@
 #include "tools/scene/views.h"
 
 #include "tools/image/image_file.h"
+#include "tools/scene/lights.h"
 
 #include <assimp/scene.h>
 #include <assimp/version.h>
@@ -17,9 +18,6 @@ namespace {
 
 // Assimp's glTF reader gives this where the file leaves the far plane out.
 constexpr float kAssimpDefaultFar = 100.0f;
-
-// A light nearer to the scene's centre than this part of its size counts as that far away.
-constexpr double kLeastLightDistance = 0.05;
 
 glm::dvec3 vectorFrom(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -96,35 +94,6 @@ SceneLight lightFrom(const aiLight& from, const NodePlaces& places)
     return light;
 }
 
-// 1 / attenuation at the centre of the scene.
-double dimming(const Light& light, const Bounds& bounds)
-{
-    if (light.directional) return 1.0;
-    const double distance = std::max(glm::length(light.position - bounds.center()),
-                                     kLeastLightDistance * bounds.diagonal());
-    const glm::dvec3 a = light.attenuation;
-    const double divisor = a.x + a.y * distance + a.z * distance * distance;
-    return divisor > 0.0 && std::isfinite(divisor) ? divisor : 1.0;
-}
-
-// Files give candela, lux, watts or fractions. What counts is what arrives: colour becomes the
-// light at the scene's centre, as a part of what the brightest light brings there.
-void normalizeLights(std::vector<SceneLight>& lights, const Bounds& bounds)
-{
-    double brightest = 0.0;
-    for (SceneLight& each : lights) {
-        Light& light = each.light;
-        const double divisor = dimming(light, bounds);
-        light.attenuation = light.directional ? glm::vec3(1, 0, 0)
-                                              : glm::vec3(glm::dvec3(light.attenuation) / divisor);
-        if (light.attenuation == glm::vec3(0.0f)) light.attenuation.x = 1.0f;
-        light.color = glm::max(glm::vec3(glm::dvec3(light.color) / divisor), glm::vec3(0.0f));
-        brightest = std::max<double>({brightest, light.color.r, light.color.g, light.color.b});
-    }
-    if (!(brightest > 0.0) || !std::isfinite(brightest)) return lights.clear();
-    for (SceneLight& each : lights) each.light.color /= static_cast<float>(brightest);
-}
-
 }  // namespace
 
 bool isGltf(const std::string& path)
@@ -146,7 +115,7 @@ void importLights(const aiScene& from, const NodePlaces& places, Scene& scene)
     for (unsigned index = 0; index < from.mNumLights; ++index)
         if (isSupported(*from.mLights[index]))
             scene.lights.push_back(lightFrom(*from.mLights[index], places));
-    normalizeLights(scene.lights, scene.bounds());
+    normalizeLights(scene);
 }
 
 }  // namespace crevice

@@ -9,7 +9,6 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/image/image_file.h"
-#include "tools/reference/tracer.h"
 #include "tools/render/camera_path.h"
 #include "tools/render/scene_upload.h"
 
@@ -124,7 +123,6 @@ TEST_CASE(
 
 TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a config that fails")
 {
-    if (!canTrace()) return;
     MemorySources mine;
     mine.add("configs/broken.json", R"({
         "format": 1, "extends": ["hemisphere_box"], "shaders": {"ssao": {"fragment": "broken.frag"}}})");
@@ -162,7 +160,6 @@ TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a c
 
 TEST_CASE("A bench of whole frames times the lighting too, and has the errors of ao")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("bench_gl_color");
     BenchOptions options = smallOptions();
     const BenchSample ao = bench(options, shippedSources(), folder).at(0);
@@ -187,7 +184,6 @@ TEST_CASE("A bench of whole frames times the lighting too, and has the errors of
 
 TEST_CASE("A bench measures motion: open pictures change as the truth alone, taps flicker")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("bench_gl_motion");
     BenchOptions options = smallOptions();
     options.motion = true;
@@ -221,7 +217,6 @@ TEST_CASE("A bench measures motion: open pictures change as the truth alone, tap
 
 TEST_CASE("Two benches find exactly the same errors")
 {
-    if (!canTrace()) return;
     const TemporaryFolder first("bench_gl_first"), second("bench_gl_second");
     const std::vector<BenchSample> a = bench(smallOptions(), shippedSources(), first);
     const std::vector<BenchSample> b = bench(smallOptions(), shippedSources(), second);
@@ -238,7 +233,6 @@ TEST_CASE("Two benches find exactly the same errors")
 
 TEST_CASE("A view without a surface fails each of its samples and says why")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("bench_gl_nothing");
     BenchOptions options = smallOptions();
     options.camera = "eye=0,50,0;at=0,100,0;up=0,0,1";

@@ -67,7 +67,6 @@ double noiseOf(const MotionView& view, const char* name)
 
 TEST_CASE("the noise of the truth's change is below 0.002")
 {
-    REQUIRE_EMBREE();
     const Scene scene = cornerScene();
     const MotionView view = viewOf(scene);
     for (const char* path : {"sub-pixel", "pan"}) {
@@ -81,7 +80,6 @@ TEST_CASE("the noise of the truth's change is below 0.002")
 
 TEST_CASE("traced surfaces lie where the camera sees them, with normals towards it")
 {
-    REQUIRE_EMBREE();
     const Scene scene = sceneOf({kFloor});
     const MotionView view = viewOf(scene);
     const Camera camera = view.camera(kCameraPaths[0], 0);
@@ -105,7 +103,6 @@ TEST_CASE("traced surfaces lie where the camera sees them, with normals towards 
 
 TEST_CASE("the truth of all paths is traced once and then kept")
 {
-    REQUIRE_EMBREE();
     const TemporaryFolder folder("motion_truth");
     const Scene scene = cornerScene();
     MotionView view = viewOf(scene);
@@ -133,7 +130,6 @@ TEST_CASE("the truth of all paths is traced once and then kept")
 
 TEST_CASE("the path that jumps uncovers what a surface in front hides from aside, and little else")
 {
-    REQUIRE_EMBREE();
     constexpr Extent kLarge = {128, 72};
     const Scene scene = cornerScene();
     MotionView view = viewOf(scene);

@@ -114,7 +114,6 @@ TEST_CASE("The texels that cut a surface out are in the key, their colours are n
 
 TEST_CASE("A kept reference is read and not traced, background and all")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("reference_kept");
     const std::string cache = (folder.path / "new" / "cache").string();
     const Scene scene = sphereOnFloor();
@@ -134,7 +133,6 @@ TEST_CASE("A kept reference is read and not traced, background and all")
 
 TEST_CASE("A broken kept reference is traced again")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("reference_broken");
     const std::string cache = folder.path.string();
     const Scene scene = sphereOnFloor();
@@ -155,7 +153,6 @@ TEST_CASE("A broken kept reference is traced again")
 
 TEST_CASE("A folder that cannot be written is a warning, and no folder is no matter")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("reference_unwritable");
     const std::string file = folder.write("file", "no folder");
     const Result<Image> traced =
@@ -168,7 +165,6 @@ TEST_CASE("A folder that cannot be written is a warning, and no folder is no mat
 
 TEST_CASE("A camera that sees no surface is an error, and nothing is kept of it")
 {
-    if (!canTrace()) return;
     const TemporaryFolder folder("reference_nothing");
     Camera away = kCamera;
     away.view_from_world = glm::lookAt(glm::vec3(0, 2, 8), glm::vec3(0, 2, 20), glm::vec3(0, 1, 0));

@@ -87,7 +87,6 @@ double biasBelowSphere(const Scene& scene, const Placement& placement, double ra
 
 TEST_CASE("a corner has its closed form at any radius, size, place and tilt")
 {
-    REQUIRE_EMBREE();
     const Scene scene = sceneOf({kFloor, kWall});
     for (const double part : kRadii) {
         const double radius = part * kSize, length = std::min(radius, 4.0);
@@ -102,14 +101,12 @@ TEST_CASE("a corner has its closed form at any radius, size, place and tilt")
 
 TEST_CASE("an unbounded corner is half open beside its edge")
 {
-    REQUIRE_EMBREE();
     const Shot shot = shotOf(sceneOf({kFloor, kWall}), {}, {0, 0, 1e-3}, 1e-3, 20);
     CHECK(meanOf(trace(shot, {4, 4}, 1e9 * kSize)) == Approx(0.5).margin(kMaxBias));
 }
 
 TEST_CASE("a trench has its closed form at any radius")
 {
-    REQUIRE_EMBREE();
     Scene scene = sceneOf({kFloor, kWall, kWall});
     scene.instances[2].world_from_model = glm::translate(glm::dmat4(1), {0, 0, 2});
     const auto distance = [](const glm::dvec3& from, const glm::dvec3& along) {
@@ -126,7 +123,6 @@ TEST_CASE("a trench has its closed form at any radius")
 
 TEST_CASE("a sphere over a floor has its form factor however far rays reach")
 {
-    REQUIRE_EMBREE();
     for (const Placement& placement : kPlacements) {
         for (const double radius : {50.0, 1e3, 1e6, 1e11}) {
             INFO(describe(placement, radius));
@@ -137,7 +133,6 @@ TEST_CASE("a sphere over a floor has its form factor however far rays reach")
 
 TEST_CASE("the inside of a closed box is dark where rays reach all walls, open where none")
 {
-    REQUIRE_EMBREE();
     const Scene scene = sceneOf({makeBox({-50, 0, -50}, {50, 50, 50})});
     for (const Placement& placement : kPlacements) {
         const Shot shot = shotOf(scene, placement, {0, 0, 0}, 10, 20);
@@ -154,7 +149,6 @@ TEST_CASE("the inside of a closed box is dark where rays reach all walls, open w
 
 TEST_CASE("floats resolve what lies near the eye in a world of any size")
 {
-    REQUIRE_EMBREE();
     Scene world = floorAndSphere();
     world.instances.push_back(world.instances[1]);
     world.instances[2].world_from_model = glm::translate(glm::dmat4(1), {1e7, -1e7, 1e7});
@@ -164,7 +158,6 @@ TEST_CASE("floats resolve what lies near the eye in a world of any size")
 
 TEST_CASE("the distance of the eye changes nothing")
 {
-    REQUIRE_EMBREE();
     const Scene scene = sceneOf({kFloor, kWall});
     for (const double radius : {0.1, 1.0, 1e11}) {
         const double expected = expectedAlong(0.5, radius, distanceInCorner);

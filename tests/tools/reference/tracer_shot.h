@@ -13,13 +13,6 @@
 
 #include <cmath>
 
-// A build without Embree has no ground truth to test.
-#define REQUIRE_EMBREE() \
-    if (!canTrace()) { \
-        WARN("built without Embree"); \
-        return; \
-    }
-
 namespace crevice {
 
 constexpr double kMaxBias = 0.001;

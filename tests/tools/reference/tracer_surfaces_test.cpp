@@ -7,7 +7,6 @@ using namespace crevice;
 
 TEST_CASE("a sheet of one triangle is open on both sides at any radius")
 {
-    REQUIRE_EMBREE();
     MeshDesc triangle = makeQuad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100});
     triangle.indices.resize(3);
     for (const Placement& placement : kPlacements) {
@@ -21,7 +20,6 @@ TEST_CASE("a sheet of one triangle is open on both sides at any radius")
 
 TEST_CASE("a convex mesh does not occlude itself at any radius")
 {
-    REQUIRE_EMBREE();
     for (const Placement& placement : kPlacements) {
         const Shot shot = shotOf(sceneOf({makeSphere(50, 64)}), placement, {0, 0, 0}, 30, 60);
         const Image open = trace(shot, {16, 16}, 1e-6 * kSize * placement.scale, 64);
@@ -33,7 +31,6 @@ TEST_CASE("a convex mesh does not occlude itself at any radius")
 
 TEST_CASE("sheets in one plane do not occlude each other, whichever way they face")
 {
-    REQUIRE_EMBREE();
     MeshDesc turned = kFloor;
     std::swap(turned.indices[1], turned.indices[2]);
     std::swap(turned.indices[4], turned.indices[5]);
@@ -50,7 +47,6 @@ TEST_CASE("sheets in one plane do not occlude each other, whichever way they fac
 
 TEST_CASE("of two sheets each hides the other however thin the gap")
 {
-    REQUIRE_EMBREE();
     // Rays at a cosine below gap / radius end in the gap: (gap / radius)^2 of them.
     for (const double gap : {1e-4, 1e-2, 1.0}) {
         Scene scene = sceneOf({kFloor, kFloor});
@@ -69,7 +65,6 @@ TEST_CASE("of two sheets each hides the other however thin the gap")
 
 TEST_CASE("of two sheets the upper one is seen from above however thin the gap")
 {
-    REQUIRE_EMBREE();
     Scene scene = sceneOf({kFloor, kFloor});
     scene.instances[1].world_from_model = glm::translate(glm::dmat4(1), {0, 1e-7, 0});
     for (const Placement& placement : kPlacements) {
@@ -80,7 +75,6 @@ TEST_CASE("of two sheets the upper one is seen from above however thin the gap")
 
 TEST_CASE("directions below the geometric surface count as occluded")
 {
-    REQUIRE_EMBREE();
     // Of the cosine-weighted hemisphere about a normal, (1 + cos(angle)) / 2 is above a plane that
     // leans by `angle`.
     for (const double angle : {0.1, 0.5, 1.2}) {
@@ -99,7 +93,6 @@ TEST_CASE("directions below the geometric surface count as occluded")
 
 TEST_CASE("a surface occludes from both sides")
 {
-    REQUIRE_EMBREE();
     MeshDesc turned = kWall;
     std::swap(turned.indices[1], turned.indices[2]);
     std::swap(turned.indices[4], turned.indices[5]);
@@ -113,7 +106,6 @@ TEST_CASE("a surface occludes from both sides")
 
 TEST_CASE("a surface seen from behind is shaded on that side")
 {
-    REQUIRE_EMBREE();
     // A wall hangs below the floor, so it is the underside that has the corner.
     Scene scene = sceneOf({kFloor, kWall});
     scene.instances[1].world_from_model = glm::translate(glm::dmat4(1), {0, -50, 0});
@@ -126,7 +118,6 @@ TEST_CASE("a surface seen from behind is shaded on that side")
 
 TEST_CASE("a hole of an alpha-tested material is not seen, and what is left has both sides")
 {
-    REQUIRE_EMBREE();
     // The left half of the sheet is a hole. Over a floor 1 below, rays of length 1.25.
     Scene scene = sceneOf({kFloor, makeQuad({-50, 1, 50}, {100, 0, 0}, {0, 0, -100})});
     scene.materials.emplace_back();

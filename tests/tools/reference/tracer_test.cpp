@@ -61,7 +61,6 @@ Scene cornerWithSphere()
 
 TEST_CASE("an open plane is open, seen from any side and under any slope")
 {
-    REQUIRE_EMBREE();
     Scene scene = sceneOf({kFloor});
     for (const glm::vec3 axis : {glm::vec3(1, 0, 0), glm::vec3(1, 0.3f, 0.2f)}) {
         const glm::mat4 turn = glm::rotate(glm::mat4(1), 0.4f, glm::normalize(axis));
@@ -75,7 +74,6 @@ TEST_CASE("an open plane is open, seen from any side and under any slope")
 
 TEST_CASE("an inner corner darkens by the closed form")
 {
-    REQUIRE_EMBREE();
     // Cosine-weighted directions are even on the unit disc; those that reach the wall within the
     // radius are the segment beyond distance / radius.
     constexpr double kRadius = 2.0;
@@ -91,7 +89,6 @@ TEST_CASE("an inner corner darkens by the closed form")
 
 TEST_CASE("a sphere shades the floor by the closed form")
 {
-    REQUIRE_EMBREE();
     Scene scene = sceneOf({kFloor, makeSphere(0.5f, 128)});
     scene.instances[1].world_from_model = glm::translate(glm::mat4(1), {0, 1.0f, 0});
     const Image image = trace(scene, fromAbove(3), {33, 33}, 20, 4096);
@@ -109,7 +106,6 @@ TEST_CASE("a sphere shades the floor by the closed form")
 
 TEST_CASE("what sees no surface is not a number")
 {
-    REQUIRE_EMBREE();
     const Image image = trace(sceneOf({makeSphere(1, 16)}), fromAbove(2), {16, 16}, 1, 4);
     CHECK(std::isnan(image.at(0, 0)));
     CHECK(image.at(8, 8) == 1.0f);
@@ -117,7 +113,6 @@ TEST_CASE("what sees no surface is not a number")
 
 TEST_CASE("the picture does not depend on the number of threads or on the run")
 {
-    REQUIRE_EMBREE();
     TraceOptions options;
     options.rays = 16;
     options.threads = 1;
@@ -132,7 +127,6 @@ TEST_CASE("the picture does not depend on the number of threads or on the run")
 
 TEST_CASE("a radius of zero leaves every surface open, and more radius never opens it")
 {
-    REQUIRE_EMBREE();
     const Scene scene = cornerWithSphere();
     Image last = trace(scene, perspective(kLens), {24, 24}, 0, 64);
     for (const float value : last.pixels) CHECK(value == 1.0f);
@@ -146,7 +140,6 @@ TEST_CASE("a radius of zero leaves every surface open, and more radius never ope
 
 TEST_CASE("reversed depth, an infinite far plane and a shifted lens see the same")
 {
-    REQUIRE_EMBREE();
     const Scene scene = cornerWithSphere();
     const Image image = trace(scene, perspective(kLens), {32, 32}, 1, 64);
     glm::mat4 reversed = glm::scale(glm::mat4(1), {1, 1, -1}) * kLens;
@@ -168,7 +161,6 @@ TEST_CASE("reversed depth, an infinite far plane and a shifted lens see the same
 
 TEST_CASE("the unit of length does not matter, nor the distance from the origin")
 {
-    REQUIRE_EMBREE();
     const Image image = trace(cornerWithSphere(), fromAbove(1.5f, {0, 0, 1.5f}), {24, 24}, 1, 256);
     for (const float scale : {1e-6f, 1e6f}) {
         Scene scaled = cornerWithSphere();
@@ -191,7 +183,6 @@ TEST_CASE("the unit of length does not matter, nor the distance from the origin"
 
 TEST_CASE("rays pass through the holes of an alpha-tested material")
 {
-    REQUIRE_EMBREE();
     Scene scene = sceneOf({kFloor, makeQuad({-1, 1, 1}, {2, 0, 0}, {0, 0, -2})});
     scene.materials.emplace_back();
     scene.instances[1].material = 1;
@@ -215,7 +206,6 @@ TEST_CASE("rays pass through the holes of an alpha-tested material")
 
 TEST_CASE("noise is about what docs/bench.md says of each number of rays")
 {
-    REQUIRE_EMBREE();
     const Scene scene = cornerWithSphere();
     const Image exact = trace(scene, perspective(kLens), {24, 24}, 1, 8192);
     const std::pair<int, double> rows[] = {
@@ -233,7 +223,6 @@ TEST_CASE("noise is about what docs/bench.md says of each number of rays")
 
 TEST_CASE("options and cameras that cannot be traced are refused")
 {
-    REQUIRE_EMBREE();
     const auto codeOf = [](const Camera& camera, Extent extent, double radius, int rays) {
         TraceOptions options;
         options.radius = radius;
@@ -252,7 +241,6 @@ TEST_CASE("options and cameras that cannot be traced are refused")
 
 TEST_CASE("progress ends at one")
 {
-    REQUIRE_EMBREE();
     TraceOptions options;
     options.rays = 1;
     options.threads = 1;

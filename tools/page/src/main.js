@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The page: opens the engine, draws the first picture, and only then loads the editor.
+import {$, add} from "./dom.js";
+import {App} from "./app.js";
+import {CostPanel} from "./cost_panel.js";
+import {openEngine} from "./engine.js";
+import {readLink} from "./link.js";
+import {Magnifier} from "./magnifier.js";
+import {Panel} from "./panel.js";
+import {makePatch} from "./patch_panel.js";
+import {PictureInput} from "./picture_input.js";
+import {PlanPanel} from "./plan_panel.js";
+import {makeScenePanel} from "./scene_panel.js";
+import {makeSplit} from "./split.js";
+import {makeMessage, makeTabs, makeTheme} from "./tabs.js";
+import {Texts} from "./texts.js";
+import {makeToolbar} from "./toolbar.js";
+import {TruthView} from "./truth_view.js";
+import {ViewFiles, openView, viewScene} from "./view_server.js";
+
+const FIRST = {config: "mobile", scene: "street"};
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software/i;  // then the picture is small
+
+function build(app) {
+  app.canvas = $("canvas");
+  makeMessage(app);
+  makeToolbar(app);
+  makeScenePanel(app);
+  app.truth = new TruthView(app);
+  app.panel = new Panel(app);
+  app.texts = new Texts(app);
+  makePatch(app);
+  app.plan = new PlanPanel(app);
+  app.costs = new CostPanel(app);
+  makeSplit(app);
+  app.magnifier = new Magnifier(app);
+  app.input = new PictureInput(app, app.canvas);
+  app.input.magnifier = app.magnifier;
+  makeTabs(app);
+}
+
+// Brings the page to what a link or the command says; what cannot be had is the first of its kind.
+function show(app, wanted) {
+  const {engine} = app, configs = engine.configs().map(c => c.name), scenes = engine.builtinScenes();
+  for (const path of engine.editedPaths()) if (!(path in wanted.files)) engine.setSource(path, null);
+  for (const [path, text] of Object.entries(wanted.files)) engine.setSource(path, text);
+  const has = name => name && engine.source(app.path(name)) !== null;
+  if (wanted.config && !has(wanted.config)) app.later = `There is no config '${wanted.config}'.`;
+  if (wanted.scene && !scenes.includes(wanted.scene)) app.later = `There is no scene '${wanted.scene}' here.`;
+  if (!wanted.sceneShown) {
+    const scene = scenes.includes(wanted.scene) ? wanted.scene : scenes.includes(FIRST.scene) ? FIRST.scene : scenes[0];
+    if (app.builtin !== scene) app.chooseScene(scene);
+  }
+  app.chooseSize(wanted.size ?? (SOFTWARE.test(engine.machine.renderer) ? "480x270" : "fit"));
+  if (wanted.bookmarks?.length) app.bookmarks = wanted.bookmarks;
+  app.emit("bookmarks");
+  app.setCamera(wanted.camera ?? "");
+  if (wanted.camera && !app.resolved()) {
+    app.later = `There is no camera '${wanted.camera}' here.`;
+    app.setCamera("");
+  }
+  const {split} = wanted;
+  app.split = {on: false, at: 0.5};
+  app.b = split ? {config: has(split.config) ? split.config : "", variant: split.variant, show: split.show} : app.b;
+  const show = {lit: "color"}[wanted.show] ?? wanted.show;
+  if (show) app.a.show = show;
+  app.chooseConfig(has(wanted.config) ? wanted.config : configs.includes(FIRST.config) ? FIRST.config : configs[0], wanted.variant ?? "");
+  if (split?.on) app.setSplit(true, split.at);
+  app.emit("sides");
+  if (app.later) app.say(app.later, "warning");
+  app.later = null;
+}
+
+async function wanted(app, view) {
+  if (view) return fromView(app, view);
+  try {
+    return await readLink(location.hash) ?? {files: {}};
+  } catch (e) {
+    app.later = e.message;
+    return {files: {}};
+  }
+}
+async function fromView(app, view) {
+  const files = Object.fromEntries(Object.entries(view.files ?? {}).map(([path, {text}]) => [path, text]));
+  const said = {files, config: view.config, variant: view.variant ?? "", camera: view.camera ?? "", scene: view.scene?.builtin ?? null};
+  if (!view.scene?.bytes) return said;
+  const answer = app.engine.loadSceneBytes(await viewScene(), view.scene.name);
+  if (!answer.ok) throw new Error(answer.diagnostics[0]?.message ?? "The scene cannot be read.");
+  app.sceneChanged(null);
+  return {...said, sceneShown: true};
+}
+
+async function start() {
+  makeTheme($("theme"));
+  const engine = await openEngine($("canvas"));
+  const app = new App(engine);
+  window.crevice = {engine, app};
+  build(app);
+  app.hold("start");
+  const view = await openView();
+  show(app, await wanted(app, view));
+  app.started = true;
+  await new Promise(drawn => {
+    app.on("drawn", drawn);
+    app.redraw();
+  });
+  $("starting").remove();
+  addEventListener("hashchange", () => app.guard(async () => show(app, await wanted(app, null))));
+  if (view) app.viewFiles = new ViewFiles(app, view, add(document.querySelector(".bar"), "button", {type: "button", id: "save"}, "Save"));
+  await app.guard(() => app.texts.start());
+  app.release("start");
+}
+
+function told(error) {
+  const node = $("starting") ?? add($("picture"), "p", {class: "starting"});
+  node.setAttribute("role", "alert");
+  node.textContent = error?.message || String(error);
+}
+addEventListener("unhandledrejection", e => {
+  e.preventDefault();
+  window.crevice?.app.fail(e.reason);
+});
+start().catch(told);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Quality against cost of all configs on this machine: the present view, one radius, one traced picture.
+import {SLOT} from "./app.js";
+import {Truth} from "./truth.js";
+import {radiusOf, radiusParam} from "./truth_view.js";
+
+const TIMES = 5;          // the median of so many frames
+const GATHER_FRAMES = 32; // for configs that read frames before
+const RAYS = 64;
+
+const pause = () => new Promise(done => setTimeout(done));
+
+/// Calls onStep({done, of, what}) before each step. Returns {samples, failures, without}; null where `cancelled()` was so.
+export async function measureAll(app, onStep, cancelled) {
+  const {engine} = app, configs = engine.configs().map(c => c.name);
+  const of = configs.length + 1, radius = radiusOf(app);
+  onStep({done: 0, of, what: "the traced picture"});
+  const truth = await traced(app, radius, part => onStep({done: part, of, what: "the traced picture"}), cancelled);
+  if (!truth || cancelled()) return null;
+  const samples = [], failures = [];
+  for (const [i, config] of configs.entries()) {
+    onStep({done: i + 1, of, what: config});
+    await pause();
+    if (cancelled()) break;
+    const answer = await measure(app, config, radius, truth);
+    if (answer.failure) failures.push({config, failure: answer.failure});
+    else samples.push({config, ...answer});
+  }
+  engine.unload(SLOT.measure);
+  app.redraw();
+  return cancelled() ? null : {samples, failures, without: errorWithout(truth), radius};
+}
+
+async function traced(app, radius, onPart, cancelled) {
+  const {truth} = app;
+  if (truth.on && truth.image && !truth.stale && !truth.tracing) return truth.image;
+  const tracer = new Truth(app.engine, {}), size = [...app.engine.size];
+  try {
+    return await tracer.start({camera: app.camera, size, radius, rays: RAYS}, ({done}) => {
+      onPart(done);
+      if (cancelled()) tracer.cancel();
+    });
+  } finally {
+    for (const worker of tracer.workers ?? []) worker.terminate();
+  }
+}
+
+// Of a picture that is white all over.
+function errorWithout(truth) {
+  let sum = 0, count = 0;
+  for (const v of truth)
+    if (!Number.isNaN(v)) sum += (1 - v) ** 2, ++count;
+  return Math.sqrt(sum / Math.max(1, count));
+}
+
+async function measure(app, config, radius, truth) {
+  const {engine} = app, failed = answer => ({failure: answer.diagnostics?.find(d => d.severity === "error")?.message ?? "it failed"});
+  const loaded = app.ask(() => engine.load(SLOT.measure, {config, outputs: ["color", "ao"], size: engine.size}));
+  if (!loaded.ok) return failed(loaded);
+  const length = radiusParam(engine.state(SLOT.measure));
+  if (length) {
+    const turned = app.ask(() => engine.setParam(SLOT.measure, length.name, [Math.min(length.max, Math.max(length.min, radius))]));
+    if (!turned.ok) return failed(turned);
+  }
+  await gather(app);
+  const times = [];
+  let by = "";
+  for (let i = 0; i < TIMES; ++i) {
+    const timed = await app.ask(() => engine.timed(SLOT.measure));
+    if (!timed.ok) return failed(timed);
+    times.push(timed.total_ms);
+    by = timed.by;
+    await pause();
+  }
+  const compared = app.ask(() => engine.compare(SLOT.measure, truth));
+  if (!compared.ok) return failed(compared);
+  const {rmse, bias, p99} = compared;
+  return {ms: times.sort((a, b) => a - b)[TIMES >> 1], by, rmse, bias, p99};
+}
+
+async function gather(app) {
+  const plan = app.engine.plan(SLOT.measure), frames = plan.targets.some(t => t.history_texture != null) ? GATHER_FRAMES : 1;
+  for (let i = 0; i < frames; ++i) {
+    app.ask(() => app.engine.draw({camera: app.camera, path: null, left: {slot: SLOT.measure, show: "ao"}, right: null, split: 1}));
+    if (i % 4 === 3) await pause();
+  }
+}

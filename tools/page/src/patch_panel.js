@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The smallest patch that gives the picture: to copy, to save, to share.
+import {$, add, button, copyText, debounce, download} from "./dom.js";
+import {describe} from "./app.js";
+
+export function makePatch(app) {
+  const root = $("patch");
+  add(root, "p", {class: "soft"}, "The smallest config that draws this picture. It extends the shipped one: save it, then crevice render FILE.");
+  const row = add(root, "div", {class: "row"});
+  const copy = button(row, "Copy", () => copyText(text.textContent, copy), {id: "patch-copy"});
+  const save = button(row, "Download", () => download(fileName(), text.textContent + "\n"), {id: "patch-save"});
+  button(row, "Share as a link", () => $("share").click());
+  const note = add(root, "p", {class: "soft"}), text = add(root, "pre", {id: "patch-text", tabindex: 0, "aria-label": "The patch"});
+  const fileName = () => `${nameIn(text.textContent) ?? app.a.config}.json`;
+  const show = () => {
+    if (app.tab !== "patch" || !app.stateA()) return;
+    const answer = app.ask(() => app.engine.patch(0));
+    text.textContent = answer.ok ? answer.text.trimEnd() : describe(answer.diagnostics);
+    copy.disabled = save.disabled = !answer.ok;
+    note.textContent = answer.ok ? "" : "There is no patch of this state.";
+  };
+  const later = debounce(100, show);
+  app.on("tab", show);
+  for (const event of ["loaded", "values"]) app.on(event, later);
+}
+
+function nameIn(text) {
+  try {
+    const {name} = JSON.parse(text);
+    return /^[\w-]+$/.test(name) ? name : null;
+  } catch {
+    return null;
+  }
+}

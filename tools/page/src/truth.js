@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The ground truth of a view: ray-traced ambient occlusion, by workers, finer with every pass.
+
+/// Traces views of the engine's scene. One view at a time; a new one takes the place of the one before.
+export class Truth {
+  /// `workers`: how many trace at once. Default: one less than the machine has cores, at most 4.
+  constructor(engine, {workers} = {}) {
+    this.engine = engine;
+    this.count = workers ?? Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
+    this.workers = [];
+    this.job = 0;
+    this.scene = null;
+  }
+
+  /// Calls onProgress({done: 0 to 1, image}) as rows come in; `image` holds size[0] * size[1] visibilities, lowest row
+  /// first, NaN where there is no surface or nothing has been traced yet. At done = 1 it is that of
+  /// `crevice reference --radius R --rays N`. Resolves once it is whole; to null where another took its place.
+  start({camera, size: [width, height], radius, rays = 256}, onProgress = () => {}) {
+    this.cancel();
+    const job = ++this.job;
+    this.giveScene();
+    const image = new Float32Array(width * height).fill(NaN);
+    return new Promise((resolve, reject) => {
+      this.superseded = () => resolve(null);
+      let finished = 0, passes = 1, traced = 0;
+      const listen = ({data}) => {
+        if (data.job !== job) return;
+        if (data.error) return reject(new Error(data.error));
+        if (data.passes) passes = data.passes;
+        if (data.rows) {
+          data.rows.forEach((y, k) => image.set(data.values[k], y * width));
+          traced += data.rows.length;
+        }
+        if (data.done) ++finished;
+        const whole = finished === this.workers.length;
+        onProgress({done: whole ? 1 : Math.min(0.999, traced / (passes * height)), image});
+        if (!whole) return;
+        this.superseded = null;
+        resolve(image);
+      };
+      this.workers.forEach((worker, first) => {
+        worker.onmessage = listen;
+        worker.onerror = event => reject(new Error(event.message || 'the tracer did not start'));
+        worker.postMessage({job, camera, width, height, radius, rays, first, step: this.workers.length});
+      });
+    });
+  }
+
+  cancel() {
+    ++this.job;
+    for (const worker of this.workers) worker.postMessage({cancel: this.job});
+    this.superseded?.();
+    this.superseded = null;
+  }
+
+  giveScene() {
+    while (this.workers.length < this.count)
+      this.workers.push(new Worker(new URL('./trace_worker.js', import.meta.url), {type: 'module'}));
+    if (this.scene === this.engine.scene) return;
+    this.scene = this.engine.scene;
+    const bytes = this.engine.sceneBytes();
+    for (const worker of this.workers) worker.postMessage({scene: bytes});
+  }
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Against the truth: traces the view, draws what was traced or the difference over the picture, and prints how far AO is.
+import {$, add, debounce, fillSelect, press} from "./dom.js";
+import {shown} from "./scale.js";
+import {Truth} from "./truth.js";
+
+const RAYS = [16, 64, 256, 1024];
+const TRACE_AFTER_MS = 300;      // of the last move
+const DEFAULT_RADIUS_SHARE = 0.05;  // of the scene's diagonal, for configs without a length
+
+/// The radius of a slot's config: its param "radius", else its first length.
+export function radiusParam(state) {
+  const lengths = state?.params.filter(p => p.semantic === "length") ?? [];
+  return lengths.find(p => p.name === "radius") ?? lengths[0] ?? null;
+}
+export function radiusOf(app) {
+  return radiusParam(app.stateA())?.value[0] ?? DEFAULT_RADIUS_SHARE * app.engine.scene.diagonal;
+}
+
+export class TruthView {
+  constructor(app) {
+    Object.assign(this, {app, on: false, image: null, figures: null, stale: true, key: "", show: "difference", rays: 64});
+    this.overlay = $("overlay");
+    this.paint = this.overlay.getContext("2d");
+    this.build(add($("view"), "div", {class: "card truth", id: "truth-card"}));
+    this.later = debounce(TRACE_AFTER_MS, () => this.start());
+    $("truth").addEventListener("click", () => this.turn(!this.on));
+    app.on("drawn", () => this.on && this.check());
+    app.on("sides", () => this.clip());
+  }
+
+  build(card) {
+    const {app} = this;
+    add(card, "h2", {}, "Against the truth");
+    this.hint = add(card, "p", {class: "soft"}, "Press Truth: the view is ray-traced here, and AO is compared with it.");
+    const row = add(card, "div", {class: "row"});
+    const select = add(add(row, "label", {}, "Over the picture "), "select", {id: "truth-show", onchange: e => {
+      this.show = e.target.value;
+      this.drawOverlay();
+    }});
+    fillSelect(select, [
+      {value: "difference", text: "difference"}, {value: "traced", text: "the traced picture"}, {value: "none", text: "nothing"}
+    ], this.show);
+    const rays = add(add(row, "label", {}, "Rays a pixel "), "select", {id: "truth-rays", onchange: e => {
+      this.rays = Number(e.target.value);
+      this.key = "";
+      app.redraw();
+    }});
+    fillSelect(rays, RAYS.map(value => ({value})), this.rays);
+    this.bar = add(card, "progress", {max: 1, value: 0, "aria-label": "Rays traced", hidden: ""});
+    const list = add(card, "dl", {class: "numbers", "aria-live": "off", id: "truth-numbers"});
+    this.numbers = Object.fromEntries([["rmse", "rmse"], ["bias", "bias"], ["p99", "p99"]].map(([key, name]) => {
+      add(list, "dt", {}, name);
+      return [key, add(list, "dd", {"data-figure": key}, "–")];
+    }));
+    this.list = list;
+    this.legend = add(card, "p", {class: "legend-line soft"});
+    for (const [color, text] of [["low", "darker than the truth"], ["equal", "equal"], ["high", "brighter"]]) {
+      add(this.legend, "i", {class: "swatch " + color});
+      this.legend.append(" " + text + "  ");
+    }
+  }
+
+  turn(on) {
+    this.on = on;
+    press($("truth"), on);
+    this.key = "";
+    if (on) return this.app.redraw();
+    this.later.cancel();
+    this.endTrace();
+    Object.assign(this, {image: null, figures: null});
+    this.overlay.hidden = true;
+    this.showNumbers();
+    this.bar.hidden = true;
+  }
+
+  // After each frame: is what was traced still of this view?
+  check() {
+    const {app} = this, view = this.view();
+    const key = JSON.stringify(view);
+    if (key !== this.key) {
+      this.key = key;
+      this.stale = true;
+      this.endTrace();
+      this.overlay.hidden = true;
+      app.hold("trace");
+      this.tracing = true;
+      this.later();
+      return this.showNumbers();
+    }
+    this.compare();
+  }
+  view() {
+    const {app} = this, at = app.drawing.path ? JSON.stringify(app.drawing.path) : "";
+    return {camera: app.camera, at, size: [...app.engine.size], radius: radiusOf(app), rays: this.rays, scene: app.engine.scene.name};
+  }
+  endTrace() {
+    if (!this.tracing) return;
+    this.tracing = false;
+    this.tracer?.cancel();
+    this.app.release("trace");
+  }
+
+  start() {
+    const {app} = this, {camera, size, radius, rays} = this.view(), key = this.key;
+    if (!this.on || app.drawing.path) return this.endTrace();
+    this.bar.hidden = false;
+    this.bar.value = 0;
+    app.guard(() => {
+      this.tracer ??= new Truth(app.engine, {});
+      const started = this.tracer.start({camera, size, radius, rays}, progress => app.guard(() => this.progress(key, progress)));
+      started?.catch?.(e => this.failed(key, e));
+    });
+  }
+  failed(key, error) {
+    if (key !== this.key) return;
+    this.endTrace();
+    this.bar.hidden = true;
+    this.app.fail(error);
+  }
+  progress(key, {done, image}) {
+    if (!this.on || key !== this.key) return;
+    this.bar.value = done;
+    if (image) {
+      this.image = image;
+      this.stale = false;
+      this.compare();
+    }
+    if (done < 1) return;
+    this.bar.hidden = true;
+    this.tracing = false;
+    this.app.release("trace");
+  }
+
+  compare() {
+    const {app} = this;
+    if (!this.image || this.stale || app.sides().left.slot !== 0) return this.showNumbers();
+    const answer = app.ask(() => app.engine.compare(0, this.image));
+    this.figures = answer.ok ? answer : null;
+    this.showNumbers();
+    this.drawOverlay();
+  }
+  showNumbers() {
+    const {figures} = this, signed = x => (x >= 0 ? "+" : "−") + Math.abs(x).toFixed(4);
+    this.list.classList.toggle("stale", this.stale || !figures);
+    this.numbers.rmse.textContent = figures ? figures.rmse.toFixed(4) : "–";
+    this.numbers.bias.textContent = figures ? signed(figures.bias) + (figures.bias >= 0 ? " too bright" : " too dark") : "–";
+    this.numbers.p99.textContent = figures ? figures.p99.toFixed(4) : "–";
+    this.hint.textContent = this.on
+      ? `Traced with ${this.rays} rays a pixel within ${shown(radiusOf(this.app))} scene units, A's radius. AO of A minus the truth:`
+      : "Press Truth: the view is ray-traced here, and AO is compared with it.";
+  }
+
+  drawOverlay() {
+    const {app, overlay} = this, [w, h] = app.engine.size;
+    overlay.hidden = !this.on || this.stale || !this.image || this.show === "none";
+    if (overlay.hidden) return;
+    const picture = this.show === "traced" ? grey(this.image, w, h) : app.guard(() => app.engine.heat(0, this.image));
+    if (!picture) return;
+    if (overlay.width !== w || overlay.height !== h) Object.assign(overlay, {width: w, height: h});
+    this.paint.putImageData(picture, 0, 0);
+    this.clip();
+  }
+  clip() {
+    const {on, at} = this.app.split;
+    this.overlay.style.clipPath = on ? `inset(0 ${100 * (1 - at)}% 0 0)` : "";
+  }
+}
+
+// Rows bottom up; the background is not drawn.
+function grey(image, w, h) {
+  const picture = new ImageData(w, h), words = new Uint32Array(picture.data.buffer);
+  for (let y = 0; y < h; ++y)
+    for (let x = 0; x < w; ++x) {
+      const v = image[(h - 1 - y) * w + x], level = Math.round(255 * Math.min(1, Math.max(0, v)));
+      words[y * w + x] = Number.isNaN(v) ? 0xffffffff : 0xff000000 | level << 16 | level << 8 | level;
+    }
+  return picture;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// `crevice view` serves this page with the user's files: what is saved here is written there, and the other way round.
+const LOCAL = /^(127\.0\.0\.1|\[::1\]|localhost)$/, TOKEN = /\/[0-9a-f]{32}\/$/;
+
+/// What the command wants to be seen, or null on a plain server. Plain addresses are not asked: a 404 would be noise.
+export async function openView() {
+  if (!LOCAL.test(location.hostname) || !TOKEN.test(location.pathname)) return null;
+  const response = await fetch("view.json");
+  return response.ok ? response.json() : null;
+}
+export async function viewScene() {
+  const response = await fetch("scene");
+  if (!response.ok) throw new Error(`The scene did not come: ${response.status} ${response.statusText}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+export class ViewFiles {
+  constructor(app, view, node) {
+    Object.assign(this, {app, node, files: new Map(Object.entries(view.files ?? {}))});
+    node.hidden = !view.editable;
+    node.addEventListener("click", () => this.save());
+    addEventListener("keydown", e => {
+      if (!(e.ctrlKey || e.metaKey) || e.key.toLowerCase() !== "s") return;
+      e.preventDefault();
+      this.save();
+    });
+    app.on("text", () => this.mark());
+    new EventSource("events").addEventListener("file", e => app.guard(() => this.changed(JSON.parse(e.data))));
+    this.mark();
+  }
+
+  unsaved() {
+    return [...this.files].filter(([path, file]) => this.app.engine.source(path) !== file.text);
+  }
+  mark() {
+    const count = this.unsaved().length;
+    this.node.disabled = count === 0;
+    this.node.textContent = count ? "Save •" : "Save";
+  }
+
+  save() {
+    return this.app.during("save", async () => {
+      let saved = 0;
+      for (const [path] of this.unsaved()) saved += await this.put(path) ? 1 : 0;
+      if (saved) this.app.say(`Saved ${saved === 1 ? "the file" : saved + " files"}.`);
+      this.mark();
+    });
+  }
+  async put(path) {
+    const {app} = this, file = this.files.get(path), text = app.engine.source(path);
+    const response = await fetch("files/" + path.split("/").map(encodeURIComponent).join("/"),
+      {method: "PUT", body: text, headers: {"If-Match": file.version}});
+    if (response.status === 409) return this.conflict(path, await response.json());
+    if (!response.ok) return app.say(`${path} was not saved: ${response.status} ${response.statusText}`, "error"), false;
+    this.files.set(path, {text, version: (await response.json()).version});
+    return true;
+  }
+  // Both are kept: what is here stays in the editor, a second save writes over the other.
+  conflict(path, {text, version}) {
+    this.files.set(path, {text, version});
+    this.app.say(`${path} was changed on disk meanwhile and not saved. Save again to write over it, or press Revert file to ` +
+      "take what is on disk.", "error");
+    this.app.firstTexts.set(path, text);
+    return false;
+  }
+
+  changed({path, text, version}) {
+    const {app} = this, file = this.files.get(path);
+    if (file?.version === version) return;
+    const edited = file && app.engine.source(path) !== file.text && app.engine.source(path) !== text;
+    if (edited) return this.conflict(path, {text, version});
+    this.files.set(path, {text, version});
+    app.firstTexts.set(path, text);
+    app.putText(path, text);
+    app.reload();
+    this.mark();
+  }
+}

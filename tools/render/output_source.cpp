@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Finding and exporting what is to be looked at.
+#include "tools/render/output_source.h"
+
+#include <string_view>
+
+namespace crevice {
+namespace {
+
+constexpr std::string_view kTargetPrefix = "target.";
+
+Diagnostic unknownOutput(const Description& description, const std::string& name)
+{
+    std::vector<std::string> names = namesOf(description.outputs);
+    for (const ViewDesc& view : description.views) names.push_back(view.name);
+    for (const TargetDesc& target : description.targets)
+        names.push_back(findNamed(description.outputs, target.name)
+                            ? std::string(kTargetPrefix) + target.name
+                            : target.name);
+    Diagnostic error{Code::output_missing, "the config '" + description.name +
+                                               "' has no output, view or target '" + name + "'"};
+    error.help = suggestName(name, std::move(names), "names");
+    return error;
+}
+
+/// Exports a target under a name of its own and returns that name.
+std::string exportTarget(Description& description, const std::string& target)
+{
+    const std::string name = std::string(kTargetPrefix) + target;
+    if (!findNamed(description.outputs, name)) {
+        OutputDesc output;
+        output.name = name;
+        output.target.name = target;
+        description.outputs.push_back(std::move(output));
+    }
+    return name;
+}
+
+}  // namespace
+
+Result<OutputSource> exposeOutput(Description& description, const std::string& name)
+{
+    if (findNamed(description.outputs, name)) return OutputSource{name};
+    if (const ViewDesc* view = findNamed(description.views, name))
+        return OutputSource{exportTarget(description, view->target.name), view->scale,
+                            view->offset};
+    const bool prefixed = name.rfind(kTargetPrefix, 0) == 0;
+    const std::string target = prefixed ? name.substr(kTargetPrefix.size()) : name;
+    if (findNamed(description.targets, target))
+        return OutputSource{exportTarget(description, target)};
+    return unknownOutput(description, name);
+}
+
+void applyView(Image& image, const OutputSource& source)
+{
+    for (float& value : image.pixels) value = value * source.scale + source.offset;
+}
+
+}  // namespace crevice
