@@ -11,14 +11,16 @@ for tool in em++ node npm; do
     command -v "$tool" >/dev/null || { echo "page.sh: no $tool; apt-get install emscripten nodejs npm" >&2; exit 1; }
 done
 tools/scripts/web.sh >&2
-lock=tools/page/package-lock.json
-if ! cmp -s "$lock" tools/page/node_modules/installed-lock.json; then
-    npm ci --prefix tools/page --ignore-scripts --no-audit --no-fund --silent
-    cp "$lock" tools/page/node_modules/installed-lock.json
+npm=build/page_npm
+if ! cmp -s tools/page/package-lock.json "$npm/installed.json"; then
+    mkdir -p "$npm"
+    cp tools/page/package.json tools/page/package-lock.json "$npm"
+    npm ci --prefix "$npm" --ignore-scripts --no-audit --no-fund --silent
+    cp tools/page/package-lock.json "$npm/installed.json"
 fi
 rm -rf -- "$folder"
 mkdir -p -- "$folder"
-node tools/page/build.mjs "$folder"
+node tools/page/build.mjs "$folder" "$root/$npm/node_modules"
 cp build/web/tools/page/crevice_page.{js,wasm} "$folder"
 bytes=$(find "$folder" -type f -exec gzip -9c {} + | wc -c)
 printf 'Wrote %s, %d bytes with gzip -9; show it with: crevice view, or python3 -m http.server -d %s\n' "$folder" "$bytes" \

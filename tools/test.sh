@@ -84,7 +84,7 @@ debian_packages() {
         or_skipped tools/scripts/debian_packages.sh
 }
 web_page() {
-    or_skipped tests/platforms/web_test.sh build/ci
+    or_skipped tests/platforms/web_test.sh build/ci && or_skipped tests/tools/page/page_test.sh build/ci/tools/crevice
 }
 arm() {
     or_skipped tests/platforms/arm_test.sh aarch64-linux-gnu build/ci &&
@@ -103,7 +103,9 @@ if $quick; then
     stage "All tests" all_tests
 else
     tools/scripts/install_packages.sh chromium clang
-    tools/scripts/install_packages.sh emscripten g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static ||
+    command -v npm >/dev/null || npm="nodejs npm"
+    # shellcheck disable=SC2086
+    tools/scripts/install_packages.sh emscripten ${npm:-} g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static ||
         echo "test.sh: the stages of WebGL 2 and ARM say what they lack" >&2
     stage "All tests" all_tests
     stage "Errors against docs/bench" guard
@@ -113,7 +115,7 @@ else
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
     stage "Threads under the thread sanitizer" threads
     stage "Debian packages, built with clang" debian_packages
-    stage "WebGL 2 in a browser" web_page
+    stage "WebGL 2 and the page in a browser" web_page
     stage "arm64 and armv7, under qemu" arm
     stage "Fuzzers, 30 seconds each" fuzzers
 fi

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Bundles the page's scripts into a folder: node build.mjs FOLDER
-import {build} from "esbuild";
+// Bundles the page's scripts into a folder, with npm's packages from another: node build.mjs FOLDER NODE_MODULES
 import {copyFileSync, mkdirSync, readFileSync} from "node:fs";
+import {createRequire} from "node:module";
 import {dirname, join} from "node:path";
 import {fileURLToPath} from "node:url";
 
-const here = dirname(fileURLToPath(import.meta.url)), folder = process.argv[2];
-if (!folder) throw new Error("build.mjs: name the folder to build into");
+const here = dirname(fileURLToPath(import.meta.url)), [folder, modules] = process.argv.slice(2);
+if (!modules) throw new Error("build.mjs: name the folder to build into, and node_modules");
+const {build} = createRequire(join(modules, "index.js"))("esbuild");
 
 // The reports' chart is a plain script that a page embeds; here it becomes a module.
 const CHART_EXPORTS = "SHAPES, three, ms, error, ticks, short, chart, boxAround, nameMarks";
@@ -24,6 +25,6 @@ await build({
   entryPoints: {page: join(here, "src/main.js"), trace_worker: join(here, "src/trace_worker.js")},
   outdir: folder, bundle: true, splitting: true, format: "esm", minify: true, target: "es2022", legalComments: "none",
   chunkNames: "[name]-[hash]", external: ["./crevice_page.js", "node:fs", "node:path"], loader: {".frag": "text", ".json": "json"},
-  plugins: [reportScripts], logLevel: "warning"
+  nodePaths: [modules], plugins: [reportScripts], logLevel: "warning"
 });
 for (const name of ["index.html", "page.css"]) copyFileSync(join(here, name), join(folder, name));

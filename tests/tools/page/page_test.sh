@@ -21,5 +21,5 @@ export CREVICE BROWSER PAGE
 # Where node finds puppeteer-core.
 mkdir -p "$root/build/page_test"
 cp "$root"/tests/tools/page/*.mjs "$root/build/page_test"
-ln -sfn "$root/tools/page/node_modules" "$root/build/page_test/node_modules"
+ln -sfn "$root/build/page_npm/node_modules" "$root/build/page_test/node_modules"
 node --test --test-reporter=spec "${@:2}" "$root/build/page_test/page_test.mjs"
