@@ -33,7 +33,7 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
     {"backends", {"gl", "context", "recording"}},
     {"tools",
      {"image", "cli", "schema", "plan", "scene", "reference", "device", "render", "cost", "motion",
-      "measure", "bench", "stress", "report", "commands", "examples"}},
+      "measure", "bench", "stress", "report", "view", "commands", "examples"}},
 };
 
 std::string readText(const fs::path& path)

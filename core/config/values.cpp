@@ -54,7 +54,8 @@ Status checkValue(const ParamDesc& param, const float* values, int count)
     for (int i = 0; i < count; ++i) {
         if (!std::isfinite(values[i]))
             return paramError(Code::not_finite, param, "must be finite", "in " + rangeText(param));
-        if (double{values[i]} < param.min || double{values[i]} > param.max)
+        // As floats, so that a bound that no float holds, such as 0.01, can be given.
+        if (values[i] < static_cast<float>(param.min) || values[i] > static_cast<float>(param.max))
             return paramError(Code::out_of_range, param,
                               numberText(values[i]) + " is outside " + rangeText(param),
                               "give a value in that range");

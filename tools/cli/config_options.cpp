@@ -55,7 +55,7 @@ std::string isCheckout(const std::string& folder)
 
 void addConfigOptions(CLI::App& app, ConfigOptions& options)
 {
-    app.add_option("--variant", options.variant, "Name of a variant that the config declares");
+    addVariantOption(app, options.variant);
     app.add_option("--set", options.overrides,
                    "Set a param or feature (radius=0.8), or any value by its JSON pointer "
                    "(/passes/blur/when=null); may be repeated")
@@ -64,6 +64,11 @@ void addConfigOptions(CLI::App& app, ConfigOptions& options)
     addHostDepthOption(app, options.overrides);
     addCheckoutOption(app, options.checkout);
     addRootOption(app, options.roots);
+}
+
+void addVariantOption(CLI::App& app, std::string& variant)
+{
+    app.add_option("--variant", variant, "Name of a variant that the config declares");
 }
 
 void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides)

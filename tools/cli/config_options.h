@@ -29,6 +29,9 @@ LoadRequest requestOf(const ConfigOptions& options);
 /// validate takes several.
 void addConfigOptions(CLI::App& app, ConfigOptions& options);
 
+/// Adds --variant alone.
+void addVariantOption(CLI::App& app, std::string& variant);
+
 /// Adds --host-depth, which lays a module over configs: "+geometry/host_depth".
 void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides);
 

@@ -66,6 +66,8 @@ int exitCodeOf(const Diagnostics& diagnostics)
     case Code::out_of_memory:
     case Code::context_lost:
     case Code::no_compilers:
+    case Code::cannot_serve:
+    case Code::page_missing:
     case Code::no_backend: return kExitMachine;
     default: return kExitBadInput;
     }

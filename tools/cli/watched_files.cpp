@@ -10,9 +10,14 @@ void WatchedFiles::add(const std::string& path)
     if (const SourceRef file = readFile(path)) texts_[path] = file->text;
 }
 
+void WatchedFiles::add(const SourceText& text)
+{
+    if (of_ == Of::all || text.path.empty()) add(text.name);
+}
+
 void WatchedFiles::add(const Place& place)
 {
-    if (place.source) add(place.source->name);
+    if (place.source) add(*place.source);
 }
 
 void WatchedFiles::add(const Node& document)
@@ -28,7 +33,7 @@ void WatchedFiles::add(const Node& document)
 
 void WatchedFiles::add(const Description& description)
 {
-    for (const auto& file : description.files) add(file.second->name);
+    for (const auto& file : description.files) add(*file.second);
 }
 
 void WatchedFiles::add(const Diagnostics& diagnostics)
@@ -39,16 +44,16 @@ void WatchedFiles::add(const Diagnostics& diagnostics)
     }
 }
 
-bool WatchedFiles::changed()
+std::vector<std::string> WatchedFiles::changes()
 {
-    bool any = false;
+    std::vector<std::string> paths;
     for (auto& [path, text] : texts_) {
         const SourceRef now = readFile(path);
         if (!now || now->text == text) continue;
         text = now->text;
-        any = true;
+        paths.push_back(path);
     }
-    return any;
+    return paths;
 }
 
 }  // namespace crevice

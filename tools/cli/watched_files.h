@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace crevice {
 
@@ -15,6 +16,13 @@ namespace crevice {
 /// file and rename it, or that save what was there before.
 class WatchedFiles {
 public:
+    /// Which files of documents, descriptions and errors are added.
+    enum class Of {
+        all,     ///< Shipped modules too, where a folder on disk has them.
+        config,  ///< The config, and what it names by paths on disk.
+    };
+    explicit WatchedFiles(Of of = Of::all) : of_(of) {}
+
     /// Adds a file by its path.
     void add(const std::string& path);
 
@@ -25,13 +33,24 @@ public:
 
     /// Whether any of them differs from when this was last asked, or from when it was added. A file
     /// that cannot be read just now has not changed.
-    bool changed();
+    bool changed() { return !changes().empty(); }
+
+    /// The paths of those.
+    std::vector<std::string> changes();
+
+    /// The file was written by this program: that is no edit.
+    void wrote(const std::string& path, std::string text) { texts_[path] = std::move(text); }
+
+    /// The texts as they were last seen, by path.
+    const std::map<std::string, std::string>& texts() const { return texts_; }
 
     std::size_t size() const { return texts_.size(); }
 
 private:
+    void add(const SourceText& text);
     void add(const Place& place);
 
+    Of of_;
     std::map<std::string, std::string> texts_;  // by path
 };
 

@@ -51,5 +51,7 @@ endforeach()
 
 if(TARGET crevice)
   install(TARGETS crevice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+  # The page of `crevice view`, where tools/page.sh has built it.
+  install(DIRECTORY out/page/ DESTINATION ${CMAKE_INSTALL_DATADIR}/crevice/page COMPONENT tools OPTIONAL)
 endif()
 include(tools/cmake/packages.cmake)

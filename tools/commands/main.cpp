@@ -43,6 +43,7 @@ int run(int argc, char** argv)
     crevice::addCostCommand(app, exit_code);
     crevice::addSchemaCommand(app, exit_code);
     crevice::addStressCommand(app, exit_code);
+    crevice::addViewCommand(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

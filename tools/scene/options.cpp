@@ -26,21 +26,31 @@ void addImportOptions(CLI::App& app, ImportOptions& options)
     addRootOption(app, options.roots);
 }
 
-void addSceneOptions(CLI::App& app, SceneOptions& options)
+void addSceneOption(CLI::App& app, std::string& scene)
 {
-    app.add_option("--scene", options.scene,
+    app.add_option("--scene", scene,
                    "A file (glTF 2.0, OBJ, PLY, STL, 3DS) or a built-in scene: " +
                        joined(builtinSceneNames()))
         ->type_name("FILE|NAME")
         ->capture_default_str();
-    app.add_option("--size", options.size, "Pixels of the picture")
-        ->type_name("WxH")
-        ->capture_default_str();
-    app.add_option("--camera", options.camera,
+}
+
+void addCameraOption(CLI::App& app, std::string& camera)
+{
+    app.add_option("--camera", camera,
                    "The name of one of the scene's cameras, or eye=X,Y,Z and, as wanted, ;at=X,Y,Z "
                    ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
                    ";near=D ;far=D. Default: the scene's first camera, or one that frames it")
         ->type_name("CAMERA");
+}
+
+void addSceneOptions(CLI::App& app, SceneOptions& options)
+{
+    addSceneOption(app, options.scene);
+    app.add_option("--size", options.size, "Pixels of the picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    addCameraOption(app, options.camera);
     addImportOptions(app, options.import);
 }
 

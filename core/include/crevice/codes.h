@@ -107,6 +107,7 @@ enum class Code : int {
     mesh_lacks = 6019,      ///< A pass reads normals or uv that a mesh does not have (a warning).
     unfilled_block = 6020,  ///< A uniform block that nobody fills (a warning).
     no_compilers = 6021,    ///< The compilers of phones' GPUs are not there, or do not work.
+    cannot_serve = 6022,    ///< No port to serve on, or no random number for its address.
 
     // scenes, images, files
     scene_missing = 7001,   ///< A scene file that does not exist.
@@ -119,6 +120,7 @@ enum class Code : int {
     nothing_seen = 7008,    ///< A camera that sees no surface.
     results_broken = 7009,  ///< Bench results that cannot be read.
     scene_features = 7010,  ///< A scene file that uses what is not drawn (a warning).
+    page_missing = 7011,    ///< The page of `crevice view` is not there.
 
     // what a frame's targets hold (crevice doctor)
     target_not_finite = 9001,    ///< A pass writes what is not a number or is infinite.

@@ -36,6 +36,16 @@ Json measured(Change&& change)
     return json;
 }
 
+/// ... and whether the slot's plan is another now.
+template <class Change>
+Json planned(int slot, Change&& change)
+{
+    const std::string before = toJson(engine.slot(slot).renderer().plan());
+    Json json = measured(change);
+    json["planned"] = toJson(engine.slot(slot).renderer().plan()) != before;
+    return json;
+}
+
 Side sideOf(const Json& json) { return {json.value("slot", 0), json.value("show", "color")}; }
 
 const char* methodOf(TimingMethod method)
@@ -179,12 +189,12 @@ EXPORT const char* page_plan(int slot)
 EXPORT const char* page_set_param(int slot, const char* name, const char* values)
 {
     const auto numbers = Json::parse(values).get<std::vector<float>>();
-    return say(measured([&] { return engine.slot(slot).setParam(name, numbers); }));
+    return say(planned(slot, [&] { return engine.slot(slot).setParam(name, numbers); }));
 }
 
 EXPORT const char* page_set_feature(int slot, const char* name, const char* word)
 {
-    return say(measured([&] { return engine.slot(slot).setFeature(name, word); }));
+    return say(planned(slot, [&] { return engine.slot(slot).setFeature(name, word); }));
 }
 
 EXPORT const char* page_patch(int slot)

@@ -6,7 +6,6 @@
 import displayConfig from './display.json';
 import displayShader from './display.frag';
 import {loadModule} from './engine_module.js';
-import {loadGltf} from './gltf.js';
 
 /// Slots in which configs run. A and B are compared; the others are drawn beside them.
 export const SLOT = {a: 0, b: 1, plain: 2, measured: 3};
@@ -103,7 +102,10 @@ class Engine {
     return this.withBytes(bytes, (at, size) => this.shown(this.calls.showSceneBytes(at, size, name)));
   }
 
-  async loadGltf(bytes, name) { return this.shown(await loadGltf(this, bytes, name)); }
+  async loadGltf(bytes, name) {
+    const {loadGltf} = await import('./gltf.js');  // half of the page's scripts
+    return this.shown(await loadGltf(this, bytes, name));
+  }
 
   shown(answer) {
     if (answer.ok) this.scene = this.calls.scene();

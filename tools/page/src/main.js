@@ -105,6 +105,7 @@ async function start() {
     app.on("drawn", drawn);
     app.redraw();
   });
+  performance.mark("first-picture");
   $("starting").remove();
   addEventListener("hashchange", () => app.guard(async () => show(app, await wanted(app, null))));
   if (view) app.viewFiles = new ViewFiles(app, view, add(document.querySelector(".bar"), "button", {type: "button", id: "save"}, "Save"));
