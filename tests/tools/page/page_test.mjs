@@ -89,7 +89,7 @@ test('Every knob of every config moves through its range', async () => {
       for (const feature of engine.state(0).features)
         for (const word of [...feature.values, feature.value]) {
           if (!app.knobs.turn('feature', feature.name, word).ok) found.push(`${feature.name} ${word}`);
-          check(`${feature.name} ${word}`);
+          if (!engine.plan(0).imports.some(each => each.type === 'texture')) check(`${feature.name} ${word}`);
         }
       return found;
     }, name);
@@ -163,7 +163,7 @@ test('A link holds what was changed', async () => {
     return [app.a.config, app.a.show, engine.scene.name, engine.state(0).params.find(each => each.name === 'radius').value[0]];
   });
   assert.deepEqual(seen, ['gtao', 'ao', 'spheres', 0.7]);
-  const broken = await open('#s=not-a-link');
+  const broken = await open('#not-a-link');
   assert(await broken.evaluate(() => crevice.app.message?.text), 'a bad link is told');
   for (const each of [page, other, broken]) {
     quiet(each);
@@ -248,7 +248,8 @@ test('200 random actions leave the page working', async () => {
   let seed = 1;
   const random = n => (seed = seed * 48271 % 2147483647) % n;  // Lehmer's
   for (let i = 0; i < ACTIONS; ++i) {
-    const shown = await page.$$('button, select, input[type=range], input[type=checkbox], #canvas, summary, a[href^="#"]');
+    if (process.env.TRACE) console.log(i, Date.now());
+    const shown = await page.$$('button, select:not(#size), input[type=range], input[type=checkbox], #canvas, summary, a[href^="#"]');
     const node = shown[random(shown.length)];
     if (!await node.isVisible() || await node.evaluate(each => each.disabled || /save|download|copy/i.test(each.textContent))) continue;
     const [kind, type] = await node.evaluate(each => [each.tagName, each.type]);
