@@ -6,6 +6,7 @@ import {Knobs} from "./knobs.js";
 
 export const SLOT = {a: 0, b: 1, without: 2, measure: 3};
 const OUTPUTS = ["color", "ao"];
+const NO_SUCH_TARGET = "CV2209";
 const APPLY_AFTER_MS = 250;  // of the last key in an editor
 
 /// A view is "color", "ao", "without" (lit without AO), "view:NAME" (a view of the config's) or "target:NAME". The engine's
@@ -141,11 +142,14 @@ export class App {
   }
 
   request(side, slot) {
-    const {config, variant} = this.effective(side), look = lookOf(side.show);
-    return this.ask(() => this.engine.load(slot, {
+    const {config, variant} = this.effective(side), load = look => this.ask(() => this.engine.load(slot, {
       config, variant: variant || undefined, outputs: OUTPUTS, look, size: this.engine.size,
       without_occlusion: side.show === "without" && slot !== SLOT.a
     }));
+    const look = lookOf(side.show), answer = load(look);
+    if (answer.ok || !look || !answer.diagnostics.some(d => d.code === NO_SUCH_TARGET)) return answer;
+    side.show = "ao";  // another config may not have that target
+    return load(null);
   }
   effective(side) {
     return side.config ? side : this.a;

@@ -2,6 +2,8 @@
 // A camera that goes round a point, and its text as `--camera` reads it. No page here.
 const LEAST_ANGLE = 2 * Math.PI / 180;  // between the view and the up axis
 
+const LEVEL = 0.01;  // cosine between the picture's horizon and an axis across it
+
 const sub = (a, b) => a.map((x, i) => x - b[i]);
 const plus = (a, b, k = 1) => a.map((x, i) => x + k * b[i]);
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
@@ -21,6 +23,14 @@ export function cameraText(camera, old = "") {
   const up = point(camera.up) === "0,1,0" ? [] : ["up=" + point(camera.up)];
   const lens = camera.ortho_height ? "ortho=" + number(camera.ortho_height) : "fov=" + number(camera.fov_deg);
   return [`eye=${point(camera.eye)}`, `at=${point(camera.at)}`, ...up, lens, ...rest].join(";");
+}
+
+/// The engine's up is across the view: that of the world is better to turn about, where the camera does not roll.
+export function upright(camera) {
+  const side = unit(cross(sub(camera.at, camera.eye), camera.up));
+  const axes = [[0, 1, 0], [0, 0, 1], [1, 0, 0]].flatMap(a => [a, a.map(x => x ? -x : 0)]);
+  const level = axes.filter(a => Math.abs(dot(a, side)) < LEVEL && dot(a, camera.up) > 0.1);
+  return {...camera, up: level.sort((a, b) => dot(b, camera.up) - dot(a, camera.up))[0] ?? camera.up};
 }
 
 /// Angles in radians: how far what is seen turns to the right, and the eye goes up.

@@ -67,7 +67,7 @@ export class Editor {
   }
   jsonTools() {
     return [
-      json(), autocompletion({override: [context => this.complete(context)]}),
+      json(), autocompletion({icons: false, override: [context => this.complete(context)]}),
       hoverTooltip((view, offset) => this.hover(view, offset))
     ];
   }

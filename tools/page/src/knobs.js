@@ -27,6 +27,7 @@ export class Knobs {
     if (app.message?.kind === "error" && app.loadedWell) app.say(null);
     this.cost = {name, planned: answer.planned, compiled: answer.compiled ?? [], ms: answer.ms};
     this.write(kind, name, value);
+    app.keepShow();
     app.loadOthers();
     app.emit("values", name);
     app.redraw();

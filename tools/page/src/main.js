@@ -44,9 +44,9 @@ function show(app, wanted) {
   const {engine} = app, configs = engine.configs().map(c => c.name), scenes = engine.builtinScenes();
   for (const path of engine.editedPaths()) if (!(path in wanted.files)) engine.setSource(path, null);
   for (const [path, text] of Object.entries(wanted.files)) engine.setSource(path, text);
-  const has = name => name && engine.source(app.path(name)) !== null;
-  if (wanted.config && !has(wanted.config)) app.later = `There is no config '${wanted.config}'.`;
-  if (wanted.scene && !scenes.includes(wanted.scene)) app.later = `There is no scene '${wanted.scene}' here.`;
+  const missing = [], has = name => name && engine.source(app.path(name)) !== null;
+  if (wanted.config && !has(wanted.config)) missing.push(`config '${wanted.config}'`);
+  if (wanted.scene && !scenes.includes(wanted.scene)) missing.push(`scene '${wanted.scene}'`);
   if (!wanted.sceneShown) {
     const scene = scenes.includes(wanted.scene) ? wanted.scene : scenes.includes(FIRST.scene) ? FIRST.scene : scenes[0];
     if (app.builtin !== scene) app.chooseScene(scene);
@@ -56,7 +56,7 @@ function show(app, wanted) {
   app.emit("bookmarks");
   app.setCamera(wanted.camera ?? "");
   if (wanted.camera && !app.resolved()) {
-    app.later = `There is no camera '${wanted.camera}' here.`;
+    missing.push(`camera '${wanted.camera}'`);
     app.setCamera("");
   }
   const {split} = wanted;
@@ -67,7 +67,8 @@ function show(app, wanted) {
   app.chooseConfig(has(wanted.config) ? wanted.config : configs.includes(FIRST.config) ? FIRST.config : configs[0], wanted.variant ?? "");
   if (split?.on) app.setSplit(true, split.at);
   app.emit("sides");
-  if (app.later) app.say(app.later, "warning");
+  if (missing.length) app.later = `Not here: ${missing.join(", ")}.`;
+  if (app.later && app.loadedWell) app.say(app.later, "warning");
   app.later = null;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pointers, wheel and keys on the picture move the camera.
-import {cameraText, orbit, pan, zoom} from "./camera.js";
+import {cameraText, orbit, pan, upright, zoom} from "./camera.js";
 
 const TURN = Math.PI;        // radians for a drag over the picture's height
 const KEY_TURN = 5 * Math.PI / 180;
@@ -25,7 +25,7 @@ export class PictureInput {
     const {app} = this, now = this.made?.text === app.camera ? this.made.camera : app.resolved();
     if (!now) return;
     if (app.drawing.path) app.drawing.play(null);
-    const camera = move(now), text = cameraText(camera, app.camera);
+    const camera = move(upright(now)), text = cameraText(camera, app.camera);
     this.made = {text, camera};
     app.setCamera(text);
   }
