@@ -43,7 +43,6 @@ Result<SiteView> loadView(const ViewOptions& options)
     if (!scene) return scene.diagnostics();
     const Result<SceneCamera> camera = chooseCamera(*scene, scene->bounds(), options.camera, 1.0);
     if (!camera) return camera.diagnostics();
-    view.scene = scene->name;
     view.scene_bytes = std::make_shared<const std::string>(sceneBytes(*scene));
     return {std::move(view), scene.diagnostics()};
 }

@@ -43,7 +43,7 @@ extern const std::vector<std::pair<std::string, std::string>> kSiteHeaders;
 struct SiteView {
     std::string variant = {};
     std::string camera = {};
-    std::string scene = {};                               ///< Empty: what the page begins with.
+    std::string scene = {};  ///< As --scene takes it; empty: what the page begins with.
     std::shared_ptr<const std::string> scene_bytes = {};  ///< Null for a built-in scene.
 };
 

@@ -3,6 +3,7 @@
 #include "tests/support/catch.h"
 
 #include "tools/cli/output_request.h"
+#include "tools/render/output_source.h"
 #include "tools/scene/options.h"
 
 #include <filesystem>

@@ -193,7 +193,7 @@ def check_view():
     check("the config has its name", shown["config"] == "mine" and shown["editable"])
     check("and its files", sorted(shown["files"]) == ["configs/mine.json", "configs/more/radius.json"])
     check("with their texts", shown["files"]["configs/mine.json"]["text"] == lines_of("mine.json"))
-    check("the scene comes as bytes", shown["scene"]["bytes"] is True)
+    check("the scene comes as bytes", shown["scene"] == {"name": "model.obj", "bytes": True})
     scene = ask("GET", base + "scene").data
     check("which are a scene's", scene[:8] == b"crvs\1\0\0\0" and len(scene) > 200)
 
