@@ -97,8 +97,7 @@ EXPORT void page_build_camera(const char* text)
     const glm::dvec3 eye = vectorIn(json, "eye");
     SceneCamera camera;
     camera.name = json.value("name", "");
-    camera.view_from_world =
-        glm::lookAt(eye, eye - vectorIn(json, "back"), vectorIn(json, "up"));
+    camera.view_from_world = glm::lookAt(eye, eye - vectorIn(json, "back"), vectorIn(json, "up"));
     camera.orthographic = json.contains("half_height");
     camera.half_height = json.value("half_height", camera.half_height);
     camera.fov_y_rad = json.value("fov_y_rad", camera.fov_y_rad);

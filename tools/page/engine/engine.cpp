@@ -54,8 +54,7 @@ Status Engine::draw(const DrawRequest& request)
 {
     Result<SceneCamera> camera = stage_->camera(request.camera, extent_);
     if (camera && !request.path.empty())
-        camera =
-            stage_->along(request.path, *camera, extent_, request.frame, request.frames);
+        camera = stage_->along(request.path, *camera, extent_, request.frame, request.frames);
     if (!camera) return camera.diagnostics();
     frame_ = stage_->frameOf(*camera, extent_);
     const bool split = request.split < 1.0f;
@@ -75,10 +74,7 @@ Status Engine::draw(const DrawRequest& request)
     return diagnostics;
 }
 
-Result<FrameTimes> Engine::timed(int slot)
-{
-    return slots_[slot].renderer().renderTimed(frame_);
-}
+Result<FrameTimes> Engine::timed(int slot) { return slots_[slot].renderer().renderTimed(frame_); }
 
 Status Engine::again(int slot)
 {
@@ -103,7 +99,8 @@ Result<Shown> Engine::shownOf(const Side& side)
     const FormatInfo& format = formatInfo(device_->info(texture).format);
     const bool plain = source->scale == 1.0f && source->offset == 0.0f;
     const bool bounded = format.format_class == FormatClass::unorm || side.show == "color";
-    if (!plain || bounded) return Shown{texture, source->scale, source->offset, format.channels == 1};
+    if (!plain || bounded)
+        return Shown{texture, source->scale, source->offset, format.channels == 1};
     const Result<Image> image = device_->readTexture(texture);
     if (!image) return image.diagnostics();
     return stretched(texture, *image, format.format_class == FormatClass::depth);

@@ -60,7 +60,8 @@ public:
     /// Draws a slot for the view that was drawn last, every pass of it, without a wait.
     Status again(int slot);
 
-    /// What a slot shows under a name, as values. Errors: those of sourceOf and Device::readTexture.
+    /// What a slot shows under a name, as values. Errors: those of sourceOf and
+    /// Device::readTexture.
     Result<Image> read(const Side& side);
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine as functions that JavaScript calls: numbers and text in, JSON out. src/engine.js is its
-// other side, and documents them.
+// The engine as functions that JavaScript calls: numbers and text in, JSON out. src/engine.js is
+// its other side, and documents them.
 //
 // What is returned is good until the next call. An answer has "ok" and "diagnostics".
 #include "tools/page/engine/answers.h"
@@ -51,18 +51,17 @@ Side sideOf(const Json& json) { return {json.value("slot", 0), json.value("show"
 const char* methodOf(TimingMethod method)
 {
     switch (method) {
-        case TimingMethod::gpu_timer: return "gpu timer";
-        case TimingMethod::processor_time: return "processor";
-        default: return "wall clock";
+    case TimingMethod::gpu_timer: return "gpu timer";
+    case TimingMethod::processor_time: return "processor";
+    default: return "wall clock";
     }
 }
 
 Json timesJson(int slot, const FrameTimes& times)
 {
     const Plan& plan = engine.slot(slot).renderer().plan();
-    Json json = {{"passes", Json::array()},
-                 {"total_ms", times.total_ms},
-                 {"by", methodOf(times.method)}};
+    Json json = {
+        {"passes", Json::array()}, {"total_ms", times.total_ms}, {"by", methodOf(times.method)}};
     for (std::size_t i = 0; i < times.pass_ms.size(); ++i)
         json["passes"].push_back({{"name", plan.passes[i].name}, {"ms", times.pass_ms[i]}});
     return json;
@@ -181,10 +180,7 @@ EXPORT const char* page_state(int slot)
     return say(engine.slot(slot).loaded() ? engine.slot(slot).state() : Json(nullptr));
 }
 
-EXPORT const char* page_plan(int slot)
-{
-    return say(toJson(engine.slot(slot).renderer().plan()));
-}
+EXPORT const char* page_plan(int slot) { return say(toJson(engine.slot(slot).renderer().plan())); }
 
 EXPORT const char* page_set_param(int slot, const char* name, const char* values)
 {

@@ -76,9 +76,9 @@ Json valueIn(const std::vector<T>& list, const std::string& name, Value value)
 const char* nameOf(ParamSemantic semantic)
 {
     switch (semantic) {
-        case ParamSemantic::length: return "length";
-        case ParamSemantic::margin: return "margin";
-        default: return "other";
+    case ParamSemantic::length: return "length";
+    case ParamSemantic::margin: return "margin";
+    default: return "other";
     }
 }
 
@@ -160,12 +160,11 @@ Status Slot::load(Device& device, const SourceSet& sources, const SlotRequest& r
     } else if (!request.look.empty()) {
         options.outputs.push_back(request.look);
     }
-    const bool again = renderer_ && request.config == request_.config &&
-                       request.variant == request_.variant;
+    const bool again =
+        renderer_ && request.config == request_.config && request.variant == request_.variant;
     Diagnostics diagnostics = description.diagnostics();
-    const Status started =
-        again ? renderer_->reload(std::move(*description), options)
-              : start(device, std::move(*description), options, frame);
+    const Status started = again ? renderer_->reload(std::move(*description), options)
+                                 : start(device, std::move(*description), options, frame);
     append(diagnostics, started.diagnostics());
     if (!started) return diagnostics;
     text_ = std::move(text);
@@ -245,11 +244,11 @@ Result<OutputSource> Slot::sourceOf(const std::string& show) const
 Json Slot::state() const
 {
     const Description& now = renderer_->description();
-    Json json = {{"config", request_.config},   {"variant", request_.variant},
-                 {"description", now.text},     {"outputs", namesOf(text_.outputs)},
-                 {"variants", variants_},       {"targets", targetsJson(renderer_->plan())},
-                 {"files", files_},             {"params", Json::array()},
-                 {"features", Json::array()},   {"views", Json::array()}};
+    Json json = {{"config", request_.config}, {"variant", request_.variant},
+                 {"description", now.text},   {"outputs", namesOf(text_.outputs)},
+                 {"variants", variants_},     {"targets", targetsJson(renderer_->plan())},
+                 {"files", files_},           {"params", Json::array()},
+                 {"features", Json::array()}, {"views", Json::array()}};
     for (const ParamDesc& param : now.params)
         json["params"].push_back(paramJson(param, text_, shipped_));
     for (const FeatureDesc& feature : now.features)

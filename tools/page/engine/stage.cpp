@@ -89,7 +89,8 @@ Result<Json> Stage::resolve(const std::string& text, Extent extent) const
 {
     const Result<SceneCamera> camera = this->camera(text, extent);
     if (!camera) return camera.diagnostics();
-    const Result<double> distance = distanceOf(*camera, {64, 64 * extent.height / extent.width + 1});
+    const Result<double> distance =
+        distanceOf(*camera, {64, 64 * extent.height / extent.width + 1});
     if (!distance) return distance.diagnostics();
     const glm::dmat4 world_from_view = glm::inverse(camera->view_from_world);
     const glm::dvec3 eye(world_from_view[3]);

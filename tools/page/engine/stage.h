@@ -34,8 +34,8 @@ public:
     /// view, at the median distance. Errors: those of chooseCamera and of drawing depth.
     Result<nlohmann::json> resolve(const std::string& text, Extent extent) const;
 
-    /// The camera of a frame of a path that ends at `camera`. Errors: CV8001 for a name that no path
-    /// has; those of drawing depth.
+    /// The camera of a frame of a path that ends at `camera`. Errors: CV8001 for a name that no
+    /// path has; those of drawing depth.
     Result<SceneCamera> along(const std::string& path, const SceneCamera& camera, Extent extent,
                               int frame, int frames);
 
