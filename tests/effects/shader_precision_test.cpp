@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8
-// bits.
+// bits, and a literal has the precision of what it meets.
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
@@ -65,6 +65,17 @@ TEST_CASE("Every sampler of a shipped shader has a precision")
     for (const std::string& path : shippedSources().list()) {
         INFO(path);
         CHECK_FALSE(std::regex_search(shippedSources().find(path)->text, bare));
+    }
+}
+
+TEST_CASE("No literal of a shipped shader is shifted by what is converted in the same expression")
+{
+    const std::regex shift("\\b[0-9]\\w*\\s*<<\\s*u?int\\s*\\(");
+    CHECK(std::regex_search("1u << uint(max(first, last) + 0.5)", shift));
+    CHECK_FALSE(std::regex_search("1 << (level - 1)", shift));
+    for (const std::string& path : shippedSources().list()) {
+        INFO(path);
+        CHECK_FALSE(std::regex_search(shippedSources().find(path)->text, shift));
     }
 }
 

@@ -52,7 +52,10 @@ const mediump float kSectors = 31.0;
 // Both ends are rounded: 0.0423 and 0.0242. Rounded down and up, about as in the authors' code, 0.0476 and 0.0303.
 uint maskOf(mediump float first, mediump float last)
 {
-    return (1u << uint(max(first, last) + 0.5)) - (1u << uint(min(first, last) + 0.5));
+    // Written inline, the literal would take the precision of what it is shifted by: 16 bits of the mask.
+    highp uint begin = uint(min(first, last) + 0.5);
+    highp uint end = uint(max(first, last) + 0.5);
+    return (1u << end) - (1u << begin);
 }
 
 // [Anderson 2005, "Bit Twiddling Hacks" - counting bits set, in parallel]
