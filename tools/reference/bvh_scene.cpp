@@ -25,9 +25,6 @@ constexpr float kBoxSlack = 5e-7f;
 // The interval in which a ray is in a box grows by this part: three roundings [Ize 2013].
 constexpr float kIntervalSlack = 4e-7f;
 
-// Below it the inverse of a direction would not be finite.
-constexpr float kLeastDirection = 1e-37f;
-
 // A rounding of a float, as Embree takes it.
 constexpr float kUlp = 1.1920929e-7f;
 
@@ -63,12 +60,12 @@ struct Walk {
     glm::vec3 origin, direction, inverse;
     float end;
 
-    explicit Walk(const SearchRay& ray) : origin(ray.origin), direction(ray.direction), end(ray.end)
+    explicit Walk(const SearchRay& ray)
+        : origin(ray.origin),
+          direction(ray.direction),
+          inverse(1.0f / ray.direction),  // of 0 infinity, which bounds nothing
+          end(ray.end)
     {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float along = direction[axis];
-            inverse[axis] = 1.0f / (std::abs(along) < kLeastDirection ? kLeastDirection : along);
-        }
     }
 
     /// Where the ray enters the box; infinity where it does not, or behind its end.
