@@ -25,9 +25,6 @@ constexpr float kBoxSlack = 5e-7f;
 // The interval in which a ray is in a box grows by this part: three roundings [Ize 2013].
 constexpr float kIntervalSlack = 4e-7f;
 
-// Below it the inverse of a direction would not be finite.
-constexpr float kLeastDirection = 1e-37f;
-
 // A rounding of a float, as Embree takes it.
 constexpr float kUlp = 1.1920929e-7f;
 
@@ -54,28 +51,34 @@ BvhBox boxOf(const Triangle& triangle)
     return {box.low - slack, box.high + slack};
 }
 
+// Unlike std::min() and std::max() these become one instruction, or two.
+float smaller(float a, float b) { return a < b ? a : b; }
+float larger(float a, float b) { return a > b ? a : b; }
+
 // What a walk knows of a ray.
 struct Walk {
     glm::vec3 origin, direction, inverse;
     float end;
 
-    explicit Walk(const SearchRay& ray) : origin(ray.origin), direction(ray.direction), end(ray.end)
+    explicit Walk(const SearchRay& ray)
+        : origin(ray.origin),
+          direction(ray.direction),
+          inverse(1.0f / ray.direction),  // of 0 infinity, which bounds nothing
+          end(ray.end)
     {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float along = direction[axis];
-            inverse[axis] = 1.0f / (std::abs(along) < kLeastDirection ? kLeastDirection : along);
-        }
     }
 
-    /// Where the ray enters the box, or at least its end where it does not.
+    /// Where the ray enters the box; infinity where it does not, or behind its end.
     float entry(const BvhNode& node) const
     {
-        const glm::vec3 a = (node.low - origin) * inverse, b = (node.high - origin) * inverse;
-        const float enter = std::max({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)});
-        const float leave = std::min({std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
-        const float from = std::max(enter * (1.0f - kIntervalSlack), 0.0f);
-        const bool meets = from <= leave * (1.0f + kIntervalSlack) && from <= end;
-        return meets ? from : std::numeric_limits<float>::infinity();
+        float enter = 0.0f, leave = end;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float a = (node.low[axis] - origin[axis]) * inverse[axis];
+            const float b = (node.high[axis] - origin[axis]) * inverse[axis];
+            enter = larger(enter, smaller(a, b) * (1.0f - kIntervalSlack));
+            leave = smaller(leave, larger(a, b) * (1.0f + kIntervalSlack));
+        }
+        return enter <= leave ? enter : std::numeric_limits<float>::infinity();
     }
 
     /// Whether the ray hits the triangle in floats; then the weights of its corners are given.
@@ -88,7 +91,8 @@ struct Walk {
         const float v = glm::dot(glm::cross(ab, a + b), direction);
         const float w = glm::dot(glm::cross(bc, b + c), direction);
         const float sum = u + v + w, slack = kUlp * std::abs(sum);
-        if (std::min({u, v, w}) < -slack && std::max({u, v, w}) > slack) return false;
+        const float least = smaller(u, smaller(v, w)), most = larger(u, larger(v, w));
+        if (least < -slack && most > slack) return false;
         const glm::vec3 normal = glm::cross(ca, ab);
         const float cosine = glm::dot(normal, direction);
         const float distance = glm::dot(a, normal) / cosine;
