@@ -22,7 +22,7 @@ const reportScripts = {
 
 mkdirSync(folder, {recursive: true});
 await build({
-  entryPoints: {page: join(here, "src/main.js"), trace_worker: join(here, "src/trace_worker.js")},
+  entryPoints: {page: join(here, "src/main.js"), trace_worker: join(here, "src/engine/trace_worker.js")},
   outdir: folder, bundle: true, splitting: true, format: "esm", minify: true, target: "es2022", legalComments: "none",
   chunkNames: "[name]-[hash]", external: ["./crevice_page.js", "node:fs", "node:path"], loader: {".frag": "text", ".json": "json"},
   nodePaths: [modules], plugins: [reportScripts], logLevel: "warning"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turning params and features: the engine's value and the config's text are one state.
-import {applyEdits, restoreEdits, setEdits, treeOf} from "./json_edit.js";
+import {applyEdits, restoreEdits, setEdits, treeOf} from "./text/json_edit.js";
 import {SLOT, describe} from "./app.js";
 
 export class Knobs {

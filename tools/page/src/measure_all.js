@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quality against cost of all configs on this machine: the present view, one radius, one traced picture.
 import {SLOT} from "./app.js";
-import {Truth} from "./truth.js";
+import {Truth} from "./engine/truth.js";
 import {radiusOf, radiusParam} from "./truth_view.js";
 
 const TIMES = 5;          // the median of so many frames,

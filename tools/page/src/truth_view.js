@@ -2,7 +2,7 @@
 // Against the truth: traces the view, draws what was traced or the difference over the picture, and prints how far AO is.
 import {$, add, debounce, fillSelect, press} from "./dom.js";
 import {shown} from "./scale.js";
-import {Truth} from "./truth.js";
+import {Truth} from "./engine/truth.js";
 
 const RAYS = [16, 64, 256, 1024];
 const TRACE_AFTER_MS = 300;      // of the last move

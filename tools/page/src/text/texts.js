@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tab of texts: the files of config A, the editor (loaded after the first picture), and the list of diagnostics.
-import {$, add, button, fillSelect} from "./dom.js";
+import {$, add, button, fillSelect} from "../dom.js";
 
 export class Texts {
   constructor(app) {

@@ -10,7 +10,7 @@ import {Annotation, EditorState, Transaction} from "@codemirror/state";
 import {EditorView, hoverTooltip, keymap} from "@codemirror/view";
 import {classHighlighter} from "@lezer/highlight";
 import {basicSetup} from "codemirror";
-import {add} from "./dom.js";
+import {add} from "../dom.js";
 import {rangeOf} from "./places.js";
 import {completionAt, meaningAt} from "./schema_help.js";
 

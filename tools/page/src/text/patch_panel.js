@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The smallest patch that gives the picture: to copy, to save, to share.
-import {$, add, button, copyText, debounce, download} from "./dom.js";
-import {describe} from "./app.js";
+import {$, add, button, copyText, debounce, download} from "../dom.js";
+import {describe} from "../app.js";
 
 export function makePatch(app) {
   const root = $("patch");
