@@ -289,6 +289,16 @@ void joinVertices(MeshDesc& mesh)
     mesh.vertices = std::move(joined);
 }
 
+void finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees)
+{
+    if (has_normals)
+        windByNormals(mesh);
+    else
+        smoothNormals(mesh, crease_degrees);
+    fillNormals(mesh);
+    joinVertices(mesh);
+}
+
 bool isOpen(const MeshDesc& mesh)
 {
     const Indices positions = welded(mesh.vertices);

@@ -23,6 +23,13 @@ void fillNormals(MeshDesc& mesh);
 /// Makes vertices that are equal in everything one, and drops those that no triangle uses.
 void joinVertices(MeshDesc& mesh);
 
+/// glTF 2.0 asks for flat faces where a file has no normals (3.7.2.1).
+constexpr double kGltfCreaseDegrees = 0.0;
+
+/// All of these, for a mesh as a file has it: winds it by its normals, or makes them where the file
+/// has none.
+void finishMesh(MeshDesc& mesh, bool has_normals, double crease_degrees);
+
 /// Whether most of the mesh's area is surfaces with open edges, rather than the hull of a body:
 /// leaves, cloth, a floor. A body may have holes whose outline is short for its area, as scanned
 /// models have. Requires indices below the number of vertices.

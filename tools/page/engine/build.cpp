@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A scene out of a file that JavaScript reads: begun, filled, shown. src/gltf.js is its other side.
+// A scene out of a file that JavaScript reads: begun, filled, shown. src/engine/gltf.js is its
+// other side.
 #include "tools/page/engine/answers.h"
 
+#include "tools/image/srgb.h"
 #include "tools/scene/lights.h"
 #include "tools/scene/mesh_normals.h"
 
 #include <glm/gtc/matrix_transform.hpp>
-
-#include <cmath>
 
 using namespace crevice;
 using namespace crevice::page;
@@ -37,10 +37,8 @@ EXPORT int page_build_texture(const char* name, int width, int height, const std
     Image linear({width, height}, 4);
     float table[256];
     for (int i = 0; i < 256; ++i) {
-        const float value = static_cast<float>(i) / 255.0f;  // IEC 61966-2-1
-        const float decoded =
-            value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-        table[i] = srgb ? decoded : value;
+        const float value = static_cast<float>(i) / 255.0f;
+        table[i] = srgb ? linearFromSrgb(value) : value;
     }
     for (std::size_t i = 0; i < linear.pixels.size(); ++i)
         linear.pixels[i] = i % 4 == 3 ? static_cast<float>(texels[i]) / 255.0f : table[texels[i]];
@@ -67,17 +65,11 @@ EXPORT void page_build_material(const char* text)
 EXPORT int page_build_mesh(const char* name, const Vertex* vertices, int vertex_count,
                            const std::uint32_t* indices, int index_count, int has_normals)
 {
-    constexpr double kGltfCreaseDegrees = 1.0;  // glTF asks for flat normals where there are none
     MeshDesc mesh;
     mesh.label = name;
     mesh.vertices.assign(vertices, vertices + vertex_count);
     mesh.indices.assign(indices, indices + index_count);
-    if (has_normals)
-        windByNormals(mesh);
-    else
-        smoothNormals(mesh, kGltfCreaseDegrees);
-    fillNormals(mesh);
-    joinVertices(mesh);
+    finishMesh(mesh, has_normals != 0, kGltfCreaseDegrees);
     building.meshes.push_back(std::move(mesh));
     return static_cast<int>(building.meshes.size()) - 1;
 }

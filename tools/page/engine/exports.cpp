@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine as functions that JavaScript calls: numbers and text in, JSON out. src/engine.js is
-// its other side, and documents them.
+// The engine as functions that JavaScript calls: numbers and text in, JSON out.
+// src/engine/engine.js is its other side, and documents them.
 //
 // What is returned is good until the next call. An answer has "ok" and "diagnostics".
 #include "tools/page/engine/answers.h"

@@ -73,15 +73,6 @@ Json valueIn(const std::vector<T>& list, const std::string& name, Value value)
     return found ? Json(value(*found)) : Json(nullptr);
 }
 
-const char* nameOf(ParamSemantic semantic)
-{
-    switch (semantic) {
-    case ParamSemantic::length: return "length";
-    case ParamSemantic::margin: return "margin";
-    default: return "other";
-    }
-}
-
 Json paramJson(const ParamDesc& param, const Description& text, const Description& shipped)
 {
     return {{"name", param.name},
@@ -97,8 +88,8 @@ Json paramJson(const ParamDesc& param, const Description& text, const Descriptio
             {"label", param.label},
             {"tooltip", param.tooltip},
             {"group", param.group},
-            {"bind", param.bind == Bind::define ? "define" : "uniform"},
-            {"semantic", nameOf(param.semantic)}};
+            {"bind", table::word(param.bind)},
+            {"semantic", table::word(param.semantic)}};
 }
 
 Json featureJson(const FeatureDesc& feature, const Description& text, const Description& shipped)

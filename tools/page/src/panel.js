@@ -72,7 +72,9 @@ export class Panel {
   }
   resetAll() {
     const {app} = this;
-    for (const path of app.engine.editedPaths().filter(p => app.stateA().files.includes(p) || p === app.path())) {
+    const broken = path => !app.loadedWell && !path.startsWith("configs/");  // any module may be why
+    const own = path => path === app.path() || app.stateA().files.includes(path) || broken(path);
+    for (const path of app.engine.editedPaths().filter(own)) {
       const first = app.firstText(path);
       if (first === null || first === app.engine.source(path)) continue;
       app.putText(path, first);

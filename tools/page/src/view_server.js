@@ -5,8 +5,14 @@ const LOCAL = /^(127\.0\.0\.1|\[::1\]|localhost)$/, TOKEN = /\/[0-9a-f]{32}\/$/;
 /// What the command wants to be seen, or null on a plain server. Plain addresses are not asked: a 404 would be noise.
 export async function openView() {
   if (!LOCAL.test(location.hostname) || !TOKEN.test(location.pathname)) return null;
+  // First, so that no edit falls between the two.
+  const source = new EventSource("events"), edits = {early: [], take: edit => edits.early.push(edit)};
+  source.addEventListener("file", event => edits.take(JSON.parse(event.data)));
+  await new Promise(answered => {
+    source.onopen = source.onerror = answered;
+  });
   const response = await fetch("view.json");
-  return response.ok ? response.json() : null;
+  return response.ok ? {...await response.json(), edits} : null;
 }
 export async function viewScene() {
   const response = await fetch("scene");
@@ -25,7 +31,9 @@ export class ViewFiles {
       this.save();
     });
     app.on("text", () => this.mark());
-    new EventSource("events").addEventListener("file", e => app.guard(() => this.changed(JSON.parse(e.data))));
+    for (const [path, {text}] of this.files) app.firstTexts.set(path, text);
+    view.edits.take = edit => app.guard(() => this.changed(edit));
+    view.edits.early.forEach(view.edits.take);
     this.mark();
   }
 

@@ -29,9 +29,7 @@ namespace crevice {
 namespace {
 
 // Faces that meet at a sharper angle get an edge where a file has no normals: boxes stay boxes.
-// glTF 2.0 asks for flat faces then (3.7.2.1), and other tools show them so.
 constexpr double kCreaseDegrees = 60.0;
-constexpr double kGltfCreaseDegrees = 0.0;
 
 // Coordinates beyond it overflow a float when squared.
 constexpr float kMaxCoordinate = 1e18f;
@@ -124,12 +122,7 @@ MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
         if (face.mNumIndices == 3)
             mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
     }
-    if (from.HasNormals())
-        windByNormals(mesh);
-    else
-        smoothNormals(mesh, crease_degrees);
-    fillNormals(mesh);
-    joinVertices(mesh);
+    finishMesh(mesh, from.HasNormals(), crease_degrees);
     return mesh;
 }
 

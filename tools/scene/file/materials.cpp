@@ -3,6 +3,7 @@
 #include "tools/scene/file/materials.h"
 
 #include "tools/image/image_file.h"
+#include "tools/image/srgb.h"
 #include "tools/scene/file/folder.h"
 
 #include <assimp/GltfMaterial.h>
@@ -27,12 +28,6 @@ constexpr float kMaxShininess = 1000.0f;
 
 // Of an image file. A picture of 8192 x 8192 pixels that nothing compresses takes 256 MiB.
 constexpr std::uintmax_t kMaxTextureBytes = 512u << 20;
-
-// IEC 61966-2-1.
-float linearFromSrgb(float value)
-{
-    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
 
 enum class Encoding { srgb, linear };
 

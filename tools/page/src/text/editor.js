@@ -128,7 +128,7 @@ function message(d) {
   const node = document.createElement("div");
   add(node, "strong", {}, d.code ?? "");
   node.append(" " + d.message);
-  for (const note of d.notes ?? []) add(node, "p", {class: "soft"}, typeof note === "string" ? note : note.message);
+  for (const note of d.notes ?? []) add(node, "p", {class: "soft"}, note.text);
   if (d.help) add(node, "p", {class: "help"}, `help: ${d.help}`);
   return node;
 }

@@ -34,7 +34,7 @@ export class Texts {
     this.editor?.open(path, place);
   }
   showFiles() {
-    const {app} = this, edited = new Set(app.engine.editedPaths());
+    const {app} = this, edited = new Set(app.engine.editedPaths().filter(path => app.firstText(path) !== app.engine.source(path)));
     const wrong = new Set(app.diagnostics.filter(d => d.severity === "error").map(d => d.file));
     const own = app.path(), all = [own, ...app.stateA()?.files ?? []];
     if (this.path && !all.includes(this.path)) all.push(this.path);
@@ -60,7 +60,7 @@ export class Texts {
       const place = each.file ? `${each.file}:${each.line || 1}:${each.column || 1}` : "";
       if (place) button(item, place, () => this.jump(each), {class: "link"});
       add(item, "span", {}, ` ${each.severity} ${each.code ?? ""}: ${each.message}`);
-      for (const note of each.notes ?? []) add(item, "p", {class: "soft"}, typeof note === "string" ? note : note.message);
+      for (const note of each.notes ?? []) add(item, "p", {class: "soft"}, note.text);
       if (each.help) add(item, "p", {class: "help"}, `help: ${each.help}`);
     }
     this.editor?.lint();
