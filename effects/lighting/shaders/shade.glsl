@@ -97,7 +97,13 @@ vec3 shade(Surface s, float open, float gloss_open)
 #endif
 #if SCENE_LIGHTS > 0
     vec3 direct = vec3(0.0);
-    for (int i = 0; i < SCENE_LIGHTS; ++i) direct += litBy(i, s, gloss_open);
+    // The first are written out: software renderers are slow at uniforms that a counter picks.
+#define LIT_BY(i) if (i < SCENE_LIGHTS) direct += litBy(i, s, gloss_open)
+    LIT_BY(0);
+    LIT_BY(1);
+    LIT_BY(2);
+    LIT_BY(3);
+    for (int i = 4; i < SCENE_LIGHTS; ++i) direct += litBy(i, s, gloss_open);
 #if AO_ON == AO_ON_EVERYTHING
     direct *= open;
 #endif

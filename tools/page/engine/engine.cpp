@@ -23,7 +23,9 @@ Status Engine::open(const std::string& canvas, const std::string& display_config
         return Diagnostic{Code::gl_version, "this browser gives no WebGL 2 context",
                           "switch hardware acceleration on, or try another browser"};
     emscripten_webgl_make_context_current(context);
-    auto device = makeGlDevice(emscripten_webgl_get_proc_address);
+    GlDeviceOptions options;
+    options.restore_state = false;  // the context is the page's alone, and asking costs 10 ms a frame
+    auto device = makeGlDevice(emscripten_webgl_get_proc_address, options);
     if (!device) return device.diagnostics();
     Result<Display> display = Display::create(**device, display_config, display_shader, extent);
     if (!display) return display.diagnostics();
