@@ -32,11 +32,17 @@ struct ViewOptions {
     bool no_browser = false;
 };
 
-/// What the page shows. A scene that is a file is read here, once.
+/// Whether the page makes the scene itself.
+bool pageHas(const std::string& scene)
+{
+    return contains(builtinSceneNames(), scene) && !needsFile(scene);
+}
+
+/// What the page shows. A scene that is a file, or needs one, is read here, once.
 Result<SiteView> loadView(const ViewOptions& options)
 {
     SiteView view{options.config.variant, options.camera, options.scene};
-    if (options.scene.empty() || contains(builtinSceneNames(), options.scene)) return view;
+    if (options.scene.empty() || pageHas(options.scene)) return view;
     Progress progress;
     progress.begin("loading " + options.scene);
     const Result<Scene> scene = loadScene(options.scene, options.import);

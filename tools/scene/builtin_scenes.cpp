@@ -166,6 +166,8 @@ const std::vector<std::string>& builtinSceneNames()
     return names;
 }
 
+bool needsFile(std::string_view builtin_scene) { return builtin_scene == "room"; }
+
 Result<Scene> builtinScene(std::string_view name)
 {
     Result<Scene> scene =

@@ -15,6 +15,9 @@ namespace crevice {
 /// "corner", "plane", "room", "spheres", "street".
 const std::vector<std::string>& builtinSceneNames();
 
+/// Whether a built-in scene has a mesh that is a file of the system's.
+bool needsFile(std::string_view builtin_scene);
+
 /// The scene of that name. "room" needs the Stanford bunny of Debian's glmark2-data, looked for as
 /// bunny.obj in the folder that CREVICE_MODELS names, then as glmark2/models/bunny.obj in those of
 /// XDG_DATA_DIRS, then in /usr/local/share and /usr/share.

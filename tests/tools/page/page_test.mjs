@@ -77,15 +77,16 @@ test('Every knob of every config moves through its range', async () => {
         const bad = !answer.ok || engine.readBack(0, 'ao').values.some(value => !Number.isFinite(value));
         if (bad) found.push(what + ': ' + (answer.diagnostics[0]?.message ?? 'not a number'));
       };
-      for (const param of engine.state(0).params)
+      for (const param of engine.state(0).params) {
+        app.knobs.begin();
         for (const end of [param.min, param.soft_max || param.max]) {
-          app.knobs.begin();
-          const values = param.value.map((_, i) => Math.min(Math.max(end, -1e6), 1e6));
+          const values = param.value.map(() => Math.min(Math.max(end, -1e6), 1e6));
           const answer = app.knobs.turn('param', param.name, values);
           if (!answer.ok) found.push(`${param.name}: ${answer.diagnostics[0].message}`);
           check(`${param.name} ${end}`);
-          app.knobs.reset('param', param.name);
         }
+        app.knobs.reset('param', param.name);
+      }
       for (const feature of engine.state(0).features)
         for (const word of [...feature.values, feature.value]) {
           if (!app.knobs.turn('feature', feature.name, word).ok) found.push(`${feature.name} ${word}`);
@@ -247,11 +248,15 @@ test('200 random actions leave the page working', async () => {
   await look(page, VIEW, [96, 54]);
   let seed = 1;
   const random = n => (seed = seed * 48271 % 2147483647) % n;  // Lehmer's
+  const pick = n => {
+    const all = 'button, select:not(#size), input[type=range], input[type=checkbox], #canvas, summary, a[href^="#"]';
+    const free = [...document.querySelectorAll(all)].filter(each =>
+      each.checkVisibility({visibilityProperty: true}) && !each.disabled && !/save|download|copy/i.test(each.textContent));
+    return free[n % free.length];
+  };
   for (let i = 0; i < ACTIONS; ++i) {
-    if (process.env.TRACE) console.log(i, Date.now());
-    const shown = await page.$$('button, select:not(#size), input[type=range], input[type=checkbox], #canvas, summary, a[href^="#"]');
-    const node = shown[random(shown.length)];
-    if (!await node.isVisible() || await node.evaluate(each => each.disabled || /save|download|copy/i.test(each.textContent))) continue;
+    const node = await page.evaluateHandle(pick, random(1000));
+    if (process.env.TRACE) console.log(i, Date.now(), await node.evaluate(each => each.id || each.textContent || each.name));
     const [kind, type] = await node.evaluate(each => [each.tagName, each.type]);
     if (kind === 'SELECT') await node.evaluate((each, n) => {
       each.selectedIndex = n % each.length;

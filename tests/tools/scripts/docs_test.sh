@@ -18,7 +18,9 @@ links_of() { grep -oE '\]\([^) ]+\)' "$1" | sed -E 's/^\]\(//; s/\)$//; s/#.*//'
 
 for page in "${pages[@]}"; do
     for link in $(links_of "$page"); do
-        [[ $link == http*://* || -e $(dirname -- "$page")/$link ]] || fail "$page: the link '$link' leads nowhere"
+        target=$(realpath -m --relative-to=. -- "$(dirname -- "$page")/$link")
+        [[ $target == out/page/* ]] && target=tools/page/${target#out/page/}  # tools/page.sh puts it there
+        [[ $link == http*://* || -e $target ]] || fail "$page: the link '$link' leads nowhere"
     done
 done
 
@@ -47,6 +49,13 @@ for config in configs/*.json; do
     name=$(basename -- "$config" .json)
     grep -q "^| \`$name\` |" docs/methods/README.md || fail "$config: docs/methods/README.md has no row for it"
     grep -q "\`$name\`" "${methods[@]}" || fail "$config: no method's page mentions it"
+done
+
+# A page of configs opens the built page at one of them.
+for page in $(sed -nE 's/^\| `[a-z0-9_]+` \| \[[a-z_]+\]\(([a-z_]+\.md).*/\1/p' docs/methods/README.md | sort -u); do
+    opened=$(sed -nE 's/.*out\/page\/index\.html#config=([a-z0-9_]+)\).*/\1/p' "docs/methods/$page")
+    [[ -e configs/$opened.json ]] || fail "docs/methods/$page: opens the page at no config"
+    grep -q "^| \`$opened\` | \[[a-z_]*\]($page" docs/methods/README.md || fail "docs/methods/$page: '$opened' is another page's"
 done
 for module in effects/*/*.json; do
     name=${module#effects/}

@@ -112,7 +112,7 @@ EXPORT const char* page_builtin_scenes()
 {
     auto names = Json::array();
     for (const std::string& name : builtinSceneNames())
-        if (name != "room") names.push_back(name);  // whose bunny is a file of the system's
+        if (!needsFile(name)) names.push_back(name);
     return say(names);
 }
 

@@ -115,13 +115,15 @@ function makeText(app, card) {
 
 const quoted = word => /^[\w.,\/=:+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 
-/// The same picture by the command: params that differ from the shipped ones as --set.
+/// The same picture by the command: params and features that differ from the shipped ones as --set.
 export function commandLine(app) {
   const state = app.stateA();
   if (!state) return "";
   const own = app.engine.shippedSource(app.path()) === null;
   const sets = state.params.filter(p => p.shipped && String(p.shipped) !== String(p.value))
-    .map(p => `--set ${quoted(`${p.name}=${p.value.map(v => Number(v.toPrecision(6))).join(",")}`)}`);
+    .map(p => [p.name, p.value.map(v => Number(v.toPrecision(6))).join(",")])
+    .concat(state.features.filter(f => f.shipped !== null && f.shipped !== f.value).map(f => [f.name, f.value]))
+    .map(([name, value]) => `--set ${quoted(`${name}=${value}`)}`);
   const [w, h] = app.engine.size, camera = app.camera ? ["--camera", quoted(app.camera)] : [];
   const variant = app.a.variant ? ["--variant", app.a.variant] : [];
   return ["crevice render", own ? `${state.config}.json` : state.config, ...variant, ...sets, "--scene",
