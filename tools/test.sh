@@ -9,6 +9,7 @@
 #   tools/test.sh          all of it
 #   tools/test.sh --quick  the tests alone
 #
+# Where ccache is installed, what was compiled before is not compiled again, in another clone either.
 # With CI=true a missing GL context, browser or schema validator is a failure, not a skip.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
@@ -24,6 +25,12 @@ if [[ ${CI:-} == true ]]; then
     export CREVICE_REQUIRE_GL=1 CREVICE_REQUIRE_BROWSER=1 CREVICE_REQUIRE_JSONSCHEMA=1
 fi
 
+options=()
+if command -v ccache >/dev/null; then
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+    options+=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)  # which it cannot keep
+fi
+
 failed=() taken=()
 # Runs a stage, a function below, and goes on where it fails, so that one run shows everything.
 stage() {
@@ -34,7 +41,7 @@ stage() {
 }
 
 all_tests() {
-    cmake --preset ci && cmake --build --preset ci && ctest --preset ci --parallel 2
+    cmake --preset ci "${options[@]}" && cmake --build --preset ci && ctest --preset ci --parallel 2
 }
 guard() {
     CREVICE=build/ci/tools/crevice tools/scripts/guard_bench.sh --errors-only
@@ -64,12 +71,12 @@ in_parts() {
 }
 # Sanitized, -O2 takes twice as long to compile, which is most of this stage.
 sanitized_tests() {
-    cmake --preset asan -DCREVICE_WERROR=ON "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" &&
+    cmake --preset asan "${options[@]}" -DCREVICE_WERROR=ON "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" &&
         cmake --build --preset asan --target crevice_tests &&
         in_parts build/asan/tests/crevice_tests
 }
 threads() {
-    cmake --preset tsan -DCREVICE_WERROR=ON && cmake --build --preset tsan &&
+    cmake --preset tsan "${options[@]}" -DCREVICE_WERROR=ON && cmake --build --preset tsan &&
         build/tsan/tests/crevice_thread_tests
 }
 # Runs a command that exits with 77 where this machine lacks something, and says so itself.
@@ -84,7 +91,7 @@ debian_packages() {
         or_skipped tools/scripts/debian_packages.sh
 }
 web_page() {
-    or_skipped tests/platforms/web_test.sh build/ci
+    or_skipped tests/platforms/web_test.sh build/ci && or_skipped tests/tools/page/page_test.sh build/ci/tools/crevice
 }
 arm() {
     or_skipped tests/platforms/arm_test.sh aarch64-linux-gnu build/ci &&

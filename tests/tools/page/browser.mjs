@@ -3,7 +3,7 @@
 // command.
 import assert from 'node:assert/strict';
 import {execFile} from 'node:child_process';
-import {createReadStream, mkdtempSync, readFileSync, statSync} from 'node:fs';
+import {createReadStream, mkdtempSync, readFileSync, rmSync, statSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {extname, join} from 'node:path';
@@ -35,6 +35,7 @@ export async function stop() {
   await chromium?.close();
   server?.closeAllConnections();
   server?.close();
+  rmSync(work, {recursive: true, force: true});
 }
 
 /// Opens the page at a link and waits until it rests. `heard` gathers what the console and the network complain of.
