@@ -116,7 +116,13 @@ test('A typo is one squiggle at its place, the last good picture stays, and undo
   assert.match(marked[0], /ao_scael/);
   const found = await page.evaluate(() => crevice.app.diagnostics.map(({file, line: at}) => [file, at]));
   assert.deepEqual(found, [['configs/mobile.json', line]]);
-  assert.equal(await page.evaluate(() => crevice.engine.canvas.toDataURL()), before);
+  const seen = camera => page.evaluate(async at => {
+    crevice.app.setCamera(at);
+    await crevice.app.whenIdle();
+    return crevice.engine.canvas.toDataURL();
+  }, camera);
+  assert.notEqual(await seen(VIEW.camera), before, 'the last good config is drawn on');
+  assert.equal(await seen(''), before);
   await page.focus('.cm-content');
   await page.keyboard.down('Control');
   await page.keyboard.press('z');

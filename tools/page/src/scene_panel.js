@@ -23,9 +23,13 @@ function makeMoves(app, row) {
   path.addEventListener("change", () =>
     app.drawing.play(app.engine.cameraPaths().find(p => p.name === path.value) ?? null));
   const size = add(add(row, "label", {}, "Size "), "select", {id: "size"});
-  fillSelect(size, [{value: "fit", text: "fit"}, ...SIZES.map(value => ({value, text: value.replace("x", " × ")}))], app.sizeChoice);
+  const showSize = () => {
+    const values = [...new Set([...SIZES, app.sizeChoice])].filter(value => value !== "fit");
+    fillSelect(size, [{value: "fit", text: "fit"}, ...values.map(value => ({value, text: value.replace("x", " × ")}))], app.sizeChoice);
+  };
+  showSize();
   size.addEventListener("change", () => app.chooseSize(size.value));
-  app.on("size", () => size.value = app.sizeChoice);
+  app.on("size", showSize);
   app.on("moving", () => {
     press(turntable, app.drawing.turntable);
     path.value = app.drawing.path?.name ?? "";
@@ -39,12 +43,13 @@ function makeSize(app) {
     const [w, h] = [wide, wide * 9 / 16], shrink = Math.min(1, Math.sqrt(LARGEST_FIT / (w * h || 1)));
     return [w, h].map(x => Math.max(16, Math.round(x * shrink / 2) * 2));
   };
-  app.sizeOf = choice => {
+  const said = choice => {
     const size = /^\d{2,4}x\d{2,4}$/.test(choice) ? choice.split("x").map(Number) : null;
-    return size && size[0] >= 16 && size[1] >= 16 ? size : fit();
+    return size && size[0] >= 16 && size[1] >= 16 ? size : null;
   };
+  app.sizeOf = choice => said(choice) ?? fit();
   app.chooseSize = choice => {
-    app.sizeChoice = choice;
+    app.sizeChoice = said(choice) ? choice : "fit";
     app.setSize(app.sizeOf(choice));
     app.emit("size");
   };
