@@ -28,7 +28,7 @@ const drawn = (page, config, camera) => page.evaluate((name, at) => {
   const {engine} = crevice, slot = 3;
   const loaded = engine.load(slot, {config: name, outputs: ['ao']});
   if (!loaded.ok) return {failed: loaded.diagnostics[0].message};
-  const frames = engine.plan(slot).textures.some(each => each.copies > 1) || /temporal/.test(name) ? 32 : 1;
+  const frames = engine.plan(slot).targets.some(each => each.history_texture !== null) ? 32 : 1;
   for (let i = 0; i < frames; ++i) {
     const answer = engine.draw({camera: at, left: {slot, show: 'ao'}});
     if (!answer.ok) return {failed: answer.diagnostics[0].message};

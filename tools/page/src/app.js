@@ -13,7 +13,7 @@ const APPLY_AFTER_MS = 250;  // of the last key in an editor
 /// name of what is looked at beside the outputs, or null:
 export const lookOf = show =>
   show.startsWith("target:") ? "target." + show.slice(7) : show.startsWith("view:") ? show.slice(5) : null;
-const drawnName = show => lookOf(show) ?? (show === "without" ? "color" : show);
+export const drawnName = show => lookOf(show) ?? (show === "without" ? "color" : show);
 
 export class App {
   constructor(engine) {

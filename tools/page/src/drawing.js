@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The loop of frames: draws when something changed, or goes on while something moves or gathers.
-const GATHER_FRAMES = 32;  // after a change, where targets of frames before are read
+export const GATHER_FRAMES = 32;  // after a change, where targets of frames before are read
 const TURN_DEGREES = 15;   // a second, of the turntable
 const PATH_FRAMES = 240;   // of a camera path without a length of its own
 

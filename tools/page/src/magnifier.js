@@ -67,7 +67,8 @@ export class Magnifier {
   text({channels, format, extent, values, at}, side) {
     const middle = channels * (TEXELS * TEXELS >> 1);
     const numbers = [...values.slice(middle, middle + channels)].map(v => Number.isFinite(v) ? shown(v) : String(v));
-    return `${side.show.replace("target.", "")} ${format ?? ""} ${extent.join("×")}\nat ${at.join(", ")}\n${numbers.join("\n")}`;
+    const head = [side.show.replace("target.", ""), format, extent.join("×")].filter(Boolean).join(" ");
+    return `${head}\nat ${at.join(", ")}\n${numbers.join("\n")}`;
   }
   // Values of one channel are stretched to their range where they leave 0..1.
   draw({channels, values}) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Quality against cost of all configs on this machine: the present view, one radius, one traced picture.
 import {SLOT} from "./app.js";
+import {GATHER_FRAMES} from "./drawing.js";
 import {Truth} from "./engine/truth.js";
 import {radiusOf, radiusParam} from "./truth_view.js";
 
 const TIMES = 5;          // the median of so many frames,
 const TIMES_MS = 1000;    // or of those that fit in this time
 const SLOW_MS = 3000;     // a frame that takes longer is timed by the clock, once
-const GATHER_FRAMES = 32; // for configs that read frames before
 const RAYS = 64;
 
 const pause = () => new Promise(done => setTimeout(done));
