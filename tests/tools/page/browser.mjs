@@ -12,6 +12,9 @@ import puppeteer from 'puppeteer-core';
 
 const {BROWSER, CREVICE, PAGE} = process.env;  // page_test.sh says them
 const TYPES = {'.css': 'text/css', '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm'};
+// As `crevice view` serves it, which allows no script between the page's lines.
+const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; " +
+  "style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; connect-src 'self' blob: data:";
 const FLAGS = [
   '--no-sandbox', '--disable-gpu-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'
 ];
@@ -22,7 +25,9 @@ export async function start() {
   server = createServer((request, response) => {
     const name = new URL(request.url, 'http://page').pathname.slice(1) || 'index.html';
     const file = join(PAGE, name), known = !name.includes('/') && statSync(file, {throwIfNoEntry: false});
-    response.writeHead(known ? 200 : 404, {'content-type': TYPES[extname(file)] ?? 'application/octet-stream'});
+    response.writeHead(known ? 200 : 404, {
+      'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'content-security-policy': POLICY
+    });
     known ? createReadStream(file).pipe(response) : response.end();
   });
   await new Promise(listening => server.listen(0, '127.0.0.1', listening));

@@ -57,8 +57,10 @@ export class TruthView {
     this.list = list;
     this.legend = add(card, "p", {class: "legend-line soft"});
     for (const [color, text] of [["low", "darker than the truth"], ["equal", "equal"], ["high", "brighter"]]) {
-      add(this.legend, "i", {class: "swatch " + color});
-      this.legend.append(" " + text + "  ");
+      const pair = add(this.legend, "span");
+      add(pair, "i", {class: "swatch " + color});
+      pair.append(" " + text);
+      this.legend.append("  ");
     }
   }
 
