@@ -8,7 +8,7 @@ import {error, ms} from "../../report/chart.js";
 const TIME_AFTER_MS = 400;  // of the last change, while the tab is open
 const TIMES = 3;            // the median of so many frames,
 const TIMES_MS = 600;       // or of those that fit in this time
-const BY = {"gpu timer": "the GPU's own timer", processor: "the processor's time", "wall clock": "a clock around each pass"};
+const BY = {"gpu timer": "timer queries", processor: "the processor's time", "wall clock": "a clock around each pass"};
 
 export class CostPanel {
   constructor(app) {

@@ -101,5 +101,5 @@ export function costText({name, planned, compiled, ms}) {
   const took = `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms`;
   const passes = compiled.map(each => /compiled ('.*)$/.exec(each)?.[1] ?? each);
   if (passes.length) return `${name}: compiled ${passes.join(", ")}, ${took}`;
-  return planned || ms > 1 ? `${name}: planned again, nothing compiled, ${took}` : `${name}: cost nothing to change`;
+  return planned || ms > 1 ? `${name}: planned again, nothing compiled, ${took}` : `${name}: changed at no cost`;
 }

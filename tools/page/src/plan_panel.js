@@ -2,7 +2,7 @@
 // The plan as a graph: passes and the textures between them; what is left out stands below, with its reason.
 import {$, add} from "./dom.js";
 
-const LINE_PX = 15, PAD_PX = 8, CHAR_PX = 6.7;
+const LINE_PX = 15, PAD_PX = 8, CHAR_PX = 7.4;
 
 export class PlanPanel {
   constructor(app) {

@@ -111,23 +111,29 @@ function makeText(app, card) {
   }});
   button(row, "Copy", e => copyText(field.value, e.target), {"aria-label": "Copy the camera"});
   const command = add(card, "div", {class: "row"});
-  const code = add(command, "code", {class: "grow", id: "command"});
+  const code = add(command, "code", {class: "grow command", id: "command"});
   button(command, "Copy", e => copyText(code.textContent.trim(), e.target), {"aria-label": "Copy the command"});
   const show = () => {
     if (document.activeElement !== field) field.value = app.camera;
-    code.replaceChildren();
-    for (const word of commandLine(app).split(" ")) {
-      add(code, "span", {}, word);  // so that no line ends within an option
-      code.append(" ");
-    }
+    showCommand(code, commandLine(app));
   };
   for (const event of ["camera", "loaded", "values", "size", "scene", "sides"]) app.on(event, show);
 }
 
 const quoted = word => /^[\w.,\/=:+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 
-/// The same picture by the command: params and features that differ from the shipped ones as --set.
-export function commandLine(app) {
+/// No line ends within an option.
+export function showCommand(code, text) {
+  code.replaceChildren();
+  for (const word of text.split(" ")) {
+    add(code, "span", {}, word);
+    code.append(" ");
+  }
+}
+
+/// The same picture by the command: of the patch in a file, else params and features that differ from the shipped ones as
+/// --set.
+export function commandLine(app, patch = null) {
   const state = app.stateA();
   if (!state) return "";
   const {show} = app.a, output = drawnName(show);
@@ -140,7 +146,8 @@ export function commandLine(app) {
   const [w, h] = app.engine.size, camera = app.camera ? ["--camera", quoted(app.camera)] : [];
   const variant = app.a.variant ? ["--variant", app.a.variant] : [];
   const gathers = app.drawing.hasHistory() ? [`--frames ${GATHER_FRAMES}`] : [];
-  return ["crevice render", own ? `${state.config}.json` : state.config, ...variant, ...sets, "--scene",
+  const config = patch ? [patch] : [own ? `${state.config}.json` : state.config, ...variant, ...sets];
+  return ["crevice render", ...config, "--scene",
     quoted(app.engine.scene?.name ?? "room"), ...camera, "--size", `${w}x${h}`, ...gathers,
     `--out ${quoted(`${output}=${output.replace("target.", "")}.png`)}`].join(" ");
 }

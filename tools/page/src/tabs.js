@@ -2,6 +2,7 @@
 // The tabs, dark and light, and the message over the picture.
 import {$, kept} from "./dom.js";
 
+const NOTE_MS = 8000;  // how long a note stays; errors and warnings stay until they are mended or closed
 const WIDE = "(min-width: 900px)";  // as in page.css: there the view's panel stands below the picture
 
 export function makeTabs(app) {
@@ -52,10 +53,13 @@ export function makeTheme(node) {
 
 export function makeMessage(app) {
   const node = $("message"), [text, close] = node.children;
+  let timer = 0;
   close.addEventListener("click", () => app.say(null));
   app.on("message", message => {
     node.hidden = !message;
+    clearTimeout(timer);
     if (!message) return;
+    if (message.kind === "note") timer = setTimeout(() => app.say(null), NOTE_MS);
     node.dataset.kind = message.kind;
     text.textContent = message.text;
   });

@@ -15,16 +15,16 @@ export function makeToolbar(app) {
   $("split").addEventListener("click", () => app.setSplit(!app.split.on));
   $("swap").addEventListener("click", () => app.guard(() => swap(app)));
   $("copy-to-b").addEventListener("click", () => app.guard(() => copyToB(app)));
-  $("share").addEventListener("click", () => app.during("share", () => share(app)));
+  $("share").addEventListener("click", e => app.during("share", () => share(app, e.target)));
   makeDrop(app);
 }
 
-async function share(app) {
+export async function share(app, pressed) {
   const link = await shareLink(app);
   history.replaceState(null, "", link);
-  await copyText(location.href, $("share"));
+  await copyText(location.href, pressed);
   if (location.href.length > 32000) app.say("This link is long: some programs cut it off.", "warning");
-  else if (!app.builtin) app.say("The link holds all but the model: who opens it sees a built-in scene.", "note");
+  else if (!app.builtin) app.say("The link is copied. It holds all but the model: who opens it sees a built-in scene.", "note");
 }
 
 function makeScene(app) {

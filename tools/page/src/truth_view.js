@@ -159,6 +159,7 @@ export class TruthView {
   drawOverlay() {
     const {app, overlay} = this, [w, h] = app.engine.size;
     overlay.hidden = !this.on || this.stale || !this.image || this.show === "none";
+    overlay.dataset.show = this.show;
     if (overlay.hidden) return;
     const picture = this.show === "traced" ? grey(this.image, w, h) : app.guard(() => app.engine.heat(0, this.image));
     if (!picture) return;
