@@ -166,7 +166,7 @@ export class App {
       this.keepShow();
       this.loadOthers();
     } else
-      this.say(describe(this.diagnostics) + (this.stateA() ? "\nThe last good picture stays." : ""), "error");
+      this.say(describe(this.diagnostics) + (this.stateA() ? "\nDrawn is the last that was right." : ""), "error");
     this.emit("diagnostics");
     this.emit("loaded");
     this.redraw();
@@ -221,7 +221,8 @@ export class App {
     return this.needsB() ? this.loadB() : null;
   }
   chooseB(config, variant = "") {
-    this.b = {...this.b, config, variant};
+    const show = this.b.config ? this.b.show : this.a.show;  // at first the same of another config
+    this.b = {show, config, variant};
     const answer = this.refreshB();
     if (answer && !answer.ok) this.b.config = "";
     this.emit("sides");

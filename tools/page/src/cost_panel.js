@@ -2,6 +2,7 @@
 // What a frame costs here: milliseconds a pass, bytes of textures, and all configs against each other.
 import {$, add, button, debounce} from "./dom.js";
 import {measureAll} from "./measure_all.js";
+import {shown} from "./scale.js";
 import {scatter} from "./scatter.js";
 import {error, ms} from "../../report/chart.js";
 
@@ -29,7 +30,7 @@ export class CostPanel {
     this.bars = add(root, "div", {class: "bars", id: "bars"});
     add(root, "h2", {}, "All configs on this machine");
     add(root, "p", {class: "soft"}, "Time and error of each shipped config on the present view, against the picture traced " +
-      "at A's radius. Takes about a minute; keep the page in view.");
+      "at A's radius. Takes one to two minutes; keep the page in view.");
     const all = add(root, "div", {class: "row"});
     this.start = button(all, "Measure all", () => this.measureAll(), {id: "measure-all"});
     this.stop = button(all, "Cancel", () => this.running.cancelled = true, {hidden: "", id: "measure-cancel"});
@@ -115,8 +116,9 @@ export class CostPanel {
     const {all, app, result} = this;
     if (!result) return;
     all.replaceChildren();
-    const {samples, failures, without} = result, drawn = samples.filter(s => s.ms > 0);
+    const {samples, failures, without, radius, size, scene} = result, drawn = samples.filter(s => s.ms > 0);
     const select = config => app.chooseConfig(config);
+    add(all, "p", {class: "soft"}, `${scene}, ${size}, radius ${shown(radius)}:`);
     if (drawn.length)
       scatter(add(all, "div", {class: "pareto"}), {samples: drawn, without, chosen: app.a.config, select});
     const table = add(add(all, "div", {class: "scroll"}), "table", {class: "figures"});

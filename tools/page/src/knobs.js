@@ -9,6 +9,7 @@ export class Knobs {
     this.cost = null;     // of the last change: {name, planned, compiled, ms}
     this.gesture = 0;     // edits of one drag are undone together
     this.written = null;  // the name that the present drag has written already
+    app.on("loaded", () => this.cost = null);
   }
 
   /// A drag or a held key begins: what it writes is one step of undo.

@@ -15,7 +15,7 @@ const pause = () => new Promise(done => setTimeout(done));
 /// Calls onStep({done, of, what}) before each step. Returns {samples, failures, without}; null where `cancelled()` was so.
 export async function measureAll(app, onStep, cancelled) {
   const {engine} = app, configs = engine.configs().map(c => c.name);
-  const of = configs.length + 1, radius = radiusOf(app);
+  const of = configs.length + 1, radius = radiusOf(app), size = engine.size.join(" × "), scene = engine.scene.name;
   onStep({done: 0, of, what: "the traced picture"});
   const truth = await traced(app, radius, part => onStep({done: part, of, what: "the traced picture"}), cancelled);
   if (!truth || cancelled()) return null;
@@ -30,7 +30,7 @@ export async function measureAll(app, onStep, cancelled) {
   }
   engine.unload(SLOT.measure);
   app.redraw();
-  return cancelled() ? null : {samples, failures, without: errorWithout(truth), radius};
+  return cancelled() ? null : {samples, failures, without: errorWithout(truth), radius, size, scene};
 }
 
 async function traced(app, radius, onPart, cancelled) {

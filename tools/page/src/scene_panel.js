@@ -59,7 +59,7 @@ function makeSize(app) {
   new ResizeObserver(() => {
     if (app.sizeChoice !== "fit" || !app.started) return;
     clearTimeout(timer);
-    timer = setTimeout(() => app.setSize(fit()), 200);
+    timer = setTimeout(() => app.sizeChoice === "fit" && app.setSize(fit()), 200);
   }).observe($("stage"));
   app.on("size", () => $("picture").style.setProperty("--aspect", app.engine.size[0] / app.engine.size[1]));
 }
@@ -146,8 +146,9 @@ export function commandLine(app, patch = null) {
   const [w, h] = app.engine.size, camera = app.camera ? ["--camera", quoted(app.camera)] : [];
   const variant = app.a.variant ? ["--variant", app.a.variant] : [];
   const gathers = app.drawing.hasHistory() ? [`--frames ${GATHER_FRAMES}`] : [];
+  const unsaved = own && !patch && app.firstText(app.path()) !== app.engine.source(app.path()) ? ["# after a save"] : [];
   const config = patch ? [patch] : [own ? `${state.config}.json` : state.config, ...variant, ...sets];
   return ["crevice render", ...config, "--scene",
     quoted(app.engine.scene?.name ?? "room"), ...camera, "--size", `${w}x${h}`, ...gathers,
-    `--out ${quoted(`${output}=${output.replace("target.", "")}.png`)}`].join(" ");
+    `--out ${quoted(`${output}=${output.replace("target.", "")}.png`)}`, ...unsaved].join(" ");
 }

@@ -23,7 +23,8 @@ export async function share(app, pressed) {
   const link = await shareLink(app);
   history.replaceState(null, "", link);
   await copyText(location.href, pressed);
-  if (location.href.length > 32000) app.say("This link is long: some programs cut it off.", "warning");
+  if (app.viewFiles) app.say("The link is copied. It opens on this machine, as long as crevice view runs.", "note");
+  else if (location.href.length > 32000) app.say("This link is long: some programs cut it off.", "warning");
   else if (!app.builtin) app.say("The link is copied. It holds all but the model: who opens it sees a built-in scene.", "note");
 }
 

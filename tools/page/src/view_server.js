@@ -61,6 +61,8 @@ export class ViewFiles {
     if (response.status === 409) return this.conflict(path, await response.json());
     if (!response.ok) return app.say(`${path} was not saved: ${response.status} ${response.statusText}`, "error"), false;
     this.files.set(path, {text, version: (await response.json()).version});
+    app.firstTexts.set(path, text);
+    app.emit("text", path);
     return true;
   }
   // Both are kept: what is here stays in the editor, a second save writes over the other.
