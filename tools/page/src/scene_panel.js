@@ -117,7 +117,7 @@ function makeText(app, card) {
     if (document.activeElement !== field) field.value = app.camera;
     showCommand(code, commandLine(app));
   };
-  for (const event of ["camera", "loaded", "values", "size", "scene", "sides"]) app.on(event, show);
+  for (const event of ["camera", "loaded", "values", "size", "scene", "sides", "text"]) app.on(event, show);
 }
 
 const quoted = word => /^[\w.,\/=:+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
