@@ -2,7 +2,8 @@
 // What the page's tests share: the built page served on this machine, a headless Chromium on software WebGL, the crevice
 // command.
 import assert from 'node:assert/strict';
-import {execFile} from 'node:child_process';
+import {execFile, spawn} from 'node:child_process';
+import {once} from 'node:events';
 import {createReadStream, mkdtempSync, readFileSync, rmSync, statSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
@@ -12,21 +13,29 @@ import puppeteer from 'puppeteer-core';
 
 const {BROWSER, CREVICE, PAGE} = process.env;  // page_test.sh says them
 const TYPES = {'.css': 'text/css', '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm'};
-// As `crevice view` serves it, which allows no script between the page's lines.
-const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; " +
-  "style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; connect-src 'self' blob: data:";
 const FLAGS = [
   '--no-sandbox', '--disable-gpu-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'
 ];
 export const work = mkdtempSync(join(tmpdir(), 'crevice_page_'));
 
+// What a page that `crevice view` serves may do.
+async function policyOfView() {
+  const view = spawn(CREVICE, ['view', '--page', PAGE, '--no-browser']);
+  const [address] = await once(view.stdout, 'data');
+  const {headers} = await fetch(String(address).trim());
+  view.kill('SIGINT');
+  return headers.get('content-security-policy');
+}
+
 let server, chromium;
 export async function start() {
+  const policy = await policyOfView();
+  assert(policy);
   server = createServer((request, response) => {
     const name = new URL(request.url, 'http://page').pathname.slice(1) || 'index.html';
     const file = join(PAGE, name), known = !name.includes('/') && statSync(file, {throwIfNoEntry: false});
     response.writeHead(known ? 200 : 404, {
-      'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'content-security-policy': POLICY
+      'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'content-security-policy': policy
     });
     known ? createReadStream(file).pipe(response) : response.end();
   });

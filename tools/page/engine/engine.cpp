@@ -24,8 +24,8 @@ Status Engine::open(const std::string& canvas, const std::string& display_config
                           "switch hardware acceleration on, or try another browser"};
     emscripten_webgl_make_context_current(context);
     GlDeviceOptions options;
-    options.restore_state =
-        false;  // the context is the page's alone, and asking costs 10 ms a frame
+    // The context is the page's alone, and to ask for its state takes 10 ms a frame.
+    options.restore_state = false;
     auto device = makeGlDevice(emscripten_webgl_get_proc_address, options);
     if (!device) return device.diagnostics();
     Result<Display> display = Display::create(**device, display_config, display_shader, extent);

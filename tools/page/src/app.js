@@ -166,7 +166,7 @@ export class App {
       this.keepShow();
       this.loadOthers();
     } else
-      this.say(describe(this.diagnostics) + (this.stateA() ? "\nDrawn is the last that was right." : ""), "error");
+      this.say(describe(this.diagnostics) + (this.stateA() ? "\nThe last good config is drawn meanwhile." : ""), "error");
     this.emit("diagnostics");
     this.emit("loaded");
     this.redraw();

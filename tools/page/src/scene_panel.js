@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The camera: bookmarks, turntable, paths, its text and a command line; and the picture's size.
-import {drawnName} from "./app.js";
+import {makeCommand} from "./command_line.js";
 import {$, add, button, copyText, fillSelect, kept, press, toggle} from "./dom.js";
-import {GATHER_FRAMES} from "./drawing.js";
 
 const SIZES = ["480x270", "640x360", "960x540"];
 const LARGEST_FIT = 1920 * 1080;  // pixels
@@ -110,45 +109,10 @@ function makeText(app, card) {
     else app.camera = before;
   }});
   button(row, "Copy", e => copyText(field.value, e.target), {"aria-label": "Copy the camera"});
-  const command = add(card, "div", {class: "row"});
-  const code = add(command, "code", {class: "grow command", id: "command"});
-  button(command, "Copy", e => copyText(code.textContent.trim(), e.target), {"aria-label": "Copy the command"});
+  const showCommand = makeCommand(app, card, "Copy the command");
   const show = () => {
     if (document.activeElement !== field) field.value = app.camera;
-    showCommand(code, commandLine(app));
+    showCommand();
   };
   for (const event of ["camera", "loaded", "values", "size", "scene", "sides", "text"]) app.on(event, show);
-}
-
-const quoted = word => /^[\w.,\/=:+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
-
-/// No line ends within an option.
-export function showCommand(code, text) {
-  code.replaceChildren();
-  for (const word of text.split(" ")) {
-    add(code, "span", {}, word);
-    code.append(" ");
-  }
-}
-
-/// The same picture by the command: of the patch in a file, else params and features that differ from the shipped ones as
-/// --set.
-export function commandLine(app, patch = null) {
-  const state = app.stateA();
-  if (!state) return "";
-  const {show} = app.a, output = drawnName(show);
-  const own = app.engine.shippedSource(app.path()) === null;
-  const sets = state.params.filter(p => p.shipped && String(p.shipped) !== String(p.value))
-    .map(p => [p.name, p.value.map(v => Number(v.toPrecision(6))).join(",")])
-    .concat(state.features.filter(f => f.shipped !== null && f.shipped !== f.value).map(f => [f.name, f.value]))
-    .concat(show === "without" && state.features.some(f => f.values.includes("no_ao")) ? [["display", "no_ao"]] : [])
-    .map(([name, value]) => `--set ${quoted(`${name}=${value}`)}`);
-  const [w, h] = app.engine.size, camera = app.camera ? ["--camera", quoted(app.camera)] : [];
-  const variant = app.a.variant ? ["--variant", app.a.variant] : [];
-  const gathers = app.drawing.hasHistory() ? [`--frames ${GATHER_FRAMES}`] : [];
-  const unsaved = own && !patch && app.firstText(app.path()) !== app.engine.source(app.path()) ? ["# after a save"] : [];
-  const config = patch ? [patch] : [own ? `${state.config}.json` : state.config, ...variant, ...sets];
-  return ["crevice render", ...config, "--scene",
-    quoted(app.engine.scene?.name ?? "room"), ...camera, "--size", `${w}x${h}`, ...gathers,
-    `--out ${quoted(`${output}=${output.replace("target.", "")}.png`)}`, ...unsaved].join(" ");
 }

@@ -2,7 +2,7 @@
 // The smallest patch that gives the picture: to copy, to save, to share.
 import {$, add, button, copyText, debounce, download, flash} from "../dom.js";
 import {describe} from "../app.js";
-import {commandLine, showCommand} from "../scene_panel.js";
+import {makeCommand} from "../command_line.js";
 import {share} from "../toolbar.js";
 
 export function makePatch(app) {
@@ -16,8 +16,7 @@ export function makePatch(app) {
   }, {id: "patch-save"});
   button(row, "Share as a link", e => app.during("share", () => share(app, e.target)));
   const note = add(root, "p", {class: "soft"}), text = add(root, "pre", {id: "patch-text", tabindex: 0, "aria-label": "The patch"});
-  const line = add(root, "div", {class: "row"}), command = add(line, "code", {class: "grow command"});
-  button(line, "Copy", e => copyText(command.textContent.trim(), e.target), {"aria-label": "Copy the command of the patch"});
+  const showCommand = makeCommand(app, root, "Copy the command of the patch");
   const fileName = () => `${nameIn(text.textContent) ?? app.a.config + "_mine"}.json`;
   const show = () => {
     if (app.tab !== "patch" || !app.stateA()) return;
@@ -25,7 +24,7 @@ export function makePatch(app) {
     text.textContent = answer.ok ? answer.text.trimEnd() : describe(answer.diagnostics);
     copy.disabled = save.disabled = !answer.ok;
     note.textContent = answer.ok ? "" : "There is no patch of this state.";
-    showCommand(command, commandLine(app, fileName()));
+    showCommand(fileName());
   };
   const later = debounce(100, show);
   app.on("tab", show);
