@@ -14,13 +14,6 @@ namespace crevice {
 
 namespace {
 
-/// A texture of the host's under an id of the device.
-struct SetTexture {
-    std::string import;
-    HostTexture host;
-    TextureId id;
-};
-
 /// Errors: CV2102 where the config imports no texture of that name.
 Status checkImport(const Description& description, std::string_view name)
 {
@@ -56,6 +49,13 @@ Diagnostics checkProjection(const Description& description, const Camera& camera
 }  // namespace
 
 struct Effect::State {
+    /// A texture of the host's under an id of the device.
+    struct SetTexture {
+        std::string import;
+        HostTexture host;
+        TextureId id;
+    };
+
     Device& device;
     Frame frame = {};
     bool has_projection = false, has_view = false, has_drawn = false;
@@ -138,7 +138,7 @@ Status Effect::setTexture(std::string_view name, const HostTexture& host)
 {
     const Status known = checkImport(state_->renderer->description(), name);
     if (!known) return known;
-    SetTexture& texture = state_->texture(name);
+    State::SetTexture& texture = state_->texture(name);
     if (texture.id && texture.host == host) return {};
     HostTexture labelled = host;
     labelled.label = name;
@@ -183,7 +183,7 @@ Status Effect::resize(Extent size) { return state_->renderer->resize(size); }
 Status Effect::render()
 {
     if (state_->has_projection && !state_->has_view) state_->chooseView();
-    for (const SetTexture& texture : state_->textures)
+    for (const State::SetTexture& texture : state_->textures)
         if (texture.id && texture.host.copied())
             if (Status status = state_->device.refresh(texture.id); !status) return status;
     Status status = state_->renderer->render(state_->frame);

@@ -36,7 +36,7 @@ struct EglApi {
 
 using Notes = std::vector<Note>;
 
-const char* const kHelp =
+const char* const kEglHelp =
     "EGL is in Debian's packages libegl1 and libgl1-mesa-dri; the backend 'osmesa' needs neither";
 
 const char* eglErrorName(EGLint error)
@@ -71,12 +71,13 @@ bool hasExtension(const EglApi& egl, EGLDisplay display, const std::string& name
 
 Result<EglApi> loadEgl()
 {
-    Result<void*> library = openLibrary({"libEGL.so.1", "libEGL.so"}, Code::no_egl, kHelp);
+    Result<void*> library = openLibrary({"libEGL.so.1", "libEGL.so"}, Code::no_egl, kEglHelp);
     if (!library) return library.diagnostics();
     EglApi api;
 #define CREVICE_EGL_LOAD(name, upper) \
     api.name = reinterpret_cast<PFNEGL##upper##PROC>(findSymbol(*library, "egl" #name)); \
-    if (!api.name) return failure(Code::no_egl, "the EGL library has no function egl" #name, kHelp);
+    if (!api.name) \
+        return failure(Code::no_egl, "the EGL library has no function egl" #name, kEglHelp);
     CREVICE_EGL_FUNCTIONS(CREVICE_EGL_LOAD)
 #undef CREVICE_EGL_LOAD
     return api;
@@ -114,7 +115,7 @@ private:
     {
         if (egl_.MakeCurrent(display_, surface_, surface_, handle_)) return {};
         const char* error = eglErrorName(egl_.GetError());
-        return failure(Code::no_egl, std::string("eglMakeCurrent failed: ") + error, kHelp);
+        return failure(Code::no_egl, std::string("eglMakeCurrent failed: ") + error, kEglHelp);
     }
 
     void release() override
@@ -233,7 +234,7 @@ Result<std::unique_ptr<Context>> makeEglContext()
     Notes notes;
     for (auto attempt : {trySurfaceless, tryDevices, tryDefault})
         if (std::unique_ptr<Context> context = attempt(*egl, notes)) return context;
-    Diagnostic error = failure(Code::no_egl, "EGL gives no OpenGL ES 3 context", kHelp);
+    Diagnostic error = failure(Code::no_egl, "EGL gives no OpenGL ES 3 context", kEglHelp);
     error.notes = std::move(notes);
     return error;
 }

@@ -26,18 +26,20 @@ struct OsmesaApi {
 #undef CREVICE_OSMESA_MEMBER
 };
 
-const char* const kHelp = "OSMesa is in Debian's package libosmesa6; the backend 'egl' needs none";
+const char* const kOsmesaHelp =
+    "OSMesa is in Debian's package libosmesa6; the backend 'egl' needs none";
 
 Result<OsmesaApi> loadOsmesa()
 {
-    Result<void*> library =
-        openLibrary({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, Code::no_osmesa, kHelp);
+    Result<void*> library = openLibrary({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"},
+                                        Code::no_osmesa, kOsmesaHelp);
     if (!library) return library.diagnostics();
     OsmesaApi api;
 #define CREVICE_OSMESA_LOAD(name) \
     api.name = reinterpret_cast<decltype(api.name)>(findSymbol(*library, "OSMesa" #name)); \
     if (!api.name) \
-        return failure(Code::no_osmesa, "the OSMesa library has no function OSMesa" #name, kHelp);
+        return failure(Code::no_osmesa, "the OSMesa library has no function OSMesa" #name, \
+                       kOsmesaHelp);
     CREVICE_OSMESA_FUNCTIONS(CREVICE_OSMESA_LOAD)
 #undef CREVICE_OSMESA_LOAD
     return api;
@@ -65,7 +67,7 @@ private:
     Status bind() override
     {
         if (api_.MakeCurrent(handle_, buffer_.data(), GL_UNSIGNED_BYTE, 1, 1)) return {};
-        return failure(Code::no_osmesa, "OSMesaMakeCurrent failed", kHelp);
+        return failure(Code::no_osmesa, "OSMesaMakeCurrent failed", kOsmesaHelp);
     }
 
     void release() override { api_.MakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
@@ -100,7 +102,8 @@ Result<std::unique_ptr<Context>> makeOsmesaContext()
     static const Result<OsmesaApi> api = loadOsmesa();
     if (!api) return api.diagnostics();
     OSMesaContext handle = createCore(*api);
-    if (!handle) return failure(Code::no_osmesa, "OSMesa gives no OpenGL 3.3 core context", kHelp);
+    if (!handle)
+        return failure(Code::no_osmesa, "OSMesa gives no OpenGL 3.3 core context", kOsmesaHelp);
     auto context = std::make_unique<OsmesaContext>(*api, handle);
     if (Status status = context->makeCurrent(); !status) return status.diagnostics();
     context->describe();

@@ -18,7 +18,7 @@ constexpr int kMaxPendingErrors = 16;
 /// Shortest GL_MAX_LABEL_LENGTH that a driver may have, less the terminating zero.
 constexpr std::size_t kMaxLabelLength = 255;
 
-const char* const kHelp = "crevice needs OpenGL ES 3.0, and the context's own loader";
+const char* const kGlHelp = "crevice needs OpenGL ES 3.0, and the context's own loader";
 
 Diagnostic contextLost(const std::string& what)
 {
@@ -74,7 +74,7 @@ Result<GlApi> loadGlApi(const GlLoader& load)
     if (const Status status = checkCurrent(api); !status) return status.diagnostics();
     for (const char* name : missingOnEs(api)) missing.push_back("gl" + std::string(name));
     if (missing.empty()) return api;
-    return failure(Code::gl_function, "the context has no function " + joined(missing), kHelp);
+    return failure(Code::gl_function, "the context has no function " + joined(missing), kGlHelp);
 }
 
 const char* glErrorName(GLenum error)

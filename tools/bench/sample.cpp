@@ -42,28 +42,28 @@ namespace {
 const char* const kPlanned = "planned";
 
 /// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
-bool replaceNulls(nlohmann::json& json)
+bool replaceNulls(nlohmann::json& value)
 {
-    if (json.is_null()) {
-        json = 0;
+    if (value.is_null()) {
+        value = 0;
         return true;
     }
     bool found = false;
-    if (json.is_structured())
-        for (nlohmann::json& child : json) found = replaceNulls(child) || found;
+    if (value.is_structured())
+        for (nlohmann::json& child : value) found = replaceNulls(child) || found;
     return found;
 }
 
-BenchSample parseSample(nlohmann::json json)
+BenchSample parseSample(nlohmann::json value)
 {
-    const bool not_finite = replaceNulls(json);
-    json.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
-    json.emplace("peer", false);
-    json.emplace("motion", MotionFigures());
-    json.emplace("motion_failure", "");
-    json.emplace("cost_with_geometry", TimeFigures());
-    json.emplace("ratio_with_geometry", 0.0);
-    BenchSample sample = json.get<BenchSample>();
+    const bool not_finite = replaceNulls(value);
+    value.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
+    value.emplace("peer", false);
+    value.emplace("motion", MotionFigures());
+    value.emplace("motion_failure", "");
+    value.emplace("cost_with_geometry", TimeFigures());
+    value.emplace("ratio_with_geometry", 0.0);
+    BenchSample sample = value.get<BenchSample>();
     if (not_finite && sample.failure.empty()) sample.failure = "a figure is not finite";
     return sample;
 }

@@ -124,7 +124,7 @@ nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchSample>
             {"cost_ms", candidate.ms}, {"ratio_copy", candidate.ratio}, {"rmse", candidate.error}};
 }
 
-void printJson(const Answer& answer)
+void printAnswerJson(const Answer& answer)
 {
     const auto list = [&answer](const std::vector<std::size_t>& others) {
         nlohmann::json json = nlohmann::json::array();
@@ -151,7 +151,7 @@ int chooseConfig(const ChooseOptions& options)
     const Result<Answer> answer = answerFor(options);
     if (!answer) return report(answer.diagnostics(), options.json);
     report(answer->warnings, false);
-    (options.json ? printJson : printAnswer)(*answer);
+    (options.json ? printAnswerJson : printAnswer)(*answer);
     return kExitOk;
 }
 

@@ -112,8 +112,8 @@ void printFigures(const ImageDifference& figures, double threshold,
     for (const std::string& sentence : broken) printMessage("%s\n", sentence.c_str());
 }
 
-void printJson(const ImageDifference& figures, double threshold,
-               const std::vector<std::string>& broken)
+void printFiguresJson(const ImageDifference& figures, double threshold,
+                      const std::vector<std::string>& broken)
 {
     const nlohmann::json json = {
         {"rmse", figures.rmse},
@@ -172,7 +172,7 @@ int compareFiles(const CompareOptions& options)
     if (!written) return report(written.diagnostics(), options.json);
 
     const std::vector<std::string> broken = brokenLimits(options, *figures);
-    (options.json ? printJson : printFigures)(*figures, *threshold, broken);
+    (options.json ? printFiguresJson : printFigures)(*figures, *threshold, broken);
     return broken.empty() ? kExitOk : kExitDiffers;
 }
 

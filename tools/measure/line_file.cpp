@@ -27,7 +27,7 @@ const char* const kWayOut =
     "what was measured before is safe; make room or name another folder, and run the same command "
     "again to go on";
 
-Diagnostic cannotWrite(const std::string& path, const std::string& reason)
+Diagnostic cannotRecord(const std::string& path, const std::string& reason)
 {
     Diagnostic error{Code::cannot_write, "cannot write '" + path + "': " + reason};
     error.help = kWayOut;
@@ -37,7 +37,7 @@ Diagnostic cannotWrite(const std::string& path, const std::string& reason)
 /// Lines in a file that no path leads to would be lost.
 Diagnostic lostFile(const std::string& path)
 {
-    Diagnostic error = cannotWrite(path, "it was deleted or replaced meanwhile");
+    Diagnostic error = cannotRecord(path, "it was deleted or replaced meanwhile");
     error.help = "put it back and run the same command again to go on";
     return error;
 }
@@ -105,17 +105,17 @@ Result<LineFile> LineFile::open(const std::string& path)
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     std::error_code error;
     if (!folder.empty()) std::filesystem::create_directories(folder, error);
-    if (error) return cannotWrite(folder.string(), error.message());
+    if (error) return cannotRecord(folder.string(), error.message());
     constexpr int kFlags = O_RDWR | O_CREAT | O_APPEND | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
     LineFile lines(path, ::open(path.c_str(), kFlags, 0666));
     struct stat info = {};
     if (lines.file_ < 0 || fstat(lines.file_, &info) != 0)
-        return cannotWrite(path, std::strerror(errno));
-    if (!S_ISREG(info.st_mode)) return cannotWrite(path, "it is no regular file");
+        return cannotRecord(path, std::strerror(errno));
+    if (!S_ISREG(info.st_mode)) return cannotRecord(path, "it is no regular file");
     if (flock(lines.file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        return cannotWrite(path, "another run is writing to it");
+        return cannotRecord(path, "another run is writing to it");
     if (const int failure = cutTornLine(lines.file_))
-        return cannotWrite(path, std::strerror(failure));
+        return cannotRecord(path, std::strerror(failure));
     return lines;
 }
 
@@ -137,8 +137,8 @@ Status LineFile::append(const std::string& line)
     const int failure = writeAll(file_, line + "\n");
     if (failure == 0) return {};
     // Where even this fails, the next run cuts the torn line off.
-    if (ftruncate(file_, before) != 0) return cannotWrite(path_, "the disk fails");
-    return cannotWrite(path_, std::strerror(failure));
+    if (ftruncate(file_, before) != 0) return cannotRecord(path_, "the disk fails");
+    return cannotRecord(path_, std::strerror(failure));
 }
 
 const char* LineFile::wayOut() { return kWayOut; }

@@ -81,6 +81,13 @@ MovedBytes movedBytes(const Plan& plan)
     return total;
 }
 
+std::size_t textureCount(const Plan& plan)
+{
+    std::size_t count = 0;
+    for (const PlanTexture& texture : plan.textures) count += texture.copies;
+    return count;
+}
+
 std::vector<Elided> allElided(const Plan& plan)
 {
     std::vector<Elided> elided = plan.elided;

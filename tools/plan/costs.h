@@ -16,6 +16,9 @@ struct MovedBytes {
 MovedBytes movedBytes(const Plan& plan, const PlanPass& pass);
 MovedBytes movedBytes(const Plan& plan);
 
+/// GL textures that the plan has, with the second copies that history needs.
+std::size_t textureCount(const Plan& plan);
+
 /// What the plan says, the textures that targets share, and what each frame may leave out.
 std::vector<Elided> allElided(const Plan& plan);
 

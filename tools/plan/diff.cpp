@@ -180,13 +180,6 @@ std::vector<PlanChange> changesBetween(const std::vector<Part>& before,
     return changes;
 }
 
-double textureCount(const Plan& plan)
-{
-    double count = 0;
-    for (const PlanTexture& texture : plan.textures) count += texture.copies;
-    return count;
-}
-
 bool isBytes(const PlanTotal& total) { return total.name.find("bytes") != std::string::npos; }
 
 std::string amount(const PlanTotal& total, double value)

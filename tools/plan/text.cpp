@@ -97,13 +97,6 @@ std::string counted(std::size_t count, const std::string& what)
     return std::to_string(count) + " " + what + (count == 1 ? "" : what == "pass" ? "es" : "s");
 }
 
-std::size_t textureCount(const Plan& plan)
-{
-    std::size_t count = 0;
-    for (const PlanTexture& texture : plan.textures) count += texture.copies;
-    return count;
-}
-
 std::string samplingText(const SamplerDesc& sampling)
 {
     return table::word(sampling.filter) + ", " + table::word(sampling.wrap);

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/frame/frame_math.h"
 
+#include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace crevice {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kMaxTraceSide = 1 << 15;
 
 // PCG: Jarzynski, Olano 2020, "Hash Functions for GPU Rendering".
@@ -51,7 +51,7 @@ struct Turn {
     Turn(const glm::vec3& normal, std::uint32_t seed) : basis(makeBasis(normal))
     {
         shift = fraction(hashed(seed));
-        const double angle = 2.0 * kPi * fraction(hashed(seed + 0x9e3779b9u));
+        const double angle = 2.0 * glm::pi<double>() * fraction(hashed(seed + 0x9e3779b9u));
         cosine = static_cast<float>(std::cos(angle));
         sine = static_cast<float>(std::sin(angle));
     }

@@ -2,13 +2,13 @@
 // Hammersley points, and the passes that they are dealt out to.
 #include "tools/reference/probes.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 
 namespace crevice {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // The radical inverse, base 2.
 double mirrored(unsigned index)
@@ -20,7 +20,7 @@ double mirrored(unsigned index)
 
 Probe makeProbe(unsigned index, int count)
 {
-    const double angle = 2 * kPi * mirrored(index);
+    const double angle = 2 * glm::pi<double>() * mirrored(index);
     return {static_cast<float>((index + 0.5) / count), static_cast<float>(std::cos(angle)),
             static_cast<float>(std::sin(angle))};
 }

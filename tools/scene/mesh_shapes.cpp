@@ -3,14 +3,13 @@
 #include "tools/scene/mesh_shapes.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <cmath>
 
 namespace crevice {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void addVertex(MeshDesc& mesh, const glm::vec3& position, const glm::vec3& normal, float u, float v)
 {
@@ -59,9 +58,9 @@ MeshDesc makeSphere(float radius, int rings)
     MeshDesc mesh;
     const int segments = rings * 2;
     for (int ring = 0; ring <= rings; ++ring) {
-        const double polar = kPi * ring / rings;
+        const double polar = glm::pi<double>() * ring / rings;
         for (int segment = 0; segment <= segments; ++segment) {
-            const double around = 2.0 * kPi * segment / segments;
+            const double around = 2.0 * glm::pi<double>() * segment / segments;
             const glm::vec3 normal = {std::sin(polar) * std::cos(around), std::cos(polar),
                                       -std::sin(polar) * std::sin(around)};
             addVertex(mesh, normal * radius, normal, static_cast<float>(segment) / segments,

@@ -14,7 +14,7 @@
 namespace crevice {
 namespace {
 
-constexpr double kRadius = 0.5;  // scene units; small, so that much lies beyond it
+constexpr double kHostRadius = 0.5;  // scene units; small, so that much lies beyond it
 
 /// Far enough for the radius at the nearest object in view, and for any filter.
 constexpr int kReach = 60;
@@ -24,7 +24,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 StressShot hostShot(Extent size)
 {
     StressShot shot = sceneShot(testView(), size);
-    shot.radius = kRadius;
+    shot.radius = kHostRadius;
     shot.geometry = kHostGeometry;
     shot.host_camera = shot.camera;
     shot.host = [](Image&, Image&) {};

@@ -10,8 +10,8 @@
 namespace crevice {
 namespace {
 
-constexpr double kRadius = 0.5;    // scene units
-constexpr double kDistance = 5.0;  // from the eye to the plane
+constexpr double kPlaneRadius = 0.5;  // scene units
+constexpr double kDistance = 5.0;     // from the eye to the plane
 
 StressShot planeNearFar(double power, Extent size)
 {
@@ -83,7 +83,7 @@ StressShot planeUnits(double scale, Extent size)
     view.near_distance *= scale;
     view.far_distance *= scale;
     StressShot shot = planeShot(view, size, kDistance * scale, 40);
-    shot.radius = kRadius * scale;
+    shot.radius = kPlaneRadius * scale;
     return shot;
 }
 

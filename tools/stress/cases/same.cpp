@@ -10,12 +10,12 @@
 namespace crevice {
 namespace {
 
-constexpr double kRadius = 1;  // scene units
+constexpr double kSameRadius = 1;  // scene units
 
 StressShot testShot(const StressView& view, Extent size, Scene scene = testScene())
 {
     StressShot shot = sceneShot(view, size, std::move(scene));
-    shot.radius = kRadius;
+    shot.radius = kSameRadius;
     return shot;
 }
 
@@ -27,7 +27,7 @@ StressShot sceneScaled(double scale, Extent size, bool in_vertices)
     view.far_distance *= scale;
     Scene scene = placed(testScene(), glm::scale(glm::dmat4(1.0), glm::dvec3(scale)));
     StressShot shot = testShot(view, size, in_vertices ? baked(scene) : scene);
-    shot.radius = kRadius * scale;
+    shot.radius = kSameRadius * scale;
     shot.farthest = testShot(testView(), size).farthest * scale;
     return shot;
 }
@@ -40,7 +40,7 @@ StressShot sceneUnitsInVertices(double scale, Extent size)
 
 StressShot sceneMoved(double radii, Extent size, bool in_vertices)
 {
-    const double far = radii * kRadius;
+    const double far = radii * kSameRadius;
     const glm::dvec3 offset = {far, 0, -far};
     StressView view = testView();
     view.eye += offset;
