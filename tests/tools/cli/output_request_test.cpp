@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `--out NAME=FILE` and `--size WxH` accept, and what they are turned into.
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 
 #include "tools/cli/output_request.h"
 #include "tools/render/output_source.h"
@@ -35,49 +35,49 @@ Description smallDescription()
     return description;
 }
 
-std::string targetOf(const Description& description, const std::string& output)
+/// The target of the output that a name exposes.
+std::string exposed(Description& description, const std::string& name)
 {
-    const OutputDesc* found = findNamed(description.outputs, output);
+    const OutputSource source = need(exposeOutput(description, name));
+    const OutputDesc* found = findNamed(description.outputs, source.output);
     return found ? found->target.name : "";
+}
+
+/// That each text is refused with that code.
+template <class Read>
+void checkRefused(const Read& read, Code code, const std::vector<const char*>& texts)
+{
+    for (const char* text : texts) {
+        INFO(text);
+        const auto result = read(text);
+        REQUIRE_FALSE(result);
+        CHECK(result.diagnostics().front().code == code);
+        CHECK_FALSE(result.diagnostics().front().help.empty());
+    }
 }
 
 }  // namespace
 
-TEST_CASE("an output request splits at the first equals sign")
+TEST_CASE("an output request is a name, the first equals sign and a file of a known extension")
 {
-    const auto request = parseOutputRequest("color=a=b.PNG");
-    REQUIRE(request);
-    CHECK(request->name == "color");
-    CHECK(request->file == "a=b.PNG");
-}
-
-TEST_CASE("an output request without a name, a file or a known extension is a usage error")
-{
-    for (const char* text : {"lit.png", "=lit.png", "color=", "", "color=lit", "color=lit.jpg",
-                             "color=folder.png/lit"}) {
-        INFO(text);
-        const auto request = parseOutputRequest(text);
-        REQUIRE_FALSE(request);
-        CHECK(request.diagnostics().front().code == Code::usage);
-        CHECK_FALSE(request.diagnostics().front().help.empty());
-    }
+    const auto request = need(parseOutputRequest("color=a=b.PNG"));
+    CHECK(request.name == "color");
+    CHECK(request.file == "a=b.PNG");
+    checkRefused(parseOutputRequest, Code::usage,
+                 {"lit.png", "=lit.png", "color=", "", "color=lit", "color=lit.jpg",
+                  "color=folder.png/lit"});
 }
 
 TEST_CASE("a name is an output before it is a target, and target.NAME reaches the hidden one")
 {
     Description description = smallDescription();
-    const auto output = exposeOutput(description, "ao");
-    REQUIRE(output);
-    CHECK(targetOf(description, output->output) == "ao_filtered");
+    CHECK(exposed(description, "ao") == "ao_filtered");
     CHECK(description.outputs.size() == 1);
-
-    const auto hidden = exposeOutput(description, "target.ao");
-    REQUIRE(hidden);
-    CHECK(targetOf(description, hidden->output) == "ao");
-
-    const auto plain = exposeOutput(description, "normal");
-    REQUIRE(plain);
-    CHECK(targetOf(description, plain->output) == "normal");
+    CHECK(exposed(description, "target.ao") == "ao");
+    CHECK(exposed(description, "normal") == "normal");
+    CHECK(description.outputs.size() == 3);
+    CHECK(exposed(description, "view_normal") == "normal");
+    CHECK(description.outputs.size() == 3);  // asked for twice, exported once
 }
 
 TEST_CASE("a file pattern has one place for a frame's number, padded where it says so")
@@ -87,32 +87,19 @@ TEST_CASE("a file pattern has one place for a frame's number, padded where it sa
     CHECK(frameFile("a/%d.pfm", 12) == "a/12.pfm");
     for (const char* file : {"frame_%03d.png", "%d.pfm", "a/%09d.png"})
         CHECK(checkFramePattern(file).ok());
-    for (const char* file : {"a.png", "%.png", "%3d.png", "%0d.png", "%00d.png", "%03x.png",
-                             "%s.png", "%d%d.png", "100%_%d.png", "%03"}) {
-        INFO(file);
-        const Status known = checkFramePattern(file);
-        REQUIRE_FALSE(known.ok());
-        CHECK(known.diagnostics().front().code == Code::usage);
-        CHECK(known.diagnostics().front().help.find("frame_%03d.png") != std::string::npos);
-    }
-}
-
-TEST_CASE("asking twice for one target exports it once")
-{
-    Description description = smallDescription();
-    REQUIRE(exposeOutput(description, "normal"));
-    REQUIRE(exposeOutput(description, "view_normal"));
-    CHECK(description.outputs.size() == 2);
+    checkRefused(checkFramePattern, Code::usage,
+                 {"a.png", "%.png", "%3d.png", "%0d.png", "%00d.png", "%03x.png", "%s.png",
+                  "%d%d.png", "100%_%d.png", "%03"});
+    const std::string help = checkFramePattern("a.png").diagnostics().front().help;
+    CHECK(help.find("frame_%03d.png") != std::string::npos);
 }
 
 TEST_CASE("a view scales and shifts what its target holds")
 {
     Description description = smallDescription();
-    const auto view = exposeOutput(description, "view_normal");
-    REQUIRE(view);
     Image image({1, 1}, 2);
     image.pixels = {1.0f, -0.5f};
-    applyView(image, *view);
+    applyView(image, need(exposeOutput(description, "view_normal")));
     CHECK(image.pixels == std::vector<float>{0.75f, 0.0f});
 }
 
@@ -130,16 +117,10 @@ TEST_CASE("an unknown output is reported with the names that would do")
 
 TEST_CASE("a size is two whole numbers of at least one")
 {
-    const auto size = parseSize("640x480");
-    REQUIRE(size);
-    CHECK(*size == Extent{640, 480});
-    for (const char* text : {"", "x", "640", "640x", "x480", "0x480", "640x-1", "-5x3", "640x480x2",
-                             "640 x 480", "6e2x480", "99999999999x2", "640X480"}) {
-        INFO(text);
-        const auto wrong = parseSize(text);
-        REQUIRE_FALSE(wrong);
-        CHECK(wrong.diagnostics().front().code == Code::bad_size);
-    }
+    CHECK(need(parseSize("640x480")) == Extent{640, 480});
+    checkRefused(parseSize, Code::bad_size,
+                 {"", "x", "640", "640x", "x480", "0x480", "640x-1", "-5x3", "640x480x2",
+                  "640 x 480", "6e2x480", "99999999999x2", "640X480"});
 }
 
 TEST_CASE("a file whose folder is missing, or that is a folder, is known to be unwritable")

@@ -17,22 +17,14 @@ Diagnostic warningOf(Code code)
 
 }  // namespace
 
-TEST_CASE("warnings alone are success")
-{
-    CHECK(exitCodeOf({}) == kExitOk);
-    CHECK(exitCodeOf({warningOf(Code::no_format)}) == kExitOk);
-}
-
 TEST_CASE("the first error chooses the exit code, whatever warnings stand before it")
 {
     const Diagnostic input{Code::unknown_key, "a"};
     const Diagnostic machine{Code::no_egl, "b"};
+    CHECK(exitCodeOf({}) == kExitOk);
+    CHECK(exitCodeOf({warningOf(Code::no_format)}) == kExitOk);
     CHECK(exitCodeOf({warningOf(Code::no_egl), input, machine}) == kExitBadInput);
     CHECK(exitCodeOf({machine, input}) == kExitMachine);
-}
-
-TEST_CASE("exit codes distinguish input, usage, machine and output")
-{
     CHECK(exitCodeOf({{Code::usage, "x"}}) == kExitUsage);
     CHECK(exitCodeOf({{Code::cannot_write, "x"}}) == kExitOutput);
     for (const Code code : {Code::no_egl, Code::no_osmesa, Code::gl_function, Code::gl_version,

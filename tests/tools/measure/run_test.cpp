@@ -60,9 +60,9 @@ struct FakeRun {
     std::vector<std::string> lines;
 };
 
-std::size_t linesIn(const TemporaryFolder& folder)
+int linesIn(const TemporaryFolder& folder)
 {
-    std::size_t count = 0;
+    int count = 0;
     const Diagnostics read = readLines(FakeRun::pathIn(folder), {"task", "a test"},
                                        [&count](nlohmann::json&&) { ++count; });
     CHECK(read.empty());
@@ -107,43 +107,38 @@ TEST_CASE("A failure has a line where the job gives it one")
     CHECK(linesIn(folder) == 6);
 }
 
-TEST_CASE("No task begins after the time budget, and what is missing is reported")
+TEST_CASE("The time budget, an interrupt and a full disk end a run that goes on from there")
 {
-    const TemporaryFolder folder("measure_time");
-    FakeRun run;
-    run.world.time_budget_s = 25;
-    const MeasureSummary summary = run.run(folder);
-    CHECK(summary.measured == 3);
-    CHECK(summary.missing == std::vector<std::string>{"task d", "task e", "task f"});
-    CHECK_FALSE(summary.interrupted);
-}
-
-TEST_CASE("An interrupt drops the task under way and the next run goes on from there")
-{
-    const TemporaryFolder folder("measure_interrupt");
-    FakeRun stopped;
-    stopped.stop_after = 3;
-    const MeasureSummary summary = stopped.run(folder);
-    CHECK(summary.interrupted);
-    CHECK(summary.measured == 2);
-    CHECK(summary.missing.size() == 4);
-    CHECK(linesIn(folder) == 2);
-    FakeRun next;
-    CHECK(next.run(folder).kept == 2);
-    CHECK(next.order == "cdef");
-}
-
-TEST_CASE("A full disk ends the run and loses nothing that was measured")
-{
-    const TemporaryFolder folder("measure_full");
-    FakeRun run;
-    run.full_after = 3;
-    const MeasureSummary summary = run.run(folder);
-    REQUIRE_FALSE(summary.written.ok());
-    CHECK(summary.written.diagnostics()[0].code == Code::cannot_write);
-    CHECK(summary.written.diagnostics()[0].help == LineFile::wayOut());
-    CHECK(summary.missing.size() == 4);
-    CHECK(linesIn(folder) == 2);
+    struct Row {
+        const char* what;
+        void (*stop)(FakeRun&);
+        int measured;
+        const char* left;
+    };
+    const Row rows[] = {
+        {"time", [](FakeRun& run) { run.world.time_budget_s = 25; }, 3, "def"},
+        {"interrupt", [](FakeRun& run) { run.stop_after = 3; }, 2, "cdef"},  // c is under way
+        {"disk", [](FakeRun& run) { run.full_after = 3; }, 2, "cdef"}};
+    for (const Row& row : rows) {
+        INFO(row.what);
+        const TemporaryFolder folder("measure_stopped");
+        FakeRun stopped;
+        row.stop(stopped);
+        const MeasureSummary summary = stopped.run(folder);
+        CHECK(summary.measured == row.measured);
+        REQUIRE(static_cast<int>(summary.missing.size()) == 6 - row.measured);
+        CHECK(summary.missing[0] == "task " + std::string(1, row.left[0]));
+        CHECK(summary.interrupted == (stopped.stop_after < 6));
+        CHECK(linesIn(folder) == row.measured);
+        CHECK(summary.written.ok() == (stopped.full_after > 6));
+        if (!summary.written.ok()) {
+            CHECK(summary.written.diagnostics()[0].code == Code::cannot_write);
+            CHECK(summary.written.diagnostics()[0].help == LineFile::wayOut());
+        }
+        FakeRun next;
+        CHECK(next.run(folder).kept == row.measured);
+        CHECK(next.order == row.left);
+    }
 }
 
 TEST_CASE("A results file that is deleted or replaced during the run ends it")

@@ -6,12 +6,13 @@
 
 #include "core/base/numbers.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tools/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
+#include <cstring>
 
 namespace crevice {
 
@@ -78,15 +79,44 @@ inline Shot shotOf(Scene scene, const Placement& placement, const glm::dvec3& ce
         {view * glm::inverse(placement.matrix()), glm::ortho(-side, side, -side, side, 0.0f, end)}};
 }
 
-inline Image trace(const Shot& shot, Extent extent, double radius, int rays = 4096)
+inline TraceOptions traceOptions(double radius, int rays)
 {
     TraceOptions options;
     options.radius = radius;
     options.rays = rays;
-    const auto image = traceAmbientOcclusion(shot.scene, shot.camera, extent, options);
-    INFO(toText(image.diagnostics()));
-    REQUIRE(image.ok());
-    return *image;
+    return options;
+}
+
+/// Of a Scene or a RayScene.
+template <class AnyScene>
+Image trace(const AnyScene& scene, const Camera& camera, Extent extent, double radius, int rays)
+{
+    return need(traceAmbientOcclusion(scene, camera, extent, traceOptions(radius, rays)));
+}
+
+inline Image trace(const Shot& shot, Extent extent, double radius, int rays = 4096)
+{
+    return trace(shot.scene, shot.camera, extent, radius, rays);
+}
+
+inline bool sameBits(const Image& a, const Image& b)
+{
+    return a.extent == b.extent && a.pixels.size() == b.pixels.size() &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
+}
+
+/// Root of the mean square of the difference, over the pixels that see a surface in both.
+inline double rmsDifference(const Image& a, const Image& b)
+{
+    double sum = 0;
+    int seen = 0;
+    for (std::size_t k = 0; k < a.pixels.size(); ++k) {
+        if (std::isnan(a.pixels[k]) || std::isnan(b.pixels[k])) continue;
+        sum += std::pow(a.pixels[k] - b.pixels[k], 2.0);
+        ++seen;
+    }
+    REQUIRE(seen > 0);
+    return std::sqrt(sum / seen);
 }
 
 inline double meanOf(const Image& image)

@@ -2,7 +2,7 @@
 // Built-in camera paths: where they end, and how far what is seen moves from frame to frame.
 #include "tools/render/camera_path.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -43,9 +43,8 @@ glm::dvec2 seen(const PathView& view, const CameraPath& path, int frame, const g
 /// Pixels that the point has moved in the last frame.
 glm::dvec2 movedBy(const PathView& view, const char* path, const glm::dvec3& point)
 {
-    const auto found = findCameraPath(path);
-    REQUIRE(found);
-    return seen(view, *found, kFrames - 1, point) - seen(view, *found, kFrames - 2, point);
+    const CameraPath found = need(findCameraPath(path));
+    return seen(view, found, kFrames - 1, point) - seen(view, found, kFrames - 2, point);
 }
 
 void checkMoved(const glm::dvec2& moved, double right, double up)
@@ -86,13 +85,12 @@ TEST_CASE("camera paths move the middle of the picture by their pixels a frame")
 TEST_CASE("the path that uncovers jumps once, sixteen frames before its end or halfway")
 {
     const PathView end = view(false);
-    const auto path = findCameraPath("disocclusion");
-    REQUIRE(path);
+    const CameraPath path = need(findCameraPath("disocclusion"));
     const glm::dvec3 middle(0, 0, -6);
     for (const auto& [frames, jump] : {std::pair(32, 16), {100, 84}, {10, 5}, {2, 1}})
         for (int frame = 0; frame < frames; ++frame) {
             INFO(frame << " of " << frames);
-            const double at = seen(end, *path, frame, middle, frames).x;
+            const double at = seen(end, path, frame, middle, frames).x;
             CHECK(at == Approx(frame < jump ? 132 : 100).margin(0.01));
         }
 }

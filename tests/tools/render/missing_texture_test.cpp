@@ -15,9 +15,16 @@ using namespace crevice;
 
 namespace {
 
-/// The errors of drawing without a host.
-Diagnostics drawn(const SourceSet& sources, const std::vector<std::string>& overrides)
+/// The errors of drawing a config without a host.
+Diagnostics drawn(const std::string& config, const std::vector<std::string>& overrides = {})
 {
+    MemorySources mine;
+    mine.add("configs/mine.json", config);
+    mine.add("mask.frag",
+             "#version 300 es\nprecision highp float;\nuniform highp sampler2D mask;\nin vec2 uv;\n"
+             "layout(location = 0) out highp float ao;\n"
+             "void main() { ao = texture(mask, uv).r; }\n");
+    const LayeredSources sources({&mine, &shippedSources()});
     const Description description =
         need(decode(need(loadConfig(sources, {"mine", {}, overrides})), sources));
     RecordingDevice device;
@@ -43,15 +50,13 @@ TEST_CASE("Each module that reads a host's depth names the setting that draws wi
             shippedSources().find(path)->text.find("\"interfaces\"") != std::string::npos;
         if (!startsWith(path, "geometry/host_") || !provides) continue;
         const std::string module = path.substr(0, path.size() - 5);
-        MemorySources mine;
-        mine.add("configs/mine.json", R"({"format": 1, "extends": [")" + module +
-                                          R"(", "ssao/gtao", "filter/bilateral_normal"]})");
-        const LayeredSources sources({&mine, &shippedSources()});
-        const Diagnostics errors = drawn(sources, {});
+        const std::string config = R"({"format": 1, "extends": [")" + module +
+                                   R"(", "ssao/gtao", "filter/bilateral_normal"]})";
+        const Diagnostics errors = drawn(config);
         INFO(module << ": " << toText(errors));
         REQUIRE(errors.size() == 1);
         CHECK(errors[0].code == Code::missing_import);
-        CHECK(drawn(sources, {settingIn(errors[0].help)}).empty());
+        CHECK(drawn(config, {settingIn(errors[0].help)}).empty());
         ++modules;
     }
     CHECK(modules > 5);
@@ -59,29 +64,21 @@ TEST_CASE("Each module that reads a host's depth names the setting that draws wi
 
 TEST_CASE("A texture that a feature reads names that feature")
 {
-    MemorySources mine;
-    mine.add("configs/mine.json", R"({"format": 1, "extends": ["gtao_temporal"]})");
-    const LayeredSources sources({&mine, &shippedSources()});
-    const Diagnostics errors = drawn(sources, {"host_velocity=true"});
+    const char* const config = R"({"format": 1, "extends": ["gtao_temporal"]})";
+    const Diagnostics errors = drawn(config, {"host_velocity=true"});
     REQUIRE(errors.size() == 1);
     CHECK(settingIn(errors[0].help) == "host_velocity=false");
-    CHECK(drawn(sources, {"host_velocity=false"}).empty());
+    CHECK(drawn(config, {"host_velocity=false"}).empty());
 }
 
 TEST_CASE("A texture of a config's own has no way out but a program")
 {
-    MemorySources mine;
-    mine.add("configs/mine.json", R"({"format": 1,
+    const Diagnostics errors = drawn(R"({"format": 1,
         "imports": {"mask": {"type": "texture"}},
         "targets": {"ao": {"format": ["r8"]}},
         "shaders": {"s": {"vertex": "common/fullscreen.vert", "fragment": "mask.frag"}},
         "passes": {"p": {"shader": "s", "color": "ao"}},
         "outputs": {"ao": "ao"}})");
-    mine.add("mask.frag",
-             "#version 300 es\nprecision highp float;\nuniform highp sampler2D mask;\nin vec2 uv;\n"
-             "layout(location = 0) out highp float ao;\n"
-             "void main() { ao = texture(mask, uv).r; }\n");
-    const Diagnostics errors = drawn(LayeredSources({&mine, &shippedSources()}), {});
     REQUIRE(errors.size() == 1);
     CHECK(errors[0].help.find("Effect::setTexture") != std::string::npos);
 }

@@ -4,7 +4,7 @@
 
 #include <crevice/recording_device.h>
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tools/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -32,12 +32,13 @@ Scene makeScene()
 
 }  // namespace
 
-TEST_CASE("an uploaded scene draws every instance that has triangles")
+TEST_CASE("a frame has every instance with triangles, its materials' textures, and its camera")
 {
     RecordingDevice device;
-    const auto uploaded = UploadedScene::upload(device, makeScene());
-    REQUIRE(uploaded.ok());
-    const Frame frame = makeFrame(*uploaded, SceneCamera(), {16, 9});
+    const UploadedScene uploaded = need(UploadedScene::upload(device, makeScene()));
+    SceneCamera camera;
+    camera.view_from_world = glm::lookAt(glm::vec3(0, 0, 9), glm::vec3(0), glm::vec3(0, 1, 0));
+    const Frame frame = makeFrame(uploaded, camera, {16, 9});
     REQUIRE(frame.draws.size() == 2);
     CHECK(frame.draws[0].mesh.value == frame.draws[1].mesh.value);
     CHECK(frame.draws[0].count == 36);
@@ -46,33 +47,16 @@ TEST_CASE("an uploaded scene draws every instance that has triangles")
     CHECK(device.live(ObjectId::Kind::mesh) == 1);
     CHECK(frame.lights.size() == 1);
     CHECK(frame.ambient_light == glm::vec3(0.1f));
-}
 
-TEST_CASE("a material's texture is on the device, a plain one has none")
-{
-    RecordingDevice device;
-    const auto uploaded = UploadedScene::upload(device, makeScene());
-    REQUIRE(uploaded.ok());
-    const Frame frame = makeFrame(*uploaded, SceneCamera(), {16, 9});
     CHECK_FALSE(frame.materials[0].base_color_map);
     REQUIRE(frame.materials[1].base_color_map);
-    const auto texture = device.readTexture(frame.materials[1].base_color_map);
-    REQUIRE(texture.ok());
-    CHECK(texture->extent == Extent{4, 2});
-    CHECK(texture->at(3, 1, 0) == 0.25f);
+    const Image texture = need(device.readTexture(frame.materials[1].base_color_map));
+    CHECK(texture.extent == Extent{4, 2});
+    CHECK(texture.at(3, 1, 0) == 0.25f);
     CHECK(frame.materials[1].specular == glm::vec3(0.5f));
     CHECK(frame.materials[1].shininess == 99);
     CHECK(frame.materials[1].alpha_cutoff == 0.4f);
-}
 
-TEST_CASE("a frame sees through its camera")
-{
-    RecordingDevice device;
-    const auto uploaded = UploadedScene::upload(device, makeScene());
-    REQUIRE(uploaded.ok());
-    SceneCamera camera;
-    camera.view_from_world = glm::lookAt(glm::vec3(0, 0, 9), glm::vec3(0), glm::vec3(0, 1, 0));
-    const Frame frame = makeFrame(*uploaded, camera, {16, 9});
     CHECK(frame.camera.view_from_world == camera.view_from_world);
     CHECK(frame.camera.clip_from_view == clipFromView(camera, {16, 9}, makeScene().bounds()));
 }
@@ -81,14 +65,12 @@ TEST_CASE("an uploaded scene takes its objects along and leaves none behind")
 {
     RecordingDevice device;
     {
-        auto first = UploadedScene::upload(device, makeScene());
-        auto second = UploadedScene::upload(device, makeScene());
-        REQUIRE(first.ok());
-        REQUIRE(second.ok());
+        UploadedScene first = need(UploadedScene::upload(device, makeScene()));
+        UploadedScene second = need(UploadedScene::upload(device, makeScene()));
         CHECK(device.live() == 4);
-        UploadedScene moved = std::move(*first);
+        UploadedScene moved = std::move(first);
         CHECK(device.live() == 4);
-        moved = std::move(*second);
+        moved = std::move(second);
         CHECK(device.live() == 2);
     }
     CHECK(device.live() == 0);

@@ -5,6 +5,7 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/need.h"
 #include "tools/render/scene_upload.h"
+#include "tools/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -14,24 +15,17 @@ namespace {
 
 constexpr Extent kExtent = {96, 54};
 
-/// A square of side `size`, in a scene that is seen from the origin.
-Scene square(float size, const glm::dmat4& world_from_model)
+/// A large square, in a scene that is seen from the origin.
+Scene square(const glm::dmat4& world_from_model)
 {
     Scene scene;
-    const float s = size / 2;
-    MeshDesc mesh;
-    mesh.vertices = {{{-s, -s, 0}}, {{s, -s, 0}}, {{s, s, 0}}, {{-s, s, 0}}};
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    scene.meshes = {mesh};
+    scene.meshes = {makeQuad({-50, -50, 0}, {100, 0, 0}, {0, 100, 0})};
     scene.materials.emplace_back();
     scene.instances = {{0, world_from_model, 0}};
     return scene;
 }
 
-Scene facing(double distance)
-{
-    return square(100, glm::translate(glm::dmat4(1), {0, 0, -distance}));
-}
+glm::dmat4 at(double x, double y, double z) { return glm::translate(glm::dmat4(1), {x, y, z}); }
 
 std::optional<double> distanceOf(GlFixture& gl, const Scene& scene)
 {
@@ -42,25 +36,20 @@ std::optional<double> distanceOf(GlFixture& gl, const Scene& scene)
 
 }  // namespace
 
-TEST_CASE("The median distance is that of what most of the view shows")
+TEST_CASE("The median distance is that of what most of the view shows, also behind the eye")
 {
     GlFixture gl;
-    CHECK(*distanceOf(gl, facing(5)) == Approx(5).epsilon(0.01));
-    Scene two = facing(9);
-    two.instances.push_back({0, glm::translate(glm::dmat4(1), {51, 0, -3}), 0});
+    CHECK(*distanceOf(gl, square(at(0, 0, -5))) == Approx(5).epsilon(0.01));
+    Scene two = square(at(0, 0, -9));
+    two.instances.push_back({0, at(51, 0, -3), 0});
     CHECK(*distanceOf(gl, two) == Approx(9).epsilon(0.01));
-    two.instances.back().world_from_model = glm::translate(glm::dmat4(1), {0, 0, -3});
+    two.instances.back().world_from_model = at(0, 0, -3);
     CHECK(*distanceOf(gl, two) == Approx(3).epsilon(0.01));
-    CHECK_FALSE(distanceOf(gl, facing(-5)));
-}
-
-TEST_CASE("A floor that the camera stands on is seen though it passes behind the eye")
-{
-    GlFixture gl;
-    const glm::dmat4 below = glm::translate(glm::dmat4(1), {0, -1, 0});
-    const auto distance =
-        distanceOf(gl, square(100, glm::rotate(below, glm::radians(-90.0), {1, 0, 0})));
-    REQUIRE(distance);
-    CHECK(*distance > 1);
-    CHECK(*distance < 50);
+    CHECK_FALSE(distanceOf(gl, square(at(0, 0, 5))));
+    // A floor that the camera stands on.
+    const auto floor =
+        distanceOf(gl, square(glm::rotate(at(0, -1, 0), glm::radians(-90.0), {1, 0, 0})));
+    REQUIRE(floor);
+    CHECK(*floor > 1);
+    CHECK(*floor < 50);
 }

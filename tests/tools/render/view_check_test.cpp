@@ -2,7 +2,7 @@
 // What `render` says about a picture that shows no ambient occlusion.
 #include "tools/render/view_check.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tools/plan/planning.h"
 #include "tools/scene/camera_framing.h"
 
@@ -50,18 +50,15 @@ Diagnostics saidOf(const Scene& scene, const std::string& set, const Image* ao =
 {
     LoadRequest request = {"gtao"};
     if (!set.empty()) request.overrides = {set};
-    const auto document = loadConfig(shippedSources(), request);
-    REQUIRE(document.ok());
-    const auto description = decode(*document, shippedSources());
-    REQUIRE(description.ok());
+    const Description description =
+        need(decode(need(loadConfig(shippedSources(), request)), shippedSources()));
     CompileOptions options;
     options.extent = kExtent;
-    const auto plan = compile(*description, usualTraits(), usualCaps(), options);
-    REQUIRE(plan.ok());
+    const Plan plan = need(compile(description, usualTraits(), usualCaps(), options));
     const SceneCamera camera = frameScene(scene, double(kExtent.width) / kExtent.height);
     const glm::dvec3 eye = glm::inverse(camera.view_from_world)[3];
     const double distance = glm::length(eye - scene.bounds().center());
-    return checkView(*description, *plan, scene, cameraOf(scene, camera), distance, ao);
+    return checkView(description, plan, scene, cameraOf(scene, camera), distance, ao);
 }
 
 const Diagnostic& only(const Diagnostics& diagnostics)
@@ -72,23 +69,14 @@ const Diagnostic& only(const Diagnostics& diagnostics)
     return diagnostics[0];
 }
 
-Scene spheres()
-{
-    const auto scene = loadScene("spheres");
-    REQUIRE(scene.ok());
-    return *scene;
-}
+Scene spheres() { return need(loadScene("spheres")); }
 
 }  // namespace
-
-TEST_CASE("a radius that fits the scene is not remarked on")
-{
-    CHECK(saidOf(spheres(), "").empty());
-}
 
 TEST_CASE(
     "a radius for another scale is reported with one that fits, which then is not remarked on")
 {
+    CHECK(saidOf(spheres(), "").empty());
     for (const double scale : {1e-3, 1e-2, 1e2, 1e3}) {
         const Scene scene = scaled(spheres(), scale);
         const Diagnostic warning = only(saidOf(scene, ""));
@@ -102,23 +90,18 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("ambient occlusion that is 1 everywhere is reported, unless the scene is flat")
+TEST_CASE("ambient occlusion that is 1 everywhere is reported with its cause, unless all is flat")
 {
     const Image open(kExtent, 1, 1.0f);
     CHECK(only(saidOf(spheres(), "", &open)).code == Code::output_constant);
     CHECK(only(saidOf(scaled(spheres(), 1e3), "", &open)).code == Code::output_constant);
+    const Diagnostic off = only(saidOf(spheres(), "intensity=0", &open));
+    CHECK(off.code == Code::output_constant);
+    CHECK(off.help.find("intensity") != std::string::npos);
     CHECK(saidOf(square(10, 0), "", &open).empty());
     Image some = open;
     some.pixels.back() = 0.5f;
     CHECK(saidOf(spheres(), "", &some).empty());
-}
-
-TEST_CASE("an intensity of 0 is reported as the cause, and not the radius")
-{
-    const Image open(kExtent, 1, 1.0f);
-    const Diagnostic warning = only(saidOf(spheres(), "intensity=0", &open));
-    CHECK(warning.code == Code::output_constant);
-    CHECK(warning.help.find("intensity") != std::string::npos);
 }
 
 TEST_CASE("a camera that sees nothing is reported with one that does")

@@ -2,7 +2,7 @@
 // Built-in scenes and the shapes they are made of.
 #include "tools/scene/builtin_scenes.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/scene/mesh_shapes.h"
 
@@ -98,9 +98,7 @@ const char* const kTetrahedron =
 
 Scene load(const std::string& name)
 {
-    const Result<Scene> scene = name == "room" ? roomWith(kTetrahedron) : builtinScene(name);
-    REQUIRE(scene.ok());
-    return *scene;
+    return need(name == "room" ? roomWith(kTetrahedron) : builtinScene(name));
 }
 
 }  // namespace
@@ -113,14 +111,20 @@ TEST_CASE("boxes, spheres and stairs are closed and face outwards")
     CHECK(volumeOf(makeStairs(4, 2, 0.5f, 0.25f)) == Approx(2 * 0.25 * 0.5 * (1 + 2 + 3 + 4)));
 }
 
-TEST_CASE("every built-in scene has a main camera, a light and a weaker sky")
+TEST_CASE("every built-in scene has a main camera that looks at it, a light and a weaker sky")
 {
     for (const std::string& name : builtinSceneNames()) {
-        INFO(name);
         const Scene scene = load(name);
         CHECK(scene.name == name);
         REQUIRE_FALSE(scene.cameras.empty());
         CHECK(scene.cameras[0].name == "main");
+        for (const SceneCamera& camera : scene.cameras) {
+            INFO(name << ": " << camera.name);
+            const glm::dmat4 world_from_view = glm::inverse(glm::dmat4(camera.view_from_world));
+            CHECK(world_from_view[3].y > 0.1);
+            const glm::dvec3 middle = {0, 0.4, 0};
+            CHECK((glm::dmat4(camera.view_from_world) * glm::dvec4(middle, 1)).z < 0);
+        }
         REQUIRE(scene.lights.size() == 2);
         CHECK_FALSE(scene.lights[0].light.directional);
         CHECK(scene.lights[1].light.directional);
@@ -128,23 +132,16 @@ TEST_CASE("every built-in scene has a main camera, a light and a weaker sky")
     }
 }
 
-TEST_CASE("all normals of the built-in scenes are on the side from which their triangles are seen")
-{
-    for (const std::string& name : builtinSceneNames()) {
-        INFO(name);
-        for (const Triangle& triangle : trianglesOf(load(name)))
-            if (glm::dot(triangle.across(), triangle.normal) <= 0)
-                FAIL_CHECK("instance " << triangle.instance);
-    }
-}
-
-TEST_CASE("no two faces of a built-in scene fight for the same plane")
+TEST_CASE("normals are on the side that is seen, and no two faces fight for the same plane")
 {
     for (const std::string& name : builtinSceneNames()) {
         INFO(name);
         std::vector<Triangle> flat;
-        for (const Triangle& triangle : trianglesOf(load(name)))
+        for (const Triangle& triangle : trianglesOf(load(name))) {
+            if (glm::dot(triangle.across(), triangle.normal) <= 0)
+                FAIL_CHECK("instance " << triangle.instance);
             if (glm::length(triangle.across()) > 0.02) flat.push_back(triangle);  // not of a sphere
+        }
         for (const Triangle& a : flat)
             for (const Triangle& b : flat)
                 if (a.instance < b.instance && fight(a, b))
@@ -168,26 +165,9 @@ TEST_CASE("what stands in a built-in scene is sunk into the floor by a hair")
     }
 }
 
-TEST_CASE("the cameras of a built-in scene look at it from outside of its bodies")
-{
-    for (const std::string& name : builtinSceneNames()) {
-        const Scene scene = load(name);
-        for (const SceneCamera& camera : scene.cameras) {
-            INFO(name << ": " << camera.name);
-            const glm::dmat4 world_from_view = glm::inverse(glm::dmat4(camera.view_from_world));
-            CHECK(world_from_view[3].y > 0.1);
-            const glm::dvec3 middle = {0, 0.4, 0};
-            CHECK((glm::dmat4(camera.view_from_world) * glm::dvec4(middle, 1)).z < 0);
-        }
-    }
-}
-
 TEST_CASE("the room has the bunny of the glmark2 models, standing upright")
 {
-    const Result<Scene> room = builtinScene("room");
-    INFO(toText(room.diagnostics()));
-    REQUIRE(room.ok());
-    Scene alone = *room;
+    Scene alone = need(builtinScene("room"));
     alone.instances = {alone.instances.back()};
     CHECK(alone.meshes[alone.instances[0].mesh].indices.size() / 3 > 60000);
     CHECK(alone.bounds().max.y == Approx(0.95).margin(0.05));
@@ -195,9 +175,8 @@ TEST_CASE("the room has the bunny of the glmark2 models, standing upright")
 
 TEST_CASE("a bunny of one's own is taken first, and a broken one is reported")
 {
-    const Result<Scene> room = roomWith(kTetrahedron);
-    REQUIRE(room.ok());
-    CHECK(room->meshes[room->instances.back().mesh].indices.size() == 12);
+    const Scene room = load("room");
+    CHECK(room.meshes[room.instances.back().mesh].indices.size() == 12);
     const Result<Scene> broken = roomWith("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     REQUIRE_FALSE(broken.ok());
     CHECK(broken.diagnostics()[0].code == Code::scene_broken);

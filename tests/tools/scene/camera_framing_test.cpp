@@ -2,7 +2,7 @@
 // Cameras: framing a scene, choosing one by name, reading one from text.
 #include "tools/scene/camera_framing.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tools/scene/mesh_shapes.h"
 
 #include <cmath>
@@ -11,36 +11,6 @@ using namespace crevice;
 
 namespace {
 
-Bounds box(const glm::dvec3& low, const glm::dvec3& high)
-{
-    Bounds bounds;
-    bounds.add(low);
-    bounds.add(high);
-    return bounds;
-}
-
-const Bounds kBox = box({-1, 0, -2}, {3, 2, 5});
-
-Scene sceneWithCameras()
-{
-    Scene scene;
-    scene.name = "hall";
-    scene.cameras.resize(2);
-    scene.cameras[0].name = "door";
-    scene.cameras[1].name = "balcony";
-    return scene;
-}
-
-Result<SceneCamera> choose(const std::string& text)
-{
-    return chooseCamera(sceneWithCameras(), kBox, text, 1.5);
-}
-
-glm::dvec3 eyeOf(const SceneCamera& camera)
-{
-    return glm::inverse(glm::dmat4(camera.view_from_world))[3];
-}
-
 // A box of triangles.
 Scene boxScene(const glm::vec3& low, const glm::vec3& high)
 {
@@ -48,6 +18,28 @@ Scene boxScene(const glm::vec3& low, const glm::vec3& high)
     scene.meshes = {makeBox(low, high)};
     scene.instances = {{0}};
     return scene;
+}
+
+const Bounds kBox = boxScene({-1, 0, -2}, {3, 2, 5}).bounds();
+
+Result<SceneCamera> choose(const std::string& text)
+{
+    Scene scene;
+    scene.cameras.resize(2);
+    scene.cameras[0].name = "door";
+    scene.cameras[1].name = "balcony";
+    return chooseCamera(scene, kBox, text, 1.5);
+}
+
+bool suggests(const Result<SceneCamera>& camera, const std::string& text)
+{
+    REQUIRE_FALSE(camera.ok());
+    return camera.diagnostics()[0].help.find(text) != std::string::npos;
+}
+
+glm::dvec3 eyeOf(const SceneCamera& camera)
+{
+    return glm::inverse(glm::dmat4(camera.view_from_world))[3];
 }
 
 // How far the scene reaches into the picture, from -1 to 1 in each direction; empty when some of it
@@ -68,7 +60,7 @@ Bounds clipBounds(const Scene& scene, const SceneCamera& camera, Extent extent)
 
 }  // namespace
 
-TEST_CASE("a framed scene is in the picture whole, at any shape of either")
+TEST_CASE("a framed scene is seen whole from above, at any shape of it and the picture")
 {
     const Scene shapes[] = {
         boxScene({-1, 0, -2}, {3, 2, 5}), boxScene({0, 0, 0}, {100, 0.1f, 0.1f}),
@@ -77,7 +69,10 @@ TEST_CASE("a framed scene is in the picture whole, at any shape of either")
     for (const Scene& scene : shapes) {
         for (const Extent extent : {Extent{960, 540}, {100, 100}, {100, 900}, {2000, 100}}) {
             const double aspect = static_cast<double>(extent.width) / extent.height;
-            const Bounds reached = clipBounds(scene, frameScene(scene, aspect), extent);
+            const SceneCamera camera = frameScene(scene, aspect);
+            CHECK(eyeOf(camera).y > scene.bounds().center().y);  // it looks down
+            CHECK(glm::dmat4(camera.view_from_world)[1].y > 0.5);
+            const Bounds reached = clipBounds(scene, camera, extent);
             REQUIRE_FALSE(reached.empty());
             for (int axis = 0; axis < 3; ++axis) {
                 CHECK(reached.min[axis] > -1);
@@ -98,13 +93,6 @@ TEST_CASE("a framed scene reaches from margin to margin in the tighter direction
     }
 }
 
-TEST_CASE("framing looks down from above")
-{
-    const SceneCamera camera = frameScene(boxScene({-1, 0, -2}, {3, 2, 5}), 1.5);
-    CHECK(eyeOf(camera).y > 2);
-    CHECK(glm::dmat4(camera.view_from_world)[1].y > 0.5);
-}
-
 TEST_CASE("a scene that is one point, a line into the view or nothing can be framed")
 {
     const glm::vec3 into = {0.55f, 0.45f, 1.0f};
@@ -120,46 +108,31 @@ TEST_CASE("a scene that is one point, a line into the view or nothing can be fra
     }
 }
 
-TEST_CASE("without a wish the scene's first camera is taken, or the scene is framed")
+TEST_CASE("a camera is chosen by its name; without one the first is taken, or the scene framed")
 {
+    CHECK(choose("balcony")->name == "balcony");
     CHECK(choose("")->name == "door");
     CHECK(chooseCamera(Scene(), kBox, "", 1.5)->name == "framing");
+    CHECK(choose("balcon").diagnostics()[0].code == Code::camera_missing);
+    CHECK(suggests(choose("balcon"), "'balcony'"));
 }
 
-TEST_CASE("a camera is chosen by its name") { CHECK(choose("balcony")->name == "balcony"); }
-
-TEST_CASE("a camera that the scene does not have suggests its nearest")
+TEST_CASE("a camera is read from text, and needs no more than an eye")
 {
-    const auto camera = choose("balcon");
-    REQUIRE_FALSE(camera.ok());
-    CHECK(camera.diagnostics()[0].code == Code::camera_missing);
-    CHECK(camera.diagnostics()[0].help.find("'balcony'") != std::string::npos);
-}
-
-TEST_CASE("a camera is read from text")
-{
-    const auto camera = choose("eye=4,2,6;at=0,1,0;up=0,0,1;fov=35;near=0.5;far=20");
-    INFO(toText(camera.diagnostics()));
-    REQUIRE(camera.ok());
-    CHECK(glm::length(eyeOf(*camera) - glm::dvec3(4, 2, 6)) < 1e-5);
-    const glm::dvec4 at = glm::dmat4(camera->view_from_world) * glm::dvec4(0, 1, 0, 1);
-    CHECK(at.x == Approx(0).margin(1e-5));
-    CHECK(at.y == Approx(0).margin(1e-5));
-    CHECK(at.z < 0);
-    CHECK(camera->fov_y_rad == Approx(35 * 3.14159265 / 180));
-    CHECK(camera->near_distance == 0.5);
-    CHECK(camera->far_distance == 20);
-    CHECK_FALSE(camera->orthographic);
-}
-
-TEST_CASE("a camera's text needs no more than an eye")
-{
-    const auto camera = choose("eye=9,9,9");
-    REQUIRE(camera.ok());
-    const glm::dvec4 center = glm::dmat4(camera->view_from_world) * glm::dvec4(kBox.center(), 1);
-    CHECK(center.x == Approx(0).margin(1e-5));
-    CHECK(center.y == Approx(0).margin(1e-5));
-    CHECK(camera->far_distance == 0);
+    const SceneCamera camera = need(choose("eye=4,2,6;at=0,1,0;up=0,0,1;fov=35;near=0.5;far=20"));
+    CHECK(glm::length(eyeOf(camera) - glm::dvec3(4, 2, 6)) < 1e-5);
+    CHECK(camera.fov_y_rad == Approx(35 * 3.14159265 / 180));
+    CHECK(camera.near_distance == 0.5);
+    CHECK(camera.far_distance == 20);
+    CHECK_FALSE(camera.orthographic);
+    const SceneCamera eye = need(choose("eye=9,9,9"));
+    CHECK(eye.far_distance == 0);
+    for (const auto& [looking, at] :
+         {std::pair(camera, glm::dvec3(0, 1, 0)), {eye, kBox.center()}}) {
+        const glm::dvec4 seen = glm::dmat4(looking.view_from_world) * glm::dvec4(at, 1);
+        CHECK(glm::length(glm::dvec2(seen)) < 1e-5);
+        CHECK(seen.z < 0);
+    }
 }
 
 TEST_CASE("a shifted camera shows what lies beside the picture, in both projections")
@@ -181,10 +154,9 @@ TEST_CASE("a shifted camera shows what lies beside the picture, in both projecti
 
 TEST_CASE("an orthographic camera is as high as it says")
 {
-    const auto camera = choose("eye=0,0,9;at=0,0,0;ortho=3");
-    REQUIRE(camera.ok());
-    CHECK(camera->orthographic);
-    const glm::mat4 clip = clipFromView(*camera, {200, 100}, kBox);
+    const SceneCamera camera = need(choose("eye=0,0,9;at=0,0,0;ortho=3"));
+    CHECK(camera.orthographic);
+    const glm::mat4 clip = clipFromView(camera, {200, 100}, kBox);
     CHECK((clip * glm::vec4(0, 1.5f, -5, 1)).y == Approx(1));
     CHECK((clip * glm::vec4(3, 0, -5, 1)).x == Approx(1));
 }
@@ -192,11 +164,8 @@ TEST_CASE("an orthographic camera is as high as it says")
 TEST_CASE("a camera that looks straight down has an up of its own")
 {
     for (const char* text :
-         {"eye=0,9,0;at=0,0,0", "eye=0,0,9;at=0,0,0;up=0,0,1", "eye=1,2,3;at=0,0,0;up=0,0,0"}) {
-        const auto camera = choose(text);
-        REQUIRE(camera.ok());
-        CHECK(glm::determinant(camera->view_from_world) == Approx(1));
-    }
+         {"eye=0,9,0;at=0,0,0", "eye=0,0,9;at=0,0,0;up=0,0,1", "eye=1,2,3;at=0,0,0;up=0,0,0"})
+        CHECK(glm::determinant(need(choose(text)).view_from_world) == Approx(1));
 }
 
 TEST_CASE("a camera's text that cannot be meant is refused with the reason")
@@ -227,11 +196,5 @@ TEST_CASE("a camera's text that cannot be meant is refused with the reason")
         CHECK(camera.diagnostics()[0].code == code);
         CHECK_FALSE(camera.diagnostics()[0].help.empty());
     }
-}
-
-TEST_CASE("a misspelt part of a camera suggests the right one")
-{
-    const auto camera = choose("eye=1,2,3;neer=4");
-    REQUIRE_FALSE(camera.ok());
-    CHECK(camera.diagnostics()[0].help.find("'near'") != std::string::npos);
+    CHECK(suggests(choose("eye=1,2,3;neer=4"), "'near'"));
 }

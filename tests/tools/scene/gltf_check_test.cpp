@@ -29,121 +29,92 @@ Status check(const std::string& members, const char* version = "2.0")
     return text;
 }
 
-const Diagnostic& only(const Status& status)
-{
-    REQUIRE(status.diagnostics().size() == 1);
-    CHECK_FALSE(status.diagnostics()[0].help.empty());
-    return status.diagnostics()[0];
-}
-
-bool names(const Diagnostic& diagnostic, const std::string& text)
+bool contains(const Diagnostic& diagnostic, const std::string& text)
 {
     return (diagnostic.message + diagnostic.help).find(text) != std::string::npos;
 }
 
 }  // namespace
 
-TEST_CASE("a file without extensions, or with those that are read, passes without a word")
-{
-    CHECK(check("").diagnostics().empty());
-    CHECK(check(R"(, "extensionsRequired": ["KHR_draco_mesh_compression"],
-                     "extensionsUsed": ["KHR_draco_mesh_compression", "KHR_lights_punctual"])")
-              .diagnostics()
-              .empty());
-}
-
-TEST_CASE("textures at a second set of coordinates are reported")
-{
-    for (const char* material :
-         {R"({"occlusionTexture": {"index": 0, "texCoord": 1}})",
-          R"({"normalTexture": {"texCoord": 1}})",
-          R"({"pbrMetallicRoughness": {"baseColorTexture": {"texCoord": 1}}})"}) {
-        const Status status = check(R"(, "materials": [)" + std::string(material) + "]");
-        CHECK(names(only(status), "second set of texture coordinates"));
-    }
-    CHECK(check(R"(, "materials": [{"occlusionTexture": {"texCoord": 0}}, 5])")
-              .diagnostics()
-              .empty());
-}
-
-TEST_CASE("every required extension that is not read is in one error with its way out")
-{
-    const Status status = check(R"(, "extensionsRequired": ["KHR_mesh_quantization",
-        "EXT_meshopt_compression", "KHR_texture_transform", "ACME_anvil"])");
-    REQUIRE_FALSE(status.ok());
-    const Diagnostic& error = only(status);
-    CHECK(error.code == Code::scene_broken);
-    for (const char* name : {"KHR_mesh_quantization", "EXT_meshopt_compression", "ACME_anvil",
-                             "gltfpack -noq", "gltf-transform dequantize"})
-        CHECK(names(error, name));
-    CHECK_FALSE(names(error, "KHR_texture_transform"));
-}
-
-TEST_CASE("textures in formats that are not read say how to convert them")
-{
-    for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif"}) {
-        const Status status = check(std::string(R"(, "extensionsRequired": [")") + name + "\"]");
-        CHECK_FALSE(status.ok());
-        CHECK(names(only(status), "gltf-transform"));
-    }
-}
-
-TEST_CASE("what is used and not drawn is one warning a file")
-{
-    const Status status = check(R"(, "extensionsUsed": ["KHR_texture_transform",
-        "KHR_materials_clearcoat", "EXT_texture_webp", "KHR_lights_punctual"])");
-    CHECK(status.ok());
-    const Diagnostic& warning = only(status);
-    CHECK(warning.code == Code::scene_features);
-    CHECK(warning.severity == Severity::warning);
-    for (const char* name :
-         {"KHR_texture_transform", "KHR_materials_clearcoat", "EXT_texture_webp"})
-        CHECK(names(warning, name));
-    CHECK_FALSE(names(warning, "KHR_lights_punctual"));
-}
-
-TEST_CASE("a required extension of materials alone is a warning")
-{
-    const Status status = check(R"(, "extensionsRequired": ["KHR_materials_transmission"])");
-    CHECK(status.ok());
-    CHECK(names(only(status), "KHR_materials_transmission"));
-}
-
-TEST_CASE("integers where Assimp wants floats are found though no extension is named")
-{
-    const char* const more =
-        R"(, "meshes": [{"primitives": [{"attributes": {"NORMAL": 1, "POSITION": 0}}]}],
-        "accessors": [{"componentType": 5123}, {"componentType": 5126}])";
-    const Status status = check(more);
-    CHECK_FALSE(status.ok());
-    CHECK(names(only(status), "KHR_mesh_quantization"));
-    const Status texture =
-        check(R"(, "meshes": [{"primitives": [{"attributes": {"TEXCOORD_0": 0}}]}],
-        "accessors": [{"componentType": 5121}])");
-    CHECK(texture.ok());
-    CHECK(names(only(texture), "texture coordinates"));
-}
-
-TEST_CASE("another version of glTF is an error that names it")
-{
-    CHECK(names(only(check("", "1.0")), "glTF 1.0"));
-}
-
-TEST_CASE("JSON of any shape does the check no harm")
+TEST_CASE("what is read, or is JSON of any shape, passes without a word")
 {
     for (const char* members :
-         {R"(, "extensionsRequired": 3)", R"(, "extensionsUsed": [[], 1, null])",
+         {"",
+          R"(, "extensionsRequired": ["KHR_draco_mesh_compression"],
+               "extensionsUsed": ["KHR_draco_mesh_compression", "KHR_lights_punctual"])",
+          R"(, "materials": [{"occlusionTexture": {"texCoord": 0}}, 5])",
+          R"(, "extensionsRequired": 3)", R"(, "extensionsUsed": [[], 1, null])",
           R"(, "meshes": {"a": 1}, "accessors": 7)",
           R"(, "meshes": [1, [2], "x", {"primitives": 4}])",
           R"(, "meshes": [{"primitives": [{"attributes": [0]}]}], "accessors": [1])",
-          R"(, "meshes": [{"primitives": [{"attributes": {"POSITION": 9e9}}]}])"})
+          R"(, "meshes": [{"primitives": [{"attributes": {"POSITION": 9e9}}]}])"}) {
+        INFO(members);
         CHECK(check(members).diagnostics().empty());
+    }
     const TemporaryFolder folder("gltf_shapes");
-    CHECK(checkGltf(folder.write("cut.gltf", "{\"asset\""), false).diagnostics().empty());
-    CHECK(checkGltf(folder.write("cut.glb", "glTF\x02"), false).diagnostics().empty());
-    CHECK(checkGltf(folder.write("lies.glb", "glTF" + littleEndian(2) + littleEndian(20) +
-                                                 littleEndian(0xfffffff0u) + "JSON{"),
-                    false)
-              .diagnostics()
-              .empty());
+    const std::string lies =
+        "glTF" + littleEndian(2) + littleEndian(20) + littleEndian(0xfffffff0u) + "JSON{";
+    for (const auto& [name, bytes] : {std::pair<const char*, std::string>("cut.gltf", "{\"asset\""),
+                                      {"cut.glb", "glTF\x02"},
+                                      {"lies.glb", lies}})
+        CHECK(checkGltf(folder.write(name, bytes), false).diagnostics().empty());
+}
+
+TEST_CASE("what is not read is one error or warning a file, with its way out")
+{
+    struct Row {
+        std::string members;
+        bool ok;  ///< A warning, or else an error.
+        std::vector<std::string> named;
+        std::string not_named = "nothing of this name";
+        const char* version = "2.0";
+    };
+    std::vector<Row> rows = {
+        {"", false, {"glTF 1.0"}, "glTF 2.0", "1.0"},
+        {R"(, "extensionsRequired": ["KHR_mesh_quantization", "EXT_meshopt_compression",
+              "KHR_texture_transform", "ACME_anvil"])",
+         false,
+         {"KHR_mesh_quantization", "EXT_meshopt_compression", "ACME_anvil", "gltfpack -noq",
+          "gltf-transform dequantize"},
+         "KHR_texture_transform"},
+        {R"(, "extensionsUsed": ["KHR_texture_transform", "KHR_materials_clearcoat",
+              "EXT_texture_webp", "KHR_lights_punctual"])",
+         true,
+         {"KHR_texture_transform", "KHR_materials_clearcoat", "EXT_texture_webp"},
+         "KHR_lights_punctual"},
+        {R"(, "extensionsRequired": ["KHR_materials_transmission"])",
+         true,
+         {"KHR_materials_transmission"}},
+        // Integers where Assimp wants floats, though no extension is named.
+        {R"(, "meshes": [{"primitives": [{"attributes": {"NORMAL": 1, "POSITION": 0}}]}],
+              "accessors": [{"componentType": 5123}, {"componentType": 5126}])",
+         false,
+         {"KHR_mesh_quantization"}},
+        {R"(, "meshes": [{"primitives": [{"attributes": {"TEXCOORD_0": 0}}]}],
+              "accessors": [{"componentType": 5121}])",
+         true,
+         {"texture coordinates"}}};
+    for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif"})
+        rows.push_back({R"(, "extensionsRequired": [")" + std::string(name) + "\"]",
+                        false,
+                        {"gltf-transform"}});
+    for (const char* material :
+         {R"({"occlusionTexture": {"index": 0, "texCoord": 1}})",
+          R"({"normalTexture": {"texCoord": 1}})",
+          R"({"pbrMetallicRoughness": {"baseColorTexture": {"texCoord": 1}}})"})
+        rows.push_back({R"(, "materials": [)" + std::string(material) + "]",
+                        true,
+                        {"second set of texture coordinates"}});
+    for (const Row& row : rows) {
+        INFO(row.members);
+        const Status status = check(row.members, row.version);
+        CHECK(status.ok() == row.ok);
+        REQUIRE(status.diagnostics().size() == 1);
+        const Diagnostic& found = status.diagnostics()[0];
+        CHECK(found.code == (row.ok ? Code::scene_features : Code::scene_broken));
+        CHECK((found.severity == Severity::warning) == row.ok);
+        CHECK_FALSE(found.help.empty());
+        for (const std::string& name : row.named) CHECK(contains(found, name));
+        CHECK_FALSE(contains(found, row.not_named));
+    }
 }

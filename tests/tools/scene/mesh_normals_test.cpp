@@ -20,13 +20,19 @@ glm::vec3 normalOf(const Vertex& vertex)
     return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
 }
 
+MeshDesc joined(MeshDesc mesh, const MeshDesc& other)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const std::uint32_t index : other.indices) mesh.indices.push_back(index + first);
+    return mesh;
+}
+
 // Two unit squares that share the edge x = 0, the right one turned up by `height` per unit.
 MeshDesc roof(float height)
 {
-    MeshDesc mesh = makeQuad({-1, 0, 1}, {1, 0, 0}, {0, 0, -2});
-    const MeshDesc right = makeQuad({0, 0, 1}, {1, height, 0}, {0, 0, -2});
-    for (const std::uint32_t index : right.indices) mesh.indices.push_back(index + 4);
-    mesh.vertices.insert(mesh.vertices.end(), right.vertices.begin(), right.vertices.end());
+    MeshDesc mesh = joined(makeQuad({-1, 0, 1}, {1, 0, 0}, {0, 0, -2}),
+                           makeQuad({0, 0, 1}, {1, height, 0}, {0, 0, -2}));
     for (Vertex& vertex : mesh.vertices) {
         std::fill_n(vertex.normal, 3, 0.0f);
         std::fill_n(vertex.uv, 2, 0.0f);
@@ -99,60 +105,49 @@ TEST_CASE("joining drops vertices that are unused and keeps those that differ")
     CHECK(mesh.vertices.size() == 4);
 }
 
-TEST_CASE("a normal that is there stays beside one that is missing")
+TEST_CASE("missing normals become those of the face, beside one that is there")
 {
-    MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
-    for (Vertex& vertex : mesh.vertices) std::fill_n(vertex.normal, 3, 0.0f);
+    const MeshDesc quad = [] {
+        MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
+        for (Vertex& vertex : mesh.vertices) std::fill_n(vertex.normal, 3, 0.0f);
+        return mesh;
+    }();
+    MeshDesc mesh = quad;
+    fillNormals(mesh);
+    for (const Vertex& vertex : mesh.vertices) CHECK(normalOf(vertex) == glm::vec3(-1, 0, 0));
+    mesh = quad;
     mesh.vertices[mesh.indices[0]].normal[1] = 1;
     fillNormals(mesh);
     CHECK(normalOf(mesh.vertices[mesh.indices[0]]) == glm::vec3(0, 1, 0));
     CHECK(normalOf(mesh.vertices[mesh.indices[1]]) == glm::vec3(-1, 0, 0));
-}
-
-TEST_CASE("missing normals become those of the face")
-{
-    MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
-    for (Vertex& vertex : mesh.vertices) vertex.normal[0] = vertex.normal[2] = 0;
-    fillNormals(mesh);
-    for (const Vertex& vertex : mesh.vertices) CHECK(normalOf(vertex) == glm::vec3(-1, 0, 0));
-    mesh.indices = {0, 0, 0};
-    mesh.vertices[0].normal[0] = 0;
+    mesh = quad;
+    mesh.indices = {0, 0, 0};  // a face without an area
     fillNormals(mesh);
     CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
 }
 
 TEST_CASE("a surface with a long outline is open, a body with seams and small holes is not")
 {
-    const MeshDesc quad = makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    CHECK(isOpen(quad));
-    MeshDesc box = makeBox({-1, -1, -1}, {1, 2, 3});
-    CHECK_FALSE(isOpen(box));
-    box.indices.resize(box.indices.size() - 6);  // without one of its faces
-    CHECK(isOpen(box));
+    const MeshDesc box = makeBox({-1, -1, -1}, {1, 2, 3});
+    MeshDesc without_face = box;
+    without_face.indices.resize(box.indices.size() - 6);
     MeshDesc sphere = makeSphere(2.0f, 24);  // its two sides meet at a seam, where they round apart
     for (Vertex& vertex : sphere.vertices) vertex.position[0] += 7.0f;
-    CHECK_FALSE(isOpen(sphere));
     MeshDesc holed = sphere;
     holed.indices.erase(holed.indices.begin() + 600, holed.indices.begin() + 606);
-    CHECK_FALSE(isOpen(holed));
     MeshDesc half = sphere;
     half.indices.resize(half.indices.size() / 2);
-    CHECK(isOpen(half));
-    CHECK_FALSE(isOpen(MeshDesc{}));
-    for (Vertex& vertex : half.vertices) vertex.position[1] += 1e6f;
-    CHECK(isOpen(half));
+    MeshDesc far_away = half;
+    for (Vertex& vertex : far_away.vertices) vertex.position[1] += 1e6f;
+    for (const MeshDesc& mesh : {box, sphere, holed, MeshDesc()}) CHECK_FALSE(isOpen(mesh));
+    for (const MeshDesc& mesh :
+         {makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), without_face, half, far_away})
+        CHECK(isOpen(mesh));
 }
 
 TEST_CASE("of several surfaces in one mesh those with most of the area decide")
 {
-    const auto joined = [](MeshDesc mesh, const MeshDesc& other) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-        for (const std::uint32_t index : other.indices) mesh.indices.push_back(index + first);
-        return mesh;
-    };
-    const MeshDesc box = makeBox({0, 0, 0}, {1, 1, 1});
-    const auto leaf = [](float size) { return makeQuad({3, 0, 0}, {size, 0, 0}, {0, size, 0}); };
-    CHECK_FALSE(isOpen(joined(box, leaf(2.0f))));
-    CHECK(isOpen(joined(box, leaf(3.0f))));
+    for (const auto& [size, open] : {std::pair(2.0f, false), {3.0f, true}})
+        CHECK(isOpen(joined(makeBox({0, 0, 0}, {1, 1, 1}),
+                            makeQuad({3, 0, 0}, {size, 0, 0}, {0, size, 0}))) == open);
 }

@@ -2,7 +2,7 @@
 // Scenes: bounds, projections, files that are fine and files that are not.
 #include "tools/scene/scene.h"
 
-#include "tests/support/catch.h"
+#include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,11 +15,11 @@ using namespace crevice;
 
 namespace {
 
-Code codeOf(const Result<Scene>& scene)
+const Diagnostic& onlyError(const Result<Scene>& scene)
 {
     REQUIRE_FALSE(scene.ok());
     REQUIRE(scene.diagnostics().size() == 1);
-    return scene.diagnostics()[0].code;
+    return scene.diagnostics()[0];
 }
 
 Result<Scene> importText(const std::string& name, const std::string& text)
@@ -28,10 +28,20 @@ Result<Scene> importText(const std::string& name, const std::string& text)
     return importScene(folder.write(name, text));
 }
 
+glm::vec3 normalOf(const Vertex& vertex)
+{
+    return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
+}
+
 // Twelve corners that share eight positions, as cubes without normals come.
 const char* const kCube =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+
+std::string vertexLine(double x, const char* y, double z)
+{
+    return "v " + std::to_string(x) + y + std::to_string(z) + "\n";
+}
 
 double depthAt(const glm::mat4& clip_from_view, double distance)
 {
@@ -73,17 +83,14 @@ TEST_CASE("depth planes that are left open hold the whole scene, and little more
         CHECK(depthAt(clip, 3.7) < -1);
         CHECK(depthAt(clip, 9.3) > 1);
     }
+    // Inside of the scene the near plane is one that depth can bear.
+    const glm::mat4 inside = clipFromView(SceneCamera(), {16, 9}, boundsBetween(-10, 10));
+    CHECK(depthAt(inside, 0.02) > -1);
+    CHECK(depthAt(inside, 0.005) < -1);
+    CHECK(std::isfinite(depthAt(inside, 10)));
 }
 
-TEST_CASE("a camera inside the scene gets a near plane that depth can bear")
-{
-    const glm::mat4 clip = clipFromView(SceneCamera(), {16, 9}, boundsBetween(-10, 10));
-    CHECK(depthAt(clip, 0.02) > -1);
-    CHECK(depthAt(clip, 0.005) < -1);
-    CHECK(std::isfinite(depthAt(clip, 10)));
-}
-
-TEST_CASE("planes that a camera names are used to the digit")
+TEST_CASE("planes that a camera names are used to the digit, and the far one is found alone")
 {
     SceneCamera camera;
     camera.near_distance = 0.001;
@@ -91,6 +98,9 @@ TEST_CASE("planes that a camera names are used to the digit")
     const glm::mat4 clip = clipFromView(camera, {16, 9}, boundsBetween(4, 9));
     CHECK(depthAt(clip, 0.001) == Approx(-1).margin(1e-3));
     CHECK(depthAt(clip, 1000) == Approx(1).margin(1e-3));
+    camera.near_distance = 0.1;
+    camera.far_distance = 0;
+    CHECK(depthAt(clipFromView(camera, {10, 10}, boundsBetween(4000, 5000)), 5000) < 1);
 }
 
 TEST_CASE("every projection is finite, whatever the bounds")
@@ -109,35 +119,39 @@ TEST_CASE("every projection is finite, whatever the bounds")
 
 TEST_CASE("a missing scene suggests what was meant")
 {
-    const auto builtin = loadScene("rom");
-    CHECK(codeOf(builtin) == Code::scene_missing);
-    CHECK(builtin.diagnostics()[0].help.find("'room'") != std::string::npos);
-
     const TemporaryFolder folder("scene_suggest");
     folder.write("teapot.obj", kCube);
-    const auto file = loadScene((folder.path / "teepot.obj").string());
-    CHECK(codeOf(file) == Code::scene_missing);
-    CHECK(file.diagnostics()[0].help.find("teapot.obj'") != std::string::npos);
-    CHECK(codeOf(loadScene("/no/such/folder/teapot.obj")) == Code::scene_missing);
+    for (const auto& [name, meant] : {std::pair<std::string, const char*>("rom", "'room'"),
+                                      {(folder.path / "teepot.obj").string(), "teapot.obj'"},
+                                      {"/no/such/folder/teapot.obj", ""}}) {
+        const auto scene = loadScene(name);
+        CHECK(onlyError(scene).code == Code::scene_missing);
+        CHECK(onlyError(scene).help.find(meant) != std::string::npos);
+    }
 }
 
-TEST_CASE("what is no scene is reported with a reason")
+TEST_CASE("what is no scene is broken, and what has no surface is empty")
 {
-    CHECK(codeOf(importText("empty.obj", "")) == Code::scene_broken);
-    CHECK(codeOf(importText("cut.gltf", "{\"asset\"")) == Code::scene_broken);
-    CHECK(codeOf(importText("cut.glb", std::string("glTF\x02\0\0\0\xff\0\0\0", 12))) ==
-          Code::scene_broken);
-    CHECK(codeOf(importText("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")) ==
-          Code::scene_broken);
-    CHECK(codeOf(importText("scene.unheard_of", "What is this?\n")) == Code::scene_broken);
+    struct Row {
+        Code code;
+        const char* name;
+        std::string text;
+    };
+    const Row rows[] = {
+        {Code::scene_broken, "empty.obj", ""},
+        {Code::scene_broken, "cut.gltf", "{\"asset\""},
+        {Code::scene_broken, "cut.glb", std::string("glTF\x02\0\0\0\xff\0\0\0", 12)},
+        {Code::scene_broken, "index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
+        {Code::scene_broken, "scene.unheard_of", "What is this?\n"},
+        {Code::scene_empty, "noise.obj", "\x01\x02 what is this\n"},
+        {Code::scene_empty, "line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"},
+        {Code::scene_empty, "none.obj", "v nan 0 0\nv 1 nan 0\nv 0 1 nan\nf 1 2 3\n"}};
+    for (const Row& row : rows) {
+        INFO(row.name);
+        CHECK(onlyError(importText(row.name, row.text)).code == row.code);
+    }
     const TemporaryFolder folder("scene_is_folder");
-    CHECK(codeOf(importScene(folder.path.string())) == Code::scene_broken);
-}
-
-TEST_CASE("a scene of points and lines, or of noise, has nothing to shade")
-{
-    CHECK(codeOf(importText("noise.obj", "\x01\x02 what is this\n")) == Code::scene_empty);
-    CHECK(codeOf(importText("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")) == Code::scene_empty);
+    CHECK(onlyError(importScene(folder.path.string())).code == Code::scene_broken);
 }
 
 TEST_CASE("triangles with broken vertices are left out with a warning")
@@ -152,58 +166,41 @@ TEST_CASE("triangles with broken vertices are left out with a warning")
     CHECK(scene.diagnostics()[0].message.find("2 faces") != std::string::npos);
 }
 
-TEST_CASE("a scene of nothing but broken triangles is empty")
-{
-    CHECK(codeOf(importText("none.obj", "v nan 0 0\nv 1 nan 0\nv 0 1 nan\nf 1 2 3\n")) ==
-          Code::scene_empty);
-}
-
 TEST_CASE("triangles without an area stay and have normals of length one")
 {
-    const auto scene =
-        importText("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\nf 1 2 4\n");
-    REQUIRE(scene.ok());
-    CHECK(scene->meshes[0].indices.size() == 9);
-    for (const Vertex& vertex : scene->meshes[0].vertices)
-        CHECK(glm::length(glm::vec3(vertex.normal[0], vertex.normal[1], vertex.normal[2])) ==
-              Approx(1));
+    const Scene scene = need(
+        importText("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\nf 1 2 4\n"));
+    CHECK(scene.meshes[0].indices.size() == 9);
+    for (const Vertex& vertex : scene.meshes[0].vertices)
+        CHECK(glm::length(normalOf(vertex)) == Approx(1));
 }
 
-TEST_CASE("a cube without normals keeps its edges")
+TEST_CASE("a mesh without normals keeps the edges of a cube and becomes smooth where it is round")
 {
-    const auto scene = importText("cube.obj", kCube);
-    REQUIRE(scene.ok());
-    const MeshDesc& mesh = scene->meshes[0];
-    CHECK(mesh.indices.size() == 36);
-    CHECK(mesh.vertices.size() == 24);
-    for (const Vertex& vertex : mesh.vertices) {
-        const float largest = std::max(
-            {std::abs(vertex.normal[0]), std::abs(vertex.normal[1]), std::abs(vertex.normal[2])});
-        CHECK(largest == Approx(1));
+    const Scene cube = need(importText("cube.obj", kCube));
+    CHECK(cube.meshes[0].indices.size() == 36);
+    CHECK(cube.meshes[0].vertices.size() == 24);
+    for (const Vertex& vertex : cube.meshes[0].vertices) {
+        const glm::vec3 normal = glm::abs(normalOf(vertex));
+        CHECK(std::max({normal.x, normal.y, normal.z}) == Approx(1));
     }
-}
 
-TEST_CASE("a rounded mesh without normals becomes smooth")
-{
     std::string text;  // half a cylinder of 18 strips
     for (int k = 0; k <= 18; ++k) {
         const double angle = k * 3.14159265358979 / 18;
-        for (const int y : {0, 1})
-            text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(y) + " " +
-                    std::to_string(std::sin(angle)) + "\n";
+        for (const char* y : {" 0 ", " 1 "})
+            text += vertexLine(std::cos(angle), y, std::sin(angle));
     }
     for (int k = 0; k < 18; ++k) {
         const int a = 2 * k + 1;
         text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " +
                 std::to_string(a + 3) + " " + std::to_string(a + 2) + "\n";
     }
-    const auto scene = importText("round.obj", text);
-    REQUIRE(scene.ok());
-    CHECK(scene->meshes[0].vertices.size() == 38);
-    for (const Vertex& vertex : scene->meshes[0].vertices) {
-        const double along =
-            vertex.normal[0] * vertex.position[0] + vertex.normal[2] * vertex.position[2];
-        CHECK(std::abs(along) > 0.99);
+    const Scene round = need(importText("round.obj", text));
+    CHECK(round.meshes[0].vertices.size() == 38);
+    for (const Vertex& vertex : round.meshes[0].vertices) {
+        const glm::vec3 outwards = {vertex.position[0], 0, vertex.position[2]};
+        CHECK(std::abs(glm::dot(normalOf(vertex), outwards)) > 0.99);
     }
 }
 
@@ -212,9 +209,8 @@ TEST_CASE("OBJ materials bring their colour and highlight, and a lost .mtl does 
     const TemporaryFolder folder("scene_mtl");
     folder.write("shiny.mtl", "newmtl shiny\nKd .1 .2 .3\nKs .4 .5 .6\nNs 50\n");
     const std::string body = std::string("usemtl shiny\n") + kCube;
-    const auto scene = importScene(folder.write("a.obj", "mtllib shiny.mtl\n" + body));
-    REQUIRE(scene.ok());
-    const SceneMaterial& material = scene->materials[scene->instances[0].material];
+    const Scene scene = need(importScene(folder.write("a.obj", "mtllib shiny.mtl\n" + body)));
+    const SceneMaterial& material = scene.materials[scene.instances[0].material];
     CHECK(material.base_color == glm::vec4(0.1f, 0.2f, 0.3f, 1));
     CHECK(material.specular == glm::vec3(0.4f, 0.5f, 0.6f));
     CHECK(material.shininess == 50);
@@ -235,14 +231,13 @@ TEST_CASE("a fan around one vertex does not cost its square")
     constexpr int kBlades = 30000;  // a quadratic import took a minute for these
     std::string text = "v 0 1 0\n";
     for (int k = 0; k < kBlades; ++k)
-        text += "v " + std::to_string(std::cos(k * 6.2831853 / kBlades)) + " 0 " +
-                std::to_string(std::sin(k * 6.2831853 / kBlades)) + "\n";
+        text +=
+            vertexLine(std::cos(k * 6.2831853 / kBlades), " 0 ", std::sin(k * 6.2831853 / kBlades));
     for (int k = 0; k < kBlades; ++k)
         text += "f 1 " + std::to_string((k + 1) % kBlades + 2) + " " + std::to_string(k + 2) + "\n";
     const auto begin = std::chrono::steady_clock::now();
-    const auto scene = importText("fan.obj", text);
+    const Scene scene = need(importText("fan.obj", text));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    REQUIRE(scene.ok());
-    CHECK(scene->meshes[0].indices.size() == 3 * kBlades);
+    CHECK(scene.meshes[0].indices.size() == 3 * kBlades);
     CHECK(taken.count() < 30);
 }

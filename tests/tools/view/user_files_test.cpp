@@ -2,12 +2,12 @@
 // The files of a config: which they are, what is saved, and what is told of them.
 #include "tools/view/user_files.h"
 
+#include <crevice/source.h>
+
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 using namespace crevice;
 
@@ -24,22 +24,16 @@ struct Config {
     {
     }
 
-    ConfigOptions options(const std::string& behind = "") const
+    UserFiles files(const std::string& behind = "") const
     {
-        return {mine + behind, "", {}, ""};
+        return UserFiles({mine + behind, "", {}, ""}, shippedSources());
     }
 
     const TemporaryFolder folder{"user_files"};
     const std::string radius, mine;
 };
 
-std::string textOf(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
+std::string textOf(const std::string& path) { return readFile(path)->text; }
 
 std::vector<std::string> pathsOf(const std::vector<UserFile>& files)
 {
@@ -64,23 +58,20 @@ TEST_CASE("a page gets the files on disk that a config is made of, and no others
 {
     const Config config;
     config.folder.write("other.json", kRadius);
-    UserFiles files(config.options(), shippedSources());
+    UserFiles files = config.files();
     CHECK(files.editable());
     CHECK(files.configName() == "mine");
     CHECK(pathsOf(files.all()) == Paths{"configs/mine.json", "configs/more/radius.json"});
     CHECK(files.check().empty());
-    CHECK(UserFiles(config.options("+geometry/host_depth"), shippedSources()).configName() ==
-          "mine+geometry/host_depth");
-}
+    CHECK(config.files("+geometry/host_depth").configName() == "mine+geometry/host_depth");
 
-TEST_CASE("GLSL of a config is among its files, with what it includes")
-{
-    const Config config(
+    config.folder.write(
+        "mine.json",
         R"({"format": 1, "extends": ["learnopengl"], "shaders": {"ssao": {"fragment": "./a.frag"}}})");
     config.folder.write("a.frag", "#version 300 es\n#include \"./b.glsl\"\nvoid main() {}\n");
     config.folder.write("b.glsl", "// b\n");
-    UserFiles files(config.options(), shippedSources());
-    CHECK(pathsOf(files.all()) == Paths{"configs/a.frag", "configs/b.glsl", "configs/mine.json"});
+    CHECK(pathsOf(config.files().all()) ==
+          Paths{"configs/a.frag", "configs/b.glsl", "configs/mine.json"});
 }
 
 TEST_CASE("a shipped config has no files, whatever lies in the current folder")
@@ -108,7 +99,7 @@ TEST_CASE("a file of the current folder that is named like a shipped module is n
 TEST_CASE("a config that does not load has its files all the same")
 {
     const Config broken(R"({"format": 1, "extends": ["./more/radius.json", "nowhere"]})");
-    UserFiles files(broken.options(), shippedSources());
+    UserFiles files = broken.files();
     CHECK(files.editable());
     CHECK(hasErrors(files.check()));
     CHECK(versionOf(files, "configs/mine.json") != "none");
@@ -117,7 +108,7 @@ TEST_CASE("a config that does not load has its files all the same")
 TEST_CASE("a save replaces the version that it names, and tells nobody")
 {
     const Config config;
-    UserFiles files(config.options(), shippedSources());
+    UserFiles files = config.files();
     const std::string path = "configs/more/radius.json";
     const std::string text = R"({"format": 1, "params": {"radius": 0.5}})";
     const std::string before = versionOf(files, path);
@@ -140,7 +131,7 @@ TEST_CASE("no other file is written")
 {
     const Config config;
     const std::string other = config.folder.write("other.json", "other");
-    UserFiles files(config.options(), shippedSources());
+    UserFiles files = config.files();
     const std::string version = versionOf(files, "configs/mine.json");
     for (const std::string& path :
          {std::string("configs/other.json"), other, std::string("other.json"), std::string(),
@@ -154,7 +145,7 @@ TEST_CASE("no other file is written")
 TEST_CASE("an edit by others is told once, by whatever way it was saved")
 {
     const Config config;
-    UserFiles files(config.options(), shippedSources());
+    UserFiles files = config.files();
     CHECK(files.changes().empty());
     config.folder.write("more/radius.json", "{}");
     const std::vector<UserFile> changed = files.changes();
@@ -168,22 +159,20 @@ TEST_CASE("an edit by others is told once, by whatever way it was saved")
     CHECK(files.changes().empty());
 }
 
-TEST_CASE("a file that the config has named since is told")
+TEST_CASE("a file is told once the config names it, and once it exists")
 {
-    const Config config;
-    UserFiles files(config.options(), shippedSources());
-    config.folder.write("new.json", kRadius);
-    const std::string version = versionOf(files, "configs/mine.json");
     const char* const text = R"({"format": 1, "extends": ["learnopengl", "./new.json"]})";
-    CHECK(files.save("configs/mine.json", version, text).end == Save::End::done);
-    CHECK(pathsOf(files.changes()) == Paths{"configs/new.json"});
-}
-
-TEST_CASE("a file that is named before it exists is told when it does")
-{
-    const Config config(R"({"format": 1, "extends": ["learnopengl", "./new.json"]})");
-    UserFiles files(config.options(), shippedSources());
-    config.folder.write("new.json", kRadius);
+    {
+        const Config config;
+        UserFiles files = config.files();
+        config.folder.write("new.json", kRadius);
+        const std::string version = versionOf(files, "configs/mine.json");
+        CHECK(files.save("configs/mine.json", version, text).end == Save::End::done);
+        CHECK(pathsOf(files.changes()) == Paths{"configs/new.json"});
+    }
+    const Config early(text);
+    UserFiles files = early.files();
+    early.folder.write("new.json", kRadius);
     std::vector<UserFile> told;
     for (int poll = 0; poll < 20 && told.empty(); ++poll) told = files.changes();
     CHECK(pathsOf(told) == Paths{"configs/new.json"});
@@ -194,7 +183,7 @@ TEST_CASE("a file that is not UTF-8 is shown and not written")
     const Config config;
     const std::string text = std::string(kRadius) + "// \xe9\n";
     config.folder.write("more/radius.json", text);
-    UserFiles files(config.options(), shippedSources());
+    UserFiles files = config.files();
     const std::string path = "configs/more/radius.json";
     const Save save = files.save(path, versionOf(files, path), kRadius);
     REQUIRE(save.end == Save::End::failed);

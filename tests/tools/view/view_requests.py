@@ -58,39 +58,32 @@ def lines_of(path):
 def check_page():
     page = ask("GET", base)
     check("the page is there", page.status == 200 and b"<title>page" in page.data)
-    check("as HTML", page.getheader("Content-Type") == "text/html; charset=utf-8")
-    check("never stored", page.getheader("Cache-Control") == "no-store")
-    check("of the type that it says", page.getheader("X-Content-Type-Options") == "nosniff")
     policy = page.getheader("Content-Security-Policy") or ""
     check("nothing is allowed unless named", policy.startswith("default-src 'none'"))
     check("scripts are the page's own", "script-src 'self' 'wasm-unsafe-eval';" in policy)
-    check("nobody learns the address", page.getheader("Referrer-Policy") == "no-referrer")
-    wasm = ask("GET", base + "crevice_page.wasm")
-    check("WebAssembly has its type", wasm.getheader("Content-Type") == "application/wasm")
-    check("and its bytes", wasm.data == b"\0asm")
+    for name, value in [("Content-Type", "text/html; charset=utf-8"), ("Cache-Control", "no-store"),
+                        ("X-Content-Type-Options", "nosniff"), ("Referrer-Policy", "no-referrer")]:
+        check("its " + name, page.getheader(name) == value)
+    check("WebAssembly has its bytes", ask("GET", base + "crevice_page.wasm").data == b"\0asm")
     check("a query does not matter", status("GET", base + "page.js?x=1") == 200)
     head = ask("HEAD", base + "page.js")
     check("HEAD has no body", head.status == 200 and not head.data)
 
 
+# site_test.cpp has more names, hosts, methods and origins: here are those that HTTP decodes, and one of each kind.
 def check_refusals():
-    for target in ["/", "/index.html", base[:-1], base[:-2] + "/", "/" + "0" * 32 + "/", "/view.json",
-                   base.upper(), "*", "//"]:
+    for target in ["/", base[:-1], "/" + "0" * 32 + "/", "*", "//"]:
         answer = ask("GET", target)
         check("404 without detail: " + target, answer.status == 404 and not answer.data)
     for target in ["../secret.txt", "%2e%2e/secret.txt", "..%2fsecret.txt", "..%5csecret.txt", "%2fetc%2fpasswd",
-                   "/etc/passwd", "%252e%252e/secret.txt", "./../secret.txt", "page.js/../../secret.txt",
-                   "page.js%00.txt", "..", "%2e", escaped_folder + "/secret.txt", "mine.json", "configs/mine.json",
-                   "a" * 1500, "a" * 4000]:
+                   "%252e%252e/secret.txt", "page.js%00.txt", "%2e", escaped_folder + "/secret.txt", "a" * 4000]:
         check("no file: " + target[:40], status("GET", base + target) == 404)
-    for host in ["evil.example", "evil.example:%d" % port, "127.0.0.1", "127.0.0.1:1", "[::1]:%d" % port]:
-        check("403 for the host " + host, status("GET", base, host=host) == 403)
+    check("403 for another host", status("GET", base, host="evil.example:%d" % port) == 403)
     check("localhost is this machine", status("GET", base, host="localhost:%d" % port) == 200)
     check("no host is refused", " 403 " in sent_as_is(b"GET " + base.encode() + b" HTTP/1.1\r\n\r\n"))
     check("nonsense is refused", " 400 " in sent_as_is(b"nonsense\r\n\r\n"))
     for method in ["POST", "PUT", "DELETE", "OPTIONS", "PATCH"]:
         check("405 for " + method, status(method, base, b"") == 405)
-    check("405 for GET of a file", status("GET", base + "files/configs/mine.json") == 405)
     others = [line for line in os.popen("cat /proc/net/tcp /proc/net/tcp6") if ":%04X " % port in line.split(" 0A ")[0]]
     listening = [line for line in others if " 0A " in line]
     check("it listens on the loopback address alone",
@@ -109,24 +102,19 @@ def check_saves():
     path = "configs/more/radius.json"
     version = view()["files"][path]["version"]
     text = '{"format": 1, "params": {"radius": 0.5}}\n'
-    own = "http://127.0.0.1:%d" % port
-    for origin in ["http://evil.example", "null", "http://127.0.0.1:1", own.replace("http", "https")]:
-        check("403 for the origin " + origin, put(path, text, version, Origin=origin).status == 403)
-    for other in ["configs/other.json", "secret.txt", "../secret.txt", "configs/../../secret.txt",
-                  "configs/%2e%2e/mine.json", "%2fetc%2fpasswd", escaped_folder + "/mine.json", "",
-                  "configs/learnopengl.json"]:
+    check("403 for another origin", put(path, text, version, Origin="http://evil.example").status == 403)
+    for other in ["configs/%2e%2e/mine.json", "%2fetc%2fpasswd", escaped_folder + "/mine.json", ""]:
         check("404 for a save to " + other, put(other, text, version).status == 404)
     check("428 without a version", status("PUT", base + "files/" + path, text.encode()) == 428)
     check("413 for more than a file may have", put(path, "x" * (1 << 20) + "x", version).status == 413)
-    check("so far nothing is written", '0.8' in lines_of("more/radius.json"))
     chunked = ("PUT %sfiles/%s HTTP/1.1\r\nHost: 127.0.0.1:%d\r\nIf-Match: %s\r\nTransfer-Encoding: chunked\r\n\r\n"
                % (base, path, port, version)).encode()
     over = chunked + b"".join(b"10000\r\n" + b"y" * 0x10000 + b"\r\n" for _ in range(17)) + b"0\r\n\r\n"
     check("413 for more than that in chunks", " 413 " in sent_as_is(over))
+    check("so far nothing is written", '0.8' in lines_of("more/radius.json"))
 
-    saved = put(path, text, version, Origin=own)
-    check("a save is answered", saved.status == 200)
-    check("and written", lines_of("more/radius.json") == text)
+    saved = put(path, text, version, Origin="http://127.0.0.1:%d" % port)
+    check("a save is written", saved.status == 200 and lines_of("more/radius.json") == text)
     late = put(path, "late", version)
     now = json.loads(late.data)
     check("a save of an old version is refused", late.status == 409 and lines_of("more/radius.json") == text)
