@@ -102,7 +102,8 @@ TEST_CASE("passes are powers of two with a batch of rays each")
 
 TEST_CASE("a radius of zero is open in every pass")
 {
-    ProgressiveTrace trace = Subject().begin(64, 0.0);
+    const Subject subject;
+    ProgressiveTrace trace = subject.begin(64, 0.0);
     traceAll(trace, 0);
     const Image image = trace.image();
     CHECK(std::count(image.pixels.begin(), image.pixels.end(), 1.0f) > 100);

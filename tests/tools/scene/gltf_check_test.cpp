@@ -70,7 +70,7 @@ TEST_CASE("what is not read is one error or warning a file, with its way out")
         const char* version = "2.0";
     };
     std::vector<Row> rows = {
-        {"", false, {"glTF 1.0"}, "glTF 2.0", "1.0"},
+        {"", false, {"glTF 1.0"}, "nothing of this name", "1.0"},
         {R"(, "extensionsRequired": ["KHR_mesh_quantization", "EXT_meshopt_compression",
               "KHR_texture_transform", "ACME_anvil"])",
          false,
