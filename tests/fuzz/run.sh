@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds the fuzzers and runs each for so many seconds, 30 by default; for hours by hand. What they
-# learn stays in build/fuzz/corpus, so that the next run goes on from there. A text that breaks
-# something is written to build/fuzz as crash-*, slow-* or timeout-*; pass it as an argument to the
+# learn stays in build/asan/corpus, so that the next run goes on from there. A text that breaks
+# something is written to build/asan as crash-*, slow-* or timeout-*; pass it as an argument to the
 # fuzzer to see it again, and keep it in tests/fuzz/found once it is mended: each run begins with
 # those.
 #
@@ -16,9 +16,9 @@ if ! [[ $seconds =~ ^[1-9][0-9]*$ ]]; then
     exit 2
 fi
 
-cmake --preset fuzz && cmake --build --preset fuzz
+cmake --preset asan && cmake --build --preset asan --target crevice_fuzzers
 
-out=build/fuzz
+out=build/asan
 seeds=$out/seeds
 rm -rf -- "$seeds"
 mkdir -p "$seeds"
