@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Fills in the table of docs/program_cache.md: how long a renderer takes to make with its programs compiled, kept by
+# Fills in the table of docs/reference/program_cache.md: how long a renderer takes to make with its programs compiled, kept by
 # --program-cache, and kept by Mesa itself; medians of 15 runs in turn. Mesa's own cache begins empty each time: with
 # it switched off Mesa gives no binaries. CREVICE may name a built command; otherwise the release preset is built.
 #
 #   tools/scripts/program_cache_figures.sh
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
-page=docs/program_cache.md
+page=docs/reference/program_cache.md
 runs=15
 
 source tools/scripts/built_crevice.sh

@@ -144,7 +144,7 @@ typedef struct crevice_device_desc {
     bool ignore_extensions;
 
     /// Keeps linked programs between runs, so that the next one starts without compiling
-    /// (docs/program_cache.md). Either may be null. A key is 16 hex digits. `cache_load` gives the
+    /// (docs/reference/program_cache.md). Either may be null. A key is 16 hex digits. `cache_load` gives the
     /// bytes that were stored, which must stay until the next call of either, and their count; or
     /// null. They are called where programs are made, and must not call GL or crevice. Keep the
     /// bytes where nobody else can write: drivers run them.
