@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Fills in the table of docs/reference/program_cache.md: how long a renderer takes to make with its programs compiled, kept by
-# --program-cache, and kept by Mesa itself; medians of 15 runs in turn. Mesa's own cache begins empty each time: with
-# it switched off Mesa gives no binaries. CREVICE may name a built command; otherwise the release preset is built.
+# Fills in the table of docs/reference/program_cache.md: how long a renderer takes to make with its programs compiled,
+# kept by --program-cache, and kept by Mesa itself; medians of 15 runs in turn. Mesa's own cache begins empty each
+# time: with it switched off Mesa gives no binaries. CREVICE may name a built command; otherwise the release preset is
+# built.
 #
 #   tools/scripts/program_cache_figures.sh
 set -euo pipefail
