@@ -38,7 +38,7 @@ for page in docs/*.md docs/*/*.md; do
 done
 for config in configs/*.json; do
     name=$(basename -- "$config" .json)
-    grep -q "^| \`$name\` |" docs/which_config.md docs/reference/methods.md || fail "$config: no table has a row for it"
+    grep -q "^| \`$name[\`=]" docs/which_config.md docs/reference/methods.md || fail "$config: no table has a row for it"
 done
 for module in effects/*/*.json; do
     name=${module#effects/}
