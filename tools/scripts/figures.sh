@@ -45,11 +45,12 @@ configs_of() {
 cell() { printf '%s\t%s\t%s\n' "$@"; }
 # fill NAME: writes cells, or whole rows, which begin with a bar, into the tables of that name.
 fill() {
-    local page
+    local page marked
     cat >"$work/cells"
     : >"$work/used"
     [[ ! -e $work/failed ]] || exit 1
-    for page in "${pages[@]}"; do
+    marked=$(grep -lE "^<!-- figures:.*[ ,]$1[ ,]" "${pages[@]}") || { echo "no page has a table of '$1'" >&2; exit 1; }
+    for page in $marked; do
         awk -v name="[ ,]$1[ ,]" -v cells="$work/cells" -v used="$work/used" '
             BEGIN {
                 FS = "\t"
@@ -216,20 +217,19 @@ cost() {
             return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 3) + 0
         }
         function put(column, text) { print config, column, text }
-        function finish() { if (config) put("spills", spills ":" fills) }
-        /"config":/ { finish(); config = $2; gsub(/[",]/, "", config); config = "`" config "`"; spills = fills = 0 }
+        /"config":/ { config = $2; gsub(/[",]/, "", config); config = "`" config "`" }
         /"ao": \{/ { sum = "ao" }
         /"ao_with_geometry": \{/ { sum = "with" }
         /"passes": \[/ { sum = "" }
         sum == "ao" && /"fetches"/ { put("fetches", sprintf("%.1f", value("fetches"))) }
         sum && /"tile_bytes"/ { put(sum == "ao" ? "MiB" : "with geometry", sprintf("%.1f", value("tile_bytes") / 1048576)) }
-        sum == "ao" && /"largest_spills"/ {
-            if (value("largest_spills") > spills) { spills = value("largest_spills"); fills = value("its_fills") }
-            if (/Mali-G57/) put("cyc", sprintf("%.1f", value("cycles")))
-            if (/Mali-G57/) put("occ", value("lowest_threads") "/" value("most_threads"))
-            if (/Adreno/) put("16b", sprintf("%.0f%%", 100 * value("arithmetic_16_bit") / value("arithmetic")))
+        sum == "ao" && /"gpu":"Mali-G57"/ {
+            put("cyc", sprintf("%.1f", value("cycles")))
+            put("occ", value("lowest_threads") "/" value("most_threads"))
         }
-        END { finish() }' "$approved" | fill cost
+        sum == "ao" && /"gpu":"Adreno/ {
+            put("16b", sprintf("%.0f%%", 100 * value("arithmetic_16_bit") / value("arithmetic")))
+        }' "$approved" | fill cost
 }
 
 if [[ $* == "cost --check" ]]; then
@@ -240,5 +240,5 @@ if [[ $* == "cost --check" ]]; then
     fi
 fi
 source tools/scripts/built_crevice.sh
-mapfile -t pages < <(grep -rl --include='*.md' '^<!-- figures: ' README.md docs)
+pages=(README.md docs/*.md docs/*/*.md)
 "$name" ${arguments[@]+"${arguments[@]}"}
