@@ -49,6 +49,7 @@ fill() {
     cat >"$work/cells"
     : >"$work/used"
     [[ ! -e $work/failed ]] || exit 1
+    [[ -s $work/cells ]] || { echo "nothing was measured for '$1'" >&2; exit 1; }
     marked=$(grep -lE "^<!-- figures:.*[ ,]$1[ ,]" "${pages[@]}") || { echo "no page has a table of '$1'" >&2; exit 1; }
     for page in $marked; do
         awk -v name="[ ,]$1[ ,]" -v cells="$work/cells" -v used="$work/used" '
