@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up what is missing and runs every check: all tests, the errors of the shipped configs against
-# docs/bench, the pictures of docs/methods, costs on phones, faults planted in shaders, the tests without GL under
+# docs/bench, the pictures of docs/reference, costs on phones, faults planted in shaders, the tests without GL under
 # sanitizers, threads under the thread sanitizer, Debian packages, built with clang, a minute of
 # fuzzing, and crevice in a browser and on ARM.
 # Warnings are errors everywhere. Safe to run again.
@@ -50,7 +50,7 @@ pictures() {
     CREVICE=build/ci/tools/crevice tools/scripts/pictures.sh --check
 }
 costs_on_phones() {
-    CREVICE=build/ci/tools/crevice or_skipped tools/scripts/cost_figures.sh --check
+    CREVICE=build/ci/tools/crevice or_skipped tools/scripts/figures.sh cost --check
 }
 # Runs the tests of a program in eight parts, as many at a time as there are cores. A test that is in no part fails it.
 in_parts() {
@@ -116,7 +116,7 @@ else
         echo "test.sh: the stages of WebGL 2 and ARM say what they lack" >&2
     stage "All tests" all_tests
     stage "Errors against docs/bench" guard
-    stage "Pictures in docs/methods" pictures
+    stage "Pictures in docs/reference" pictures
     stage "Costs on phones against docs/cost" costs_on_phones
     stage "Faults planted in shaders, which stress must find" planted_faults
     stage "Tests without GL under the address and undefined-behaviour sanitizers" sanitized_tests
