@@ -87,7 +87,7 @@ arm() {
 }
 phones() {
     CREVICE_MOBILE_COMPILERS=$(tools/scripts/mobile_compilers.sh | tail -n 1) &&
-        CREVICE_MOBILE_COMPILERS=$CREVICE_MOBILE_COMPILERS tools/scripts/cost_figures.sh --check
+        CREVICE_MOBILE_COMPILERS=$CREVICE_MOBILE_COMPILERS tools/scripts/figures.sh cost --check
 }
 code_faults() { tests/faults/run.sh build/faults; }
 

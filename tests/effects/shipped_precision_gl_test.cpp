@@ -23,7 +23,7 @@ using namespace crevice;
 namespace {
 
 // Most that the mean occlusion may change: a quarter of a step of the 8 bits it is stored in.
-// Measured figures are in docs/precision.md.
+// Measured figures are in docs/reference/precision.md.
 constexpr double kMostChange = 0.001;
 
 /// The radius is 0.8 in units of one. Marches have as many taps in all configs: their programs are

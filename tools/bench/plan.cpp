@@ -21,7 +21,7 @@
 namespace crevice {
 namespace {
 
-/// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long
+/// Whose figures say most about what to take; docs/which_config.md. `reference` takes too long
 /// to be first.
 constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
 
