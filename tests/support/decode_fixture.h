@@ -83,7 +83,7 @@ inline std::string errorsOf(const Result<Description>& result)
 /// A config with one section replaced, and the errors that it must give.
 struct BadConfig {
     const char* section;
-    const char* text;
+    std::string text;
     const char* errors;
 };
 
