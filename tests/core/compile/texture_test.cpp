@@ -214,12 +214,11 @@ TEST_CASE("A shader that discards leaves pixels, so its target is cleared")
 
 TEST_CASE("Depth is cleared to 1, needs a texture even unread, and is stored where it is sampled")
 {
-    const auto drawn = [](const std::string& reads) {
-        return planOf(describe(Sketch{
-                          {R"(g: -> x | "type": "draw", "depth": "d")", "h: " + reads + " -> y"},
-                          {{"out", "y"}},
-                          {{"d", R"({"format": ["depth24"]})"}}}))
-            .passes[0];
+    const auto drawn = [](const std::string& reads, const SceneTraits& traits = {}) {
+        const Sketch sketch{{R"(g: -> x | "type": "draw", "depth": "d")", "h: " + reads + " -> y"},
+                            {{"out", "y"}},
+                            {{"d", R"({"format": ["depth24"]})"}}};
+        return planOf(describe(sketch), traits).passes[0];
     };
     const PlanPass pass = drawn("x");
     REQUIRE(pass.has_depth);
@@ -229,6 +228,9 @@ TEST_CASE("Depth is cleared to 1, needs a texture even unread, and is stored whe
     CHECK(pass.depth.store == StoreOp::discard);
     CHECK(pass.color[0].store == StoreOp::store);
     CHECK(drawn("x d").depth.store == StoreOp::store);
+    SceneTraits reversed;
+    reversed.reversed_depth = true;
+    CHECK(drawn("x", reversed).depth.clear[0] == 0.0f);
 }
 
 TEST_CASE("Targets whose lifetimes do not meet share a texture")
