@@ -5,7 +5,6 @@
 #include "tests/support/comma_locale.h"
 
 #include "core/base/numbers.h"
-#include "tests/support/nightly.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/planning.h"
 #include "tools/plan/print.h"
@@ -67,11 +66,7 @@ void checkNumbers()
 TEST_CASE(
     "Numbers, messages, plans and their GLSL are the same under a locale with a decimal comma")
 {
-    // An ordinary run takes the presets and the ports of two authors.
-    const std::vector<Subject> some = {
-        {"mobile", ""}, {"balanced", ""},          {"high", ""},       {"gtao", ""},
-        {"thesis", ""}, {"balanced_temporal", ""}, {"learnopengl", ""}};
-    const std::vector<Subject> all = nightly() ? subjects() : some;
+    const std::vector<Subject> all = subjects();
     std::vector<std::string> ordinary;
     for (const Subject& subject : all) ordinary.push_back(planned(subject));
     const std::string ordinary_messages = messages();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Decoding: keys, types, names and ranges that are wrong, beyond those of tests/data/bad, and how
 // errors are told.
-#include "tests/support/decode_fixture.h"
+#include "tests/core/config/decode_fixture.h"
 
 using namespace crevice;
 

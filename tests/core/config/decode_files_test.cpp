@@ -2,7 +2,7 @@
 // Decoding: the GLSL files that a config names and what they include.
 #include <crevice/glsl_stage.h>
 
-#include "tests/support/decode_fixture.h"
+#include "tests/core/config/decode_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace crevice;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decoding: names that lead nowhere or collide, beyond those of tests/data/bad.
-#include "tests/support/decode_fixture.h"
+#include "tests/core/config/decode_fixture.h"
 
 using namespace crevice;
 

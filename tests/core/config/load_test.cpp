@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loading configs: what they extend, and everything that can be wrong with it.
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/load_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace crevice;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Modules of one family stand in for each other: swapped in every shipped config, it still plans.
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/load_fixture.h"
 #include "tests/support/nightly.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/planning.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Variants and overrides: what is laid over a loaded config.
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/load_fixture.h"
 
 using namespace crevice;
 
