@@ -152,6 +152,12 @@ RULES = [
      [('tools/examples/a.cpp', '#include "core/base/text.h"\n')]),
     ('examples have at most 120 lines', 'tools', lambda source: source.example and source.text.count('\n') > 120, (),
      [('tools/examples/a.cpp', 121 * '\n')]),
+    ('files have at most 600 lines', 'core backends effects tools tests',
+     lambda source: source.cpp and source.text.count('\n') > 600, 'effects/c_api/include/',
+     [('core/x.cpp', 601 * '\n')]),
+    ('functions of the libraries have at most 40 lines', 'core backends effects',
+     lambda source: [body.count('\n') for body in re.findall(r'^\{\n(.*?)^\}', source.code, re.M | re.S)
+                     if body.count('\n') > 40], 'backends/gl/caps.cpp', [('core/x.cpp', 'int f()\n{' + 42 * '\n' + '}')]),
     ('sources have the licence line', 'core backends effects configs tools tests', unlicensed, (),
      [('core/x.cpp', '#include <vector>\n'), ('tests/CMakeLists.txt', '# tests\n')]),
 ]
