@@ -157,7 +157,8 @@ RULES = [
      [('core/x.cpp', 601 * '\n')]),
     ('functions of the libraries have at most 40 lines', 'core backends effects',
      lambda source: [body.count('\n') for body in re.findall(r'^\{\n(.*?)^\}', source.code, re.M | re.S)
-                     if body.count('\n') > 40], 'backends/gl/caps.cpp', [('core/x.cpp', 'int f()\n{' + 42 * '\n' + '}')]),
+                     if body.count('\n') > 40], 'backends/gl/caps.cpp',
+     [('core/x.cpp', 'int f()\n{' + 42 * '\n' + '}')]),
     ('sources have the licence line', 'core backends effects configs tools tests', unlicensed, (),
      [('core/x.cpp', '#include <vector>\n'), ('tests/CMakeLists.txt', '# tests\n')]),
 ]
