@@ -22,8 +22,23 @@ out=build/asan
 seeds=$out/seeds
 rm -rf -- "$seeds"
 mkdir -p "$seeds"
-for file in configs/*.json effects/*/*.json tests/data/bad/*/*.json tests/fuzz/{seeds,found}/*; do
+for file in configs/*.json effects/*/*.json tests/fuzz/{seeds,found}/*; do
     if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
+done
+# The malformed configs, as tests/support/bad_corpus.h describes their files.
+for group in tests/data/bad/*.txt; do
+    LC_ALL=C awk -v out="$seeds/$(basename "$group" .txt)_" '
+        function finish() {
+            if (name == "around") {
+                head = substr(body, 1, index(body, "...\n") - 1)
+                foot = substr(body, length(head) + 5)
+            }
+            else if (name ~ /json$/) printf "%s", case_ ? head body foot : body > out name
+            body = ""
+        }
+        /^(---|===) / { finish(); case_ = /^---/; name = $2 (case_ ? ".json" : ""); gsub("/", "_", name); next }
+        { body = body $0 "\n" }
+        END { finish() }' "$group"
 done
 
 # Every word that the seeds have in quotes, for libFuzzer to combine.
