@@ -121,7 +121,6 @@ for (const advice of data.advice) {
   for (const views of scenes.values()) showScene(main, views, take);
   showCurves(main, advice.curves, "Across scenes");
 }
-showAblation(main, data.ablation);
 showMissing(main);
 let width = innerWidth;
 addEventListener("resize", () => {
