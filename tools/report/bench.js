@@ -17,8 +17,10 @@ function showAnswer(parent, advice) {
   const take = stepOf(advice, "balanced"), without = advice.error_without_ao;
   const box = add(parent, "section", {class: "card answer"});
   if (!take)
-    return add(
-      box, "p", {class: "take"}, "None of these configs is better than no ambient occlusion.");
+    return add(box, "p", {class: "take"},
+      advice.elided.length ?
+        "No config that was measured alike in every scene is better than no ambient occlusion." :
+        "None of these configs is better than no ambient occlusion.");
   const line =
     add(box, "p", {class: "take"}, data.coverage.whole ? "Take " : "Of what is measured, take ");
   add(line, "strong", {}, brief(take.label));
