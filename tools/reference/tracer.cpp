@@ -2,6 +2,7 @@
 // Whole pictures by rays, on all processors.
 #include "tools/reference/tracer.h"
 
+#include "tools/reference/bvh_scene.h"
 #include "tools/reference/progressive_trace.h"
 
 #include <glm/matrix.hpp>
@@ -50,9 +51,7 @@ Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Ex
 {
     if (const Status status = checkTrace(camera, extent, options); !status)
         return status.diagnostics();
-    const auto built = makeRayScene(scene, eyeOf(camera));
-    if (!built) return built.diagnostics();
-    return traceAmbientOcclusion(**built, camera, extent, options);
+    return traceAmbientOcclusion(*makeBvhScene(scene, eyeOf(camera)), camera, extent, options);
 }
 
 Result<SurfaceMap> traceSurfaces(const RayScene& scene, const Camera& camera, Extent extent)
@@ -77,9 +76,7 @@ Result<SurfaceMap> traceSurfaces(const RayScene& scene, const Camera& camera, Ex
 Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Extent extent)
 {
     if (const Status status = checkTrace(camera, extent, {}); !status) return status.diagnostics();
-    const auto built = makeRayScene(scene, eyeOf(camera));
-    if (!built) return built.diagnostics();
-    return traceSurfaces(**built, camera, extent);
+    return traceSurfaces(*makeBvhScene(scene, eyeOf(camera)), camera, extent);
 }
 
 }  // namespace crevice
