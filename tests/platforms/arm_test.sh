@@ -31,8 +31,9 @@ if tests/platforms/debian_root.sh "$root" "${architecture[$triplet]}" \
     emulator+=(-L "$root")
 fi
 cmake -G Ninja -S . -B "$build" --toolchain "$toolchain" -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCREVICE_WERROR=ON -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF \
-    -DCREVICE_PLATFORM_TESTS="$scope" "${gl_options[@]}" >/dev/null
+    -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 \
+    -DCREVICE_WERROR=ON -DCREVICE_TOOLS=OFF -DCREVICE_TESTS=OFF -DCREVICE_PLATFORM_TESTS="$scope" \
+    "${gl_options[@]}" >/dev/null
 cmake --build "$build" -- --quiet
 programs=$build/tests/platforms
 "${emulator[@]}" "$programs/crevice_platform_tests"
