@@ -2,7 +2,7 @@
 // A host's scene by the C API, on a device that draws nothing: what becomes of each member, when
 // something is drawn again, and who keeps what alive.
 #include "tests/c_api/c_scene.h"
-#include "tests/support/allocations.h"
+#include "tests/core/run/allocations.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
