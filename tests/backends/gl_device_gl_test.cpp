@@ -232,31 +232,6 @@ static GLuint textureNameEnd(const GlApi& gl)
     return name + 1;
 }
 
-TEST_CASE_METHOD(GlFixture, "destroying an object deletes its GL object, and ids are used again")
-{
-    const TextureId first = texture(Format::r8);
-    const FramebufferId into = framebuffer({first});
-    GLuint name = 0;
-    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate)
-        if (gl.IsTexture(candidate)) name = candidate;
-    REQUIRE(name != 0);
-    device->destroy(into);
-    device->destroy(first);
-    CHECK_FALSE(gl.IsTexture(name));
-    CHECK(texture(Format::r8).value == first.value);
-    device->destroy(TextureId{});
-}
-
-TEST_CASE_METHOD(GlFixture, "a destroyed device leaves no texture behind")
-{
-    texture(Format::rgba8);
-    need(device->createMesh(square(0)));
-    program("out vec4 color; void main() { color = vec4(1); }");
-    device.reset();
-    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate)
-        CHECK_FALSE(gl.IsTexture(candidate));
-}
-
 TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the device")
 {
     GLuint name = 0;

@@ -111,16 +111,6 @@ void checkAbandoned(std::unique_ptr<Host> host)
 
 }  // namespace
 
-TEST_CASE("A host on a driver without faults does all steps, and leaves no name behind")
-{
-    WatchedGl gl;
-    auto host = std::make_unique<Host>(gl);
-    doStepsTo(*host, std::size(kSteps));
-    CHECK(gl.names() > 10);
-    host.reset();
-    CHECK(gl.names() == 0);
-}
-
 TEST_CASE("A context that is lost at any call ends in one CV6016, and no call of GL after it")
 {
     const Loss loss = GENERATE(Loss::for_ever, Loss::by_commands);

@@ -32,16 +32,6 @@ TEST_CASE("Frames after the first make the same calls and create nothing")
     CHECK(rig.device.attempts() == attempts);
 }
 
-TEST_CASE("A renderer destroys what it made, framebuffers first, and nothing else")
-{
-    Rig rig;
-    rig.draw();
-    rig.renderer.reset();
-    CHECK(rig.device.live() == 1);
-    CHECK(rig.device.live(ObjectId::Kind::mesh) == 1);
-    CHECK(rig.device.misuse().empty());
-}
-
 TEST_CASE("Outputs have textures with content, other names have none")
 {
     Rig rig;
