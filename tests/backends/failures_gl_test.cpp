@@ -6,14 +6,20 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/watched_gl.h"
 
+#include <algorithm>
+
 using namespace crevice;
 
 TEST_CASE(
     "A driver without memory for one call leaves no name, and then the picture that is wanted")
 {
-    // Presets with all kinds of passes; at night each config gives way to the next one.
+    // Presets with all kinds of passes; at night each config gives way to the next one, but for
+    // that with levels, of which one that lacks memory is a warning.
     std::vector<std::string> configs = {"balanced", "learnopengl"};
-    if (nightly()) configs = configNames(shippedSources());
+    if (nightly()) {
+        configs = configNames(shippedSources());
+        configs.erase(std::find(configs.begin(), configs.end(), "quality"));
+    }
     GlFixture fixture;
     WatchedGl gl(testContext().loader());
     {
@@ -35,7 +41,7 @@ TEST_CASE(
                 CHECK(gl.names() == names);
                 CHECK((stage.shown(*renderer) == before));
             });
-            CHECK(failures > 20);
+            CHECK(failures > (nightly() ? 10 : 20));
             CHECK((stage.draw(*renderer) == wanted));
         }
     }
