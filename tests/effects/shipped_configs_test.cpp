@@ -4,6 +4,7 @@
 #include <crevice/recording_device.h>
 
 #include "core/base/text.h"
+#include "core/run/dirty_passes.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/print.h"
 
@@ -24,6 +25,23 @@ Plan planOf(const Description& description, Names outputs = {}, bool material_am
 }
 
 }  // namespace
+
+TEST_CASE("A still frame of a shipped config without history runs no pass")
+{
+    for (const std::string& name : configNames(shippedSources())) {
+        INFO(name);
+        const Plan plan = planOf(descriptionOf({name}));
+        const bool remembers =
+            std::any_of(plan.targets.begin(), plan.targets.end(),
+                        [](const PlanTarget& each) { return each.history_texture >= 0; });
+        if (remembers) continue;
+        PassCache cache(plan);
+        const std::vector<char> still(plan.passes.size(), 0);
+        cache.choose(std::vector<char>(plan.passes.size(), 1));
+        const std::vector<char>& runs = cache.choose(still);
+        CHECK(std::count(runs.begin(), runs.end(), 1) == 0);
+    }
+}
 
 TEST_CASE("Every shipped config plans on a full and on a bare device")
 {

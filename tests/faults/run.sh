@@ -10,7 +10,7 @@ mkdir -p -- "${1:?usage: run.sh WORK_FOLDER [NUMBER...]}/tree" "$1/log"
 work=$(cd -- "$1" && pwd)
 shift
 only=" $* " limit=${CREVICE_LIMIT:-400}  # seconds of one program; more is a fault that was found
-programs=(c_api_test_static c_api_pictures_test_static c_api_structs_test_static)
+programs=(c_api_test c_api_link_test)
 renice -n 10 $$ >/dev/null
 trap 'echo "run.sh: line $LINENO failed; see $work/log" >&2' ERR
 
@@ -42,7 +42,7 @@ find . -type f | while IFS= read -r file; do [[ -e ../new/$file ]] || rm "$file"
 if command -v ccache >/dev/null; then
     export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$work CCACHE_NOHASHDIR=1
 fi
-cmake -S . -B ../build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+cmake -S . -B ../build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" "-DCMAKE_CXX_FLAGS=-include $work/tree/tests/faults/fault.h" >../log/cmake
 cmake --build ../build --parallel 2 --target crevice_tests crevice_gl_tests crevice "${programs[@]}" >../log/build
 
