@@ -55,7 +55,7 @@ fi
 
 packages() { tools/scripts/install_packages.sh; }
 build() { cmake --preset ci "${options[@]}" && cmake --build --preset ci; }
-tests() { ctest --preset ci --no-tests=error --parallel 2 --label-exclude full; }
+tests() { ctest --preset ci --no-tests=error --parallel 2 --label-exclude 'full|nightly'; }
 full_tests() { ctest --preset ci --no-tests=error --parallel 2 --label-regex full; }
 full_packages() {
     local npm=
@@ -87,8 +87,8 @@ arm() {
         or_skipped tests/platforms/arm_test.sh arm-linux-gnueabihf build/ci "${scope[@]}"
 }
 phones() {
-    CREVICE_MOBILE_COMPILERS=$(tools/scripts/mobile_compilers.sh | tail -n 1) &&
-        CREVICE_MOBILE_COMPILERS=$CREVICE_MOBILE_COMPILERS tools/scripts/figures.sh cost --check
+    CREVICE_MOBILE_COMPILERS=$(tools/scripts/mobile_compilers.sh | tail -n 1) && export CREVICE_MOBILE_COMPILERS &&
+        ctest --preset ci --no-tests=error --label-regex nightly && tools/scripts/figures.sh cost --check
 }
 code_faults() { tests/faults/run.sh build/faults; }
 

@@ -11,8 +11,7 @@
 namespace crevice {
 
 /// The figures with what follows from them: views, Pareto fronts, advice, curves, failures.
-std::string reportJson(const std::vector<BenchSample>& samples,
-                       const BenchCoverage& coverage = {});
+std::string reportJson(const std::vector<BenchSample>& samples, const BenchCoverage& coverage = {});
 
 /// One row a sample, failures too; RFC 4180 with a header row.
 std::string reportCsv(const std::vector<BenchSample>& samples);
