@@ -15,7 +15,7 @@ namespace crevice {
 
 namespace {
 
-// Of a coordinate: beyond it, products of lengths overflow a float.
+// Of a coordinate: beyond it, products of lengths overflow a float. Embree's limit.
 constexpr float kLargest = 1.844e18f;
 
 // How far boxes reach beyond their triangles, as a part of their largest coordinate: the sides of
@@ -25,7 +25,7 @@ constexpr float kBoxSlack = 5e-7f;
 // The interval in which a ray is in a box grows by this part: three roundings [Ize 2013].
 constexpr float kIntervalSlack = 4e-7f;
 
-// A rounding of a float.
+// A rounding of a float, as Embree takes it.
 constexpr float kUlp = 1.1920929e-7f;
 
 struct Triangle {

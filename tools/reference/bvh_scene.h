@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The search for what rays hit, without threads: a tree of boxes.
+// A search of our own for what rays hit, which needs no library and no threads: a tree of boxes.
 //
-// Triangles are met by the sides of a ray on which the edges lie, which triangles that share an
-// edge agree on, so that no ray slips through between them.
+// Triangles are met as Embree's robust mode meets them: the sides of a ray on which the edges lie,
+// which triangles that share an edge agree on, so that no ray slips through between them.
 //
 // Sources
 //   Davidovic, Engelhardt, Georgiev, Slusallek, Dachsbacher 2012, "3D Rasterization: A Bridge
@@ -14,8 +14,8 @@
 
 namespace crevice {
 
-/// Triangles with a corner that is no number or above 1.8e18 in any direction are left out. Floats
-/// resolve best what lies near `eye`, a place in the world. Takes about 80 bytes a triangle.
+/// Triangles with a corner that is no number or above 1.8e18 in any direction are left out, as
+/// Embree leaves them out. Takes about 80 bytes a triangle.
 std::unique_ptr<RayScene> makeBvhScene(const Scene& scene, const glm::dvec3& eye);
 
 }  // namespace crevice

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A scene as the ray tracer asks it: what a ray meets first, and how many rays meet nothing.
-// A tree of boxes answers (bvh_scene.h); what counts as a hit is in trace_bodies.h.
+//
+// Two searches answer: Embree's (embree_scene.h) and that of a tree of boxes (bvh_scene.h), which
+// needs no library. What counts as a hit is the same code for both, in trace_bodies.h.
 #pragma once
 
 #include "tools/scene/scene.h"
@@ -49,5 +51,11 @@ public:
     /// The place in the bounds that is closest to the eye: the origin of the search's floats.
     virtual const glm::dvec3& center() const = 0;
 };
+
+/// Embree's search where Embree was found at build, else the tree's. Floats resolve best what lies
+/// near `eye`, a place in the world.
+///
+/// Errors: CV6009 when Embree has no memory for it.
+Result<std::unique_ptr<RayScene>> makeRayScene(const Scene& scene, const glm::dvec3& eye);
 
 }  // namespace crevice

@@ -108,6 +108,8 @@ public:
     /// is computed here.
     bool hits(TraceCandidate found, const glm::dvec3& direction);
 
+    bool wantsNearest() const { return nearest_ != nullptr; }
+
 private:
     const TracePlane& plane(unsigned instance, unsigned triangle);
 

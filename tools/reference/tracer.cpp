@@ -2,7 +2,6 @@
 // Whole pictures by rays, on all processors.
 #include "tools/reference/tracer.h"
 
-#include "tools/reference/bvh_scene.h"
 #include "tools/reference/progressive_trace.h"
 
 #include <glm/matrix.hpp>
@@ -51,7 +50,9 @@ Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Ex
 {
     if (const Status status = checkTrace(camera, extent, options); !status)
         return status.diagnostics();
-    return traceAmbientOcclusion(*makeBvhScene(scene, eyeOf(camera)), camera, extent, options);
+    const auto built = makeRayScene(scene, eyeOf(camera));
+    if (!built) return built.diagnostics();
+    return traceAmbientOcclusion(**built, camera, extent, options);
 }
 
 Result<SurfaceMap> traceSurfaces(const RayScene& scene, const Camera& camera, Extent extent)
@@ -76,7 +77,9 @@ Result<SurfaceMap> traceSurfaces(const RayScene& scene, const Camera& camera, Ex
 Result<SurfaceMap> traceSurfaces(const Scene& scene, const Camera& camera, Extent extent)
 {
     if (const Status status = checkTrace(camera, extent, {}); !status) return status.diagnostics();
-    return traceSurfaces(*makeBvhScene(scene, eyeOf(camera)), camera, extent);
+    const auto built = makeRayScene(scene, eyeOf(camera));
+    if (!built) return built.diagnostics();
+    return traceSurfaces(**built, camera, extent);
 }
 
 }  // namespace crevice

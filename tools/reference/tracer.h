@@ -23,7 +23,7 @@
 namespace crevice {
 
 /// Changes whenever the picture may: a part of the key of cached references.
-constexpr int kTracerVersion = 3;
+constexpr int kTracerVersion = 2;
 
 constexpr int kMaxTraceRays = 1 << 20;
 
@@ -37,8 +37,8 @@ struct TraceOptions {
 /// Ambient visibility, 1 open to 0 blocked, one channel; pixels that see no surface are NaN. Any
 /// invertible `clip_from_view` will do. The same input gives the same picture.
 ///
-/// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6011 for a
-/// projection that has no inverse.
+/// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6009 for a scene
+/// that memory cannot hold, CV6011 for a projection that has no inverse.
 Result<Image> traceAmbientOcclusion(const Scene& scene, const Camera& camera, Extent extent,
                                     const TraceOptions& options);
 

@@ -43,12 +43,10 @@ bool sameBits(const Image& a, const Image& b)
            std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
 }
 
-/// Over as many columns as `a` has.
 double meanDifference(const Image& a, const Image& b)
 {
     double sum = 0;
-    for (int y = 0; y < a.extent.height; ++y)
-        for (int x = 0; x < a.extent.width; ++x) sum += std::abs(a.at(x, y) - b.at(x, y));
+    for (std::size_t k = 0; k < a.pixels.size(); ++k) sum += std::abs(a.pixels[k] - b.pixels[k]);
     return sum / static_cast<double>(a.pixels.size());
 }
 
@@ -60,6 +58,19 @@ Scene cornerWithSphere()
 }
 
 }  // namespace
+
+TEST_CASE("an open plane is open, seen from any side and under any slope")
+{
+    Scene scene = sceneOf({kFloor});
+    for (const glm::vec3 axis : {glm::vec3(1, 0, 0), glm::vec3(1, 0.3f, 0.2f)}) {
+        const glm::mat4 turn = glm::rotate(glm::mat4(1), 0.4f, glm::normalize(axis));
+        for (const float height : {1.0f, -1.0f}) {
+            scene.instances[0].world_from_model = turn * glm::scale(glm::mat4(1), {1, height, 1});
+            const Image image = trace(scene, fromAbove(5), {16, 16}, 10, 64);
+            for (const float value : image.pixels) CHECK(value == 1.0f);
+        }
+    }
+}
 
 TEST_CASE("an inner corner darkens by the closed form")
 {
@@ -73,6 +84,23 @@ TEST_CASE("an inner corner darkens by the closed form")
         const double part = std::min(distance / kRadius, 1.0);
         const double expected = 1.0 - (std::acos(part) - part * std::sqrt(1 - part * part)) / kPi;
         for (int x = 0; x < 4; ++x) CHECK(image.at(x, y) == Approx(expected).margin(0.003));
+    }
+}
+
+TEST_CASE("a sphere shades the floor by the closed form")
+{
+    Scene scene = sceneOf({kFloor, makeSphere(0.5f, 128)});
+    scene.instances[1].world_from_model = glm::translate(glm::mat4(1), {0, 1.0f, 0});
+    const Image image = trace(scene, fromAbove(3), {33, 33}, 20, 4096);
+    for (int y = 0; y < 33; ++y) {
+        for (int x = 0; x < 33; ++x) {
+            const double across = (2.0 * (x + 0.5) / 33 - 1.0) * 3;
+            const double along = (2.0 * (y + 0.5) / 33 - 1.0) * 3;
+            const double squared = across * across + along * along + 1.0;
+            if (squared < 1.0 + 0.6 * 0.6) continue;  // the sphere itself
+            const double expected = 1.0 - 0.25 / squared / std::sqrt(squared);
+            CHECK(image.at(x, y) == Approx(expected).margin(0.004));
+        }
     }
 }
 
@@ -114,16 +142,66 @@ TEST_CASE("reversed depth, an infinite far plane and a shifted lens see the same
 {
     const Scene scene = cornerWithSphere();
     const Image image = trace(scene, perspective(kLens), {32, 32}, 1, 64);
-    const auto off = [&](const glm::mat4& lens, Extent extent) {
-        return meanDifference(trace(scene, perspective(lens), extent, 1, 64), image);
-    };
-    const glm::mat4 reversed = glm::scale(glm::mat4(1), {1, 1, -1});
+    glm::mat4 reversed = glm::scale(glm::mat4(1), {1, 1, -1}) * kLens;
+    CHECK(meanDifference(trace(scene, perspective(reversed), {32, 32}, 1, 64), image) < 0.002);
     const glm::mat4 infinite = glm::infinitePerspective(0.9f, 1.0f, 0.1f);
-    CHECK(off(reversed * kLens, {32, 32}) < 0.002);
-    CHECK(off(infinite, {32, 32}) < 0.002);
-    CHECK(off(reversed * infinite, {32, 32}) < 0.002);
+    CHECK(meanDifference(trace(scene, perspective(infinite), {32, 32}, 1, 64), image) < 0.002);
+    reversed = glm::scale(glm::mat4(1), {1, 1, -1}) * infinite;
+    CHECK(meanDifference(trace(scene, perspective(reversed), {32, 32}, 1, 64), image) < 0.002);
+
+    // The left half of the view, alone.
     const float top = 0.1f * std::tan(0.45f);
-    CHECK(off(glm::frustum(-top, 0.0f, -top, top, 0.1f, 100.0f), {16, 32}) < 0.002);  // left half
+    const glm::mat4 left = glm::frustum(-top, 0.0f, -top, top, 0.1f, 100.0f);
+    const Image half = trace(scene, perspective(left), {16, 32}, 1, 64);
+    double difference = 0;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 16; ++x) difference += std::abs(half.at(x, y) - image.at(x, y));
+    CHECK(difference / (16 * 32) < 0.002);
+}
+
+TEST_CASE("the unit of length does not matter, nor the distance from the origin")
+{
+    const Image image = trace(cornerWithSphere(), fromAbove(1.5f, {0, 0, 1.5f}), {24, 24}, 1, 256);
+    for (const float scale : {1e-6f, 1e6f}) {
+        Scene scaled = cornerWithSphere();
+        for (SceneInstance& instance : scaled.instances)
+            instance.world_from_model =
+                glm::scale(glm::dmat4(1), glm::dvec3(scale)) * instance.world_from_model;
+        Camera camera = fromAbove(1.5f, {0, 0, 1.5f});
+        camera.view_from_world =
+            camera.view_from_world * glm::scale(glm::dmat4(1), glm::dvec3(1 / scale));
+        CHECK(meanDifference(trace(scaled, camera, {24, 24}, scale, 256), image) < 0.002);
+    }
+    Scene moved = cornerWithSphere();
+    const glm::dvec3 far_away = {1e7, 0, 1e7};
+    for (SceneInstance& instance : moved.instances)
+        instance.world_from_model[3] += glm::dvec4(far_away, 0);
+    Camera camera = fromAbove(1.5f, {0, 0, 1.5f});
+    camera.view_from_world = camera.view_from_world * glm::translate(glm::dmat4(1), -far_away);
+    CHECK(meanDifference(trace(moved, camera, {24, 24}, 1, 256), image) < 0.002);
+}
+
+TEST_CASE("rays pass through the holes of an alpha-tested material")
+{
+    Scene scene = sceneOf({kFloor, makeQuad({-1, 1, 1}, {2, 0, 0}, {0, 0, -2})});
+    scene.materials.emplace_back();
+    scene.instances[1].material = 1;
+    const auto shade = [&] { return trace(scene, fromAbove(2), {4, 4}, 10, 256).at(0, 1); };
+    const float shaded = shade();
+    CHECK(shaded < 0.97f);
+    scene.materials[1].base_color.a = 0.3f;
+    CHECK(shade() == shaded);
+    scene.materials[1].alpha_cutoff = 0.5f;
+    CHECK(shade() == 1.0f);
+    scene.materials[1].base_color.a = 1.0f;
+    CHECK(shade() == shaded);
+
+    // The left half of a texture is a hole, so the left of the floor is lighter.
+    scene.textures.push_back({"holes", Image({2, 1}, 4, 1.0f)});
+    scene.textures[0].image.at(0, 0, 3) = 0.0f;
+    scene.materials[1].base_color_texture = 0;
+    const Image image = trace(scene, fromAbove(2), {4, 4}, 10, 256);
+    CHECK(image.at(0, 1) > image.at(3, 1) + 0.02f);
 }
 
 TEST_CASE("noise is about what docs/reference/bench.md says of each number of rays")
