@@ -37,7 +37,6 @@ std::vector<std::string> readExtensions(const GlApi& gl)
     for (int i = 0; i < count; ++i)
         if (const GLubyte* name = gl.GetStringi(GL_EXTENSIONS, i))
             names.emplace_back(reinterpret_cast<const char*>(name));
-    std::sort(names.begin(), names.end());
     return names;
 }
 
@@ -175,7 +174,7 @@ void dropWhatIsMissing(GlApi& gl, const GlInfo& info)
 
 bool GlInfo::has(const char* extension) const
 {
-    return std::binary_search(extensions.begin(), extensions.end(), extension);
+    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 Result<GlInfo> readInfo(const GlApi& gl, bool ignore_extensions)

@@ -23,7 +23,7 @@ constexpr double kResolvedShare = 0.1;
 
 /// Of what is marched over. Above 0.0002 radii a point is lifted by up to ten steps, since its lift
 /// is stored in two bits (effects/common/tolerance.glsl), and normals rebuilt from depth tilt. The
-/// limit is measured, by the figures in docs/formats.md.
+/// limit is measured, by the figures in docs/reference/formats.md.
 constexpr double kUnseenMarched = 0.0006;
 
 /// Of what the offsets of a kernel over the surface are compared with, which lie half the radius

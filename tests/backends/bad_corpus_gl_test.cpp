@@ -9,8 +9,8 @@ TEST_CASE_METHOD(GlFixture,
                  "GLSL of the corpus that does not compile is reported in its author's line")
 {
     int checked = 0;
-    for (const CorpusCase& config : corpusCases()) {
-        if (!config.expected.find("driver")) continue;
+    for (const CorpusCase& config : corpus().cases()) {
+        if (!config.options.find("driver")) continue;
         const Diagnostics reported = diagnosticsOf(config, *device);
         checkReported(config, reported);
         ++checked;

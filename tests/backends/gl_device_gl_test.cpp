@@ -31,11 +31,13 @@ float stepOf(Format format)
 
 bool isDepth(const FormatInfo& info) { return info.format_class == FormatClass::depth; }
 
-Code onlyCode(const Diagnostics& diagnostics)
+/// The code and message of the only thing that is said.
+void checkSaid(const Diagnostics& said, Code code, const std::string& words = "")
 {
-    REQUIRE(diagnostics.size() == 1);
-    CHECK_FALSE(diagnostics[0].message.empty());
-    return diagnostics[0].code;
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].code == code);
+    CHECK_FALSE(said[0].message.empty());
+    CHECK_THAT(said[0].message, Catch::Contains(words));
 }
 
 }  // namespace
@@ -87,10 +89,7 @@ TEST_CASE_METHOD(GlFixture, "a clear lands in every format that can be rendered 
         pass.has_depth = isDepth(info);
         pass.depth_load = LoadOp::clear;
         pass.clear_depth = 0.25f;
-        need(device->beginFrame());
-        device->beginPass(pass);
-        device->endPass();
-        need(device->endFrame());
+        clearPass(pass);
         const Image image = read(target);
         REQUIRE(image.channels == info.channels);
         for (int c = 0; c < info.channels; ++c)
@@ -156,12 +155,6 @@ TEST_CASE_METHOD(GlFixture, "an image's missing channels are 0, alpha 1")
     CHECK(back.at(0, 0, 3) == 1.0f);
 }
 
-TEST_CASE_METHOD(GlFixture, "an image of another size than its texture is refused")
-{
-    const Status status = device->writeTexture(texture(Format::r8), Image({4, 5}, 1));
-    CHECK(onlyCode(status.diagnostics()) == Code::bad_input);
-}
-
 TEST_CASE_METHOD(GlFixture, "depth that a shader wrote is read back exactly")
 {
     const ProgramId written =
@@ -173,56 +166,37 @@ TEST_CASE_METHOD(GlFixture, "depth that a shader wrote is read back exactly")
         PassInfo pass = wholePass(into, {4, 4}, 0);
         pass.has_depth = true;
         pass.depth_load = LoadOp::clear;
-        need(device->beginFrame());
-        device->beginPass(pass);
-        StateDesc state;
-        state.depth_write = true;  // with the test at its default, always
-        device->setProgram(written, state);
-        device->drawFullscreen();
-        device->endPass();
-        need(device->endFrame());
+        drawPass(pass, [&] {
+            StateDesc state;
+            state.depth_write = true;  // with the test at its default, always
+            device->setProgram(written, state);
+            device->drawFullscreen();
+        });
         const Image image = read(depth);
         for (int x = 0; x < 4; ++x)
             CHECK(std::abs(image.at(x, 1) - (x + 0.623f) / 4.5f) <= stepOf(format) + 1e-7f);
     }
 }
 
-TEST_CASE_METHOD(GlFixture, "a texture larger than the device holds is refused by name")
+TEST_CASE_METHOD(GlFixture, "what cannot be made or written is refused by name and reason")
 {
-    TextureDesc desc;
-    desc.label = "huge";
-    desc.extent = {device->caps().max_texture_size + 1, 1};
-    const auto result = device->createTexture(desc);
-    CHECK(onlyCode(result.diagnostics()) == Code::too_big_for_device);
-    CHECK(result.diagnostics()[0].message.find("'huge'") != std::string::npos);
-}
-
-TEST_CASE_METHOD(GlFixture, "a texture that the driver refuses is an error")
-{
-    TextureDesc desc;
-    desc.label = "nothing";
-    desc.extent = {0, 4};
-    const auto result = device->createTexture(desc);
-    CHECK(onlyCode(result.diagnostics()) == Code::gl_error);
-    CHECK(result.diagnostics()[0].message.find("GL_INVALID_VALUE") != std::string::npos);
-}
-
-TEST_CASE_METHOD(GlFixture, "an incomplete framebuffer is an error with the status's name")
-{
-    const auto nothing = device->createFramebuffer({"nothing", {}, {}});
-    CHECK(onlyCode(nothing.diagnostics()) == Code::gl_error);
-    CHECK(nothing.diagnostics()[0].message.find("MISSING_ATTACHMENT") != std::string::npos);
-
-    const auto swapped = device->createFramebuffer({"swapped", {texture(Format::depth24)}, {}});
-    CHECK(onlyCode(swapped.diagnostics()) == Code::gl_error);
-    CHECK(swapped.diagnostics()[0].message.find("INCOMPLETE_ATTACHMENT") != std::string::npos);
-}
-
-TEST_CASE_METHOD(GlFixture, "more colour attachments than the device has are refused")
-{
+    const Extent wide = {device->caps().max_texture_size + 1, 1};
     const TextureId one = texture(Format::r8);
     const std::vector<TextureId> many(device->caps().max_color_attachments + 1, one);
-    CHECK(onlyCode(device->createFramebuffer({"many", many, {}}).diagnostics()) == Code::too_many);
+    const auto made = [this](const char* label, Extent extent) {
+        return device->createTexture({label, Format::rgba8, extent}).diagnostics();
+    };
+    const auto framed = [this](const std::vector<TextureId>& color) {
+        return device->createFramebuffer({"framebuffer", color, {}}).diagnostics();
+    };
+    checkSaid(made("huge", wide), Code::too_big_for_device, "'huge'");
+    checkSaid(made("nothing", {0, 4}), Code::gl_error, "GL_INVALID_VALUE");
+    checkSaid(framed({}), Code::gl_error, "MISSING_ATTACHMENT");
+    checkSaid(framed({texture(Format::depth24)}), Code::gl_error, "INCOMPLETE_ATTACHMENT");
+    checkSaid(framed(many), Code::too_many);
+    checkSaid(device->writeTexture(one, Image({4, 5}, 1)).diagnostics(), Code::bad_input);
+    for (const std::uint32_t none : {0u, 123456u})
+        checkSaid(device->adoptTexture({none}).diagnostics(), Code::bad_input);
 }
 
 TEST_CASE_METHOD(GlFixture, "a shader that does not compile points at the author's line")
@@ -258,31 +232,6 @@ static GLuint textureNameEnd(const GlApi& gl)
     return name + 1;
 }
 
-TEST_CASE_METHOD(GlFixture, "destroying an object deletes its GL object, and ids are used again")
-{
-    const TextureId first = texture(Format::r8);
-    const FramebufferId into = framebuffer({first});
-    GLuint name = 0;
-    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate)
-        if (gl.IsTexture(candidate)) name = candidate;
-    REQUIRE(name != 0);
-    device->destroy(into);
-    device->destroy(first);
-    CHECK_FALSE(gl.IsTexture(name));
-    CHECK(texture(Format::r8).value == first.value);
-    device->destroy(TextureId{});
-}
-
-TEST_CASE_METHOD(GlFixture, "a destroyed device leaves no texture behind")
-{
-    texture(Format::rgba8);
-    need(device->createMesh(square(0)));
-    program("out vec4 color; void main() { color = vec4(1); }");
-    device.reset();
-    for (GLuint candidate = 1, end = textureNameEnd(gl); candidate < end; ++candidate)
-        CHECK_FALSE(gl.IsTexture(candidate));
-}
-
 TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the device")
 {
     GLuint name = 0;
@@ -294,6 +243,7 @@ TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the d
     gl.BindTexture(GL_TEXTURE_2D, 0);
 
     const TextureId id = need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}));
+    CHECK(device->nativeName(id) == name);
     CHECK(read(id).pixels == std::vector<float>{1, 0, 1, 0});
     device->destroy(id);
     CHECK(gl.IsTexture(name));
@@ -301,12 +251,6 @@ TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the d
     device.reset();
     CHECK(gl.IsTexture(name));
     gl.DeleteTextures(1, &name);
-}
-
-TEST_CASE_METHOD(GlFixture, "a name that is no texture cannot be adopted")
-{
-    for (std::uint32_t name : {0u, 123456u})
-        CHECK(onlyCode(device->adoptTexture({name}).diagnostics()) == Code::bad_input);
 }
 
 TEST_CASE_METHOD(GlFixture, "objects carry their labels where the context has labels")

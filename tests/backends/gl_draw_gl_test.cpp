@@ -84,22 +84,21 @@ void main()
     const std::int32_t ints[] = {100, 200, 300, 400};
     const TextureId target = texture(Format::rgba32f);
     const FramebufferId into = framebuffer({target});
-    need(device->beginFrame());
-    device->beginPass(wholePass(into, {4, 4}));
-    device->setProgram(sum, {});
-    const std::pair<const char*, GlslType> of_floats[] = {
-        {"a", GlslType::float_}, {"b", GlslType::vec2}, {"c", GlslType::vec3},
-        {"d", GlslType::vec4},   {"i", GlslType::mat3}, {"j", GlslType::mat4}};
-    for (const auto& [name, type] : of_floats)
-        device->setUniform(location(sum, name), type, name[0] == 'c' ? 3 : 1, floats);
-    const std::pair<const char*, GlslType> of_ints[] = {{"e", GlslType::int_},
-                                                        {"f", GlslType::ivec2},
-                                                        {"g", GlslType::uint_},
-                                                        {"h", GlslType::bool_}};
-    for (const auto& [name, type] : of_ints) device->setUniform(location(sum, name), type, 1, ints);
-    device->drawFullscreen();
-    device->endPass();
-    need(device->endFrame());
+    drawPass(wholePass(into, {4, 4}), [&] {
+        device->setProgram(sum, {});
+        const std::pair<const char*, GlslType> of_floats[] = {
+            {"a", GlslType::float_}, {"b", GlslType::vec2}, {"c", GlslType::vec3},
+            {"d", GlslType::vec4},   {"i", GlslType::mat3}, {"j", GlslType::mat4}};
+        for (const auto& [name, type] : of_floats)
+            device->setUniform(location(sum, name), type, name[0] == 'c' ? 3 : 1, floats);
+        const std::pair<const char*, GlslType> of_ints[] = {{"e", GlslType::int_},
+                                                            {"f", GlslType::ivec2},
+                                                            {"g", GlslType::uint_},
+                                                            {"h", GlslType::bool_}};
+        for (const auto& [name, type] : of_ints)
+            device->setUniform(location(sum, name), type, 1, ints);
+        device->drawFullscreen();
+    });
     // by columns: i * y is the second column, j * w the fourth
     CHECK(pixel(read(target), 0, 0) == Pixel{1 + 2 + 1 + 5 + 9 + 4, 100 + 200 + 100 + 0.5f, 4, 13});
 }
@@ -114,12 +113,10 @@ layout(location = 1) out vec4 b;
 layout(location = 2) out vec4 c;
 void main() { a = vec4(0.2); b = vec4(0.4); c = vec4(0.6); })");
     const FramebufferId into = framebuffer({first, {}, third});
-    need(device->beginFrame());
-    device->beginPass(wholePass(into, {4, 4}, 3));
-    device->setProgram(three, {});
-    device->drawFullscreen();
-    device->endPass();
-    need(device->endFrame());
+    drawPass(wholePass(into, {4, 4}, 3), [&] {
+        device->setProgram(three, {});
+        device->drawFullscreen();
+    });
     CHECK(read(first).at(1, 1) == Approx(0.2f));
     CHECK(read(third).at(1, 1, 3) == Approx(0.6f));
 }
@@ -134,14 +131,12 @@ out vec4 color; void main() { color = texture(source, at); })");
     two.pixels = {0.0f, 1.0f};
     auto sample = [&](TextureId source, Filter filter, Wrap wrap, float u) {
         const float at[] = {u, 0.5f};
-        need(device->beginFrame());
-        device->beginPass(wholePass(into, {1, 1}));
-        device->setProgram(look, {});
-        device->setTexture(location(look, "source"), 3, source, {filter, wrap});
-        device->setUniform(location(look, "at"), GlslType::vec2, 1, at);
-        device->drawFullscreen();
-        device->endPass();
-        need(device->endFrame());
+        drawPass(wholePass(into, {1, 1}), [&] {
+            device->setProgram(look, {});
+            device->setTexture(location(look, "source"), 3, source, {filter, wrap});
+            device->setUniform(location(look, "at"), GlslType::vec2, 1, at);
+            device->drawFullscreen();
+        });
         return read(target).at(0, 0);
     };
     for (Format format : {Format::r8, Format::r32f, Format::depth24}) {
@@ -163,12 +158,10 @@ TEST_CASE_METHOD(SquareFixture, "the depth test keeps the nearer square, whateve
     less.depth_test = Compare::less;
     less.depth_write = true;
     for (bool near_first : {true, false}) {
-        need(device->beginFrame());
-        device->beginPass(pass());
-        drawSquare(less, near_first ? -0.5f : 0.5f, near_first ? kGreen : kRed);
-        drawSquare(less, near_first ? 0.5f : -0.5f, near_first ? kRed : kGreen);
-        device->endPass();
-        need(device->endFrame());
+        drawPass(pass(), [&] {
+            drawSquare(less, near_first ? -0.5f : 0.5f, near_first ? kGreen : kRed);
+            drawSquare(less, near_first ? 0.5f : -0.5f, near_first ? kRed : kGreen);
+        });
         CHECK(pixel(read(target), 2, 2) == kGreen);
         CHECK(read(depth).at(2, 2) == 0.25f);
     }
@@ -207,13 +200,11 @@ TEST_CASE_METHOD(SquareFixture, "a pass clears its depth, though the pass before
 TEST_CASE_METHOD(SquareFixture, "culling drops triangles by their side")
 {
     auto drawn = [&](Cull cull) {
-        need(device->beginFrame());
-        device->beginPass(pass());
-        StateDesc state;
-        state.cull = cull;
-        drawSquare(state, 0.5f, kRed);
-        device->endPass();
-        need(device->endFrame());
+        drawPass(pass(), [&] {
+            StateDesc state;
+            state.cull = cull;
+            drawSquare(state, 0.5f, kRed);
+        });
         return pixel(read(target), 1, 1) == kRed;
     };
     CHECK(drawn(Cull::none));
@@ -230,12 +221,10 @@ TEST_CASE_METHOD(GlFixture, "a mesh feeds positions, normals and uvs, from any f
     const MeshId mesh = need(device->createMesh(square(0)));
     const TextureId target = texture(Format::rgba32f);
     const FramebufferId into = framebuffer({target});
-    need(device->beginFrame());
-    device->beginPass(wholePass(into, {4, 4}));
-    device->setProgram(show, {});
-    device->draw(mesh, 3, 3);  // the upper right half alone
-    device->endPass();
-    need(device->endFrame());
+    drawPass(wholePass(into, {4, 4}), [&] {
+        device->setProgram(show, {});
+        device->draw(mesh, 3, 3);  // the upper right half alone
+    });
     const Image image = read(target);
     CHECK(pixel(image, 0, 0) == Pixel{0, 0, 0, 0});
     CHECK(image.at(3, 2, 0) == Approx(0.25f));
@@ -258,35 +247,6 @@ TEST_CASE_METHOD(SquareFixture, "loading keeps what an earlier pass stored")
     device->endPass();
     need(device->endFrame());
     CHECK(pixel(read(target), 2, 1)[1] == 0.5f);
-}
-
-TEST_CASE_METHOD(GlFixture, "presenting fills the host's rectangle and nothing else")
-{
-    const Extent size = {8, 8};
-    const TextureId source = texture(Format::rgba8, {2, 2});
-    need(device->writeTexture(source, Image({2, 2}, 4, 1.0f)));
-    GLuint host_texture = 0;
-    GLuint host = 0;
-    gl.GenTextures(1, &host_texture);
-    gl.BindTexture(GL_TEXTURE_2D, host_texture);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size.width, size.height);
-    gl.GenFramebuffers(1, &host);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, host);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, host_texture, 0);
-    const float black[] = {0, 0, 0, 1};
-    gl.ClearBufferfv(GL_COLOR, 0, black);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-
-    need(device->beginFrame());
-    need(device->present(source, {host, 2, 1, {3, 4}}));
-    need(device->endFrame());
-    const Image image =
-        read(need(device->adoptTexture({host_texture, "host", Format::rgba8, size})));
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-            CHECK(image.at(x, y) == (x >= 2 && x < 5 && y >= 1 && y < 5 ? 1.0f : 0.0f));
-    gl.DeleteFramebuffers(1, &host);
-    gl.DeleteTextures(1, &host_texture);
 }
 
 TEST_CASE_METHOD(SquareFixture, "a driver's error comes out of endFrame with the pass's name")

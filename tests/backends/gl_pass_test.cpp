@@ -52,34 +52,32 @@ struct Drawn {
 
 }  // namespace
 
-TEST_CASE("A pass that loads and stores everything clears and invalidates nothing")
+TEST_CASE("A pass clears and invalidates what it does not load, and what it does not store")
 {
-    CHECK(Drawn().calls() == "draw");
-}
-
-TEST_CASE("A pass invalidates what it does not load before it draws, and clears what it clears")
-{
+    constexpr LoadOp kLoad = LoadOp::load, kClear = LoadOp::clear, kDrop = LoadOp::discard;
+    constexpr StoreOp kStore = StoreOp::store, kLose = StoreOp::discard;
+    const struct {
+        LoadOp load[3];  ///< Of both colours, and depth.
+        StoreOp store[3];
+        const char* calls;
+    } cases[] = {
+        {{kLoad, kLoad, kLoad}, {kStore, kStore, kStore}, "draw"},
+        {{kClear, kDrop, kDrop},
+         {kStore, kStore, kStore},
+         "invalidate color1 depth, clear color0, draw"},
+        {{kLoad, kClear, kClear}, {kStore, kStore, kStore}, "clear color1, clear depth, draw"},
+        {{kLoad, kLoad, kLoad}, {kStore, kStore, kLose}, "draw, invalidate depth"},
+        {{kLoad, kLoad, kLoad}, {kStore, kLose, kLose}, "draw, invalidate color1 depth"},
+        {{kLoad, kLoad, kLoad}, {kLose, kLose, kStore}, "draw, invalidate color0 color1"},
+    };
     Drawn drawn;
-    drawn.pass.color_load[0] = LoadOp::clear;
-    drawn.pass.color_load[1] = LoadOp::discard;
-    drawn.pass.depth_load = LoadOp::discard;
-    CHECK(drawn.calls() == "invalidate color1 depth, clear color0, draw");
-    drawn.pass.color_load[0] = LoadOp::load;
-    drawn.pass.color_load[1] = LoadOp::clear;
-    drawn.pass.depth_load = LoadOp::clear;
-    CHECK(drawn.calls() == "clear color1, clear depth, draw");
-}
-
-TEST_CASE("A pass invalidates at its end what it does not store")
-{
-    Drawn drawn;
-    drawn.pass.depth_store = StoreOp::discard;
-    CHECK(drawn.calls() == "draw, invalidate depth");
-    drawn.pass.color_store[1] = StoreOp::discard;
-    CHECK(drawn.calls() == "draw, invalidate color1 depth");
-    drawn.pass.color_store[0] = StoreOp::discard;
-    drawn.pass.depth_store = StoreOp::store;
-    CHECK(drawn.calls() == "draw, invalidate color0 color1");
+    for (const auto& each : cases) {
+        std::copy_n(each.load, 2, drawn.pass.color_load);
+        std::copy_n(each.store, 2, drawn.pass.color_store);
+        drawn.pass.depth_load = each.load[2];
+        drawn.pass.depth_store = each.store[2];
+        CHECK(drawn.calls() == each.calls);
+    }
 }
 
 TEST_CASE("Of several samples a pixel nothing is stored but what they resolve to")

@@ -2,14 +2,10 @@
 // Real GL at the limits of what it takes: sizes, counts, uniforms.
 #include <crevice/renderer.h>
 
+#include "tests/backends/stage.h"
 #include "tests/support/picture.h"
-#include "tests/support/shipped_subjects.h"
 #include "tests/support/watched_gl.h"
 #include "tools/device/forwarding_device.h"
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
-
-#include <algorithm>
 
 using namespace crevice;
 
@@ -78,7 +74,7 @@ TEST_CASE(
     "A config at the device's limit of uniforms draws, and past it is refused before GL sees it")
 {
     GlFixture gl;
-    const Description description = descriptionOf({"learnopengl", ""});
+    const Description description = descriptionOf({"learnopengl"});
     int least = 1;  // vectors with which it can be planned
     const auto planned = [&](int vectors) {
         const SmallerDevice device(*gl.device, vectors);
@@ -99,18 +95,12 @@ TEST_CASE(
 TEST_CASE("Shipped configs draw visibility with the least and the most of every count")
 {
     GlFixture gl;
-    const Scene scene = need(loadScene("spheres"));
-    const UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    const double aspect = double(kExtent.width) / kExtent.height;
-    const Frame frame =
-        makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
-    for (const Subject& subject : subjects()) {
+    Stage stage(*gl.device, kExtent);
+    for (const Subject& subject : sampledSubjects()) {
         for (const bool most : {false, true}) {
             INFO(subject.config << " " << subject.variant << (most ? " most" : " least"));
-            const Description description = withCounts(descriptionOf(subject), most);
-            auto renderer = need(
-                Renderer::create(*gl.device, description, {kExtent, {"ao"}, {}}, traitsOf(frame)));
-            need(renderer->render(frame));
+            const auto renderer = stage.make(withCounts(descriptionOf(subject), most), {"ao"});
+            need(renderer->render(stage.frame));
             CHECK(allVisibility(gl.read(renderer->output("ao"))));
         }
     }

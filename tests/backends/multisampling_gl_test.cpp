@@ -44,12 +44,10 @@ public:
         StateDesc state;
         state.depth_test = Compare::less;
         state.depth_write = true;
-        need(device->beginFrame());
-        device->beginPass(pass);
-        device->setProgram(painted, state);
-        device->draw(triangle, 0, 3);
-        device->endPass();
-        need(device->endFrame());
+        drawPass(pass, [&] {
+            device->setProgram(painted, state);
+            device->draw(triangle, 0, 3);
+        });
         return {read(red), read(sum), read(depth)};
     }
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Programs that a host keeps between runs, on a real driver: they draw the same bits, and what the
 // driver refuses is compiled in silence.
-#include <crevice/renderer.h>
-
+#include "tests/backends/stage.h"
 #include "tests/support/gl_fixture.h"
-#include "tests/support/kept_programs.h"
-#include "tests/support/shipped_subjects.h"
 #include "tests/support/watched_gl.h"
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
 
 #include <tuple>
 
@@ -16,14 +11,13 @@ using namespace crevice;
 
 namespace {
 
-constexpr Extent kExtent = {32, 18};
 constexpr int kOwn = 2;  // programs of the device itself
 
 /// What a run of an application came to.
 struct Run {
-    std::vector<std::vector<float>> pixels;  ///< Of each output.
-    int programs = 0;                        ///< That it needs, the device's own among them.
-    int compiled = 0;                        ///< Of them.
+    Pixels pixels;
+    int programs = 0;  ///< That it needs, the device's own among them.
+    int compiled = 0;  ///< Of them.
 };
 
 /// Whether the driver gives program binaries at all; says so where it does not.
@@ -57,7 +51,6 @@ void GL_APIENTRY ofAnotherFormat(GLuint program, GLenum format, const void* bina
 Run draw(const Description& description, const GlDeviceOptions& options,
          PFNGLPROGRAMBINARYPROC tamper = nullptr)
 {
-    static const Scene scene = need(loadScene("spheres"));
     WatchedGl gl(testContext().loader());
     const GlLoader all = gl.loader();
     program_binary = reinterpret_cast<PFNGLPROGRAMBINARYPROC>(all("glProgramBinary"));
@@ -67,15 +60,10 @@ Run draw(const Description& description, const GlDeviceOptions& options,
             return tampered ? reinterpret_cast<void*>(tamper) : all(name);
         },
         options));
-    const UploadedScene uploaded = need(UploadedScene::upload(*device, scene));
-    const double aspect = double(kExtent.width) / kExtent.height;
-    const Frame frame =
-        makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
-    const auto renderer = need(Renderer::create(*device, description, {kExtent}, traitsOf(frame)));
-    need(renderer->render(frame));
+    const Stage stage(*device);
+    const auto renderer = stage.make(description);
     Run run;
-    for (const PlanOutput& output : renderer->plan().outputs)
-        run.pixels.push_back(need(device->readTexture(renderer->output(output.name))).pixels);
+    run.pixels = stage.draw(*renderer);
     run.programs = static_cast<int>(renderer->plan().programs.size()) + kOwn;
     run.compiled = gl.compiles() / 2;
     return run;
@@ -87,9 +75,9 @@ TEST_CASE("Shipped configs compile nothing over kept programs, and draw the same
 {
     GlFixture fixture;
     const bool binaries = hasBinaries(fixture.gl);
-    for (const std::string& name : configNames(shippedSources())) {
-        INFO(name);
-        const Description description = descriptionOf({name, ""});
+    for (const Subject& subject : sampledSubjects()) {
+        INFO(subject.config);
+        const Description description = descriptionOf(subject);
         KeptPrograms kept;
         const Run plain = draw(description, {});
         const Run first = draw(description, kept.options());
@@ -108,7 +96,7 @@ TEST_CASE("What the driver refuses is compiled, draws the same bits, and is stor
 {
     GlFixture fixture;
     if (!hasBinaries(fixture.gl)) return;
-    const Description description = descriptionOf({"balanced", ""});
+    const Description description = descriptionOf({"balanced"});
     KeptPrograms kept;
     const Run first = draw(description, kept.options());
     for (const auto tamper : {garbled, truncated, ofAnotherFormat}) {

@@ -61,6 +61,38 @@ struct Rig {
         CHECK(device.endFrame().ok());
     }
 
+    void setFloat(int location)
+    {
+        const float value = 1;
+        device.setUniform(location, GlslType::float_, 1, &value);
+    }
+
+    /// Begins a pass that has another value than its framebuffer.
+    template <class Value>
+    void beginWith(Value PassInfo::*member, Value other)
+    {
+        need(device.beginFrame());
+        PassInfo info = pass();
+        info.*member = other;
+        device.beginPass(info);
+    }
+
+    /// Presents what a pass has drawn that stores and loads its target so.
+    void presentAfter(StoreOp store, LoadOp load = LoadOp::discard)
+    {
+        need(device.writeTexture(input, Image({8, 4}, 1)));
+        need(device.beginFrame());
+        PassInfo info = pass();
+        info.color_store[0] = store;
+        info.color_load[0] = load;
+        device.beginPass(info);
+        device.setProgram(program, {});
+        bindAll();
+        device.drawFullscreen();
+        end();
+        need(device.present(target, {}));
+    }
+
     void destroyAll()
     {
         device.destroy(mesh);
@@ -178,46 +210,112 @@ TEST_CASE("A texture reads back what was written, and zeros otherwise")
     CHECK(rig.blamed("undefined content"));
 }
 
-TEST_CASE("Objects that are dead, foreign or of another kind are blamed")
+TEST_CASE("What makes no sense is blamed, in words that say which object and why")
 {
+    constexpr std::pair<const char*, void (*)(Rig&)> kMisuse[] = {
+        // objects that are dead, foreign or of another kind
+        {"was destroyed: 'cube'",
+         [](Rig& rig) {
+             rig.device.destroy(rig.mesh);
+             rig.device.destroy(rig.mesh);
+         }},
+        {"does not exist", [](Rig& rig) { rig.device.destroy(TextureId{99}); }},
+        {"does not exist", [](Rig& rig) { rig.device.destroy(MeshId{rig.program.value}); }},
+        {"before framebuffer 'draw'", [](Rig& rig) { rig.device.destroy(rig.target); }},
+        {"before framebuffer 'resolving'",
+         [](Rig& rig) {
+             const auto depth = [&rig](int samples) {
+                 return need(rig.device.createTexture({"d", Format::depth24, {8, 4}, samples}));
+             };
+             const TextureId resolved = depth(1);
+             need(rig.device.createFramebuffer({"resolving", {}, depth(4), {}, resolved}));
+             REQUIRE(rig.device.misuse().empty());
+             rig.device.destroy(resolved);
+         }},
+        // calls out of order
+        {"outside a pass", [](Rig& rig) { rig.device.drawFullscreen(); }},
+        {"outside a frame", [](Rig& rig) { rig.device.beginPass(rig.pass()); }},
+        {"endFrame",
+         [](Rig& rig) {
+             rig.begin();
+             CHECK(rig.device.endFrame().ok());
+         }},
+        {"'late' is created inside a frame",
+         [](Rig& rig) {
+             rig.begin();
+             CHECK(rig.device.createMesh({"late", {}, {}}).ok());
+         }},
+        {"destroyed inside a frame",
+         [](Rig& rig) {
+             rig.begin();
+             rig.device.destroy(rig.mesh);
+         }},
+        {"setUniform without a program",
+         [](Rig& rig) {
+             need(rig.device.beginFrame());
+             rig.device.beginPass(rig.pass());
+             rig.setFloat(0);
+         }},
+        // inputs of a draw
+        {"undefined content",  // nothing was written
+         [](Rig& rig) {
+             rig.begin();
+             rig.bindAll();
+         }},
+        {"which the pass draws into",
+         [](Rig& rig) {
+             rig.begin();
+             rig.device.setTexture(4, 0, rig.target, {});
+         }},
+        {"uniform 'offsets' of program 'shade' was never set",
+         [](Rig& rig) {
+             rig.begin();
+             rig.device.drawFullscreen();
+         }},
+        {"another type",
+         [](Rig& rig) {
+             rig.begin();
+             rig.setFloat(3);
+         }},
+        {"does not have",
+         [](Rig& rig) {
+             rig.begin();
+             rig.device.setTexture(40, 0, rig.input, {});
+         }},
+        {"past its last index",
+         [](Rig& rig) {
+             rig.begin();
+             rig.device.draw(rig.mesh, 2, 2);
+         }},
+        // a pass that is not as its framebuffer
+        {"another size",
+         [](Rig& rig) {
+             rig.beginWith(&PassInfo::extent, Extent{4, 4});
+         }},
+        {"other attachments", [](Rig& rig) { rig.beginWith(&PassInfo::color_count, 0); }},
+        {"other attachments", [](Rig& rig) { rig.beginWith(&PassInfo::has_depth, true); }},
+        // what is presented
+        {"undefined content", [](Rig& rig) { rig.presentAfter(StoreOp::discard); }},
+        {"undefined content", [](Rig& rig) { rig.presentAfter(StoreOp::store, LoadOp::load); }},
+        {"undefined content",  // of a pass that discards what was there and draws nothing
+         [](Rig& rig) {
+             need(rig.device.writeTexture(rig.target, Image({8, 4}, 4)));
+             need(rig.device.beginFrame());
+             rig.device.beginPass(rig.pass());
+             rig.end();
+             need(rig.device.present(rig.target, {}));
+         }},
+    };
+    for (const auto& [words, misuse] : kMisuse) {
+        INFO(words);
+        Rig rig;
+        misuse(rig);
+        CHECK(rig.blamed(words));
+    }
     Rig rig;
-    SECTION("destroyed twice")
-    {
-        rig.device.destroy(rig.mesh);
-        rig.device.destroy(rig.mesh);
-        CHECK(rig.blamed("was destroyed: 'cube'"));
-    }
-    SECTION("never made")
-    {
-        rig.device.destroy(TextureId{99});
-        CHECK(rig.blamed("does not exist"));
-    }
-    SECTION("another kind")
-    {
-        rig.device.destroy(MeshId{rig.program.value});
-        CHECK(rig.blamed("does not exist"));
-    }
-    SECTION("a texture before its framebuffer")
-    {
-        rig.device.destroy(rig.target);
-        CHECK(rig.blamed("before framebuffer 'draw'"));
-    }
-    SECTION("a texture that depth is resolved into before its framebuffer")
-    {
-        const TextureId samples =
-            need(rig.device.createTexture({"samples", Format::depth24, {8, 4}, 4}));
-        const TextureId resolved =
-            need(rig.device.createTexture({"resolved", Format::depth24, {8, 4}}));
-        need(rig.device.createFramebuffer({"resolving", {}, samples, {}, resolved}));
-        REQUIRE(rig.device.misuse().empty());
-        rig.device.destroy(resolved);
-        CHECK(rig.blamed("before framebuffer 'resolving'"));
-    }
-    SECTION("null is nothing to blame")
-    {
-        rig.device.destroy(TextureId{});
-        CHECK(rig.device.misuse().empty());
-    }
+    rig.device.destroy(TextureId{});  // null is nothing to blame
+    rig.presentAfter(StoreOp::store);
+    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("Attachments of two sizes are blamed on a device that wants one")
@@ -230,142 +328,5 @@ TEST_CASE("Attachments of two sizes are blamed on a device that wants one")
         const TextureId depth = need(device.createTexture({"depth", Format::depth24, {9, 4}}));
         need(device.createFramebuffer({"draw", {color}, depth}));
         CHECK(device.misuse().size() == (equal ? 1 : 0));
-    }
-}
-
-TEST_CASE("Calls out of order are blamed")
-{
-    Rig rig;
-    REQUIRE(rig.device.writeTexture(rig.input, Image({8, 4}, 1)).ok());
-    SECTION("a draw outside a pass")
-    {
-        rig.device.drawFullscreen();
-        CHECK(rig.blamed("outside a pass"));
-    }
-    SECTION("a pass outside a frame")
-    {
-        rig.device.beginPass(rig.pass());
-        CHECK(rig.blamed("outside a frame"));
-    }
-    SECTION("a frame that ends inside a pass")
-    {
-        rig.begin();
-        CHECK(rig.device.endFrame().ok());
-        CHECK(rig.blamed("endFrame"));
-    }
-    SECTION("an object made inside a frame")
-    {
-        rig.begin();
-        CHECK(rig.device.createMesh({"late", {}, {}}).ok());
-        CHECK(rig.blamed("'late' is created inside a frame"));
-    }
-    SECTION("an object destroyed inside a frame")
-    {
-        rig.begin();
-        rig.device.destroy(rig.mesh);
-        CHECK(rig.blamed("destroyed inside a frame"));
-    }
-    SECTION("a uniform without a program")
-    {
-        need(rig.device.beginFrame());
-        rig.device.beginPass(rig.pass());
-        const float value = 1;
-        rig.device.setUniform(0, GlslType::float_, 1, &value);
-        CHECK(rig.blamed("setUniform without a program"));
-    }
-}
-
-TEST_CASE("Draws whose inputs make no sense are blamed")
-{
-    Rig rig;
-    SECTION("a texture that nothing was written to")
-    {
-        rig.begin();
-        rig.bindAll();
-        CHECK(rig.blamed("undefined content"));
-    }
-    SECTION("a texture that the pass draws into")
-    {
-        rig.begin();
-        rig.device.setTexture(4, 0, rig.target, {});
-        CHECK(rig.blamed("which the pass draws into"));
-    }
-    SECTION("a uniform that was never set")
-    {
-        rig.begin();
-        rig.device.drawFullscreen();
-        CHECK(rig.blamed("uniform 'offsets' of program 'shade' was never set"));
-    }
-    SECTION("a uniform of another type")
-    {
-        rig.begin();
-        const float value = 1;
-        rig.device.setUniform(3, GlslType::float_, 1, &value);
-        CHECK(rig.blamed("another type"));
-    }
-    SECTION("a location that the program does not have")
-    {
-        rig.begin();
-        rig.device.setTexture(40, 0, rig.input, {});
-        CHECK(rig.blamed("does not have"));
-    }
-    SECTION("indices that the mesh does not have")
-    {
-        rig.begin();
-        rig.device.draw(rig.mesh, 2, 2);
-        CHECK(rig.blamed("past its last index"));
-    }
-}
-
-TEST_CASE("A texture whose content a pass discards, or that it loads unwritten, is undefined")
-{
-    Rig rig;
-    REQUIRE(rig.device.writeTexture(rig.input, Image({8, 4}, 1)).ok());
-    PassInfo pass = rig.pass();
-    SECTION("discarded on store") { pass.color_store[0] = StoreOp::discard; }
-    SECTION("loaded before anything was written") { pass.color_load[0] = LoadOp::load; }
-    need(rig.device.beginFrame());
-    rig.device.beginPass(pass);
-    rig.device.setProgram(rig.program, {});
-    rig.bindAll();
-    rig.device.drawFullscreen();
-    rig.end();
-    need(rig.device.present(rig.target, {}));
-    CHECK(rig.blamed("undefined content"));
-}
-
-TEST_CASE("A pass that discards what was there and draws nothing leaves nothing")
-{
-    Rig rig;
-    REQUIRE(rig.device.writeTexture(rig.target, Image({8, 4}, 4)).ok());
-    need(rig.device.beginFrame());
-    rig.device.beginPass(rig.pass());
-    rig.end();
-    need(rig.device.present(rig.target, {}));
-    CHECK(rig.blamed("undefined content"));
-}
-
-TEST_CASE("A pass with other attachments or another size than its framebuffer is blamed")
-{
-    Rig rig;
-    need(rig.device.beginFrame());
-    PassInfo pass = rig.pass();
-    SECTION("size")
-    {
-        pass.extent = {4, 4};
-        rig.device.beginPass(pass);
-        CHECK(rig.blamed("another size"));
-    }
-    SECTION("count")
-    {
-        pass.color_count = 0;
-        rig.device.beginPass(pass);
-        CHECK(rig.blamed("other attachments"));
-    }
-    SECTION("depth")
-    {
-        pass.has_depth = true;
-        rig.device.beginPass(pass);
-        CHECK(rig.blamed("other attachments"));
     }
 }

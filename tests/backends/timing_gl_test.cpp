@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Frames timed for real. No absolute time is asserted: machines are shared and noisy.
-#include <crevice/renderer.h>
-
-#include <crevice/config.h>
-#include <crevice/shipped.h>
-
 #include "backends/gl/timers.h"
+#include "tests/backends/stage.h"
 #include "tests/support/gl_fixture.h"
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,30 +11,21 @@ namespace crevice {
 
 namespace {
 
-constexpr Extent kExtent = {256, 144};
+/// A device with a scene, drawn by one config at several costs.
+struct TimedStage : GlFixture {
+    Stage stage{*device, {256, 144}};
 
-/// A scene on a device, to be drawn with one config or another.
-struct Stage {
-    GlFixture gl;
-    Scene scene = need(loadScene("spheres"));
-    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", 16.0 / 9.0));
-    Frame frame = makeFrame(uploaded, camera, kExtent);
-
-    std::unique_ptr<Renderer> renderer(const std::string& setting)
+    std::unique_ptr<Renderer> renderer(const std::string& setting) const
     {
-        const SourceSet& sources = shippedSources();
-        const Node document = need(loadConfig(sources, {"learnopengl", {}, {setting}}));
-        return need(Renderer::create(*gl.device, need(decode(document, sources)), {kExtent},
-                                     traitsOf(frame)));
+        return stage.make(descriptionOf({"learnopengl"}, {setting}));
     }
 
     /// Draws until a measurement is valid.
     FrameTimes time(Renderer& renderer)
     {
-        FrameTimes times = need(renderer.renderTimed(frame));
+        FrameTimes times = need(renderer.renderTimed(stage.frame));
         for (int i = 0; i < 10 && times.total_ms < 0; ++i)
-            times = need(renderer.renderTimed(frame));
+            times = need(renderer.renderTimed(stage.frame));
         REQUIRE(times.total_ms >= 0);
         return times;
     }
@@ -61,40 +46,25 @@ struct Stage {
 
 }  // namespace
 
-TEST_CASE("each pass takes time, and all together no more than the frame")
+TEST_CASE_METHOD(TimedStage, "each pass takes time, and all together no more than the frame")
 {
-    Stage stage;
-    const auto renderer = stage.renderer("samples=8");
-    const FrameTimes times = stage.time(*renderer);
-    REQUIRE(times.pass_ms.size() == renderer->plan().passes.size());
+    const auto timed = renderer("samples=8");
+    const FrameTimes times = time(*timed);
+    REQUIRE(times.pass_ms.size() == timed->plan().passes.size());
     for (double pass : times.pass_ms) CHECK(pass > 0);
     const double sum = std::accumulate(times.pass_ms.begin(), times.pass_ms.end(), 0.0);
     CHECK(sum <= times.total_ms * 1.000001);
+    if (device->caps().software) CHECK(times.method == TimingMethod::processor_time);
+    const Image shown = read(timed->output("ao"));
+    ++stage.frame.revision;
+    need(timed->render(stage.frame));
+    CHECK(read(timed->output("ao")).pixels == shown.pixels);  // of an untimed frame
 }
 
-TEST_CASE("a pass that does more work takes longer")
+TEST_CASE_METHOD(TimedStage, "a pass that does more work takes longer")
 {
-    Stage stage;
-    const auto heavy = stage.renderer("samples=64");
-    const auto light = stage.renderer("samples=2");
-    CHECK(stage.shortest(*heavy, "ssao") > stage.shortest(*light, "ssao"));
-}
-
-TEST_CASE("a software renderer is timed by processor time, whatever extensions it has")
-{
-    Stage stage;
-    if (!stage.gl.device->caps().software) return;
-    CHECK(stage.time(*stage.renderer("samples=2")).method == TimingMethod::processor_time);
-}
-
-TEST_CASE("a timed frame draws the picture of an untimed one")
-{
-    Stage stage;
-    const auto renderer = stage.renderer("samples=8");
-    need(renderer->render(stage.frame));
-    const Image untimed = stage.gl.read(renderer->output("ao"));
-    need(renderer->renderTimed(stage.frame));
-    CHECK(stage.gl.read(renderer->output("ao")).pixels == untimed.pixels);
+    const auto heavy = renderer("samples=64"), light = renderer("samples=2");
+    CHECK(shortest(*heavy, "ssao") > shortest(*light, "ssao"));
 }
 
 // Here the software renderer's queries are good enough: they must run and give something.

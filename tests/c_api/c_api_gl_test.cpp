@@ -40,6 +40,7 @@ struct Host : GlFixture {
     }
     ~Host()
     {
+        crevice_effect_destroy(effect);
         crevice_device_destroy(c_device);
         gl.DeleteTextures(1, &depth);
     }
@@ -54,35 +55,34 @@ struct Host : GlFixture {
         return made;
     }
 
-    /// An effect of the C API that has drawn the depth with radius 1.
-    crevice_effect* drawn(const char* config, const char* folder = nullptr) const
+    /// What an effect of the C API draws of the depth with radius 1.
+    std::vector<float> draw(const char* config = kConfig, const char* folder = nullptr)
     {
-        crevice_effect_desc desc = {};
-        desc.struct_size = sizeof desc;
+        auto desc = sized<crevice_effect_desc>();
         desc.config = config;
         desc.folder = folder;
         desc.width = kExtent.width;
         desc.height = kExtent.height;
-        crevice_effect* effect = nullptr;
+        crevice_effect_destroy(effect);
         need(crevice_effect_create(c_device, &desc, &effect));
         const crevice_texture given = texture();
         const float radius = 1;
         need(crevice_effect_set_projection(effect, glm::value_ptr(projection)));
         need(crevice_effect_set_texture(effect, "depth", &given));
         need(crevice_effect_set_param(effect, "radius", &radius, 1));
-        need(crevice_effect_render(effect));
-        return effect;
+        return drawAgain();
     }
 
-    std::vector<float> pixelsOf(const crevice_effect* effect) const
+    std::vector<float> drawAgain() const
     {
+        need(crevice_effect_render(effect));
         std::vector<float> pixels(kExtent.width * kExtent.height);
         need(crevice_effect_read_output(effect, "ao", pixels.data(), pixels.size()));
         return pixels;
     }
 
     /// What a view's AO is in a texture of the host's.
-    std::vector<float> presented(crevice_effect* effect, int view)
+    std::vector<float> presented(int view)
     {
         const TextureId into = GlFixture::texture(Format::r8, kExtent);
         auto target = sized<crevice_target>();
@@ -96,29 +96,10 @@ struct Host : GlFixture {
         return pixels;
     }
 
-    /// Draws with the C API and gives the pixels.
-    std::vector<float> draw(const char* config, const char* folder = nullptr) const
-    {
-        crevice_effect* effect = drawn(config, folder);
-        std::vector<float> pixels = pixelsOf(effect);
-        crevice_effect_destroy(effect);
-        return pixels;
-    }
-
-    /// Draws the same with the C++ facade.
-    std::vector<float> drawByFacade()
-    {
-        Effect effect = crevice::need(Effect::create(*device, kConfig, kExtent));
-        effect.setProjection(glm::value_ptr(projection));
-        crevice::need(effect.setTexture("depth", depth, Format::depth32f, kExtent));
-        crevice::need(effect.setParam("radius", 1));
-        crevice::need(effect.render());
-        return read(effect.output("ao")).pixels;
-    }
-
     glm::mat4 projection = glm::perspective(glm::radians(60.0f), 16.0f / 9.0f, 0.1f, 100.0f);
     GLuint depth = 0;
     crevice_device* c_device = nullptr;
+    crevice_effect* effect = nullptr;
 };
 
 }  // namespace
@@ -126,91 +107,82 @@ struct Host : GlFixture {
 TEST_CASE("The C API draws what the C++ facade draws, bit for bit")
 {
     Host host;
-    const std::vector<float> pixels = host.draw(kConfig);
+    const std::vector<float> pixels = host.draw();
     CHECK(*std::min_element(pixels.begin(), pixels.end()) < 0.9f);
-    CHECK(pixels == host.drawByFacade());
+    Effect effect = need(Effect::create(*host.device, kConfig, kExtent));
+    effect.setProjection(glm::value_ptr(host.projection));
+    need(effect.setTexture("depth", host.depth, Format::depth32f, kExtent));
+    need(effect.setParam("radius", 1));
+    need(effect.render());
+    CHECK(pixels == host.read(effect.output("ao")).pixels);
 }
 
 TEST_CASE("Two views of the C API give what two effects give, bit for bit")
 {
     Host left, right(0.02f);
-    const std::vector<float> wanted = right.draw(kConfig);
-    crevice_effect* effect = left.drawn(kConfig);
-    const std::vector<float> first = left.pixelsOf(effect);
+    const std::vector<float> wanted = right.draw(), first = left.draw();
     CHECK(first != wanted);
     auto view = sized<crevice_view>();
     std::copy_n(glm::value_ptr(left.projection), 16, view.clip_from_view);
-    need(crevice_effect_set_views(effect, &view, 1));
+    need(crevice_effect_set_views(left.effect, &view, 1));
     const crevice_texture depth = right.texture();
-    need(crevice_effect_set_view_texture(effect, 1, "depth", &depth));
-    need(crevice_effect_render(effect));
-    CHECK(left.pixelsOf(effect) == first);
-    CHECK(left.presented(effect, 1) == wanted);
-    CHECK(left.presented(effect, 0) == first);
-    crevice_effect_destroy(effect);
+    need(crevice_effect_set_view_texture(left.effect, 1, "depth", &depth));
+    CHECK(left.drawAgain() == first);
+    CHECK(left.presented(1) == wanted);
+    CHECK(left.presented(0) == first);
 }
 
-TEST_CASE("The C API reads modules and configs in a folder of the host's own")
+TEST_CASE("The C API reads configs in a folder of the host's, and an edited file again")
 {
     const TemporaryFolder folder("c_api");
-    folder.write("configs/mine.json", kConfig);
+    const std::string file = folder.write("configs/mine.json", kConfig);
     Host host;
-    const std::vector<float> pixels = host.draw("mine", folder.path.string().c_str());
-    CHECK(pixels == host.draw(kConfig));
-}
-
-TEST_CASE("The C API reloads a file that was edited and keeps what was set")
-{
-    const TemporaryFolder folder("c_api_reload");
-    const std::string file = folder.write("ao.json", kConfig);
-    Host host;
-    crevice_effect* effect = host.drawn(file.c_str());
-    const std::vector<float> before = host.pixelsOf(effect);
+    const std::vector<float> before = host.draw("mine", folder.path.string().c_str());
+    CHECK(before == host.draw());
+    CHECK(before == host.draw(file.c_str()));
     std::string edited = kConfig;
-    folder.write("ao.json", edited.insert(edited.rfind('}'), R"(, "params": {"intensity": 2})"));
-    need(crevice_effect_reload(effect, nullptr));
-    need(crevice_effect_render(effect));
-    CHECK(host.pixelsOf(effect) != before);
-    crevice_param param = {};
-    param.struct_size = sizeof param;
+    edited.insert(edited.rfind('}'), R"(, "params": {"intensity": 2})");
+    folder.write("configs/mine.json", edited);
+    need(crevice_effect_reload(host.effect, nullptr));
+    CHECK(host.drawAgain() != before);
+    auto param = sized<crevice_param>();
     float radius = 0;
-    for (int i = 0; i < crevice_effect_param_count(effect); ++i) {
-        need(crevice_effect_get_param(effect, i, &param));
+    for (int i = 0; i < crevice_effect_param_count(host.effect); ++i) {
+        need(crevice_effect_get_param(host.effect, i, &param));
         if (std::string(param.name) == "radius") radius = param.value[0];
     }
-    CHECK(radius == 1);
-    crevice_effect_destroy(effect);
+    CHECK(radius == 1);  // what was set is kept
 }
 
 TEST_CASE("The C API keeps programs where the host says")
 {
-    static std::map<std::string, std::vector<char>> kept;
-    static int loaded = 0;
-    kept.clear();
-    loaded = 0;
+    struct Kept {
+        std::map<std::string, std::vector<char>> programs;
+        std::size_t loaded = 0;
+    } kept;
     crevice_device_desc desc = {};
-    desc.cache_load = [](const char* key, std::size_t* count, void*) -> const void* {
-        const auto found = kept.find(key);
-        if (found == kept.end()) return nullptr;
-        ++loaded;
+    desc.cache_user = &kept;
+    desc.cache_load = [](const char* key, std::size_t* count, void* user) -> const void* {
+        Kept& all = *static_cast<Kept*>(user);
+        const auto found = all.programs.find(key);
+        if (found == all.programs.end()) return nullptr;
+        ++all.loaded;
         *count = found->second.size();
         return found->second.data();
     };
-    desc.cache_store = [](const char* key, const void* bytes, std::size_t count, void*) {
+    desc.cache_store = [](const char* key, const void* bytes, std::size_t count, void* user) {
         const char* begin = static_cast<const char*>(bytes);
-        kept[key] = std::vector<char>(begin, begin + count);
+        static_cast<Kept*>(user)->programs[key] = std::vector<char>(begin, begin + count);
     };
-    const std::vector<float> first = Host(0.01f, desc).draw(kConfig);
-    const int loaded_first = loaded;
-    const std::vector<float> second = Host(0.01f, desc).draw(kConfig);
-    CHECK(first == second);
-    CHECK(loaded - loaded_first >= static_cast<int>(kept.size()));
+    const std::vector<float> first = Host(0.01f, desc).draw();
+    const std::size_t loaded_first = kept.loaded;
+    CHECK(first == Host(0.01f, desc).draw());
+    CHECK(kept.loaded - loaded_first >= kept.programs.size());
 }
 
 TEST_CASE("An exception of a host's callback is an error of the C API, and leaves no function")
 {
-    crevice_device_desc desc = {};
-    desc.struct_size = sizeof desc;
+    auto desc = sized<crevice_device_desc>();
     desc.loader = [](const char*, void*) -> void* { throw 7; };
     crevice_device* device = nullptr;
     CHECK(codeOf(crevice_device_create(&desc, &device)) == static_cast<int>(Code::out_of_memory));
@@ -220,10 +192,8 @@ TEST_CASE("An exception of a host's callback is an error of the C API, and leave
 TEST_CASE("An effect of an abandoned device gives CV6016 and may be destroyed after it")
 {
     Host host;
-    crevice_effect* effect = host.drawn(kConfig);
+    host.draw();
     crevice_device_abandon(host.c_device);
-    CHECK(codeOf(crevice_effect_render(effect)) == static_cast<int>(Code::context_lost));
-    crevice_device_destroy(host.c_device);
-    host.c_device = nullptr;
-    crevice_effect_destroy(effect);
+    CHECK(codeOf(crevice_effect_render(host.effect)) == static_cast<int>(Code::context_lost));
+    crevice_device_destroy(std::exchange(host.c_device, nullptr));
 }

@@ -78,12 +78,7 @@ TEST_CASE_METHOD(CScene, "C API: a callback that throws is an error, and is call
 TEST_CASE_METHOD(CScene, "C API: what cannot be drawn is refused, and the scene stays as it was")
 {
     crevice_device elsewhere{std::make_shared<RecordingDevice>()};
-    auto desc = sized<crevice_mesh_desc>();
-    desc.positions = kTriangle;
-    desc.vertex_count = 3;
-    crevice_mesh* other = nullptr;
-    need(crevice_mesh_create(&elsewhere, &desc, &other));
-
+    crevice_mesh* other = makeMesh(elsewhere);
     setDraw();
     const std::vector<DrawItem> before = frame().draws;
     crevice_draw two[] = {draw, draw};
@@ -200,10 +195,6 @@ TEST_CASE_METHOD(CScene, "C API: times of passes come by name, once they are in"
         CHECK(time.name == now[i].name);
         CHECK(time.milliseconds == 0.5);
     }
-    time.struct_size = offsetof(crevice_pass_time, milliseconds);
-    time.milliseconds = 7;
-    need(crevice_effect_get_pass_time(effect, 0, &time));
-    CHECK(time.milliseconds == 7);
     CHECK(codeOf(crevice_effect_get_pass_time(effect, -1, &time)) == 6011);
     CHECK(codeOf(crevice_effect_get_pass_time(effect, static_cast<int>(now.size()), &time)) ==
           6011);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A host's scene by the C API, on a device that draws nothing: what becomes of each member, when
-// something is drawn again, and who keeps what alive.
+// A host's scene and its views by the C API, without GL: when something is drawn again, and who
+// keeps what alive.
+#include <crevice/gl_device.h>
+
 #include "tests/c_api/c_scene.h"
-#include "tests/support/allocations.h"
-
-#include <glm/gtc/type_ptr.hpp>
-
-#include <numeric>
+#include "tests/core/run/allocations.h"
+#include "tests/support/watched_gl.h"
 
 using namespace crevice;
 
@@ -16,117 +15,6 @@ namespace {
 void count(const crevice_draw_call*, void* calls) { ++*static_cast<int*>(calls); }
 
 }  // namespace
-
-TEST_CASE_METHOD(CScene, "C API: each member of a draw becomes that of a frame's draw")
-{
-    draw.first = 1;
-    draw.count = 2;
-    std::iota(draw.world_from_model, draw.world_from_model + 16, 1.5);
-    draw.material = 7;
-    const float center[] = {2, 3, 4};
-    std::copy_n(center, 3, draw.bounds_center);
-    draw.bounds_radius = 5;
-    draw.sheet = true;
-    draw.revision = (1ull << 40) + 1;
-    setDraw();
-    DrawItem wanted;
-    wanted.mesh = mesh->shared->id.id();
-    wanted.first = 1;
-    wanted.count = 2;
-    wanted.world_from_model = glm::make_mat4(draw.world_from_model);
-    wanted.material = 7;
-    wanted.bounds_center = {2, 3, 4};
-    wanted.bounds_radius = 5;
-    wanted.sheet = true;
-    wanted.revision = (1ull << 40) + 1;
-    REQUIRE(frame().draws.size() == 1);
-    CHECK(frame().draws[0] == wanted);
-}
-
-TEST_CASE_METHOD(CScene, "C API: each member of a material becomes that of a frame's material")
-{
-    const float color[] = {0.1f, 0.2f, 0.3f, 0.4f};
-    std::copy_n(color, 4, material.base_color);
-    std::copy_n(color, 3, material.specular);
-    material.shininess = 3;
-    material.ambient_dimming = 0.25f;
-    material.alpha_cutoff = 0.5f;
-    material.normal_scale = 0.6f;
-    material.occlusion_strength = 0.7f;
-    crevice_texture normals = texture, open = texture;
-    normals.name = 6;
-    open.name = 7;
-    material.base_color_map = &texture;
-    material.normal_map = &normals;
-    material.occlusion_map = &open;
-    setMaterial();
-    REQUIRE(frame().materials.size() == 1);
-    Material made = frame().materials[0];
-    CHECK(recording->info(made.base_color_map).native_name == 5);
-    CHECK(recording->info(made.normal_map).native_name == 6);
-    CHECK(recording->info(made.occlusion_map).native_name == 7);
-    Material wanted = made;  // with its maps
-    wanted.base_color = {0.1f, 0.2f, 0.3f, 0.4f};
-    wanted.specular = {0.1f, 0.2f, 0.3f};
-    wanted.shininess = 3;
-    wanted.ambient = 0.75f;
-    wanted.alpha_cutoff = 0.5f;
-    wanted.normal_scale = 0.6f;
-    wanted.occlusion_strength = 0.7f;
-    CHECK(made == wanted);
-}
-
-TEST_CASE_METHOD(CScene, "C API: each member of a light becomes that of a frame's light")
-{
-    crevice_light lights[3];
-    for (crevice_light& each : lights) each = sized<crevice_light>();
-    lights[1].kind = CREVICE_DIRECTIONAL;
-    crevice_light& spot = lights[2];
-    spot.kind = CREVICE_SPOT;
-    std::iota(spot.position, spot.position + 3, 1.0);
-    std::iota(spot.direction, spot.direction + 3, 4.0f);
-    std::iota(spot.color, spot.color + 3, 7.0f);
-    std::iota(spot.attenuation, spot.attenuation + 3, 10.0f);
-    spot.inner_angle_rad = 0.25f;
-    spot.outer_angle_rad = 0.5f;
-    const float ambient[] = {0.5f, 0.6f, 0.7f};
-    need(crevice_effect_set_lights(effect, lights, 3));
-    need(crevice_effect_set_ambient_light(effect, ambient));
-    const std::vector<Light>& made = frame().lights;
-    REQUIRE(made.size() == 3);
-    CHECK_FALSE((made[0].directional || made[0].spot));
-    CHECK((made[1].directional && !made[1].spot));
-    CHECK((made[2].spot && !made[2].directional));
-    CHECK(made[2].position == glm::dvec3(1, 2, 3));
-    CHECK(made[2].direction == glm::vec3(4, 5, 6));
-    CHECK(made[2].color == glm::vec3(7, 8, 9));
-    CHECK(made[2].attenuation == glm::vec3(10, 11, 12));
-    CHECK(made[2].inner_angle_rad == 0.25f);
-    CHECK(made[2].outer_angle_rad == 0.5f);
-    CHECK(frame().ambient_light == glm::vec3(0.5f, 0.6f, 0.7f));
-}
-
-TEST_CASE_METHOD(CScene, "C API: what is zero in a scene is the default")
-{
-    CHECK(frame().materials == std::vector<Material>(1));
-    setDraw();
-    setMaterial();
-    auto light = sized<crevice_light>();
-    need(crevice_effect_set_lights(effect, &light, 1));
-    DrawItem whole;
-    whole.mesh = mesh->shared->id.id();
-    whole.count = 3;
-    CHECK(frame().draws[0] == whole);
-    CHECK(frame().materials == std::vector<Material>(1));
-    const Light plain;
-    CHECK(frame().lights[0].direction == plain.direction);
-    CHECK(frame().lights[0].attenuation == plain.attenuation);
-    CHECK(frame().lights[0].outer_angle_rad == plain.outer_angle_rad);
-    CHECK(frame().lights[0].color == glm::vec3(0.0f));
-    need(crevice_effect_set_materials(effect, nullptr, 0));
-    CHECK(frame().materials == std::vector<Material>(1));
-    CHECK(draws());
-}
 
 TEST_CASE_METHOD(CScene, "C API: the same scene again allocates nothing and draws nothing")
 {
@@ -232,4 +120,111 @@ TEST_CASE_METHOD(CScene, "C API: the maps of materials live as long as a materia
     CHECK(recording->info(frame().materials[0].base_color_map).native_name == 9);
     need(crevice_effect_set_materials(effect, nullptr, 0));
     CHECK(maps() == 0);
+}
+
+TEST_CASE("C API: a mesh or map that takes the id of a destroyed one is drawn")
+{
+    WatchedGl gl;
+    gl.logPasses();
+    crevice_device device{need(makeGlDevice(gl.loader()))};
+    crevice_effect* effect = makeEffect(device, "mobile");
+    crevice_mesh* mesh = makeMesh(device);
+    const Frame& frame = effect->effect->frame();
+    const auto draws = [&] {
+        auto draw = sized<crevice_draw>();
+        draw.mesh = mesh;
+        need(crevice_effect_set_draws(effect, &draw, 1));
+        need(crevice_effect_render(effect));
+        return !gl.takePassLog().empty();
+    };
+    CHECK(draws());
+    CHECK_FALSE(draws());
+    const MeshId id = frame.draws[0].mesh;
+    need(crevice_effect_set_draws(effect, nullptr, 0));
+    crevice_mesh_destroy(mesh);
+    mesh = makeMesh(device);
+    CHECK(draws());
+    CHECK(frame.draws[0].mesh.value == id.value);
+
+    const auto draws_with = [&](std::uint32_t name) {
+        auto map = sized<crevice_texture>();
+        map.name = name;
+        map.format = "rgba8";
+        map.width = map.height = 4;
+        auto material = sized<crevice_material>();
+        material.base_color_map = &map;
+        need(crevice_effect_set_materials(effect, nullptr, 0));
+        need(crevice_effect_set_materials(effect, &material, 1));
+        return draws();
+    };
+    draws_with(5);  // makes a new plan, which gives ids back
+    draws_with(5);
+    const TextureId map = frame.materials[0].base_color_map;
+    CHECK(draws_with(6));
+    CHECK(frame.materials[0].base_color_map.value == map.value);
+    crevice_mesh_destroy(mesh);
+    crevice_effect_destroy(effect);
+}
+
+TEST_CASE_METHOD(CViews,
+                 "C API: a view has the textures that it is given, as long as there is the view")
+{
+    const int before = recording->live(ObjectId::Kind::texture);
+    texture.name = 9;
+    CHECK(setTexture(1) == 0);
+    const int attempts = recording->attempts();
+    CHECK(setTexture(1) == 0);
+    CHECK(recording->attempts() == attempts);
+    const auto& textures = frame().other_views[0].textures;
+    REQUIRE(textures.size() == 1);
+    CHECK(textures[0].name == "depth");
+    CHECK(recording->info(textures[0].texture).native_name == 9);
+    CHECK(recording->live(ObjectId::Kind::texture) == before + 1);
+    need(crevice_effect_set_views(effect, nullptr, 0));
+    CHECK(recording->live(ObjectId::Kind::texture) == before);
+    CHECK(setTexture(0) == 0);
+    CHECK(recording->live(ObjectId::Kind::texture) == before);
+}
+
+TEST_CASE_METHOD(CViews, "C API: what a host draws into a layer is copied for each view and frame")
+{
+    texture.kind = CREVICE_LAYER;
+    texture.layer = 1;
+    CHECK(setTexture(1) == 0);
+    recording->clearLog();
+    need(crevice_effect_render(effect));
+    CHECK(recording->log().find("refresh") != std::string::npos);
+}
+
+TEST_CASE_METHOD(CViews, "C API: a texture or an output of a view that is not there is refused")
+{
+    auto output = sized<crevice_output>();
+    const auto get = [&](int of_view) {
+        return codeOf(crevice_effect_get_view_output(effect, of_view, "ao", &output));
+    };
+    CHECK(setTexture(2) == 6011);
+    CHECK(setTexture(-1) == 6011);
+    CHECK(codeOf(crevice_effect_set_view_texture(effect, 1, "dept", &texture)) == 2102);
+    texture.format = "depth16";
+    CHECK(setTexture(1) == 6011);
+    CHECK(frame().other_views[0].textures.empty());
+    CHECK(get(1) == 6011);  // before a frame
+    need(crevice_effect_render(effect));
+    CHECK(get(0) == 0);
+    const std::uint32_t first = output.texture;
+    CHECK(get(1) == 0);
+    CHECK(output.texture != first);
+    CHECK(get(2) == 6011);
+    CHECK(get(-1) == 6011);
+    auto target = sized<crevice_target>();
+    target.width = target.height = 4;
+    const auto present = [&](int of_view) {
+        target.view = of_view;
+        recording->clearLog();
+        const int code = codeOf(crevice_effect_present(effect, "ao", &target));
+        return code == 0 ? recording->log() : std::to_string(code);
+    };
+    CHECK(present(2) == "6011");
+    CHECK(present(0) != present(1));
+    CHECK(codeOf(crevice_effect_present(effect, "aoo", &target)) == 2209);
 }

@@ -2,14 +2,8 @@
 // The configs of single authors against what those authors compute, ported to the CPU from their
 // texts: over the same positions, normals and random numbers, with a box over both pictures.
 #include "core/sampling/random.h"
-#include "tests/support/catch.h"
-#include "tests/support/picture.h"
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
-
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
+#include "tests/support/scene_rig.h"
+#include "tests/support/shipped_subjects.h"
 
 #include <glm/glm.hpp>
 
@@ -219,58 +213,24 @@ const Author kAuthors[] = {{"ogldev45", false, ogldev},      {"learnopengl", fal
                            {"chapman_depth", true, chapman}, {"lettier", false, lettier},
                            {"thesis", false, thesis},        {"habr", true, habr}};
 
-class Stage {
-public:
-    explicit Stage(const std::string& scene)
-        : scene_(need(loadScene(scene))),
-          uploaded_(need(UploadedScene::upload(*gl_.device, scene_)))
-    {
-        const double aspect = double(kSize.width) / kSize.height;
-        const SceneCamera camera = need(chooseCamera(scene_, uploaded_.bounds(), "", aspect));
-        frame_ = makeFrame(uploaded_, camera, kSize);
-    }
+/// A target of a config, as it is before its filter.
+Image targetOf(SceneRig& rig, const std::string& config, const std::vector<std::string>& overrides,
+               const char* name)
+{
+    Description description = descriptionOf({config}, overrides);
+    OutputDesc output;
+    output.name = name;
+    output.target.name = name;
+    description.outputs = {output};
+    return rig.draw(description, rig.frame(), name);
+}
 
-    /// Targets of a config, as they are before its filter.
-    std::vector<Image> targets(const std::string& config, const std::vector<std::string>& overrides,
-                               const std::vector<std::string>& names)
-    {
-        const Node document = need(loadConfig(shippedSources(), {config, {}, overrides}));
-        Description description = need(decode(document, shippedSources()));
-        description.outputs.clear();
-        for (const std::string& name : names) {
-            OutputDesc output;
-            output.name = name;
-            output.target.name = name;
-            description.outputs.push_back(output);
-        }
-        CompileOptions options;
-        options.extent = kSize;
-        auto renderer = need(Renderer::create(*gl_.device, description, options, traitsOf(frame_)));
-        need(renderer->render(frame_));
-        std::vector<Image> images;
-        for (const std::string& name : names) images.push_back(gl_.read(renderer->output(name)));
-        return images;
-    }
-
-    Drawn draw(const Author& author, const std::vector<std::string>& overrides)
-    {
-        Drawn drawn;
-        drawn.clip_from_view = frame_.camera.clip_from_view;
-        drawn.ao = targets(author.config, overrides, {"ao"})[0];
-        const bool own = !author.from_depth;
-        const std::vector<Image> surface =
-            targets(own ? author.config : "lettier", {}, {"position", "normal"});
-        drawn.position = surface[0];
-        drawn.normal = surface[1];
-        return drawn;
-    }
-
-private:
-    GlFixture gl_;
-    Scene scene_;
-    UploadedScene uploaded_;
-    Frame frame_;
-};
+Drawn draw(SceneRig& rig, const Author& author, const std::vector<std::string>& overrides)
+{
+    const std::string surface = author.from_depth ? "lettier" : author.config;
+    return {targetOf(rig, surface, {}, "position"), targetOf(rig, surface, {}, "normal"),
+            targetOf(rig, author.config, overrides, "ao"), rig.frame().camera.clip_from_view};
+}
 
 /// The mean of 4x4 pixels.
 Image boxed(const Image& image)
@@ -311,11 +271,13 @@ double rmseOf(const Author& author, const Drawn& drawn)
 
 TEST_CASE("Configs of single authors draw what those authors compute")
 {
-    const std::string scene = GENERATE("room", "corner", "spheres", "plane");
-    Stage stage(scene);
-    for (const Author& author : kAuthors) {
-        INFO(author.config << " over " << scene);
-        CHECK(rmseOf(author, stage.draw(author, {})) < author.limit());
+    SceneRig rig("room", kSize);
+    for (const char* scene : {"room", "corner", "spheres", "plane"}) {
+        rig.show(scene);
+        for (const Author& author : kAuthors) {
+            INFO(author.config << " over " << scene);
+            CHECK(rmseOf(author, draw(rig, author, {})) < author.limit());
+        }
     }
 }
 
@@ -334,11 +296,11 @@ TEST_CASE("A config that departs from its author is seen")
         {4, {"guards=true"}},
         {5, {"bias_length=0"}},
     };
-    Stage stage("room");
+    SceneRig rig("room", kSize);
     for (const Fault& fault : kFaults) {
         const Author& author = kAuthors[fault.author];
         INFO(author.config << " with " << fault.overrides[0]);
-        CHECK(rmseOf(author, stage.draw(author, fault.overrides)) > author.limit());
+        CHECK(rmseOf(author, draw(rig, author, fault.overrides)) > author.limit());
     }
 }
 

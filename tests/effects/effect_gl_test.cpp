@@ -51,16 +51,6 @@ struct HostDepth : GlFixture {
     GLuint name = 0;
 };
 
-/// The most by which a pixel of one differs from the other's.
-float apart(const Image& a, const Image& b)
-{
-    REQUIRE(a.pixels.size() == b.pixels.size());
-    float most = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
-    return most;
-}
-
 }  // namespace
 
 TEST_CASE("A host's depth gives an AO texture that is darker in the corner than on the wall")
@@ -89,29 +79,6 @@ TEST_CASE("An effect follows what the host draws into its depth")
     const Image after = host.read(effect.output("ao"));
     CHECK(after.pixels != before.pixels);
     CHECK(after.at(32, 10) == 1.0f);
-}
-
-TEST_CASE(
-    "A host's clip control is taken as it is, and the picture is the same, turned with the rows")
-{
-    using ClipControlFunction = void(GL_APIENTRY*)(GLenum origin, GLenum depth);
-    constexpr GLenum kZeroToOne = 0x935F, kUpperLeft = 0x8CA2;
-    const auto set = reinterpret_cast<ClipControlFunction>(testContext().loader()("glClipControl"));
-    if (testBackend() != "osmesa" || !set) return;
-    HostDepth host;
-    const Image plain = host.read(host.drawn().output("ao"));
-    glm::mat4 rows = glm::transpose(host.projection);
-    rows[2] = 0.5f * (rows[2] + rows[3]);
-    host.projection = glm::transpose(rows);
-    set(GL_LOWER_LEFT_EXT, kZeroToOne);
-    const Image same = host.read(host.drawn().output("ao"));
-    CHECK(apart(plain, same) < 2.0f / 255);
-    set(kUpperLeft, kZeroToOne);
-    rows[1] = -rows[1];  // so that the host's rows stay where they are
-    host.projection = glm::transpose(rows);
-    const Image turned = host.read(host.drawn().output("ao"));
-    set(GL_LOWER_LEFT_EXT, GL_NEGATIVE_ONE_TO_ONE_EXT);
-    CHECK(apart(plain, turned) < 2.0f / 255);
 }
 
 TEST_CASE("AO goes into a host's texture of half the size, as means of four pixels")

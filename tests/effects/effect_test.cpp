@@ -22,7 +22,38 @@ const char* const kHostDepth = R"({ "format": 1, "name": "ao",
 // An orthographic view of the cube [-1, 1].
 const float kProjection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
 
-std::string messagesOf(const Diagnostics& diagnostics) { return toText(diagnostics); }
+/// An effect on a host's depth, or of another config, on a device that draws nothing.
+struct Rig {
+    RecordingDevice device;
+    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+
+    explicit Rig(Format depth = Format::depth24)
+    {
+        need(effect.setTexture("depth", 7, depth, kExtent));
+    }
+
+    /// The uniform of a frame with that projection, by columns.
+    std::vector<float> viewFromWindow(const glm::mat4& projection)
+    {
+        effect.setProjection(glm::value_ptr(projection));
+        need(effect.render());
+        const std::vector<float> uniform = device.lastUniform("view_from_window");
+        REQUIRE(uniform.size() == 16);
+        return uniform;
+    }
+};
+
+/// The projection that gives the same picture under that clip control.
+glm::mat4 under(const ClipControl& control, const glm::mat4& lens)
+{
+    glm::mat4 rows = glm::transpose(lens);
+    if (control.zero_to_one) rows[2] = 0.5f * (rows[2] + rows[3]);
+    if (control.upper_left) rows[1] = -rows[1];
+    return glm::transpose(rows);
+}
+
+/// What a failure or warning says.
+std::string said(const Status& status) { return toText(status.diagnostics()); }
 
 }  // namespace
 
@@ -64,18 +95,14 @@ TEST_CASE("An effect draws a host's depth and hands out the texture of its outpu
 
 TEST_CASE("An effect without a view takes projections of either hand, and a view must fit its own")
 {
-    RecordingDevice device;
-    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
-    need(effect.setTexture("depth", 7, Format::depth24, kExtent));
-    effect.setProjection(glm::value_ptr(glm::perspectiveLH(1.0f, 1.5f, 0.1f, 10.0f)));
-    need(effect.render());
-    effect.setProjection(kProjection);
-    need(effect.render());
-    effect.setProjection(glm::value_ptr(glm::perspectiveLH(1.0f, 1.5f, 0.1f, 10.0f)));
-    effect.setView(glm::value_ptr(glm::dmat4(1.0)));
-    const Status refused = effect.render();
+    Rig rig;
+    const glm::mat4 left_handed = glm::perspectiveLH(1.0f, 1.5f, 0.1f, 10.0f);
+    for (const glm::mat4& projection : {left_handed, glm::make_mat4(kProjection), left_handed})
+        rig.viewFromWindow(projection);
+    rig.effect.setView(glm::value_ptr(glm::dmat4(1.0)));
+    const Status refused = rig.effect.render();
     REQUIRE(!refused);
-    CHECK(messagesOf(refused.diagnostics()).find("along +z") != std::string::npos);
+    CHECK_THAT(said(refused), Catch::Contains("along +z"));
 }
 
 TEST_CASE("Without a view a left-handed box is looked at along +z, under any clip control")
@@ -83,18 +110,12 @@ TEST_CASE("Without a view a left-handed box is looked at along +z, under any cli
     const bool told = GENERATE(false, true);
     const bool reversed = GENERATE(false, true);
     for (const ClipControl control : {ClipControl{false, false}, ClipControl{true, false}}) {
-        RecordingDevice device;
-        Effect effect = need(Effect::create(device, kHostDepth, kExtent));
-        need(effect.setTexture("depth", 7, Format::depth24, kExtent));
+        Rig rig;
         glm::mat4 rows = glm::transpose(glm::orthoLH_NO(-2.0f, 2.0f, -1.0f, 1.0f, 1.0f, 9.0f));
         if (reversed) rows[2] = -rows[2];
-        if (control.zero_to_one) rows[2] = 0.5f * (rows[2] + rows[3]);
-        effect.setProjection(glm::value_ptr(glm::transpose(rows)));
-        if (told) effect.setClipControl(control);
-        if (!told) device.setClipControl(control);
-        need(effect.render());
-        const std::vector<float> uniform = device.lastUniform("view_from_window");
-        REQUIRE(uniform.size() == 16);
+        if (told) rig.effect.setClipControl(control);
+        if (!told) rig.device.setClipControl(control);
+        const std::vector<float> uniform = rig.viewFromWindow(under(control, glm::transpose(rows)));
         const glm::vec4 nearest =
             glm::make_mat4(uniform.data()) * glm::vec4(1, 0.5f, reversed ? 1 : 0, 1);
         CHECK(nearest.x == Approx(2));
@@ -104,61 +125,43 @@ TEST_CASE("Without a view a left-handed box is looked at along +z, under any cli
 
 TEST_CASE("An effect adopts a texture once, and another in its place")
 {
-    RecordingDevice device;
-    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
-    need(effect.setTexture("depth", 7, Format::depth24, kExtent));
-    const int live = device.live();
-    const int attempts = device.attempts();
-    need(effect.setTexture("depth", 7, Format::depth24, kExtent));
-    CHECK(device.attempts() == attempts);
-    need(effect.setTexture("depth", 8, Format::depth24, {128, 72}));
-    CHECK(device.live() == live);
-    REQUIRE(effect.frame().textures.size() == 1);
-    CHECK(device.nativeName(effect.frame().textures[0].texture) == 8);
-    need(effect.render());
+    Rig rig;
+    const int live = rig.device.live();
+    const int attempts = rig.device.attempts();
+    need(rig.effect.setTexture("depth", 7, Format::depth24, kExtent));
+    CHECK(rig.device.attempts() == attempts);
+    need(rig.effect.setTexture("depth", 8, Format::depth24, {128, 72}));
+    CHECK(rig.device.live() == live);
+    REQUIRE(rig.effect.frame().textures.size() == 1);
+    CHECK(rig.device.nativeName(rig.effect.frame().textures[0].texture) == 8);
+    need(rig.effect.render());
 }
 
 TEST_CASE("Under any clip control the same view is computed from the same window depth")
 {
-    const glm::mat4 lenses[] = {glm::perspective(1.0f, 1.5f, 0.1f, 10.0f),
-                                glm::perspective(1.0f, 1.5f, 10.0f, 0.1f),
-                                glm::infinitePerspective(1.0f, 1.5f, 0.1f),
-                                glm::frustum(-0.1f, 0.3f, -0.2f, 0.1f, 0.1f, 9.0f),
-                                glm::ortho(-3.0f, 2.0f, -1.0f, 2.0f, 0.1f, 10.0f)};
-    for (const glm::mat4& lens : lenses) {
-        RecordingDevice device;
-        Effect effect = need(Effect::create(device, kHostDepth, kExtent));
-        need(effect.setTexture("depth", 7, Format::depth24, kExtent));
-        effect.setProjection(glm::value_ptr(lens));
-        need(effect.render());
-        const std::vector<float> plain = device.lastUniform("view_from_window");
-        REQUIRE(plain.size() == 16);
+    for (const glm::mat4& lens :
+         {glm::perspective(1.0f, 1.5f, 0.1f, 10.0f), glm::perspective(1.0f, 1.5f, 10.0f, 0.1f),
+          glm::infinitePerspective(1.0f, 1.5f, 0.1f),
+          glm::frustum(-0.1f, 0.3f, -0.2f, 0.1f, 0.1f, 9.0f),
+          glm::ortho(-3.0f, 2.0f, -1.0f, 2.0f, 0.1f, 10.0f)}) {
+        Rig rig;
+        const std::vector<float> plain = rig.viewFromWindow(lens);
         for (const ClipControl control :
              {ClipControl{true, false}, ClipControl{false, true}, ClipControl{true, true}}) {
             INFO(control.zero_to_one << control.upper_left);
-            glm::mat4 rows = glm::transpose(lens);
-            if (control.zero_to_one) rows[2] = 0.5f * (rows[2] + rows[3]);
-            if (control.upper_left) rows[1] = -rows[1];
-            effect.setProjection(glm::value_ptr(glm::transpose(rows)));
-            device.setClipControl(control);
-            need(effect.render());
-            const std::vector<float> same = device.lastUniform("view_from_window");
-            REQUIRE(same.size() == 16);
+            rig.device.setClipControl(control);
+            const std::vector<float> same = rig.viewFromWindow(under(control, lens));
             for (int i = 0; i < 16; ++i) CHECK(same[i] == Approx(plain[i]).margin(2e-5));
         }
         // What the host says goes before what its context is set to.
-        effect.setClipControl({});
-        effect.setProjection(glm::value_ptr(lens));
-        need(effect.render());
-        CHECK(device.lastUniform("view_from_window") == plain);
+        rig.effect.setClipControl({});
+        CHECK(rig.viewFromWindow(lens) == plain);
     }
 }
 
 TEST_CASE("A reversed infinite view keeps its far depths under a clip control from 0 to 1")
 {
-    RecordingDevice device;
-    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
-    need(effect.setTexture("depth", 7, Format::depth32f, kExtent));
+    Rig rig(Format::depth32f);
     const float near = 0.1f, far = 1e5f;
     glm::mat4 lens(0.0f);
     lens[0][0] = 1.0f;
@@ -166,82 +169,70 @@ TEST_CASE("A reversed infinite view keeps its far depths under a clip control fr
     lens[2][2] = near / (far - near);
     lens[2][3] = -1.0f;
     lens[3][2] = near * far / (far - near);
-    effect.setProjection(glm::value_ptr(lens));
-    effect.setClipControl({true, false});
-    need(effect.render());
-    const std::vector<float> uniform = device.lastUniform("view_from_window");
-    REQUIRE(uniform.size() == 16);
-    const glm::mat4 view_from_window = glm::make_mat4(uniform.data());
+    rig.effect.setClipControl({true, false});
+    const std::vector<float> uniform = rig.viewFromWindow(lens);
     for (const float distance : {0.5f, 100.0f, 5e4f}) {
         const glm::vec4 clip = lens * glm::vec4(0, 0, -distance, 1);
-        const glm::vec4 view = view_from_window * glm::vec4(0.5f, 0.5f, clip.z / clip.w, 1);
+        const glm::vec4 view =
+            glm::make_mat4(uniform.data()) * glm::vec4(0.5f, 0.5f, clip.z / clip.w, 1);
         CHECK(-view.z / view.w == Approx(distance).epsilon(1e-4));
     }
 }
 
 TEST_CASE("An effect hands out what an output is drawn into, and copies what no shader reads")
 {
-    RecordingDevice device;
-    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    Rig rig;
     HostTexture layer{7, "", Format::depth16, kExtent};
     layer.kind = HostTexture::Kind::layer;
     layer.layer = 2;
-    need(effect.setTexture("depth", layer));
-    device.clearLog();
-    need(effect.render());
-    need(effect.render());
-    const std::string log = device.log();
+    need(rig.effect.setTexture("depth", layer));
+    rig.device.clearLog();
+    need(rig.effect.render());
+    need(rig.effect.render());
+    const std::string log = rig.device.log();
     CHECK(log.find("refresh 'depth'") != log.rfind("refresh 'depth'"));
-    const OutputTexture ao = effect.outputTexture("ao");
-    CHECK(ao.native_name == effect.nativeName("ao"));
+    const OutputTexture ao = rig.effect.outputTexture("ao");
+    CHECK(ao.native_name == rig.effect.nativeName("ao"));
     CHECK(ao.format == Format::r8);
     CHECK(ao.extent == kExtent);
-    CHECK(effect.outputTexture("colour").native_name == 0);
+    CHECK(rig.effect.outputTexture("colour").native_name == 0);
     HostFramebuffer target;
     target.extent = kExtent;
-    need(effect.present("ao", target));
-    const Status unknown = effect.present("oa", target);
+    need(rig.effect.present("ao", target));
+    const Status unknown = rig.effect.present("oa", target);
     REQUIRE(!unknown);
     CHECK(unknown.diagnostics()[0].code == Code::output_missing);
-    CHECK(messagesOf(unknown.diagnostics()).find("did you mean 'ao'") != std::string::npos);
-    need(effect.setParam("intensity", 0));
-    CHECK(effect.outputTexture("ao").extent == Extent{1, 1});
-    CHECK(device.misuse().empty());
+    CHECK_THAT(said(unknown), Catch::Contains("did you mean 'ao'"));
+    need(rig.effect.setParam("intensity", 0));
+    CHECK(rig.effect.outputTexture("ao").extent == Extent{1, 1});
+    CHECK(rig.device.misuse().empty());
 }
 
 TEST_CASE("A host's depth of another format plans again, for its own steps")
 {
-    RecordingDevice device;
-    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
+    Rig rig;
     const auto formatOf = [&] {
-        for (const ImportDesc& import : effect.renderer().description().imports)
-            if (import.name == "depth") return import.format;
-        return std::string();
+        return findNamed(rig.effect.renderer().description().imports, "depth")->format;
     };
     CHECK(formatOf() == "depth24");
-    need(effect.setTexture("depth", 7, Format::depth16, kExtent));
+    need(rig.effect.setTexture("depth", 7, Format::depth16, kExtent));
     CHECK(formatOf() == "depth16");
-    need(effect.render());
-    CHECK(!effect.renderer().setImportFormat("dept", Format::depth16));
+    need(rig.effect.render());
+    CHECK(!rig.effect.renderer().setImportFormat("dept", Format::depth16));
 }
 
 TEST_CASE("An effect whose projection was never set warns once")
 {
-    RecordingDevice device;
-    Effect effect = need(Effect::create(device, kHostDepth, kExtent));
-    need(effect.setTexture("depth", 7, Format::depth24, kExtent));
-    const auto warnings = [&] {
-        const Status status = effect.render();
+    Rig rig, told;
+    const auto warns = [](Rig& of) {
+        const Status status = of.effect.render();
         CHECK(status.ok());
-        return messagesOf(status.diagnostics());
+        return said(status).find("setProjection") != std::string::npos;
     };
-    CHECK(warnings().find("setProjection") != std::string::npos);
-    CHECK(warnings().find("setProjection") == std::string::npos);
-
-    Effect told = need(Effect::create(device, kHostDepth, kExtent));
-    told.setProjection(kProjection);
-    need(told.setTexture("depth", 7, Format::depth24, kExtent));
-    CHECK(messagesOf(told.render().diagnostics()).find("setProjection") == std::string::npos);
+    CHECK(warns(rig));
+    CHECK_FALSE(warns(rig));
+    told.effect.setProjection(kProjection);
+    CHECK_FALSE(warns(told));
 }
 
 TEST_CASE("An effect refuses what its config does not know, with a way out")
@@ -249,22 +240,22 @@ TEST_CASE("An effect refuses what its config does not know, with a way out")
     RecordingDevice device;
     const auto unknown = Effect::create(device, "balancd", kExtent);
     REQUIRE(!unknown);
-    CHECK(messagesOf(unknown.diagnostics()).find("did you mean 'balanced'") != std::string::npos);
+    CHECK_THAT(toText(unknown.diagnostics()), Catch::Contains("did you mean 'balanced'"));
     const auto text = Effect::create(
         device, "{ \"format\": 1,\n  \"extends\": [\"geometry/host_dept\"] }", kExtent);
     REQUIRE(!text);
     CHECK(text.diagnostics()[0].place.line == 2);
-    CHECK(messagesOf(text.diagnostics()).find("(JSON text)") != std::string::npos);
+    CHECK_THAT(toText(text.diagnostics()), Catch::Contains("(JSON text)"));
 
     Effect effect = need(Effect::create(device, kHostDepth, kExtent));
     const Status texture = effect.setTexture("dept", 7, Format::depth24, kExtent);
     REQUIRE(!texture);
     CHECK(texture.diagnostics()[0].code == Code::reference_missing);
-    CHECK(messagesOf(texture.diagnostics()).find("did you mean 'depth'") != std::string::npos);
-    Effect drawn = need(Effect::create(device, "mobile", kExtent));
-    const Status no_import = drawn.setTexture("depth", 7, Format::depth24, kExtent);
-    CHECK(messagesOf(no_import.diagnostics()).find("+geometry/host_depth") != std::string::npos);
+    CHECK_THAT(said(texture), Catch::Contains("did you mean 'depth'"));
     CHECK(!effect.setParam("radiuss", 1));
     CHECK(!effect.setFeature("no_such", "true"));
     CHECK(effect.frame().textures.empty());
+    Effect drawn = need(Effect::create(device, "mobile", kExtent));
+    CHECK_THAT(said(drawn.setTexture("depth", 7, Format::depth24, kExtent)),
+               Catch::Contains("+geometry/host_depth"));
 }

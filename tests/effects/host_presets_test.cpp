@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shipped configs on what a host has of a surface: the passes that remain, and what is left out.
+#include "tests/support/modules.h"
 #include "tests/support/plan_rig.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/plan/planning.h"
@@ -28,11 +29,7 @@ const std::pair<const char*, std::vector<std::string>> kHosts[] = {
 
 Description presetOn(const std::string& preset, const std::string& module)
 {
-    MemorySources mine;
-    mine.add("configs/mine.json", R"({"format": 1, "name": "mine", "extends": [")" + preset +
-                                      R"(", ")" + module + "\"]}");
-    const LayeredSources sources({&mine, &shippedSources()});
-    return need(decode(need(loadConfig(sources, {"mine"})), sources));
+    return descriptionOf({preset}, {"+" + module});
 }
 
 Plan planOn(const Description& description)
@@ -66,8 +63,7 @@ TEST_CASE("Every preset runs on a host's surface: it draws nothing, and computes
     for (const char* preset : kPresets)
         for (const auto& [module, textures] : kHosts) {
             INFO(preset << " on " << module);
-            const Plan drawn = planOn(
-                need(decode(need(loadConfig(shippedSources(), {preset})), shippedSources())));
+            const Plan drawn = planOn(descriptionOf({preset}));
             const Plan plan = planOn(presetOn(preset, module));
             CHECK(occlusionPasses(plan) == occlusionPasses(drawn));
             for (const PlanPass& pass : plan.passes) CHECK(pass.type == PassType::fullscreen);
@@ -79,14 +75,8 @@ TEST_CASE("Every preset runs on a host's surface: it draws nothing, and computes
             CHECK((elided(plan, "module geometry/back_faces") == nullptr) ==
                   (findNamed(drawn.passes, "back_faces") == nullptr &&
                    std::string(preset) != "quality"));
-        }
-}
 
-TEST_CASE("A preset on a host's surface runs with its textures alone, and asks for each")
-{
-    for (const char* preset : kPresets)
-        for (const auto& [module, textures] : kHosts) {
-            INFO(preset << " on " << module);
+            // It runs with those textures alone, and asks for each.
             RecordingDevice device(usualCaps());
             Frame frame;
             auto renderer = need(Renderer::create(device, presetOn(preset, module),
@@ -121,11 +111,10 @@ TEST_CASE("What a preset leaves out on a host's surface stands in its plan")
 
 TEST_CASE("Lighting and more may follow a host's surface where the host also hands over draws")
 {
-    MemorySources mine;
-    mine.add("configs/mine.json", R"({"format": 1, "extends": ["balanced", "geometry/host_depth",
-        "geometry/back_faces", "lighting/forward"], "params": {"radius": 1}})");
-    const LayeredSources sources({&mine, &shippedSources()});
-    const Plan plan = planOn(need(decode(need(loadConfig(sources, {"mine"})), sources)));
+    const GivenConfig config(
+        {"balanced", "geometry/host_depth", "geometry/back_faces", "lighting/forward"},
+        R"(, "params": {"radius": 1})");
+    const Plan plan = planOn(config.description());
     CHECK(findNamed(plan.passes, "lighting"));
     CHECK_FALSE(findNamed(plan.passes, "geometry"));
 }

@@ -2,19 +2,12 @@
 // Every estimator with every filter on every input, by pairs, drawn for real: whatever makes sense
 // runs and has the properties of visibility, and the rest is refused with a reason.
 #include "tests/support/modules.h"
+#include "tests/support/nightly.h"
 #include "tests/support/picture.h"
-
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
+#include "tools/render/host_textures.h"
 #include "tools/scene/mesh_shapes.h"
 
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 using namespace crevice;
 
@@ -109,73 +102,29 @@ Scene edgeScene()
     return scene;
 }
 
-/// How a host may store the distance of window depth through `clip_from_view`: linear depth,
-/// logarithmic depth with the default `log_far`, and positions.
-struct Encodings {
-    Image linear, logarithmic, positions;
+/// What all cells share: the scene, and what a host would have drawn of it.
+struct Stage : SceneRig {
+    Frame drawn = frame("eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45"), host_frame;
+    std::vector<HostTextures> hosts;
 
-    Encodings(const Image& depth, const glm::mat4& clip_from_view)
-        : linear(depth.extent, 1, 0),
-          logarithmic(depth.extent, 1, 1),
-          positions(depth.extent, 4, 0)
+    Stage() : SceneRig(edgeScene(), kExtent)
     {
-        const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(clip_from_view));
-        for (int y = 0; y < depth.extent.height; ++y)
-            for (int x = 0; x < depth.extent.width; ++x) {
-                if (depth.at(x, y) >= 1) continue;
-                const glm::dvec3 ndc = glm::dvec3((x + 0.5) / depth.extent.width,
-                                                  (y + 0.5) / depth.extent.height, depth.at(x, y)) *
-                                           2.0 -
-                                       1.0;
-                glm::dvec4 view = view_from_clip * glm::dvec4(ndc, 1);
-                view /= view.w;
-                linear.at(x, y) = float(-view.z);
-                logarithmic.at(x, y) = float(std::log1p(-view.z) / std::log1p(1000.0));
-                for (int i = 0; i < 4; ++i) positions.at(x, y, i) = float(view[i]);
-            }
-    }
-};
-
-/// What all cells share: the scene, and depth and normals as a host would have drawn them.
-struct Stage {
-    GlFixture gl;
-    Scene scene = edgeScene();
-    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    Frame frame, host_frame;
-    std::unique_ptr<Renderer> host;
-
-    Stage()
-    {
-        const double aspect = double(kExtent.width) / kExtent.height;
-        const SceneCamera camera = need(
-            chooseCamera(scene, uploaded.bounds(), "eye=0,2.4,5.5;at=0,0.6,-0.8;fov=45", aspect));
-        frame = makeFrame(uploaded, camera, kExtent);
-        const GivenConfig config({"geometry/depth_normal"},
-                                 R"(, "outputs": {"depth": "depth", "normal": "normal"})");
-        const Node document = need(loadConfig(config.sources(), {"given"}));
-        host = need(Renderer::create(*gl.device, need(decode(document, config.sources())),
-                                     {kExtent, {}, {}}, traitsOf(frame)));
-        need(host->render(frame));
-        host_frame.camera = frame.camera;
-        host_frame.lights = frame.lights;
-        for (const char* name : {"depth", "normal"})
-            host_frame.textures.push_back({name, host->output(name)});
-        const Encodings stored(gl.read(host->output("depth")), frame.camera.clip_from_view);
-        give("linear_depth", Format::r32f, stored.linear);
-        give("log_depth", Format::r32f, stored.logarithmic);
-        give("position", Format::rgba32f, stored.positions);
-    }
-
-    void give(const char* name, Format format, const Image& image)
-    {
-        const TextureId texture = gl.texture(format, image.extent, name);
-        need(gl.device->writeTexture(texture, image));
-        host_frame.textures.push_back({name, texture});
+        for (const Module& input : shippedInputs()) {
+            if (!input.host_textures) continue;
+            const Description description =
+                GivenConfig({input.name, "ssao/hemisphere"}).description();
+            hosts.push_back(need(HostTextures::make(*device, description, kExtent, drawn)));
+            const Frame given = need(hosts.back().frameOf(drawn));
+            host_frame.camera = given.camera;
+            host_frame.lights = given.lights;
+            for (const ImportedTexture& each : given.textures)
+                if (!findNamed(host_frame.textures, each.name)) host_frame.textures.push_back(each);
+        }
     }
 
     const Frame& frameFor(const Cell& cell) const
     {
-        return cell.input->host_textures ? host_frame : frame;
+        return cell.input->host_textures ? host_frame : drawn;
     }
 
     Result<std::unique_ptr<Renderer>> make(const Cell& cell)
@@ -188,15 +137,13 @@ struct Stage {
         if (!document) return document.diagnostics();
         const Result<Description> description = decode(*document, config.sources());
         if (!description) return description.diagnostics();
-        return Renderer::create(*gl.device, *description, {kExtent, {}, {}},
-                                traitsOf(frameFor(cell)));
+        return Renderer::create(*device, *description, {kExtent, {}, {}}, traitsOf(frameFor(cell)));
     }
 
-    Image draw(Renderer& renderer, const Cell& cell)
+    Image drawCell(Renderer& of, const Cell& cell)
     {
-        const int frames = cell.filter->remembers ? 2 : 1;
-        for (int i = 0; i < frames; ++i) need(renderer.render(frameFor(cell)));
-        return gl.read(renderer.output("ao"));
+        for (int i = 0; i < (cell.filter->remembers ? 2 : 1); ++i) need(of.render(frameFor(cell)));
+        return read(of.output("ao"));
     }
 
     /// Least and mean visibility on the rectangle between two points of the world.
@@ -208,8 +155,8 @@ struct Stage {
         for (int i = 0; i < kSteps * kSteps; ++i) {
             const glm::vec3 share = {i % kSteps / (kSteps - 1.0f), i / kSteps / (kSteps - 1.0f),
                                      i / kSteps / (kSteps - 1.0f)};
-            const glm::vec4 clip = frame.camera.clip_from_view *
-                                   glm::mat4(frame.camera.view_from_world) *
+            const glm::vec4 clip = drawn.camera.clip_from_view *
+                                   glm::mat4(drawn.camera.view_from_world) *
                                    glm::vec4(glm::mix(from, to, share), 1.0f);
             const float value = ao.at(int((clip.x / clip.w * 0.5f + 0.5f) * kExtent.width),
                                       int((clip.y / clip.w * 0.5f + 0.5f) * kExtent.height));
@@ -251,23 +198,35 @@ void checkVisibility(const Stage& stage, const Cell& cell, const Image& ao)
 TEST_CASE("Estimators, filters and inputs run together by pairs, or are refused with a reason")
 {
     Stage stage;
-    int drawn = 0;
+    std::set<std::string> drawn, makes_sense;
+    int turn = 0, sensible = 0;
     for (const Cell& cell : cells()) {
         INFO(textOf(cell));
+        const bool sense = makesSense(cell);
+        const std::string* const names[] = {&cell.input->name, &cell.estimator->name,
+                                            &cell.filter->name};
+        const bool known = std::all_of(std::begin(names), std::end(names),
+                                       [&](const auto* name) { return drawn.count(*name) > 0; });
+        if (sense) {
+            ++sensible;
+            for (const std::string* name : names) makes_sense.insert(*name);
+        }
+        if (sense && known && !nightly() && turn++ % 6 > 0) continue;
         auto renderer = stage.make(cell);
-        if (!makesSense(cell)) {
+        if (!sense) {
             CHECK_FALSE(renderer.ok());
             checkRefusal(renderer.diagnostics());
             continue;
         }
         INFO(toText(renderer.diagnostics()));
         REQUIRE(renderer.ok());
-        checkVisibility(stage, cell, stage.draw(**renderer, cell));
+        checkVisibility(stage, cell, stage.drawCell(**renderer, cell));
         need((*renderer)->setParam("intensity", 0.0f));
-        CHECK(mean(stage.draw(**renderer, cell)) == 1.0);
-        ++drawn;
+        CHECK(mean(stage.drawCell(**renderer, cell)) == 1.0);
+        for (const std::string* name : names) drawn.insert(*name);
     }
-    CHECK(drawn >= 100);
+    CHECK(sensible >= 100);
+    CHECK(drawn == makes_sense);
 }
 
 TEST_CASE("The matrix holds every pair of an estimator, a filter and an input")

@@ -3,18 +3,14 @@
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 
-#include <crevice/renderer.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
-
 #include <functional>
 #include <map>
-#include <optional>
 
 using namespace crevice;
 
 namespace {
+
+using Names = std::vector<std::string>;
 
 constexpr Extent kExtent = {64, 36};
 
@@ -35,32 +31,20 @@ const std::function<void(Frame&, Renderer&)> kChanges[] = {
     },  // draws leave the view
 };
 
-/// A scene with its camera.
-struct Stage {
-    Stage(Device& device, const char* name, const char* camera_text = "")
-        : Stage(device, need(loadScene(name)), camera_text)
-    {
-    }
-    Stage(Device& device, Scene seen, const char* camera_text = "") : scene(std::move(seen))
-    {
-        uploaded = need(UploadedScene::upload(device, scene));
-        camera = need(chooseCamera(scene, uploaded->bounds(), camera_text,
-                                   double(kExtent.width) / kExtent.height));
-    }
-    Frame frame() const { return makeFrame(*uploaded, camera, kExtent); }
+/// A scene with a renderer that leaves out what it can, and one that runs everything.
+struct Both : SceneRig {
+    explicit Both(const char* name) : SceneRig(name, kExtent) {}
 
-    Scene scene;
-    std::optional<UploadedScene> uploaded;
-    SceneCamera camera;
+    Renderer& lean(const Description& description, const Frame& seen, const Names& kept = {},
+                   Names outputs = {})
+    {
+        return reloaded(description, seen, {kExtent, std::move(outputs), kept}, 0);
+    }
+    Renderer& full(const Description& description, const Frame& seen)
+    {
+        return reloaded(description, seen, {kExtent, {}, {"all"}}, 1);
+    }
 };
-
-CompileOptions keeping(const std::vector<std::string>& optimizations)
-{
-    CompileOptions options;
-    options.extent = kExtent;
-    options.disable = optimizations;
-    return options;
-}
 
 /// An output that a plan knows unrun is one texel, which stands for all.
 bool isConstant(const Renderer& renderer, const std::string& output)
@@ -86,8 +70,7 @@ Image opaque(Image image)
     return image;
 }
 
-void checkSame(GlFixture& gl, const Renderer& lean, const Renderer& full,
-               const std::vector<std::string>& outputs)
+void checkSame(GlFixture& gl, const Renderer& lean, const Renderer& full, const Names& outputs)
 {
     for (const std::string& output : outputs) {
         INFO(output);
@@ -104,24 +87,20 @@ TEST_CASE(
     "With all optimizations and with none the pictures of shipped configs are the same, whatever "
     "changes")
 {
-    GlFixture gl;
-    const Stage stage(*gl.device, "spheres");
-    for (const Subject& subject : subjects()) {
+    Both rig("spheres");
+    for (const Subject& subject : sampledSubjects()) {
         INFO(subject.config << ' ' << subject.variant);
         const Description description = descriptionOf(subject);
-        Frame frame = stage.frame();
-        const auto lean =
-            need(Renderer::create(*gl.device, description, keeping({}), traitsOf(frame)));
-        const auto full =
-            need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
-        Frame same = frame;
+        Frame frame = rig.frame(), same = frame;
+        Renderer& lean = rig.lean(description, frame);
+        Renderer& full = rig.full(description, frame);
         for (std::size_t i = 0; i < std::size(kChanges); ++i) {
             INFO("change " << i);
-            kChanges[i](frame, *lean);
-            kChanges[i](same, *full);
-            need(lean->render(frame));
-            need(full->render(same));
-            checkSame(gl, *lean, *full, namesOf(description.outputs));
+            kChanges[i](frame, lean);
+            kChanges[i](same, full);
+            need(lean.render(frame));
+            need(full.render(same));
+            checkSame(rig, lean, full, namesOf(description.outputs));
         }
     }
 }
@@ -130,24 +109,22 @@ TEST_CASE(
     "With all optimizations and with none the pictures are the same in every built-in scene, ao "
     "alone too")
 {
-    GlFixture gl;
-    for (const char* name : {"corner", "plane", "room", "spheres"}) {
-        const Stage stage(*gl.device, name);
-        const Frame frame = stage.frame();
-        for (const std::string& config : configNames(shippedSources())) {
-            INFO(name << ' ' << config);
-            const Description description = descriptionOf({config, ""});
-            CompileOptions alone = keeping({});
-            alone.outputs = {"ao"};
-            const auto full =
-                need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
-            need(full->render(frame));
-            for (const CompileOptions& options : {keeping({}), alone}) {
-                const auto lean =
-                    need(Renderer::create(*gl.device, description, options, traitsOf(frame)));
-                need(lean->render(frame));
-                checkSame(gl, *lean, *full,
-                          options.outputs.empty() ? namesOf(description.outputs) : options.outputs);
+    Both rig("corner");
+    std::vector<Scene> scenes;
+    for (const char* name : {"corner", "plane", "room", "spheres"})
+        scenes.push_back(need(loadScene(name)));
+    for (const Subject& subject : sampledSubjects()) {
+        const Description description = descriptionOf(subject);
+        for (const Scene& scene : scenes) {
+            INFO(subject.config << ' ' << scene.name);
+            rig.show(scene);
+            const Frame frame = rig.frame();
+            Renderer& full = rig.full(description, frame);
+            need(full.render(frame));
+            for (const Names& outputs : {namesOf(description.outputs), Names{"ao"}}) {
+                Renderer& lean = rig.lean(description, frame, {}, outputs);
+                need(lean.render(frame));
+                checkSame(rig, lean, full, outputs);
             }
         }
     }
@@ -155,25 +132,21 @@ TEST_CASE(
 
 TEST_CASE("What a no-op gives is what its pass would have drawn, and so on down the filters")
 {
-    GlFixture gl;
-    const Stage stage(*gl.device, "spheres");
-    const Frame frame = stage.frame();
-    for (const std::string& config : configNames(shippedSources())) {
-        for (const auto& [param, at] : noOpsOf(descriptionOf({config, ""}))) {
-            INFO(config << ", " << param << ' ' << at);
-            Description description = descriptionOf({config, ""});
+    Both rig("spheres");
+    const Frame frame = rig.frame();
+    for (const Subject& subject : sampledSubjects()) {
+        for (const auto& [param, at] : noOpsOf(descriptionOf(subject))) {
+            INFO(subject.config << ", " << param << ' ' << at);
+            Description description = descriptionOf(subject);
             for (ParamDesc& each : description.params)
                 if (each.name == param) each.value.fill(at);
-            const auto lean =
-                need(Renderer::create(*gl.device, description, keeping({}), traitsOf(frame)));
-            const auto full =
-                need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
-            need(lean->render(frame));
-            need(full->render(frame));
-            checkSame(gl, *lean, *full, namesOf(description.outputs));
-            CHECK(lean->plan().passes.size() < full->plan().passes.size());
-            if (param == "intensity")
-                CHECK(lean->plan().passes.size() <= 2);  // geometry and lighting
+            Renderer& lean = rig.lean(description, frame);
+            Renderer& full = rig.full(description, frame);
+            need(lean.render(frame));
+            need(full.render(frame));
+            checkSame(rig, lean, full, namesOf(description.outputs));
+            CHECK(lean.plan().passes.size() < full.plan().passes.size());
+            if (param == "intensity") CHECK(lean.plan().passes.size() <= 2);  // geometry, lighting
         }
     }
 }
@@ -182,23 +155,20 @@ TEST_CASE(
     "Masks and bounds change no pixel: half a background, draws off the middle, far away, none at "
     "all")
 {
-    GlFixture gl;
-    for (const char* camera :
-         {"eye=0,1.5,4;at=0,2.3,0", "eye=0,40,90;at=20,0,0", "eye=0,400,900;at=0,0,0",
-          "eye=4,3,4;at=0,1,0;ortho=7;shift=0.2,0.1", "eye=0,2,9;at=0,4,20"}) {
-        const Stage stage(*gl.device, "spheres", camera);
-        const Frame frame = stage.frame();
-        for (const std::string& config : configNames(shippedSources())) {
-            INFO(camera << ' ' << config);
-            const Description description = descriptionOf({config, ""});
-            const auto full =
-                need(Renderer::create(*gl.device, description, keeping({"all"}), traitsOf(frame)));
-            need(full->render(frame));
+    Both rig("spheres");
+    for (const Subject& subject : sampledSubjects()) {
+        const Description description = descriptionOf(subject);
+        for (const char* camera :
+             {"eye=0,1.5,4;at=0,2.3,0", "eye=0,40,90;at=20,0,0", "eye=0,400,900;at=0,0,0",
+              "eye=4,3,4;at=0,1,0;ortho=7;shift=0.2,0.1", "eye=0,2,9;at=0,4,20"}) {
+            INFO(camera << ' ' << subject.config);
+            const Frame frame = rig.frame(camera);
+            Renderer& full = rig.full(description, frame);
+            need(full.render(frame));
             for (const char* kept : {"depth_mask", "scissor"}) {
-                const auto lean = need(
-                    Renderer::create(*gl.device, description, keeping({kept}), traitsOf(frame)));
-                need(lean->render(frame));
-                checkSame(gl, *lean, *full, namesOf(description.outputs));
+                Renderer& lean = rig.lean(description, frame, {kept});
+                need(lean.render(frame));
+                checkSame(rig, lean, full, namesOf(description.outputs));
             }
         }
     }

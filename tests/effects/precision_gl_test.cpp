@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What core/compile/depth_precision.h foretells, against what a device stores and draws.
-#include "tests/support/gl_fixture.h"
-
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
 #include "core/compile/depth_precision.h"
 #include "tests/support/picture.h"
-#include "tools/cli/config_options.h"
-#include "tools/render/scene_upload.h"
+#include "tests/support/shipped_subjects.h"
 #include "tools/stress/case.h"
 #include "tools/stress/scenes.h"
 
@@ -20,22 +14,11 @@ namespace {
 
 // A config whose target has one format alone.
 struct Stored {
-    const char* config;
+    Subject subject;
     const char* target;
     Format format;
     bool reversed = false;
-    const char* variant = "";
 
-    Description description() const
-    {
-        ConfigOptions options;
-        options.config = config;
-        options.variant = variant;
-        Description description = need(loadDescription(options, shippedSources()));
-        for (TargetDesc& each : description.targets)
-            if (each.name == target) each.formats = {format};
-        return description;
-    }
     StoredSurface surface() const { return {Semantic::view_position, format}; }
 };
 
@@ -45,27 +28,29 @@ struct Drawn {
     bool warned;
 };
 
-// The occlusion, or where `target` is named what that holds.
-Drawn draw(GlFixture& gl, const Stored& stored, const Scene& scene, const Camera& camera,
-           Extent extent, const std::string& target = {})
-{
-    Description description = stored.description();
-    OutputDesc output;
-    output.name = "shown";
-    output.target.name =
-        target.empty() ? findNamed(description.outputs, "ao")->target.name : target;
-    description.outputs = {output};
-    const UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    Frame frame = makeFrame(uploaded, SceneCamera(), extent);
-    frame.camera = camera;
-    auto made =
-        Renderer::create(*gl.device, std::move(description), {extent, {}, {}}, traitsOf(frame));
-    bool warned = false;
-    for (const Diagnostic& each : made.diagnostics()) warned |= each.code == Code::too_coarse;
-    const auto renderer = need(std::move(made));
-    need(renderer->render(frame));
-    return {gl.read(renderer->output("shown")), traitsOf(frame), warned};
-}
+struct Rig : DrawRig {
+    // The occlusion, or where `shown` is named what that target holds.
+    Drawn drawn(const Stored& stored, const Scene& scene, const Camera& camera,
+                const std::string& shown = {})
+    {
+        Description description = descriptionOf(stored.subject);
+        for (TargetDesc& each : description.targets)
+            if (each.name == stored.target) each.formats = {stored.format};
+        OutputDesc output;
+        output.name = "shown";
+        output.target.name =
+            shown.empty() ? findNamed(description.outputs, "ao")->target.name : shown;
+        description.outputs = {output};
+        const UploadedScene uploaded = need(UploadedScene::upload(*device, scene));
+        Frame frame = makeFrame(uploaded, SceneCamera(), extent);
+        frame.camera = camera;
+        const Result<Plan> plan =
+            compile(description, traitsOf(frame), device->caps(), {extent, {}, {}});
+        bool warned = false;
+        for (const Diagnostic& each : plan.diagnostics()) warned |= each.code == Code::too_coarse;
+        return {draw(description, frame, "shown"), traitsOf(frame), warned};
+    }
+};
 
 double distanceOf(const Image& image, const Camera& camera, Format format)
 {
@@ -80,26 +65,23 @@ double distanceOf(const Image& image, const Camera& camera, Format format)
 
 TEST_CASE("What is stored of a plane is as far off as foretold, and no farther")
 {
-    const Extent extent = {8, 8};
-    for (const Stored& stored :
-         {Stored{"hemisphere_box", "depth", Format::depth16},
-          Stored{"hemisphere_box", "depth", Format::depth24},
-          Stored{"hemisphere_box", "depth", Format::depth32f},
-          Stored{"hemisphere_box", "depth", Format::depth16, true},
-          Stored{"hemisphere_box", "depth", Format::depth24, true},
-          Stored{"hemisphere_box", "depth", Format::depth32f, true},
-          Stored{"learnopengl", "position", Format::rgba16f, false, "sound"}}) {
-        GlFixture gl;
+    std::vector<Stored> all = {{{"learnopengl", "sound"}, "position", Format::rgba16f}};
+    for (const bool reversed : {false, true})
+        for (const Format format : {Format::depth16, Format::depth24, Format::depth32f})
+            all.push_back({{"hemisphere_box"}, "depth", format, reversed});
+    Rig rig;
+    rig.extent = {8, 8};
+    for (const Stored& stored : all) {
         CAPTURE(formatInfo(stored.format).name, stored.reversed);
         StressView view;
         view.near_distance = 0.01;
         view.far_distance = 1e4;
         view.reversed = stored.reversed;
-        const Camera camera = cameraOf(view, extent);
+        const Camera camera = cameraOf(view, rig.extent);
         double largest = 0;  // error, in steps
         for (double distance = 0.021; distance < 100; distance *= 1.61) {
-            const Scene scene = planeView(view, extent, distance, 0).scene;
-            const Drawn drawn = draw(gl, stored, scene, camera, extent, stored.target);
+            const Scene scene = planeView(view, rig.extent, distance, 0).scene;
+            const Drawn drawn = rig.drawn(stored, scene, camera, stored.target);
             const double step = viewStep(drawn.traits, stored.surface(), distance);
             if (step > 0.2 * distance) break;  // steps are not even any more
             const double off = distanceOf(drawn.image, camera, stored.format) - distance;
@@ -113,20 +95,22 @@ TEST_CASE("What is stored of a plane is as far off as foretold, and no farther")
 
 TEST_CASE("A flat plane is open as far as foretold, and where it is not a plan warned")
 {
-    const Extent extent = {96, 54};
+    Rig rig;
+    rig.extent = {96, 54};
     for (const StressCase& stress : stressCases()) {
         if (stress.name != "plane_distance" && stress.name != "plane_near_far") continue;
         for (const Stored& stored :
-             {Stored{"hemisphere_box", "depth", Format::depth16},
-              Stored{"hemisphere_box", "depth", Format::depth24},
-              Stored{"sao", "depth", Format::depth16}, Stored{"sao", "depth", Format::depth24},
-              Stored{"learnopengl", "position", Format::rgba16f, false, "sound"}}) {
-            GlFixture gl;
+             {Stored{{"hemisphere_box"}, "depth", Format::depth16},
+              Stored{{"hemisphere_box"}, "depth", Format::depth24},
+              Stored{{"sao"}, "depth", Format::depth16}, Stored{{"sao"}, "depth", Format::depth24},
+              Stored{{"learnopengl", "sound"}, "position", Format::rgba16f}}) {
             for (const StressStep& step : stress.steps) {
-                CAPTURE(stress.name, step.label, stored.config, formatInfo(stored.format).name);
-                const StressShot shot = stress.shot(step.value, extent);
-                const Drawn drawn = draw(gl, stored, shot.scene, shot.camera, extent);
-                const PrecisionNeed asked = precisionNeed(drawn.traits, shot.radius, extent.height);
+                CAPTURE(stress.name, step.label, stored.subject.config,
+                        formatInfo(stored.format).name);
+                const StressShot shot = stress.shot(step.value, rig.extent);
+                const Drawn drawn = rig.drawn(stored, shot.scene, shot.camera);
+                const PrecisionNeed asked =
+                    precisionNeed(drawn.traits, shot.radius, rig.extent.height);
                 const double foretold = resolvedDistance(drawn.traits, stored.surface(),
                                                          {asked.step, shot.far_distance});
                 double sum = 0;
@@ -151,14 +135,14 @@ TEST_CASE("A flat plane is open as far as foretold, and where it is not a plan w
 
 TEST_CASE("A corner loses its occlusion to coarse depth only where a plan warned")
 {
-    GlFixture gl;
-    const Extent extent = {96, 54};
+    Rig rig;
+    rig.extent = {96, 54};
     const auto corner = [&](double near_distance, Format format) {
         StressView view;
         view.eye = {0, 1, 4};
         view.near_distance = near_distance;
-        return draw(gl, {"hemisphere_box", "depth", format}, cornerScene(), cameraOf(view, extent),
-                    extent);
+        return rig.drawn({{"hemisphere_box"}, "depth", format}, cornerScene(),
+                         cameraOf(view, rig.extent));
     };
     const Drawn fine = corner(0.1, Format::depth24);
     CHECK_FALSE(fine.warned);

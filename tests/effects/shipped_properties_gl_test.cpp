@@ -1,81 +1,33 @@
 // SPDX-License-Identifier: MIT
-// What holds for every shipped config and each of its variants, on the built-in scenes and on
-// random ones, however the camera projects.
+// What holds for every estimator alone and for every shipped config and variant, in the scenes and
+// through the cameras of stress cases. Those that `crevice stress` judges, it judges whole.
+#include "tests/support/modules.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
-
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/builtin_scenes.h"
-#include "tools/scene/camera_framing.h"
-#include "tools/scene/mesh_shapes.h"
-
-#include <glm/gtc/matrix_transform.hpp>
+#include "tools/stress/case.h"
+#include "tools/stress/figures.h"
 
 #include <algorithm>
-#include <random>
+#include <map>
 
 using namespace crevice;
 
 namespace {
 
-constexpr Extent kExtent = {128, 72};
+// No power of two, as the squares of turned cameras are none: software GL compiles programs again
+// where that changes.
+constexpr Extent kExtent = {126, 72};
 
-// Directions and noise are not mirrored along. Most for the unrotated cube of ogldev45, 0.011, then
-// the one slice at half the size of mobile_low, 0.008; below 0.006 for all others.
-constexpr double kMirrorBound = 0.013;
-
-const char* const kCentred = "eye=0,3,6;at=0,0.5,0;fov=45";
-const char* const kOffCentre = "eye=1,2,5;at=0,0.5,0;fov=45;shift=0.3,-0.2";
-const char* const kOrthographic = "eye=2,3,5;at=0,0.5,0;ortho=4";
-
-/// A floor with boxes, bars and spheres on it; the same seed gives the same scene everywhere.
-Scene randomScene(unsigned seed)
-{
-    std::mt19937 engine(seed);
-    const auto between = [&engine](float low, float high) {
-        return low + (high - low) * float(engine() >> 8) / float(1 << 24);
-    };
-    Scene scene;
-    scene.materials.resize(1);
-    scene.meshes.push_back(makeBox({-4, -0.2f, -4}, {4, 0, 4}));
-    for (int i = 0; i < 4; ++i) {
-        const float half = between(0.1f, 0.5f), bar = between(0.02f, 0.06f);
-        scene.meshes.push_back(makeBox({-half, -0.01f, -half}, {half, between(0.2f, 1.2f), half}));
-        scene.meshes.push_back(makeBox({-bar, -0.01f, -bar}, {bar, between(0.5f, 2.0f), bar}));
-        scene.meshes.push_back(makeSphere(between(0.15f, 0.5f), 16));
-    }
-    scene.instances.resize(scene.meshes.size());
-    for (std::size_t i = 1; i < scene.meshes.size(); ++i) {
-        scene.meshes[i].label = "object";
-        const glm::vec3 place = {between(-2, 2), 0, between(-2, 2)};
-        const glm::mat4 moved = glm::translate(glm::mat4(1.0f), place);
-        scene.instances[i].mesh = int(i);
-        scene.instances[i].world_from_model = glm::rotate(moved, between(0, 3), glm::vec3(0, 1, 0));
-    }
-    return scene;
-}
-
-/// The config as it ships, but for counts of taps that software GL takes seconds for.
-Description describe(const Subject& subject)
-{
-    LoadRequest request = {subject.config, subject.variant, {"radius=0.8"}};
-    const auto load = [&request] {
-        return need(decode(need(loadConfig(shippedSources(), request)), shippedSources()));
-    };
-    Description description = load();
-    if (findNamed(description.params, "contrast")) {  // above 1 it clips all but creases to white
-        request.overrides.push_back("contrast=1");
-        description = load();
-    }
-    const ParamDesc* slices = findNamed(description.params, "slices");
-    if (!slices || slices->value[0] <= 8) return description;
-    request.overrides.insert(request.overrides.end(), {"slices=4", "steps=8"});
-    return load();
-}
+/// One of what is asked.
+struct Asked {
+    std::string name;
+    Description description, none;  ///< With its intensity, and with none.
+    bool alone = false;       ///< An estimator without a filter, which every case is asked of.
+    bool open = true;         ///< It finds planes open.
+    float least_open = 1;     ///< ... each pixel of them, if not for a filter's rounding.
+    double same = 0.002;      ///< Mean change that is none: kSameChange, if not for such steps.
+    double mirrored = 0.015;  ///< Noise and directions are not mirrored along.
+};
 
 /// Kernels without normals probe inside every wall, and find it grey; those without guards find
 /// steps of the stored positions.
@@ -93,110 +45,191 @@ bool openOnWalls(const Description& description)
     return true;
 }
 
-/// The mean of 9x9 pixels: without the noise that a few random vectors leave.
-Image softened(const Image& image)
+std::vector<Asked> estimators()
 {
-    constexpr int kReach = 4;
-    const Extent size = image.extent;
-    Image soft(size, 1);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            float sum = 0;
-            for (int j = y - kReach; j <= y + kReach; ++j)
-                for (int i = x - kReach; i <= x + kReach; ++i)
-                    sum += image.at(std::clamp(i, 0, size.width - 1),
-                                    std::clamp(j, 0, size.height - 1));
-            soft.at(x, y) = sum / ((2 * kReach + 1) * (2 * kReach + 1));
-        }
-    return soft;
+    std::vector<Asked> all;
+    for (const Module& module : shippedEstimators()) {
+        const GivenConfig config({"geometry/depth_normal", module.name});
+        all.push_back({module.name, config.description(), config.description({"intensity=0"}), true,
+                       module.reads_normals});
+    }
+    return all;
 }
 
-float least(const Image& image)
+/// As they ship, but for counts of taps that software GL takes seconds for, and contrast, which
+/// clips all but creases to white.
+std::vector<Asked> configs()
 {
-    return *std::min_element(image.pixels.begin(), image.pixels.end());
+    std::vector<Asked> all;
+    for (const Subject& subject : subjects()) {
+        Description description = descriptionOf(subject);
+        std::vector<std::string> overrides;
+        if (findNamed(description.params, "contrast")) overrides.push_back("contrast=1");
+        const ParamDesc* slices = findNamed(description.params, "slices");
+        if (slices && slices->value[0] > 8)
+            overrides.insert(overrides.end(), {"slices=4", "steps=8"});
+        description = descriptionOf(subject, overrides);
+        const bool open = openOnWalls(description);
+        overrides.push_back("intensity=0");
+        all.push_back({subject.config + " " + subject.variant, std::move(description),
+                       descriptionOf(subject, overrides), false, open, 0.95f,
+                       open ? 0.002 : 0.003});
+    }
+    return all;
 }
 
-/// A scene on the device that all tests of a case share.
-struct Set {
-    Scene scene;
-    UploadedScene uploaded;
+/// A built-in scene, and shots of stress cases, on one device.
+class Shots : public SceneRig {
+public:
+    explicit Shots(const char* built_in) : SceneRig(built_in, kExtent) {}
 
-    Set(Device& device, Scene shown)
-        : scene(std::move(shown)),
-          uploaded(need(UploadedScene::upload(device, scene)))
+    const StressShot& shot(const char* name, const char* label) { return set(name, label).shot; }
+
+    /// What such a step shows.
+    Image step(Description description, const char* name, const char* label,
+               const char* output = "ao")
     {
+        const Set& seen = set(name, label);
+        extent = seen.shot.extent;
+        for (ParamDesc& param : description.params)
+            if (param.name == "radius")
+                param.value[0] = static_cast<float>(seen.shot.radius);
+            else if (param.unit == "scene units" && name == std::string("units"))
+                param.value[0] *= std::stof(label);
+        const Image image = draw(description, seen.frame, output);
+        INFO(name << ", " << label);
+        CHECK(allVisibility(image));
+        return image;
     }
 
-    Frame frame(const std::string& camera) const
+    /// The picture of a step is that of the case's ordinary one, and that is no such picture.
+    void checkSame(const Description& description, const char* name, const char* label,
+                   double limit)
     {
-        const double aspect = double(kExtent.width) / kExtent.height;
-        Frame made = makeFrame(
-            uploaded, need(chooseCamera(scene, uploaded.bounds(), camera, aspect)), kExtent);
-        made.camera_cut = true;
-        return made;
+        const StressCase& stress = caseOf(name);
+        const Image plain = step(description, name, stress.steps[stress.ordinary].label.c_str());
+        const Image image = step(description, name, label);
+        const double change = changeBetween(plain, image, shot(name, label)).change;
+        INFO(name << ", " << label);
+        CHECK(change < limit);
+        CHECK(mean(plain) < 0.99);
     }
+
+private:
+    struct Set {
+        StressShot shot;
+        UploadedScene scene;
+        Frame frame;
+    };
+
+    static const StressCase& caseOf(const char* name)
+    {
+        for (const StressCase& stress : stressCases())
+            if (stress.name == name) return stress;
+        FAIL("no case " << name);
+        return stressCases().front();
+    }
+
+    const Set& set(const char* name, const char* label)
+    {
+        const auto known = sets_.find(std::string(name) + label);
+        if (known != sets_.end()) return known->second;
+        const StressCase& stress = caseOf(name);
+        const auto step = std::find_if(stress.steps.begin(), stress.steps.end(),
+                                       [&](const StressStep& each) { return each.label == label; });
+        REQUIRE(step != stress.steps.end());
+        StressShot shot = stress.shot(step->value, kExtent);
+        UploadedScene on_device = need(UploadedScene::upload(*device, shot.scene));
+        Frame seen = makeFrame(on_device, SceneCamera(), shot.extent);
+        seen.camera = shot.camera;
+        seen.camera_cut = true;
+        return sets_
+            .emplace(std::string(name) + label,
+                     Set{std::move(shot), std::move(on_device), std::move(seen)})
+            .first->second;
+    }
+
+    std::map<std::string, Set> sets_;
 };
 
-std::unique_ptr<Renderer> makeRenderer(GlFixture& gl, const Subject& subject, const Frame& frame)
+/// However planes lie to the camera.
+void checkPlane(Shots& shots, const Asked& asked, const char* name, const char* label)
 {
-    return need(
-        Renderer::create(*gl.device, describe(subject), {kExtent, {"ao"}, {}}, traitsOf(frame)));
+    const Image ao = shots.step(asked.description, name, label);
+    if (!asked.open) return;
+    INFO(name << ", " << label);
+    CHECK(least(ao) >= asked.least_open);
 }
 
-Image draw(GlFixture& gl, Renderer& renderer, const Frame& frame)
+/// Where a floor meets a wall, in the middle of the picture.
+void checkCorner(Shots& shots, const Asked& asked)
 {
-    need(renderer.render(frame));
-    return gl.read(renderer.output("ao"));
+    const Image ao = shots.step(asked.description, "zoom", "60");
+    const int middle = ao.extent.height / 2;
+    CHECK(meanOfRows(ao, middle - 2, middle + 2) < meanOfRows(ao, 3, 9) - 0.05);
+}
+
+/// What more of an estimator than of a config is asked: whatever the radius and the size.
+void checkAlone(Shots& shots, const Asked& asked)
+{
+    const Description& description = asked.description;
+    if (asked.open) CHECK(least(shots.step(description, "radius_to_zero", "1e-6")) == 1.0f);
+    double last = 1;
+    for (const char* radius : {"0.1", "0.4", "0.8"}) {
+        const double now = mean(shots.step(description, "corner_radius", radius));
+        CHECK(now < last + asked.same);
+        last = now;
+    }
+    for (const char* size : {"1x1", "1x64", "3x2", "127x93"})
+        shots.step(description, "sizes", size);
+    shots.extent = kExtent;
+    const std::string corner = "eye=0,200,200;at=0,0,0;";
+    const Image narrow = shots.draw(description, shots.frame(corner + "fov=0.81"));
+    const Image orthographic = shots.draw(description, shots.frame(corner + "ortho=4"));
+    CHECK(mean(orthographic) < 0.99);
+    CHECK(meanChange(narrow, orthographic) < 0.01);
+    shots.checkSame(description, "projection", "reversed", asked.same);
+    shots.checkSame(description, "units", "1e-3", asked.same);
+}
+
+void check(Shots& shots, const Asked& asked, std::size_t number)
+{
+    INFO(asked.name);
+    checkPlane(shots, asked, "plane_grazing", "30");
+    checkPlane(shots, asked, "plane_grazing", asked.alone ? "75" : "60");
+    checkCorner(shots, asked);
+    shots.checkSame(asked.description, "units", "1e3", asked.same);
+    const double noise = asked.alone ? asked.mirrored : 0.02;  // of tiles, which stay with pixels
+    shots.checkSame(asked.description, "off_centre", "32", noise);
+    shots.checkSame(asked.description, "mirrored", "by a matrix", asked.mirrored);
+    if (asked.alone) checkAlone(shots, asked);
+    const char* const orientations[] = {"flipped in y",        "flipped in x",  "turned by 90",
+                                        "turned by 180",       "turned by 270", "left-handed",
+                                        "from 0 to 1 in depth"};
+    for (std::size_t i = 0; i < std::size(orientations); ++i)  // of each config one
+        if (asked.alone || nightly() || number % std::size(orientations) == i)
+            shots.checkSame(asked.description, "orientation", orientations[i], asked.mirrored);
+    CHECK(least(shots.step(asked.none, "units", "1e0")) == 1.0f);
 }
 
 }  // namespace
 
-TEST_CASE("Shipped configs and variants draw visibility on the built-in scenes, 1 on a plane")
+TEST_CASE("Estimators find planes open and corners dark, whatever the camera, units and sizes")
 {
-    GlFixture gl;
-    std::vector<Set> sets;
-    for (const std::string& name : builtinSceneNames())
-        sets.emplace_back(*gl.device, need(loadScene(name)));
-    for (const Subject& subject : subjects()) {
-        auto renderer = makeRenderer(gl, subject, sets.front().frame(""));
-        for (const Set& set : sets) {
-            INFO(subject.config << " " << subject.variant << " " << set.scene.name);
-            const Image ao = draw(gl, *renderer, set.frame(""));
-            CHECK(allVisibility(ao));
-            const bool plane = set.scene.name == "plane";
-            if (!plane) CHECK(mean(ao) < 0.999);
-            if (plane && openOnWalls(renderer->description())) CHECK(least(ao) > 0.95f);
-        }
-    }
+    Shots shots("corner");
+    for (const Asked& asked : estimators()) check(shots, asked, 0);
 }
 
-TEST_CASE("Shipped configs and variants see random scenes in every projection, mirrored too")
+TEST_CASE("Shipped configs find planes open and corners dark, and draw pictures that are not black")
 {
-    GlFixture gl;
-    std::vector<Set> sets, swapped;
-    for (const unsigned seed : {1u, 2u, 3u}) {
-        sets.emplace_back(*gl.device, randomScene(seed));
-        swapped.emplace_back(*gl.device, mirrored(randomScene(seed)));
-    }
-    std::size_t turn = 0;
-    for (const Subject& subject : subjects()) {
-        INFO(subject.config << " " << subject.variant);
-        const std::size_t seed = turn++ % sets.size();
-        const Frame centred = sets[seed].frame(kCentred);
-        auto renderer = makeRenderer(gl, subject, centred);
-        const Image plain = draw(gl, *renderer, centred);
-        for (const char* camera : {kOffCentre, kOrthographic}) {
-            const Image ao = draw(gl, *renderer, sets[(seed + 1) % sets.size()].frame(camera));
-            INFO(camera);
-            CHECK(allVisibility(ao));
-            CHECK(mean(ao) < 0.999);
-        }
-        const Image other = mirrored(draw(gl, *renderer, swapped[seed].frame(kCentred)));
-        CHECK(allVisibility(plain));
-        const Image soft = softened(plain), soft_other = softened(other);
-        CHECK(meanChange(soft, soft_other) < kMirrorBound);
-        CHECK(meanChange(soft, soft_other) < 0.75 * meanChange(soft, mirrored(soft)));
-        need(renderer->setParam("intensity", 0.0f));
-        CHECK(least(draw(gl, *renderer, centred)) == 1.0f);
+    Shots shots("corner");
+    std::size_t number = 0;
+    for (const Asked& asked : configs()) {
+        check(shots, asked, number++);
+        INFO(asked.name);
+        const double visible = mean(shots.step(asked.description, "units", "1e0"));
+        CHECK((visible > 0.2 && visible < 0.999));
+        const Image color = shots.step(asked.description, "units", "1e0", "color");
+        CHECK(shareBelow(color, 0.02f, 1.0) < 0.01);
     }
 }

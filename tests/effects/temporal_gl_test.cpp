@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The mean over frames, drawn for real: what it gathers, what it forgets, and what it never shows.
+#include "tests/support/modules.h"
 #include "tests/support/picture.h"
-
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
+#include "tests/support/shipped_subjects.h"
 
 #include <cmath>
 
@@ -34,14 +29,9 @@ const char* const kRaw = "/outputs/ao=ao";
 // Stripes that stand still in the world.
 const char* const kStripes = "(fract(world.x * 2.0) < 0.5 ? 0.2 : 0.8)";
 
-/// A filter over an occlusion that a line of GLSL gives: of uv, the point in the world and the
-/// frame.
-struct Film {
-    explicit Film(const std::string& ao, const std::string& scene = "plane",
-                  const std::vector<std::string>& overrides = {})
-    {
-        MemorySources mine;
-        mine.add("ssao/given.frag", R"(#version 300 es
+std::string givenShader(const std::string& ao)
+{
+    return R"(#version 300 es
 precision highp float;
 precision highp int;
 #include <surface>
@@ -54,37 +44,34 @@ void main() {
     vec3 point;
     bool known = viewPosition(uv, point);
     vec3 world = (world_from_view * vec4(point, 1.0)).xyz + 1e-9 * float(frame_index) * radius;
-    ao = known ? )" + ao + " : 1.0; }\n");
-        mine.add("ssao/given.json", kGiven);
-        mine.add("configs/film.json", R"({"format": 1,
-            "extends": ["geometry/depth_normal", "ssao/given", "filter/temporal"]})");
-        const LayeredSources sources({&mine, &shippedSources()});
-        const Node document = need(loadConfig(sources, {"film", {}, overrides}));
-        set = need(loadScene(scene));
-        uploaded = std::make_unique<UploadedScene>(need(UploadedScene::upload(*gl.device, set)));
-        look("eye=0,2,1;at=0,0,0;fov=30");
-        renderer = need(Renderer::create(*gl.device, need(decode(document, sources)),
-                                         {kExtent, {"ao"}, {}}, traitsOf(frame)));
+    ao = known ? )" +
+           ao + " : 1.0; }\n";
+}
+
+/// A filter over an occlusion that a line of GLSL gives: of uv, the point in the world and the
+/// frame.
+struct Film : SceneRig {
+    explicit Film(const std::string& ao, const std::string& scene_name = "plane",
+                  const std::vector<std::string>& overrides = {})
+        : SceneRig(scene_name, kExtent),
+          film(renderer(
+              GivenConfig({"geometry/depth_normal", "ssao/given", "filter/temporal"}, "",
+                          {{"ssao/given.frag", givenShader(ao)}, {"ssao/given.json", kGiven}})
+                  .description(overrides),
+              now, {"ao"}))
+    {
     }
 
-    void look(const std::string& camera)
-    {
-        const double aspect = double(kExtent.width) / kExtent.height;
-        frame = makeFrame(*uploaded, need(chooseCamera(set, uploaded->bounds(), camera, aspect)),
-                          kExtent);
-    }
+    void look(const std::string& camera) { now = frame(camera); }
 
     Image draw(int frames = 1)
     {
-        for (int i = 0; i < frames; ++i) need(renderer->render(frame));
-        return gl.read(renderer->output("ao"));
+        for (int i = 0; i < frames; ++i) need(film->render(now));
+        return read(film->output("ao"));
     }
 
-    GlFixture gl;
-    Scene set;
-    std::unique_ptr<UploadedScene> uploaded;
-    std::unique_ptr<Renderer> renderer;
-    Frame frame;
+    Frame now = frame("eye=0,2,1;at=0,0,0;fov=30");
+    std::unique_ptr<Renderer> film;
 };
 
 /// How far pixels lie from their mean.
@@ -120,9 +107,9 @@ TEST_CASE("The first frame is the picture without a history, and so is the one a
     CHECK(meanChange(film.draw(), raw.draw()) == 0.0);
     film.draw(3);
     raw.draw(3);
-    film.frame.camera_cut = true;
+    film.now.camera_cut = true;
     CHECK(meanChange(film.draw(), raw.draw()) == 0.0);
-    film.frame.camera_cut = false;
+    film.now.camera_cut = false;
     CHECK(meanChange(film.draw(), raw.draw()) > 0.05);
 }
 
@@ -199,12 +186,12 @@ TEST_CASE("What moves by itself keeps its history where the host gives velocitie
     const auto error = [&](float pixels, const char* told) {
         Film film(noisy, "plane", {"history_clamp=false", told});
         Film exact(stripes + " + 0.2", "plane", {kRaw});
-        const TextureId velocity = film.gl.texture(Format::rg16f, kExtent);
+        const TextureId velocity = film.texture(Format::rg16f, kExtent);
         Image moved(kExtent, 2);
         for (std::size_t i = 0; i < moved.pixels.size(); i += 2)
             moved.pixels[i] = pixels / float(kExtent.width);
-        need(film.gl.device->writeTexture(velocity, moved));
-        film.frame.textures = {{"velocity", velocity}};
+        need(film.device->writeTexture(velocity, moved));
+        film.now.textures = {{"velocity", velocity}};
         exact.draw(23);
         return meanChange(film.draw(24), exact.draw());
     };
@@ -263,19 +250,13 @@ TEST_CASE("With one frame every frame stands for itself")
 
 TEST_CASE("The noise of an estimator moves from frame to frame under the mean over frames")
 {
-    const Node document = need(loadConfig(shippedSources(), {"gtao_temporal", {}, {}}));
-    const Description description = need(decode(document, shippedSources()));
+    const Description description = descriptionOf({"gtao_temporal"});
     CHECK(findNamed(description.features, "moving_noise")->value == 1);
-    GlFixture gl;
-    const Scene scene = need(loadScene("spheres"));
-    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", 16.0 / 9.0));
-    const Frame frame = makeFrame(uploaded, camera, kExtent);
-    auto renderer =
-        need(Renderer::create(*gl.device, description, {kExtent, {"ao"}, {}}, traitsOf(frame)));
+    SceneRig rig("spheres", kExtent);
+    const auto renderer = rig.renderer(description, rig.frame(), {"ao"});
     need(renderer->setParam("history_frames", 1.0f));
-    need(renderer->render(frame));
-    const Image first = gl.read(renderer->output("ao"));
-    need(renderer->render(frame));
-    CHECK(meanChange(first, gl.read(renderer->output("ao"))) > 0.005);
+    need(renderer->render(rig.frame()));
+    const Image first = rig.read(renderer->output("ao"));
+    need(renderer->render(rig.frame()));
+    CHECK(meanChange(first, rig.read(renderer->output("ao"))) > 0.005);
 }

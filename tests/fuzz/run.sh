@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds the fuzzers and runs each for so many seconds, 30 by default; for hours by hand. What they
-# learn stays in build/fuzz/corpus, so that the next run goes on from there. A text that breaks
-# something is written to build/fuzz as crash-*, slow-* or timeout-*; pass it as an argument to the
+# learn stays in build/asan/corpus, so that the next run goes on from there. A text that breaks
+# something is written to build/asan as crash-*, slow-* or timeout-*; pass it as an argument to the
 # fuzzer to see it again, and keep it in tests/fuzz/found once it is mended: each run begins with
 # those.
 #
@@ -16,14 +16,29 @@ if ! [[ $seconds =~ ^[1-9][0-9]*$ ]]; then
     exit 2
 fi
 
-cmake --preset fuzz && cmake --build --preset fuzz
+cmake --preset asan && cmake --build --preset asan --target crevice_fuzzers
 
-out=build/fuzz
+out=build/asan
 seeds=$out/seeds
 rm -rf -- "$seeds"
 mkdir -p "$seeds"
-for file in configs/*.json effects/*/*.json tests/data/bad/*/*.json tests/fuzz/{seeds,found}/*; do
+for file in configs/*.json effects/*/*.json tests/fuzz/{seeds,found}/*; do
     if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
+done
+# The malformed configs, as tests/support/bad_corpus.h describes their files.
+for group in tests/data/bad/*.txt; do
+    LC_ALL=C awk -v out="$seeds/$(basename "$group" .txt)_" '
+        function finish() {
+            if (name == "around") {
+                head = substr(body, 1, index(body, "...\n") - 1)
+                foot = substr(body, length(head) + 5)
+            }
+            else if (name ~ /json$/) printf "%s", case_ ? head body foot : body > out name
+            body = ""
+        }
+        /^(---|===) / { finish(); case_ = /^---/; name = $2 (case_ ? ".json" : ""); gsub("/", "_", name); next }
+        { body = body $0 "\n" }
+        END { finish() }' "$group"
 done
 
 # Every word that the seeds have in quotes, for libFuzzer to combine.

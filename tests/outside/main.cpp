@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The least that a host does: a context, a mesh, a config, a frame. Draws a cube on a floor and
-// checks its ambient occlusion. Exits with 0, 1 (wrong), or 77 (no GL on this machine).
+// The least that a host does: a context, a mesh, a config, a frame. Draws a corner of
+// a room and checks its ambient occlusion. Exits with 0, 1 (wrong), or 77 (no GL on this machine).
 #include <crevice/config.h>
 #include <crevice/context.h>
 #include <crevice/effect.h>
@@ -43,17 +43,14 @@ void addSquare(MeshDesc& mesh, glm::vec3 center, glm::vec3 u, glm::vec3 v)
     for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
 }
 
-MeshDesc cubeOnFloor()
+MeshDesc floorAndWalls()
 {
     MeshDesc mesh;
-    mesh.label = "cube on a floor";
-    const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), center(0, 1, 0);
-    addSquare(mesh, {0, 0, 0}, z * 4.0f, x * 4.0f);
-    addSquare(mesh, center + y, z, x);
-    addSquare(mesh, center + x, y, z);
-    addSquare(mesh, center - x, z, y);
-    addSquare(mesh, center + z, x, y);
-    addSquare(mesh, center - z, y, x);
+    mesh.label = "floor and walls";
+    const glm::vec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2);
+    addSquare(mesh, {0, 0, 0}, z, x);
+    addSquare(mesh, {-2, 2, 0}, y, z);
+    addSquare(mesh, {0, 2, -2}, x, y);
     return mesh;
 }
 
@@ -61,7 +58,7 @@ Frame frameOf(MeshId mesh, const MeshDesc& desc)
 {
     Frame frame;
     frame.camera.view_from_world =
-        glm::lookAt(glm::vec3(4, 3, 5), glm::vec3(0, 0.5f, 0), glm::vec3(0, 1, 0));
+        glm::lookAt(glm::vec3(0, 1.5f, 0.5f), glm::vec3(-2, 0.5f, -2), glm::vec3(0, 1, 0));
     const float aspect = static_cast<float>(kExtent.width) / kExtent.height;
     frame.camera.clip_from_view = glm::perspective(glm::radians(50.0f), aspect, 0.1f, 50.0f);
     frame.materials.resize(1);
@@ -98,7 +95,7 @@ int draw(Device& owner)
     const auto description = decode(*document, shippedSources());
     if (!description) return fail(description.diagnostics());
 
-    const MeshDesc desc = cubeOnFloor();
+    const MeshDesc desc = floorAndWalls();
     const auto mesh = owner.createMesh(desc);
     if (!mesh) return fail(mesh.diagnostics());
     const Frame frame = frameOf(*mesh, desc);

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The corpus of malformed configs in tests/data/bad, one mistake each, and the diagnostic that each
-// must get. tests/data/bad/README.md describes expected.json, from which all of this is read.
+// must get. A file holds those of one kind, a case behind each line
+//
+//   --- NAME | CODE POINTER PLACE | part of the help | "member": of the case's options, ...
+//
+// PLACE is line and column in the case's own config, or another file too; "-" is none. "=== FILE"
+// begins a file that a case names, and "=== around" what stands around the texts of all cases that
+// follow, which take the place of its line "...".
 #pragma once
 
 #include <crevice/config.h>
@@ -8,8 +14,11 @@
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
 
+#include "core/base/text.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,53 +26,115 @@ namespace crevice {
 
 struct CorpusCase {
     std::string name;  ///< "syntax/comment": the file's path without its ending.
-    Node expected;     ///< Its entry in expected.json.
+    std::string code, pointer, at, help;
+    Node options;  ///< An object: what host, device and command line are like.
 
-    std::string path() const { return folder() + name + ".json"; }
-    static std::string folder() { return CREVICE_SOURCE_DIR "/tests/data/bad/"; }
-
-    /// A text of the entry; empty when it has none of that key.
+    /// A text among the options; empty when it has none of that key.
     std::string text(const char* key) const
     {
-        const Node* value = expected.find(key);
+        const Node* value = options.find(key);
         return value ? value->text : "";
     }
 };
 
-/// All of expected.json, in its order.
-inline std::vector<CorpusCase> corpusCases()
+/// The corpus, as files below a folder that is gone with it.
+class Corpus {
+public:
+    Corpus()
+    {
+        for (const char* group : {"syntax", "merge", "keys", "values", "references", "graph",
+                                  "shader", "device", "run_time"})
+            read(group,
+                 readFile(CREVICE_SOURCE_DIR "/tests/data/bad/" + std::string(group) + ".txt")
+                     ->text);
+    }
+
+    std::string folder() const { return folder_.path.string() + "/"; }
+    std::string path(const CorpusCase& config) const { return folder() + config.name + ".json"; }
+    const std::vector<CorpusCase>& cases() const { return cases_; }
+
+private:
+    void read(const std::string& group, const std::string& text)
+    {
+        std::string title, body, head, foot;
+        const auto finish = [&] {
+            if (title == "=== around") {
+                head = body.substr(0, body.find("...\n"));
+                foot = body.substr(head.size() + 4);
+            } else if (startsWith(title, "=== ")) {
+                folder_.write(group + "/" + title.substr(4), body);
+            } else if (startsWith(title, "--- ")) {
+                cases_.push_back(caseOf(group, title.substr(4)));
+                body = head.empty() ? body.substr(0, body.size() - 1) : head + body + foot;
+                folder_.write(cases_.back().name + ".json", body);
+            }
+            body.clear();
+        };
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            const bool begins = startsWith(line, "--- ") || startsWith(line, "=== ");
+            if (begins) finish();
+            (begins ? title : body) = begins ? line : body + line + "\n";
+        }
+        finish();
+    }
+
+    static CorpusCase caseOf(const std::string& group, std::string title)
+    {
+        const auto field = [&title] {
+            const std::size_t end = std::min(title.find(" | "), title.size());
+            const std::string text = title.substr(0, end);
+            title.erase(0, end + 3);
+            return text;
+        };
+        CorpusCase made;
+        made.name = group + "/" + field();
+        std::istringstream found(field());
+        found >> made.code >> made.pointer >> std::ws;
+        std::getline(found, made.at);
+        for (std::string* each : {&made.pointer, &made.at})
+            if (*each == "-") each->clear();
+        if (!made.at.empty() && isDigit(made.at[0])) made.at = made.name + ".json:" + made.at;
+        made.help = field();
+        const Result<Node> options =
+            parseDocument(std::make_shared<SourceText>(SourceText{made.name, "{" + title + "}"}));
+        if (!options) FAIL(toText(options.diagnostics()));
+        made.options = *options;
+        return made;
+    }
+
+    TemporaryFolder folder_{"bad_configs"};
+    std::vector<CorpusCase> cases_;
+};
+
+inline const Corpus& corpus()
 {
-    const Result<Node> table = parseDocument(readFile(CorpusCase::folder() + "expected.json"));
-    if (!table) FAIL(toText(table.diagnostics()));
-    std::vector<CorpusCase> configs;
-    for (const Member& group : table->members)
-        for (const Member& entry : group.value.members)
-            configs.push_back({group.key + "/" + entry.key, entry.value});
-    return configs;
+    static const Corpus all;
+    return all;
 }
 
-/// A device of the least abilities, with those changed that the entry names.
+/// A device of the least abilities, with those changed that the case names.
 inline DeviceCaps capsOf(const CorpusCase& config)
 {
-    DeviceCaps caps = config.expected.find("device") ? minimumCaps() : generousCaps();
-    if (const Node* vectors = config.expected.find("max_fragment_uniform_vectors"))
+    DeviceCaps caps = config.options.find("device") ? minimumCaps() : generousCaps();
+    if (const Node* vectors = config.options.find("max_fragment_uniform_vectors"))
         caps.max_fragment_uniform_vectors = static_cast<int>(vectors->number);
     return caps;
 }
 
 inline LoadRequest requestOf(const CorpusCase& config)
 {
-    LoadRequest request{config.path(), config.text("variant")};
-    if (const Node* overrides = config.expected.find("set"))
+    LoadRequest request{corpus().path(config), config.text("variant")};
+    if (const Node* overrides = config.options.find("set"))
         for (const Node& each : overrides->items) request.overrides.push_back(each.text);
-    if (config.expected.find("catalog")) request.config = "given";
+    if (config.options.find("catalog")) request.config = "given";
     return request;
 }
 
-/// What the host does once there is a renderer: sets what the entry says, and draws.
+/// What the host does once there is a renderer: sets what the case says, and draws.
 inline Diagnostics runTimeErrors(const CorpusCase& config, Renderer& renderer)
 {
-    if (const Node* host = config.expected.find("host")) {
+    if (const Node* host = config.options.find("host")) {
         const Member& member = host->members.at(0);
         const float value = static_cast<float>(member.value.number);
         const bool word = member.value.kind == Node::Kind::string;
@@ -78,17 +149,17 @@ inline Diagnostics runTimeErrors(const CorpusCase& config, Renderer& renderer)
 inline Diagnostics diagnosticsOf(const CorpusCase& config, Device& device)
 {
     MemorySources mine;
-    if (config.expected.find("catalog"))
-        mine.add("configs/given.json", readFile(config.path())->text);
+    if (config.options.find("catalog"))
+        mine.add("configs/given.json", readFile(corpus().path(config))->text);
     const LayeredSources sources({&mine, &shippedSources()});
     const Result<Node> document = loadConfig(sources, requestOf(config));
     if (!document) return document.diagnostics();
     const Result<Description> description = decode(*document, sources);
     if (!description) return description.diagnostics();
     CompileOptions options{{256, 144}, {}, {}};
-    if (const Node* side = config.expected.find("side"))
+    if (const Node* side = config.options.find("side"))
         options.extent = {static_cast<int>(side->number), static_cast<int>(side->number)};
-    if (const Node* outputs = config.expected.find("outputs"))
+    if (const Node* outputs = config.options.find("outputs"))
         options.outputs.push_back(outputs->text);
     auto renderer = Renderer::create(device, *description, options, traitsOf({}));
     return renderer ? runTimeErrors(config, **renderer) : renderer.diagnostics();
@@ -98,7 +169,7 @@ inline Diagnostics diagnosticsOf(const CorpusCase& config, Device& device)
 inline std::string placeInCorpus(const Place& place)
 {
     std::string name = placeName(place);
-    const std::string folder = CorpusCase::folder();
+    const std::string folder = corpus().folder();
     const std::size_t at = name.find(folder);
     return at == std::string::npos ? name : name.substr(at + folder.size());
 }
@@ -108,10 +179,10 @@ inline void checkReported(const CorpusCase& config, const Diagnostics& reported)
 {
     INFO(config.name << "\n" << toText(reported));
     REQUIRE(reported.size() == 1);
-    CHECK(codeName(reported[0].code) == config.text("code"));
-    CHECK(placeInCorpus(reported[0].place) == config.text("at"));
-    CHECK(reported[0].pointer == config.text("pointer"));
-    CHECK_THAT(reported[0].help, Catch::Contains(config.text("help")));
+    CHECK(codeName(reported[0].code) == config.code);
+    CHECK(placeInCorpus(reported[0].place) == config.at);
+    CHECK(reported[0].pointer == config.pointer);
+    CHECK_THAT(reported[0].help, Catch::Contains(config.help));
 }
 
 }  // namespace crevice

@@ -132,12 +132,10 @@ int GlFixture::location(ProgramId program, const std::string& uniform)
 void GlFixture::drawInto(TextureId target, ProgramId program, Extent extent)
 {
     const FramebufferId into = framebuffer({target});
-    need(device->beginFrame());
-    device->beginPass(wholePass(into, extent));
-    device->setProgram(program, {});
-    device->drawFullscreen();
-    device->endPass();
-    need(device->endFrame());
+    drawPass(wholePass(into, extent), [&] {
+        device->setProgram(program, {});
+        device->drawFullscreen();
+    });
     device->destroy(into);
 }
 

@@ -56,6 +56,21 @@ public:
     ProgramId program(const std::string& fragment_body, const char* vertex = kFullscreenVertex);
     int location(ProgramId program, const std::string& uniform);
 
+    /// A frame of one pass, in which `draw` is called; it must end without errors.
+    template <class Draw>
+    void drawPass(const PassInfo& pass, const Draw& draw)
+    {
+        need(device->beginFrame());
+        device->beginPass(pass);
+        draw();
+        device->endPass();
+        need(device->endFrame());
+    }
+    void clearPass(const PassInfo& pass)
+    {
+        drawPass(pass, [] {});
+    }
+
     /// Draws a fullscreen pass of `program` into `target`; the frame must end without errors.
     void drawInto(TextureId target, ProgramId program, Extent extent = {4, 4});
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/modules.h"
 
-#include <crevice/config.h>
-#include <crevice/shipped.h>
-
-#include "tests/support/catch.h"
+#include "tests/support/shipped_subjects.h"
 
 namespace crevice {
 namespace {
@@ -146,13 +143,20 @@ std::vector<Module> modulesBelow(const std::string& folder, Chosen&& chosen)
 
 }  // namespace
 
-GivenConfig::GivenConfig(const std::vector<std::string>& modules, const std::string& more)
+GivenConfig::GivenConfig(const std::vector<std::string>& modules, const std::string& more,
+                         const std::vector<File>& files)
     : layers_({&mine_, &shippedSources()})
 {
+    for (const auto& [path, text] : files) mine_.add(path, text);
     std::string list;
     for (const std::string& name : modules) list += (list.empty() ? "\"" : ", \"") + name + "\"";
     mine_.add("configs/given.json",
               R"({"format": 1, "name": "given", "extends": [)" + list + "]" + more + "}");
+}
+
+Description GivenConfig::description(const std::vector<std::string>& overrides) const
+{
+    return descriptionOf({"given"}, overrides, layers_);
 }
 
 const std::vector<Module>& shippedInputs()

@@ -3,10 +3,11 @@
 // among them by itself.
 #pragma once
 
-#include <crevice/source.h>
+#include <crevice/config.h>
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crevice {
@@ -32,11 +33,15 @@ const std::vector<Module>& shippedEstimators();
 /// Filters: all below filter/ that make another output `ao` from the target `ao`.
 const std::vector<Module>& shippedFilters();
 
-/// Sources with one config, "given", that extends `modules`; over the shipped ones.
+/// Sources with one config, "given", that extends `modules`, has `more` JSON after that and finds
+/// the files, by path and text; over the shipped ones.
 class GivenConfig {
 public:
-    explicit GivenConfig(const std::vector<std::string>& modules, const std::string& more = "");
+    using File = std::pair<std::string, std::string>;
+    explicit GivenConfig(const std::vector<std::string>& modules, const std::string& more = "",
+                         const std::vector<File>& files = {});
     const SourceSet& sources() const { return layers_; }
+    Description description(const std::vector<std::string>& overrides = {}) const;
 
 private:
     MemorySources mine_;

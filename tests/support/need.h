@@ -6,6 +6,8 @@
 
 #include "tests/support/catch.h"
 
+#include <string>
+
 namespace crevice {
 
 /// The value, or a failed test that prints why there is none.
@@ -21,6 +23,20 @@ inline void need(const Status& status)
 {
     INFO(toText(status.diagnostics()));
     REQUIRE(status.ok());
+}
+
+/// The one code of what was reported; Code::internal for several, or none.
+inline Code onlyCode(const Status& status)
+{
+    return status.diagnostics().size() == 1 ? status.diagnostics()[0].code : Code::internal;
+}
+
+/// How often `text` has `part`.
+inline int occurrences(const std::string& text, const std::string& part)
+{
+    int found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
 }
 
 }  // namespace crevice

@@ -1,55 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/picture.h"
 
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
+#include "tests/support/shipped_subjects.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace crevice {
-namespace {
 
-Description describePicture(const PictureRequest& request)
+Image picture(const PictureRequest& request, SceneRig& rig)
 {
     const SourceSet& sources = request.sources ? *request.sources : shippedSources();
-    const Node document = need(loadConfig(sources, {request.config, {}, request.overrides}));
-    Description description = need(decode(document, sources));
+    Description description = descriptionOf({request.config}, request.overrides, sources);
     if (!request.target.empty()) {
         OutputDesc output;
         output.name = request.output;
         output.target.name = request.target;
         description.outputs = {output};
     }
-    return description;
+    Frame frame = rig.frame(request.camera);
+    if (request.change) request.change(frame);
+    return rig.draw(description, frame, request.output);
 }
-
-}  // namespace
 
 Image picture(const PictureRequest& request, const Scene& scene)
 {
     GlDeviceOptions options;
     options.ignore_extensions = request.ignore_extensions;
-    GlFixture gl(options);
-    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    const double aspect = double(request.extent.width) / request.extent.height;
-    const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), request.camera, aspect));
-    Frame frame = makeFrame(uploaded, camera, request.extent);
-    if (request.change) request.change(frame);
-
-    CompileOptions compile_options;
-    compile_options.extent = request.extent;
-    compile_options.outputs = {request.output};
-    auto renderer = need(
-        Renderer::create(*gl.device, describePicture(request), compile_options, traitsOf(frame)));
-    need(renderer->render(frame));
-    return gl.read(renderer->output(request.output));
+    SceneRig rig(scene, request.extent, options);
+    return picture(request, rig);
 }
 
 Image picture(const PictureRequest& request)
@@ -57,12 +39,36 @@ Image picture(const PictureRequest& request)
     return picture(request, need(loadScene(request.scene)));
 }
 
-double mean(const Image& image)
+namespace {
+
+double meanOf(const Image& image, int left, int right, int low, int high)
 {
     double sum = 0;
-    for (int y = 0; y < image.extent.height; ++y)
-        for (int x = 0; x < image.extent.width; ++x) sum += image.at(x, y);
-    return sum / (double(image.extent.width) * image.extent.height);
+    for (int y = low; y < high; ++y)
+        for (int x = left; x < right; ++x) sum += image.at(x, y);
+    return sum / (double(right - left) * (high - low));
+}
+
+}  // namespace
+
+double mean(const Image& image)
+{
+    return meanOf(image, 0, image.extent.width, 0, image.extent.height);
+}
+
+double meanOfRows(const Image& image, int first, int last)
+{
+    return meanOf(image, 0, image.extent.width, first, last);
+}
+
+double meanOfColumns(const Image& image, int first, int last)
+{
+    return meanOf(image, first, last, 0, image.extent.height);
+}
+
+float least(const Image& image)
+{
+    return *std::min_element(image.pixels.begin(), image.pixels.end());
 }
 
 double shareBelow(const Image& image, float limit, double share)

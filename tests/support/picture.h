@@ -2,8 +2,7 @@
 // Pictures for tests: a config drawn over a scene on the test's GL context.
 #pragma once
 
-#include "tests/support/gl_fixture.h"
-#include "tools/scene/scene.h"
+#include "tests/support/scene_rig.h"
 
 #include <functional>
 #include <string>
@@ -29,8 +28,17 @@ struct PictureRequest {
 Image picture(const PictureRequest& request);
 Image picture(const PictureRequest& request, const Scene& scene);
 
+/// The same with the scene of a rig, in its size and on its device.
+Image picture(const PictureRequest& request, SceneRig& rig);
+
 /// The mean over all pixels of the first channel.
 double mean(const Image& image);
+
+/// That of some rows or columns, from the first up to the last.
+double meanOfRows(const Image& image, int first, int last);
+double meanOfColumns(const Image& image, int first, int last);
+
+float least(const Image& image);
 
 /// The share of pixels, in the middle `share` of width and height, that are below `limit`.
 double shareBelow(const Image& image, float limit, double share = 0.8);

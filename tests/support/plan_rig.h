@@ -120,6 +120,52 @@ inline const Elided* elided(const Plan& plan, const std::string& what)
     return nullptr;
 }
 
+/// What left it out and why, as "dead_pass: no pass reads it"; empty where nothing did.
+inline std::string leftOut(const Plan& plan, const std::string& what)
+{
+    const Elided* found = elided(plan, what);
+    return found ? found->optimization + ": " + found->reason : "";
+}
+
+/// What comes of a description: the passes of its plan in their order, or its errors, as
+/// "CV2204 /passes/a; CV2201 /passes/b/color/0".
+inline std::string outcome(const Description& description, const SceneTraits& traits = {},
+                           const CompileOptions& options = sized(),
+                           const DeviceCaps& caps = ampleCaps())
+{
+    const Result<Plan> plan = compile(description, traits, caps, options);
+    if (plan) return passNames(*plan);
+    std::vector<std::string> errors;
+    for (const Diagnostic& each : plan.diagnostics()) {
+        CHECK_FALSE((each.message.empty() || each.help.empty()));
+        errors.push_back(codeName(each.code) + " " + each.pointer);
+    }
+    return joined(errors, "; ");
+}
+
+/// A sketch and what comes of it.
+struct SketchRow {
+    const char* what;
+    Sketch sketch;
+    const char* outcome;
+};
+
+inline void checkEach(const std::vector<SketchRow>& rows)
+{
+    for (const SketchRow& row : rows) {
+        INFO(row.what);
+        CHECK(outcome(describe(row.sketch)) == row.outcome);
+    }
+}
+
+/// With an optimization switched off.
+inline CompileOptions keeping(const std::string& optimization)
+{
+    CompileOptions options = sized();
+    options.disable = {optimization};
+    return options;
+}
+
 /// The only error of a description that must not compile.
 inline Diagnostic onlyError(const Description& description, const SceneTraits& traits = {},
                             const DeviceCaps& caps = ampleCaps(),

@@ -5,6 +5,7 @@
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 
+#include "tests/support/need.h"
 #include "tests/support/test_config.h"
 
 #include <string>
@@ -136,23 +137,36 @@ struct Rig {
 
     std::unique_ptr<Renderer> make(Device& on) const
     {
-        auto made = Renderer::create(on, rigDescription(remembers), {{64, 32}}, traitsOf(frame));
-        if (!made) FAIL(toText(made.diagnostics()));
-        return std::move(*made);
+        return need(Renderer::create(on, rigDescription(remembers), {{64, 32}}, traitsOf(frame)));
+    }
+
+    /// Takes another renderer, for what is in the frame now.
+    void use(const Description& description, const CompileOptions& options = {{64, 32}})
+    {
+        renderer = need(Renderer::create(device, description, options, traitsOf(frame)));
     }
 
     /// The log of one frame that must succeed.
     std::string draw()
     {
         device.clearLog();
-        const Status status = renderer->render(frame);
-        if (!status) FAIL(toText(status.diagnostics()));
+        need(renderer->render(frame));
         return device.log();
     }
 
-    bool ranPass(const std::string& name) const
+    bool logged(const std::string& part) const
     {
-        return device.log().find("beginPass " + name + ' ') != std::string::npos;
+        return device.log().find(part) != std::string::npos;
+    }
+    bool ranPass(const std::string& name) const { return logged("beginPass " + name + ' '); }
+
+    float value(const char* param) const
+    {
+        return findNamed(renderer->description().params, param)->value[0];
+    }
+    int feature(const char* name) const
+    {
+        return findNamed(renderer->description().features, name)->value;
     }
 };
 

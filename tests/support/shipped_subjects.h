@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/support/need.h"
+#include "tests/support/nightly.h"
 
 #include <crevice/config.h>
 #include <crevice/shipped.h>
@@ -11,7 +12,7 @@ namespace crevice {
 
 struct Subject {
     std::string config;
-    std::string variant;
+    std::string variant = {};
 };
 
 /// Every shipped config, and again with each of its variants.
@@ -19,7 +20,7 @@ inline std::vector<Subject> subjects()
 {
     std::vector<Subject> all;
     for (const std::string& name : configNames(shippedSources())) {
-        all.push_back({name, ""});
+        all.push_back({name});
         const Node document =
             need(parseDocument(shippedSources().find("configs/" + name + ".json")));
         if (const Node* variants = document.find("variants"))
@@ -28,10 +29,21 @@ inline std::vector<Subject> subjects()
     return all;
 }
 
-inline Description descriptionOf(const Subject& subject)
+/// All of them at night, else one of each kind: presets that march whole and in part, with forward
+/// and deferred lighting, filters, histories and layers; light from occluders; authors' kernels.
+inline std::vector<Subject> sampledSubjects()
 {
-    return need(decode(need(loadConfig(shippedSources(), {subject.config, subject.variant, {}})),
-                       shippedSources()));
+    if (nightly()) return subjects();
+    return {{"mobile"}, {"gtao"}, {"balanced_temporal"},    {"bitmask_layers"},
+            {"baked"},  {"ssdo"}, {"learnopengl", "sound"}, {"ogldev45"}};
+}
+
+inline Description descriptionOf(const Subject& subject,
+                                 const std::vector<std::string>& overrides = {},
+                                 const SourceSet& sources = shippedSources())
+{
+    return need(
+        decode(need(loadConfig(sources, {subject.config, subject.variant, overrides})), sources));
 }
 
 /// With all its whole numbers, counts most of them, at one end of their ranges.

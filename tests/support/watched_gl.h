@@ -3,8 +3,11 @@
 // names that live, run out of memory on demand, lose their context, and tell what no pixel shows.
 #pragma once
 
+#include <crevice/gl_device.h>
+
 #include "backends/gl/api.h"
 
+#include <map>
 #include <string>
 #include <utility>
 
@@ -89,6 +92,34 @@ private:
     bool reset_reported_ = false;
     Loss loss_ = Loss::for_ever;
     GLenum pending_ = GL_NO_ERROR;
+};
+
+/// A host that keeps linked programs in memory.
+struct KeptPrograms {
+    std::map<std::string, std::vector<std::uint8_t>> entries;
+    int loads = 0;   ///< Calls so far; a program that is not there counts too.
+    int stores = 0;  ///< Calls so far.
+
+    /// Must not outlive this.
+    ProgramCache cache()
+    {
+        return {[this](const std::string& key) {
+                    ++loads;
+                    const auto found = entries.find(key);
+                    return found == entries.end() ? std::vector<std::uint8_t>() : found->second;
+                },
+                [this](const std::string& key, const std::vector<std::uint8_t>& bytes) {
+                    ++stores;
+                    entries[key] = bytes;
+                }};
+    }
+
+    GlDeviceOptions options()
+    {
+        GlDeviceOptions made;
+        made.program_cache = cache();
+        return made;
+    }
 };
 
 }  // namespace crevice

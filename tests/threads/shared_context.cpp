@@ -50,16 +50,13 @@ public:
     ~SharedEgl() override { egl<unsigned(Handle, Handle)>("eglDestroyContext")(display_, handle_); }
 
     bool there() const { return handle_ != nullptr; }
-    bool makeCurrent() override { return bind(handle_); }
-    void release() override { bind(nullptr); }
-
-private:
-    bool bind(Handle handle)
+    bool makeCurrent() override
     {
         const auto call = egl<unsigned(Handle, Handle, Handle, Handle)>("eglMakeCurrent");
-        return call(display_, nullptr, nullptr, handle) == 1;
+        return call(display_, nullptr, nullptr, handle_) == 1;
     }
 
+private:
     Handle display_;
     Handle handle_ = nullptr;
 };
@@ -79,18 +76,15 @@ public:
     ~SharedOsmesa() override { osmesa<void(Handle)>("OSMesaDestroyContext")(handle_); }
 
     bool there() const { return handle_ != nullptr; }
-    bool makeCurrent() override { return bind(handle_, pixel_, 1); }
-    void release() override { bind(nullptr, nullptr, 0); }
-
-private:
-    static bool bind(Handle handle, void* buffer, int side)
+    bool makeCurrent() override
     {
         constexpr unsigned kUnsignedByte = 0x1401;
         const auto call =
             osmesa<unsigned char(Handle, void*, unsigned, int, int)>("OSMesaMakeCurrent");
-        return call(handle, buffer, kUnsignedByte, side, side) == 1;
+        return call(handle_, pixel_, kUnsignedByte, 1, 1) == 1;
     }
 
+private:
     Handle handle_ = nullptr;
     unsigned char pixel_[4] = {};  // OSMesa wants a framebuffer
 };

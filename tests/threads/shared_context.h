@@ -17,9 +17,6 @@ public:
 
     /// Makes it current on this thread; false where that fails.
     virtual bool makeCurrent() = 0;
-
-    /// Lets it go, so that another thread may have it.
-    virtual void release() = 0;
 };
 
 }  // namespace crevice

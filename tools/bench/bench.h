@@ -28,6 +28,7 @@ struct BenchOptions {
     std::vector<int> samples = {};            ///< Empty: each config's own.
     std::vector<std::string> overrides = {};  ///< For every config, as --set has them.
     std::vector<std::string> roots = {};      ///< As LoadRequest has them.
+    std::vector<std::string> disable = {};    ///< Optimizations, as CompileOptions has them.
     std::string camera = {};
     std::string output = kOcclusionOutput;  ///< The timed passes are those that it needs.
     int rays = 256;

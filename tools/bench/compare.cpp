@@ -9,15 +9,19 @@
 namespace crevice {
 namespace {
 
-/// The same sample in other results; null when there is none.
+/// The same sample in other results, best from the same device and with the same switched off; null
+/// when there is none.
 const BenchSample* findSame(const std::vector<BenchSample>& samples, const BenchSample& wanted)
 {
-    const std::string no_op = identityOf(wanted);
+    const std::string question = questionOf(wanted);
     const BenchSample* found = nullptr;
+    int best = -1;
     for (const BenchSample& sample : samples) {
-        if (identityOf(sample) != no_op) continue;
-        if (sample.device == wanted.device) return &sample;
-        if (!found) found = &sample;
+        const int likeness =
+            2 * (sample.device == wanted.device) + (sample.disable == wanted.disable);
+        if (likeness <= best || questionOf(sample) != question) continue;
+        found = &sample;
+        best = likeness;
     }
     return found;
 }

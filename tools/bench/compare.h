@@ -46,9 +46,9 @@ struct BenchComparison {
     }
 };
 
-/// Samples are the same where identityOf() is, whatever became of their shaders; one from the same
-/// device goes before one from another. Errors are compared always, cost ratios on one device
-/// and by one clock alone.
+/// Samples are the same where questionOf() is, whatever became of their shaders or is switched off;
+/// one from the same device goes before one from another. Errors are compared always, cost ratios
+/// on one device and by one clock alone.
 BenchComparison compareBenches(const std::vector<BenchSample>& before,
                                const std::vector<BenchSample>& now, const BenchLimits& limits = {});
 

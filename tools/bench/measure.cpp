@@ -77,10 +77,11 @@ struct BenchMeter::Setting {
     /// For `frame`, or a frame of it that a host hands over.
     Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
                                                    std::vector<std::string> outputs,
+                                                   const std::vector<std::string>& disable = {},
                                                    const Frame* hosted = nullptr) const
     {
         return Renderer::create(device, std::move(description),
-                                {view.extent, std::move(outputs), {}},
+                                {view.extent, std::move(outputs), disable},
                                 traitsOf(hosted ? *hosted : frame));
     }
 
@@ -216,15 +217,17 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     if (!host) return host.diagnostics();
     Result<Frame> frame = host->frameOf(setting_->frame);
     if (!frame) return frame.diagnostics();
-    auto renderer = setting_->makeRenderer(device_, task.description, {kOcclusionOutput}, &*frame);
+    const auto makeRenderer = [&](const std::string& output) {
+        return setting_->makeRenderer(device_, task.description, {output}, sample.disable, &*frame);
+    };
+    auto renderer = makeRenderer(kOcclusionOutput);
     if (!renderer) return renderer.diagnostics();
     const Result<Image> ao = drawSettled(device_, **renderer, *frame, kOcclusionOutput);
     if (!ao) return ao.diagnostics();
     if (options_.motion) measureMotion(task, **renderer, *host, sample);
     if (options_.motion) frame = host->frameOf(setting_->frame);  // as before the camera moved
     if (!frame) return frame.diagnostics();
-    if (sample.output != kOcclusionOutput)
-        renderer = setting_->makeRenderer(device_, task.description, {sample.output}, &*frame);
+    if (sample.output != kOcclusionOutput) renderer = makeRenderer(sample.output);
     if (!renderer) return renderer.diagnostics();
     if (const Status timed = measureTimes(task, **renderer, *frame, sample); !timed)
         return timed.diagnostics();

@@ -21,7 +21,7 @@
 namespace crevice {
 namespace {
 
-/// Whose figures say most about what to take; docs/methods/presets.md. `reference` takes too long
+/// Whose figures say most about what to take; docs/which_config.md. `reference` takes too long
 /// to be first.
 constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
 
@@ -43,8 +43,8 @@ std::string commandHash(const BenchOptions& options)
         hash.add(list.size());
         for (const auto& item : list) addOne(item);
     };
-    for (const auto* texts :
-         {&options.configs, &options.peers, &options.scenes, &options.sizes, &options.overrides})
+    for (const auto* texts : {&options.configs, &options.peers, &options.scenes, &options.sizes,
+                              &options.overrides, &options.disable})
         add(*texts, [&hash](const std::string& text) { hash.addText(text); });
     add(options.radii, [&hash](double radius) { hash.add(radius); });
     add(options.samples, [&hash](int count) { hash.add(count); });
@@ -72,6 +72,7 @@ ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::s
     hash.addText(content);
     hash.addText(kClock);
     if (sample.output != kOcclusionOutput) hash.addText(sample.output);
+    for (const std::string& name : sample.disable) hash.addText(name);
     if (motion) hash.addText("motion");
     return hash;
 }
@@ -265,9 +266,10 @@ void Planner::addTask(const Place& place, const std::string& config,
     BenchSample& sample = task.sample;
     sample.config = config;
     sample.output = options_.output;
+    sample.disable = options_.disable;
     sample.family = config;
     for (const std::string& text : options_.overrides) sample.family += " " + text;
-    sample.family += outputSuffix(sample);
+    sample.family += nameSuffix(sample);
     sample.scene = place.scene;
     sample.camera = options_.camera;
     sample.extent = place.extent;
@@ -321,7 +323,7 @@ std::string sampleTitle(const BenchSample& sample)
 {
     std::string title = sample.config;
     for (const std::string& text : sample.overrides) title += " " + text;
-    return title + outputSuffix(sample) + ", " + sample.scene + ", " +
+    return title + nameSuffix(sample) + ", " + sample.scene + ", " +
            std::to_string(sample.extent.width) + "x" + std::to_string(sample.extent.height);
 }
 

@@ -26,14 +26,14 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangeFigures, rms, p99, p999, truth, rmse, c
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncoveredFigures, frames, rmse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionFigures, paths, settled_after, uncovered, uncovered_rest,
                                    uncovered_pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, peer, overrides, family,
-                                   output, scene, camera, extent, radius, rays, radius_px, samples,
-                                   triangles, device, software, version, error, error_without_ao,
-                                   budget, budget_failure, motion, motion_failure, clock, repeats,
-                                   total, cost, cost_with_geometry, passes, ratio_copy,
-                                   ratio_learnopengl, ratio_with_geometry, texture_bytes,
-                                   bytes_read, bytes_written, ao_picture, ground_truth_picture,
-                                   difference_picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, peer, overrides, disable,
+                                   family, output, scene, camera, extent, radius, rays, radius_px,
+                                   samples, triangles, device, software, version, error,
+                                   error_without_ao, budget, budget_failure, motion, motion_failure,
+                                   clock, repeats, total, cost, cost_with_geometry, passes,
+                                   ratio_copy, ratio_learnopengl, ratio_with_geometry,
+                                   texture_bytes, bytes_read, bytes_written, ao_picture,
+                                   ground_truth_picture, difference_picture)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, bench_samples)
 
 namespace {
@@ -59,6 +59,7 @@ BenchSample parseSample(nlohmann::json value)
     const bool not_finite = replaceNulls(value);
     value.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
     value.emplace("peer", false);
+    value.emplace("disable", std::vector<std::string>());
     value.emplace("motion", MotionFigures());
     value.emplace("motion_failure", "");
     value.emplace("cost_with_geometry", TimeFigures());
@@ -139,12 +140,18 @@ private:
 
 }  // namespace
 
+std::string questionOf(const BenchSample& sample)
+{
+    nlohmann::json question = {sample.config, sample.overrides, sample.scene, sample.camera,
+                               sample.extent, sample.radius,    sample.rays};
+    if (sample.output != kOcclusionOutput) question.push_back(sample.output);
+    return jsonLine(question);
+}
+
 std::string identityOf(const BenchSample& sample)
 {
-    nlohmann::json identity = {sample.config, sample.overrides, sample.scene, sample.camera,
-                               sample.extent, sample.radius,    sample.rays};
-    if (sample.output != kOcclusionOutput) identity.push_back(sample.output);
-    return jsonLine(identity);
+    const std::string disabled = sample.disable.empty() ? "" : jsonLine(sample.disable);
+    return questionOf(sample) + disabled;
 }
 
 std::string plannedId(const BenchSample& sample)
@@ -154,14 +161,16 @@ std::string plannedId(const BenchSample& sample)
     return hash.hex();
 }
 
-std::string outputSuffix(const BenchSample& sample)
+std::string nameSuffix(const BenchSample& sample)
 {
-    return sample.output == kOcclusionOutput ? "" : " output=" + sample.output;
+    const std::string output = sample.output == kOcclusionOutput ? "" : " output=" + sample.output;
+    return output + (sample.disable.empty() ? "" : " without " + joined(sample.disable));
 }
 
 std::string toJsonLine(const BenchSample& sample)
 {
     nlohmann::json json = sample;
+    if (sample.disable.empty()) json.erase("disable");
     if (sample.motion.paths.empty()) json.erase("motion");
     if (sample.motion_failure.empty()) json.erase("motion_failure");
     return jsonLine(json);

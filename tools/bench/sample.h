@@ -63,6 +63,7 @@ struct BenchSample {
     std::string config;
     bool peer = false;  ///< Another's shaders, by --peers: shown to compare, never to take.
     std::vector<std::string> overrides;  ///< As --set has them.
+    std::vector<std::string> disable;    ///< Optimizations that are switched off.
     std::string family;  ///< Bench samples that differ only in `samples` share it: "learnopengl".
     std::string output = kOcclusionOutput;  ///< Whose passes are timed.
     std::string scene;
@@ -123,15 +124,19 @@ std::string toJsonLine(const BenchSample& sample);
 std::string toJsonLine(const PlannedBench& planned);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
-/// size, radius, rays and the output, unless that is `ao`. A key says more: it changes with a
-/// shader's text, a driver or a version.
+/// size, radius, rays, the output, unless that is `ao`, and what is switched off. A key says more:
+/// it changes with a shader's text, a driver or a version.
 std::string identityOf(const BenchSample& sample);
+
+/// The same but for what is switched off, which may change no pixel: what two benches compare.
+std::string questionOf(const BenchSample& sample);
 
 /// A hash of that, 16 hex digits.
 std::string plannedId(const BenchSample& sample);
 
-/// " output=color" after a sample's name; nothing where `ao` is timed.
-std::string outputSuffix(const BenchSample& sample);
+/// " output=color" and " without cached" after a sample's name; nothing where `ao` is timed with
+/// all optimizations.
+std::string nameSuffix(const BenchSample& sample);
 
 struct BenchResults {
     std::vector<BenchSample> samples;

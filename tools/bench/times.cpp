@@ -94,31 +94,18 @@ bool isSettled(const TimeFigures& figures, std::size_t count)
     return spread <= kSettled * figures.median * std::sqrt(static_cast<double>(count));
 }
 
-Status drawTurn(const std::function<Result<double>()>& draw)
-{
-    double elapsed_ms = 0;
-    for (std::size_t frames = 0; frames == 0 || (elapsed_ms < kTurnMs && frames < kTurnFrames);
-         ++frames) {
-        const Result<double> ms = draw();
-        if (!ms) return ms.diagnostics();
-        elapsed_ms += *ms;
-    }
-    return {};
-}
-
 Status TurnTaker::takeTurn()
 {
     std::vector<double> costs, with_geometry;
-    const Status drawn = drawTurn([&]() -> Result<double> {
+    for (double elapsed_ms = 0;
+         costs.empty() || (elapsed_ms < kTurnMs && costs.size() < kTurnFrames);) {
         Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
         if (!times) return times.diagnostics();
         costs.push_back(occlusionCost(renderer_->plan(), *times));
         with_geometry.push_back(costWithGeometry(renderer_->plan(), *times, own_geometry_));
-        const double ms = times->total_ms;
+        elapsed_ms += times->total_ms;
         frames_.push_back(std::move(*times));
-        return ms;
-    });
-    if (!drawn) return drawn;
+    }
     costs_.push_back(timeFigures(std::move(costs)).median);
     costs_with_geometry_.push_back(timeFigures(std::move(with_geometry)).median);
     return {};

@@ -17,7 +17,6 @@
 
 #include <crevice/renderer.h>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -50,10 +49,6 @@ double quickest(std::vector<double> costs);
 
 /// True when the median of `count` values is known to within 3 %, at 95 % confidence.
 bool isSettled(const TimeFigures& figures, std::size_t count);
-
-/// Has frames drawn until the turn is long enough to be measured; `draw` gives the milliseconds
-/// of one. Errors: those of `draw`.
-Status drawTurn(const std::function<Result<double>()>& draw);
 
 /// A renderer that takes turns with others, and what its frames took. Renderer and frame must
 /// outlive it.

@@ -111,7 +111,7 @@ std::string sampleLabel(const BenchSample& sample)
     if (sample.peer) label = std::filesystem::path(sample.config).stem().string() + " (peer)";
     for (const std::string& value : sample.overrides)
         if (value.rfind("radius=", 0) != 0) label += " " + value;
-    return label + outputSuffix(sample);
+    return label + nameSuffix(sample);
 }
 
 std::string extentName(Extent extent)

@@ -10,7 +10,7 @@
 
 namespace crevice {
 
-/// How the command ends; docs/command_line.md explains each.
+/// How the command ends; docs/reference/command_line.md explains each.
 enum ExitCode {
     kExitOk = 0,
     kExitBadInput = 1,  ///< A config, scene, image or value is wrong.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // crevice bench: error against run time of many configs, scenes, sizes and sample counts.
-#include "tools/bench/ablation.h"
 #include "tools/bench/measure.h"
 #include "tools/bench/views.h"
 #include "tools/cli/long_run.h"
@@ -10,7 +9,6 @@
 #include "tools/measure/run_options.h"
 #include "tools/motion/table.h"
 #include "tools/reference/reference_cache.h"
-#include "tools/scene/builtin_scenes.h"
 #include "tools/scene/options.h"
 
 #include "core/base/numbers.h"
@@ -34,7 +32,6 @@ struct BenchCommand {
     std::string peers;
     bool no_budget = false;
     bool list = false;
-    bool ablate = false;
 };
 
 int listTasks(const BenchPlan& plan)
@@ -93,35 +90,13 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     return exitCodeOf(summary);
 }
 
-/// Times the optimizations of every task, and prints a table of each.
-int timeRules(const BenchCommand& command, const BenchPlan& plan, Device& device,
-              double time_budget)
-{
-    Result<LineFile> file = LineFile::open(command.run.out + "/ablation.jsonl");
-    if (!file) return report(file.diagnostics(), false);
-    const auto known = readAblation({file->path()});
-    if (!known) return report(known.diagnostics(), false);
-    Progress progress;
-    const MeasureJob job = ablationJob(device, plan, *known, command.measure.repeats, interrupted);
-    const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
-    const auto all = readAblation({file->path()});
-    if (!all) return report(all.diagnostics(), false);
-    for (const MeasureTask& task : job.tasks)
-        if (const std::vector<AblationRow> rows = rowsOf(*all, task.key); !rows.empty())
-            print("%s, %s%s\n", task.title.c_str(), device.caps().name.c_str(),
-                  toText(rows).c_str());
-    return exitCodeOf(summary);
-}
-
 int measurePlan(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
                 double time_budget)
 {
     const Result<OpenDevice> open = openDevice(command.backend);
     report(open.diagnostics(), false);
     if (!open) return exitCodeOf(open.diagnostics());
-    const int code = command.ablate
-                         ? timeRules(command, plan, *open->device, time_budget)
-                         : measureErrors(command, plan, sources, *open->device, time_budget);
+    const int code = measureErrors(command, plan, sources, *open->device, time_budget);
     return code == kExitOk ? exitCodeOf(plan.diagnostics) : code;
 }
 
@@ -130,9 +105,7 @@ int bench(BenchCommand command)
     const Result<RunLimits> limits = limitsOf(command.run);
     if (!limits) return report(limits.diagnostics(), false);
     command.bench.shard = limits->shard;
-    if (command.bench.scenes.empty())
-        command.bench.scenes =
-            command.ablate ? builtinSceneNames() : std::vector<std::string>{"room"};
+    if (command.bench.scenes.empty()) command.bench.scenes = {"room"};
     if (!command.peers.empty()) {
         const auto peers = peersOf(command.peers);
         if (!peers) return report(peers.diagnostics(), false);
@@ -160,10 +133,8 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
                    "Measure what tools/scripts/peers.sh has left in this folder, too: the shaders "
                    "of other libraries, for reports alone")
         ->type_name("FOLDER");
-    app.add_option(
-           "--scene", bench.scenes,
-           "A file or a built-in scene; may be repeated. Default: room, and all built-in ones "
-           "for --ablate")
+    app.add_option("--scene", bench.scenes,
+                   "A file or a built-in scene; may be repeated. Default: room")
         ->allow_extra_args(false);
     addImportOptions(app, bench.import);
     app.add_option("--size", bench.sizes, "Sizes in pixels, such as 480x270,960x540")
@@ -222,12 +193,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     addBackendOption(*command, options->backend);
     addCheckoutOption(*command, options->checkout);
     addRootOption(*command, options->bench.roots);
-    command
-        ->add_flag("--ablate", options->ablate,
-                   "Time frames with all optimizations, without each one and without any, into "
-                   "ablation.jsonl")
-        ->excludes("--output")
-        ->excludes("--motion");
+    addDisableOption(*command, options->bench.disable);
     command->add_flag("--list", options->list,
                       "Print the bench samples, each a config in one view, and measure nothing");
     command->footer(

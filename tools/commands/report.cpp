@@ -24,15 +24,14 @@ struct ReportOptions {
 };
 
 Status writeReport(const ReportOptions& options, const std::vector<BenchSample>& samples,
-                   const std::vector<AblationRow>& ablation, const BenchCoverage& coverage,
-                   const std::string& page)
+                   const BenchCoverage& coverage, const std::string& page)
 {
     std::filesystem::path path = options.out;
     Status written = writeFile(path.string(), page);
     if (written) written = writeFile(path.replace_extension(".csv").string(), reportCsv(samples));
     if (written)
-        written = writeFile(path.replace_extension(".json").string(),
-                            reportJson(samples, ablation, coverage));
+        written =
+            writeFile(path.replace_extension(".json").string(), reportJson(samples, coverage));
     return written;
 }
 
@@ -50,11 +49,9 @@ int makeReport(const ReportOptions& options)
     if (!results) return exitCodeOf(results.diagnostics());
     const std::vector<BenchSample>& samples = results->samples;
     const BenchCoverage coverage = coverageOf(*results);
-    const Result<std::vector<AblationRow>> ablation = readAblation(options.results);
-    if (!ablation) return report(ablation.diagnostics(), false);
-    const Result<std::string> page = reportHtml(samples, !options.no_pictures, *ablation, coverage);
+    const Result<std::string> page = reportHtml(samples, !options.no_pictures, coverage);
     report(page.diagnostics(), false);
-    const Status written = writeReport(options, samples, *ablation, coverage, *page);
+    const Status written = writeReport(options, samples, coverage, *page);
     if (!written) return report(written.diagnostics(), false);
     print("wrote %s (%zu bench samples, %s MB), and a .csv and a .json beside it\n",
           printableLine(options.out).c_str(), samples.size(),

@@ -3,8 +3,7 @@
 // two files reads well.
 #include "tools/cost/cost.h"
 
-#include "core/base/numbers.h"
-#include "core/base/text.h"
+#include "tools/plan/print.h"
 
 #include <nlohmann/json.hpp>
 
@@ -88,28 +87,6 @@ Json sumJson(const CostReport& report, const CostSum& sum)
     return json;
 }
 
-bool isFlat(const Json& json)
-{
-    for (const Json& each : json)
-        if (each.is_object() || (each.is_array() && !isFlat(each))) return false;
-    return true;
-}
-
-std::string textOf(const Json& json, const std::string& indent)
-{
-    if (!json.is_structured() || isFlat(json))
-        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    const std::string inner = indent + "  ";
-    std::string text;
-    for (const auto& [key, value] : json.items()) {
-        text += (text.empty() ? "\n" : ",\n") + inner;
-        if (json.is_object()) text += jsonString(key) + ": ";
-        text += textOf(value, inner);
-    }
-    const char* ends = json.is_object() ? "{}" : "[]";
-    return ends[0] + text + "\n" + indent + ends[1];
-}
-
 /// Throws nlohmann's exceptions where something is missing or of another type.
 CompilerFigures figuresFrom(const CostGpu& gpu, const Json& json)
 {
@@ -189,7 +166,7 @@ std::string toJson(const CostReport& report)
         for (const PassCost& pass : config.passes) each["passes"].push_back(passJson(report, pass));
         json["configs"].push_back(std::move(each));
     }
-    return textOf(json, "") + "\n";
+    return jsonLines(json) + "\n";
 }
 
 Result<CostReport> readCost(const std::string& name, const std::string& text)

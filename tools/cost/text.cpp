@@ -265,7 +265,7 @@ std::string toText(const CostReport& report)
     return text +
            "Mend spills (sp:fi above 0:0) first, then occ below its most. cyc counts loops once, "
            "fetches "
-           "as they run; both are for a pixel. See docs/cost.md.\n";
+           "as they run; both are for a pixel. See docs/reference/cost.md.\n";
 }
 
 }  // namespace crevice

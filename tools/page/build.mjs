@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bundles the page's scripts into a folder, with npm's packages from another: node build.mjs FOLDER NODE_MODULES
-import {copyFileSync, mkdirSync, readFileSync} from "node:fs";
+import {copyFileSync, mkdirSync} from "node:fs";
 import {createRequire} from "node:module";
 import {dirname, join} from "node:path";
 import {fileURLToPath} from "node:url";
@@ -9,22 +9,11 @@ const here = dirname(fileURLToPath(import.meta.url)), [folder, modules] = proces
 if (!modules) throw new Error("build.mjs: name the folder to build into, and node_modules");
 const {build} = createRequire(join(modules, "index.js"))("esbuild");
 
-// The reports' chart is a plain script that a page embeds; here it becomes a module.
-const CHART_EXPORTS = "SHAPES, three, ms, error, ticks, short, chart, boxAround, nameMarks";
-const reportScripts = {
-  name: "report scripts",
-  setup(builder) {
-    builder.onLoad({filter: /report[\\/]chart\.js$/}, ({path}) => ({
-      contents: `import {add} from "../page/src/dom.js";\n${readFileSync(path, "utf8")}\nexport {${CHART_EXPORTS}};`
-    }));
-  }
-};
-
 mkdirSync(folder, {recursive: true});
 await build({
   entryPoints: {page: join(here, "src/main.js"), trace_worker: join(here, "src/engine/trace_worker.js")},
   outdir: folder, bundle: true, splitting: true, format: "esm", minify: true, target: "es2022", legalComments: "none",
   chunkNames: "[name]-[hash]", external: ["./crevice_page.js", "node:fs", "node:path"], loader: {".frag": "text", ".json": "json"},
-  nodePaths: [modules], plugins: [reportScripts], logLevel: "warning"
+  nodePaths: [modules], logLevel: "warning"
 });
 for (const name of ["index.html", "page.css"]) copyFileSync(join(here, name), join(folder, name));

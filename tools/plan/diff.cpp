@@ -4,10 +4,13 @@
 
 #include "tools/plan/costs.h"
 #include "tools/plan/names.h"
+#include "tools/plan/print.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/config/field_types.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -224,15 +227,6 @@ std::string changeText(const PlanChange& change)
     return text + oneSidedText(change, true) + oneSidedText(change, false);
 }
 
-std::string propertyJson(const PlanChange::Property& each)
-{
-    const auto side = [](const std::string& text) {
-        return text.empty() ? "null" : jsonString(text);
-    };
-    return "{\"name\": " + jsonString(each.name) + ", \"before\": " + side(each.before) +
-           ", \"after\": " + side(each.after) + "}";
-}
-
 }  // namespace
 
 PlanDiff diffPlans(const Plan& before, const Plan& after)
@@ -277,25 +271,26 @@ std::string toText(const PlanDiff& diff)
 
 std::string toJson(const PlanDiff& diff)
 {
+    using Json = nlohmann::ordered_json;
     const char* const kinds[] = {"only_before", "only_after", "changed"};
-    std::string changes, totals;
+    const auto side = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+    Json json = {{"before", diff.before},
+                 {"after", diff.after},
+                 {"changes", Json::array()},
+                 {"totals", Json::object()}};
     for (const PlanChange& change : diff.changes) {
-        std::string properties;
+        Json properties = Json::array();
         for (const PlanChange::Property& each : change.properties)
-            properties += (properties.empty() ? "\n      " : ",\n      ") + propertyJson(each);
-        changes += std::string(changes.empty() ? "" : ",") +
-                   "\n    {\"section\": " + jsonString(change.section) +
-                   ", \"name\": " + jsonString(change.name) + ", \"kind\": \"" +
-                   kinds[static_cast<int>(change.kind)] + "\", \"properties\": [" + properties +
-                   "]}";
+            properties.push_back(
+                {{"name", each.name}, {"before", side(each.before)}, {"after", side(each.after)}});
+        json["changes"].push_back({{"section", change.section},
+                                   {"name", change.name},
+                                   {"kind", kinds[static_cast<int>(change.kind)]},
+                                   {"properties", std::move(properties)}});
     }
     for (const PlanTotal& total : diff.totals)
-        totals += std::string(totals.empty() ? "" : ",") + "\n    " + jsonString(total.name) +
-                  ": [" + std::to_string(std::llround(total.before)) + ", " +
-                  std::to_string(std::llround(total.after)) + "]";
-    return "{\n  \"before\": " + jsonString(diff.before) +
-           ",\n  \"after\": " + jsonString(diff.after) + ",\n  \"changes\": [" + changes +
-           "],\n  \"totals\": {" + totals + "\n  }\n}\n";
+        json["totals"][total.name] = {std::llround(total.before), std::llround(total.after)};
+    return jsonLines(json) + "\n";
 }
 
 }  // namespace crevice

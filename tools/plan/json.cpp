@@ -8,165 +8,165 @@
 #include "core/base/text.h"
 #include "core/config/field_types.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace crevice {
 
 namespace {
 
-std::string json(const std::string& text) { return jsonString(text); }
-std::string json(const char* text) { return jsonString(text); }
-std::string json(int number) { return std::to_string(number); }
-std::string json(float number) { return shortest(number); }
-std::string json(bool value) { return value ? "true" : "false"; }
-std::string json(const Extent& extent)
+using Json = nlohmann::ordered_json;
+
+Json sizeJson(const Extent& extent) { return {extent.width, extent.height}; }
+
+/// As short as a float is written: 0.1 and not 0.10000000149.
+Json numberJson(float number)
 {
-    return "[" + json(extent.width) + ", " + json(extent.height) + "]";
+    if (number == std::floor(number) && std::abs(number) < 1e6f) return static_cast<int>(number);
+    return parseNumber(shortest(number)).value_or(number);
 }
 
-std::string bytesJson(double bytes) { return std::to_string(std::llround(bytes)); }
+/// An index, or null for none.
+Json indexJson(int index) { return index < 0 ? Json() : Json(index); }
 
-template <class T>
-std::string word(T value)
+template <class List, class Make>
+Json listOf(const List& elements, const Make& make)
 {
-    return json(table::word(value));
+    Json list = Json::array();
+    for (const auto& element : elements) list.push_back(make(element));
+    return list;
 }
 
-// An index, or null for none.
-std::string indexJson(int index) { return index < 0 ? "null" : json(index); }
-
-// One entry for each element, on lines of their own.
-template <class List, class Print>
-std::string list(const List& elements, Print print, const std::string& indent = "    ")
-{
-    std::string text;
-    for (const auto& element : elements)
-        text += (text.empty() ? "\n" : ",\n") + indent + print(element);
-    if (text.empty()) return "[]";
-    return "[" + text + "\n" + indent.substr(2) + "]";
-}
-
-std::string attachmentJson(const Plan& plan, const PlanAttachment& attachment)
+Json attachmentJson(const Plan& plan, const PlanAttachment& attachment)
 {
     const bool textured = attachment.target >= 0;
-    std::string clear;
-    for (const float value : attachment.clear) clear += (clear.empty() ? "" : ", ") + json(value);
-    return "{\"target\": " + json(attachment.name) +
-           ", \"texture\": " + indexJson(textured ? plan.targets[attachment.target].texture : -1) +
-           ", \"load\": " + json(nameOf(attachment.load)) +
-           ", \"store\": " + json(nameOf(attachment.store)) + ", \"clear\": [" + clear + "]}";
+    return {{"target", attachment.name},
+            {"texture", indexJson(textured ? plan.targets[attachment.target].texture : -1)},
+            {"load", nameOf(attachment.load)},
+            {"store", nameOf(attachment.store)},
+            {"clear", listOf(attachment.clear, numberJson)}};
 }
 
-std::string inputJson(const Plan& plan, const PlanInput& input)
+Json inputJson(const Plan& plan, const PlanInput& input)
 {
-    return "{\"sampler\": " + json(input.sampler) + ", \"kind\": " + json(nameOf(input.kind)) +
-           ", \"from\": " + json(sourceName(plan, input)) +
-           ", \"filter\": " + word(input.sampling.filter) +
-           ", \"wrap\": " + word(input.sampling.wrap) + "}";
+    return {{"sampler", input.sampler},
+            {"kind", nameOf(input.kind)},
+            {"from", sourceName(plan, input)},
+            {"filter", table::word(input.sampling.filter)},
+            {"wrap", table::word(input.sampling.wrap)}};
 }
 
-std::string uniformJson(const PlanUniform& uniform)
+Json passJson(const Plan& plan, const PlanPass& pass)
 {
-    return "{\"name\": " + json(uniform.name) + ", \"source\": " + json(nameOf(uniform.source)) +
-           "}";
-}
-
-std::string stateJson(const StateDesc& state)
-{
-    return "{\"depth_test\": " + word(state.depth_test) +
-           ", \"depth_write\": " + json(state.depth_write) + ", \"cull\": " + word(state.cull) +
-           "}";
-}
-
-std::string passJson(const Plan& plan, const PlanPass& pass)
-{
-    const std::string indent = "        ";
     const MovedBytes bytes = movedBytes(plan, pass);
     const auto attachment = [&](const PlanAttachment& each) { return attachmentJson(plan, each); };
     const auto input = [&](const PlanInput& each) { return inputJson(plan, each); };
-    return "{\"name\": " + json(pass.name) + ", \"type\": " + word(pass.type) +
-           ", \"program\": " + json(pass.program) + ", \"extent\": " + json(pass.extent) +
-           ", \"bytes_read\": " + bytesJson(bytes.read) +
-           ", \"bytes_written\": " + bytesJson(bytes.written) +
-           ",\n      \"masked\": " + json(isMasked(pass)) + ", \"scissor\": " + json(pass.scissor) +
-           ", \"cull_below_pixel\": " +
-           (pass.cull_below_pixel < 0 ? "null" : json(plan.params[pass.cull_below_pixel].name)) +
-           ",\n      \"state\": " + stateJson(pass.state) +
-           ",\n      \"inputs\": " + list(pass.inputs, input, indent) +
-           ",\n      \"uniforms\": " + list(pass.uniforms, uniformJson, indent) +
-           ",\n      \"color\": " + list(pass.color, attachment, indent) +
-           ",\n      \"depth\": " + (pass.has_depth ? attachment(pass.depth) : "null") + "}";
+    const auto uniform = [](const PlanUniform& each) -> Json {
+        return {{"name", each.name}, {"source", nameOf(each.source)}};
+    };
+    const int culled = pass.cull_below_pixel;
+    return {{"name", pass.name},
+            {"type", table::word(pass.type)},
+            {"program", pass.program},
+            {"extent", sizeJson(pass.extent)},
+            {"bytes_read", std::llround(bytes.read)},
+            {"bytes_written", std::llround(bytes.written)},
+            {"masked", isMasked(pass)},
+            {"scissor", pass.scissor},
+            {"cull_below_pixel", culled < 0 ? Json() : Json(plan.params[culled].name)},
+            {"state",
+             {{"depth_test", table::word(pass.state.depth_test)},
+              {"depth_write", pass.state.depth_write},
+              {"cull", table::word(pass.state.cull)}}},
+            {"inputs", listOf(pass.inputs, input)},
+            {"uniforms", listOf(pass.uniforms, uniform)},
+            {"color", listOf(pass.color, attachment)},
+            {"depth", pass.has_depth ? attachment(pass.depth) : Json()}};
 }
 
-std::string targetJson(const PlanTarget& target)
+Json targetJson(const PlanTarget& target)
 {
-    return "{\"name\": " + json(target.name) + ", \"texture\": " + json(target.texture) +
-           ", \"drawn_texture\": " + json(target.drawn_texture) +
-           ", \"first_pass\": " + json(target.first_pass) +
-           ", \"last_pass\": " + json(target.last_pass) +
-           ", \"history_texture\": " + indexJson(target.history_texture) + "}";
+    return {{"name", target.name},
+            {"texture", target.texture},
+            {"drawn_texture", target.drawn_texture},
+            {"first_pass", target.first_pass},
+            {"last_pass", target.last_pass},
+            {"history_texture", indexJson(target.history_texture)}};
 }
 
-std::string textureJson(const PlanTexture& texture)
+Json textureJson(const PlanTexture& texture)
 {
-    std::string targets;
-    for (const std::string& name : texture.targets)
-        targets += (targets.empty() ? "" : ", ") + json(name);
-    return "{\"format\": " + json(formatInfo(texture.format).name) +
-           ", \"extent\": " + json(texture.extent) + ", \"samples\": " + json(texture.samples) +
-           ", \"bytes\": " + bytesJson(textureBytes(texture)) +
-           ", \"copies\": " + json(texture.copies) + ", \"targets\": [" + targets + "]}";
+    return {{"format", formatInfo(texture.format).name},
+            {"extent", sizeJson(texture.extent)},
+            {"samples", texture.samples},
+            {"bytes", std::llround(textureBytes(texture))},
+            {"copies", texture.copies},
+            {"targets", texture.targets}};
 }
 
-std::string programJson(const PlanProgram& program)
-{
-    return "{\"label\": " + json(program.label) + ", \"key\": " + json(program.key) + "}";
-}
-
-std::string generatedJson(const GeneratorDesc& each)
-{
-    return "{\"name\": " + json(each.name) + ", \"generator\": " + json(each.generator) +
-           ", \"count\": " + json(each.count) + "}";
-}
-
-std::string importJson(const ImportDesc& each)
-{
-    return "{\"name\": " + json(each.name) + ", \"type\": " + word(each.type) +
-           ", \"optional\": " + json(each.optional) + "}";
-}
-
-std::string outputJson(const Plan& plan, const PlanOutput& output)
+Json outputJson(const Plan& plan, const PlanOutput& output)
 {
     const bool constant = output.constant >= 0;
-    return "{\"name\": " + json(output.name) +
-           ", \"target\": " + (constant ? "null" : json(plan.targets[output.target].name)) +
-           ", \"constant\": " + (constant ? json(plan.constants[output.constant].value) : "null") +
-           "}";
+    return {{"name", output.name},
+            {"target", constant ? Json() : Json(plan.targets[output.target].name)},
+            {"constant", constant ? numberJson(plan.constants[output.constant].value) : Json()}};
 }
 
-std::string elidedJson(const Elided& each)
+bool isFlat(const Json& json)
 {
-    return "{\"what\": " + json(each.what) + ", \"optimization\": " + json(each.optimization) +
-           ", \"reason\": " + json(each.reason) + "}";
+    for (const Json& each : json)
+        if (each.is_object() || (each.is_array() && !isFlat(each))) return false;
+    return true;
 }
 
 }  // namespace
+
+std::string jsonLines(const nlohmann::ordered_json& json, const std::string& indent)
+{
+    if (!json.is_structured()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const bool flat = isFlat(json);
+    const std::string inner = indent + "  ";
+    std::string text;
+    for (const auto& [key, value] : json.items()) {
+        if (!text.empty()) text += flat ? ", " : ",";
+        if (!flat) text += "\n" + inner;
+        if (json.is_object()) text += jsonString(key) + ": ";
+        text += jsonLines(value, inner);
+    }
+    if (!flat) text += "\n" + indent;
+    return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
 
 std::string toJson(const Plan& plan)
 {
     const auto pass = [&](const PlanPass& each) { return passJson(plan, each); };
     const auto output = [&](const PlanOutput& each) { return outputJson(plan, each); };
-    return "{\n  \"config\": " + json(plan.config) + ",\n  \"extent\": " + json(plan.extent) +
-           ",\n  \"views\": " + json(plan.views) +
-           ",\n  \"texture_bytes\": " + bytesJson(plan.texture_bytes) +
-           ",\n  \"passes\": " + list(plan.passes, pass) +
-           ",\n  \"targets\": " + list(plan.targets, targetJson) +
-           ",\n  \"textures\": " + list(plan.textures, textureJson) +
-           ",\n  \"programs\": " + list(plan.programs, programJson) +
-           ",\n  \"generated\": " + list(plan.generated, generatedJson) +
-           ",\n  \"imports\": " + list(plan.imports, importJson) +
-           ",\n  \"outputs\": " + list(plan.outputs, output) +
-           ",\n  \"elided\": " + list(allElided(plan), elidedJson) + "\n}\n";
+    const auto program = [](const PlanProgram& each) -> Json {
+        return {{"label", each.label}, {"key", each.key}};
+    };
+    const auto generated = [](const GeneratorDesc& each) -> Json {
+        return {{"name", each.name}, {"generator", each.generator}, {"count", each.count}};
+    };
+    const auto import = [](const ImportDesc& each) -> Json {
+        return {{"name", each.name}, {"type", table::word(each.type)}, {"optional", each.optional}};
+    };
+    const auto elided = [](const Elided& each) -> Json {
+        return {{"what", each.what}, {"optimization", each.optimization}, {"reason", each.reason}};
+    };
+    const Json json = {{"config", plan.config},
+                       {"extent", sizeJson(plan.extent)},
+                       {"views", plan.views},
+                       {"texture_bytes", std::llround(plan.texture_bytes)},
+                       {"passes", listOf(plan.passes, pass)},
+                       {"targets", listOf(plan.targets, targetJson)},
+                       {"textures", listOf(plan.textures, textureJson)},
+                       {"programs", listOf(plan.programs, program)},
+                       {"generated", listOf(plan.generated, generated)},
+                       {"imports", listOf(plan.imports, import)},
+                       {"outputs", listOf(plan.outputs, output)},
+                       {"elided", listOf(allElided(plan), elided)}};
+    return jsonLines(json) + "\n";
 }
 
 }  // namespace crevice

@@ -10,7 +10,6 @@ const ROLES = {
   "most accurate": "Most accurate"
 };
 const stepOf = (advice, role) => advice.steps.find(s => s.roles.includes(role));
-const plural = (n, word) => `${n} ${word}${n === 1 ? "" : "s"}`;
 const costText = step => `${ms(step.ms)} a frame` +
   (step.ratio > 0 ? `, ${three(step.ratio)} times a copy of the depth texture` : "");
 
@@ -18,8 +17,10 @@ function showAnswer(parent, advice) {
   const take = stepOf(advice, "balanced"), without = advice.error_without_ao;
   const box = add(parent, "section", {class: "card answer"});
   if (!take)
-    return add(
-      box, "p", {class: "take"}, "None of these configs is better than no ambient occlusion.");
+    return add(box, "p", {class: "take"},
+      advice.elided.length ?
+        "No config that was measured alike in every scene is better than no ambient occlusion." :
+        "None of these configs is better than no ambient occlusion.");
   const line =
     add(box, "p", {class: "take"}, data.coverage.whole ? "Take " : "Of what is measured, take ");
   add(line, "strong", {}, brief(take.label));
@@ -41,28 +42,19 @@ function showAnswer(parent, advice) {
 }
 function showSteps(parent, advice) {
   if (!advice.steps.length) return;
-  const longest = Math.max(advice.error_without_ao, ...advice.steps.map(s => s.error));
+  const without = advice.error_without_ao, longest = Math.max(without, ...advice.steps.map(s => s.error));
   add(parent, "h2", {}, "What each further cost buys");
   add(parent, "p", {class: "soft"}, "Every config that no other beats in both error and cost.");
-  const table = add(add(parent, "div", {class: "card"}), "table", {class: "advice"});
-  const head = add(add(table, "thead"), "tr");
-  for (const [text, kind] of [
-         ["config", ""], ["error", "wider"], ["adds", "num"], ["× copy", "num"], ["", "wide"]])
-    add(head, "th", {class: kind}, text);
-  const body = add(table, "tbody");
-  const none = add(body, "tr");
-  add(none, "td", {class: "soft"}, "no ambient occlusion");
-  bar(add(none, "td"), advice.error_without_ao, longest, "soft");
-  for (const kind of ["num", "num", "wide"])
-    add(none, "td", {class: kind}, kind === "num" ? "0" : "");
-  for (const step of advice.steps) {
-    const row = add(body, "tr", {class: "step" + (step.roles.includes("balanced") ? " on" : "")});
-    add(row, "td", {class: "label"}, brief(step.label));
-    bar(add(row, "td"), step.error, longest, "accent");
-    add(row, "td", {class: "num"}, ms(step.ms));
-    add(row, "td", {class: "num"}, times(step.ratio));
-    add(row, "td", {class: "wide role"}, step.roles.map(r => ROLES[r]).join(", "));
-  }
+  const errorBar = (value, kind) => cell => bar(cell, value, longest, kind, error(value));
+  table(parent, [["config", "label"], ["error", "wider"], ["adds", "num"], ["× copy", "num"], ["", "wide role"]], [
+    {cells: ["no ambient occlusion", errorBar(without, "soft"), "0", "0", ""]},
+    ...advice.steps.map(s => ({
+      class: "step" + (s.roles.includes("balanced") ? " on" : ""),
+      cells: [
+        brief(s.label), errorBar(s.error, "accent"), ms(s.ms), times(s.ratio), s.roles.map(r => ROLES[r]).join(", ")
+      ]
+    }))
+  ], {class: "advice"});
   if (advice.harmful.length)
     add(parent, "p", {class: "soft"},
       `Worse than no ambient occlusion in at least one scene: ${
@@ -82,18 +74,18 @@ function sampleLists(labels) {
 }
 
 function showMissing(parent) {
-  const left = data.advice.flatMap(a => a.elided),
-        partly = benchSamples.filter(p => !p.failure && p.budget_failure),
-        unmoved = benchSamples.filter(p => !p.failure && p.motion_failure);
-  if (!data.failures.length && !left.length && !partly.length && !unmoved.length) return;
+  const measured = benchSamples.filter(p => !p.failure);
+  const lacking = (what, failure) => measured.filter(p => p[failure])
+    .map(p => `${p.label}, ${p.scene}: ${what}: ${p[failure]}`);
+  const lines = [
+    ...data.failures.map(({title, reason}) => `${title}: ${reason}`),
+    ...lacking("a part of its error", "budget_failure"), ...lacking("its motion", "motion_failure"),
+    ...data.advice.flatMap(a => a.elided).map(text => `Not among those to choose from: ${text}`)
+  ];
+  if (!lines.length) return;
   add(parent, "h2", {id: "missing"}, "What is missing");
   const list = add(parent, "ul", {class: "missing"});
-  for (const {title, reason} of data.failures) add(list, "li", {}, `${title}: ${reason}`);
-  for (const p of partly)
-    add(list, "li", {}, `${p.label}, ${p.scene}: a part of its error: ${p.budget_failure}`);
-  for (const p of unmoved)
-    add(list, "li", {}, `${p.label}, ${p.scene}: its motion: ${p.motion_failure}`);
-  for (const text of left) add(list, "li", {}, `Not among those to choose from: ${text}`);
+  for (const text of lines) add(list, "li", {}, text);
 }
 
 // --- the page ---
@@ -121,12 +113,4 @@ for (const advice of data.advice) {
   for (const views of scenes.values()) showScene(main, views, take);
   showCurves(main, advice.curves, "Across scenes");
 }
-showAblation(main, data.ablation);
 showMissing(main);
-let width = innerWidth;
-addEventListener("resize", () => {
-  if (innerWidth !== width) {
-    width = innerWidth;
-    redraw();
-  }
-});

@@ -8,7 +8,6 @@
 //     advice         for each device, which configs to take over all of its scenes, by rising cost,
 //                    and which do more harm than good
 //     failures       what has no figures, and why
-//     ablation       the rows of tools/bench/ablation.h, added by tools/report/bench_report.cpp
 //
 // Bench samples are named by their index in `bench_samples`.
 #pragma once

@@ -48,16 +48,12 @@ std::string dump(const json& value, int indent)
     return printable(value.dump(indent, ' ', false, json::error_handler_t::replace));
 }
 
-json modelOf(const std::vector<BenchSample>& samples, const std::vector<AblationRow>& ablation,
-             const BenchCoverage& coverage)
+json modelOf(const std::vector<BenchSample>& samples, const BenchCoverage& coverage)
 {
     json model = reportModel(samples);
     model["coverage"] = {{"measured", coverage.measured}, {"failed", coverage.failed},
                          {"planned", coverage.planned},   {"configs", coverage.configs},
                          {"whole", coverage.whole()},     {"text", coverageText(coverage)}};
-    model["ablation"] = json::array();
-    for (const AblationRow& row : ablation)
-        model["ablation"].push_back(json::parse(toJsonLine(row)));
     return model;
 }
 
@@ -144,10 +140,9 @@ json flat(const json& value)
 
 }  // namespace
 
-std::string reportJson(const std::vector<BenchSample>& samples,
-                       const std::vector<AblationRow>& ablation, const BenchCoverage& coverage)
+std::string reportJson(const std::vector<BenchSample>& samples, const BenchCoverage& coverage)
 {
-    return dump(modelOf(samples, ablation, coverage), 1) + "\n";
+    return dump(modelOf(samples, coverage), 1) + "\n";
 }
 
 std::string reportCsv(const std::vector<BenchSample>& samples)
@@ -170,7 +165,6 @@ std::string reportCsv(const std::vector<BenchSample>& samples)
 }
 
 Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures,
-                               const std::vector<AblationRow>& ablation,
                                const BenchCoverage& coverage)
 {
     Pictures pictures;
@@ -180,7 +174,7 @@ Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool wit
                  {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
                 pictures.add(path, sample.folder);
     }
-    json model = modelOf(samples, ablation, coverage);
+    json model = modelOf(samples, coverage);
     model["pictures"] = pictures.take();
 
     return {pageWith(benchPage(), model), std::move(pictures.warnings)};

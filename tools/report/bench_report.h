@@ -3,7 +3,6 @@
 // and CSV. The page is in tools/report.*; this puts the figures into it.
 #pragma once
 
-#include "tools/bench/ablation.h"
 #include "tools/bench/sample.h"
 
 #include <string>
@@ -12,9 +11,7 @@
 namespace crevice {
 
 /// The figures with what follows from them: views, Pareto fronts, advice, curves, failures.
-std::string reportJson(const std::vector<BenchSample>& samples,
-                       const std::vector<AblationRow>& ablation = {},
-                       const BenchCoverage& coverage = {});
+std::string reportJson(const std::vector<BenchSample>& samples, const BenchCoverage& coverage = {});
 
 /// One row a sample, failures too; RFC 4180 with a header row.
 std::string reportCsv(const std::vector<BenchSample>& samples);
@@ -22,7 +19,6 @@ std::string reportCsv(const std::vector<BenchSample>& samples);
 /// The page. Pictures are read from the paths in the samples and become part of it; one that cannot
 /// be read is left out with a warning CV7005.
 Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures = true,
-                               const std::vector<AblationRow>& ablation = {},
                                const BenchCoverage& coverage = {});
 
 }  // namespace crevice

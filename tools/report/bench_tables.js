@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Below each plot: where the error comes from, how it scales, and all figures.
+// Below each plot: where the error comes from, what moves, how it scales, and all figures.
 "use strict";
 // What is made ideal: [part, column, what to do]
 const PARTS = [
@@ -13,16 +13,14 @@ const PARTS = [
 const NOTICEABLE = 0.02;
 
 function showBudgets(parent, view) {
-  const known = view.bench_samples.filter(i => benchSamples[i].budget.model > 0)
-    .sort((a, b) => benchSamples[a].error.rmse - benchSamples[b].error.rmse);
+  const known = view.bench_samples.filter(i => benchSamples[i].budget.model > 0).sort(byError);
   if (!known.length) return;
   add(parent, "h3", {}, "What would change the error");
   add(parent, "p", {class: "soft"},
     "By how much the error falls (−) or rises (+) when one thing is made ideal and the rest stays. " +
       "Changes do not add up, since errors cancel each other; the last figure is the error with all of them.");
-  const front = known.filter(i => view.front_ms.includes(i)),
-        others = known.filter(i => !front.includes(i));
-  showParts(parent, front);
+  const onFront = i => view.front_ms.includes(i), others = known.filter(i => !onFront(i));
+  showParts(parent, known.filter(onFront));
   if (!others.length) return;
   const details = add(parent, "details");
   add(details, "summary", {}, `The ${others.length} that are not on the thick line`);
@@ -30,47 +28,60 @@ function showBudgets(parent, view) {
 }
 function showParts(parent, shown) {
   if (!shown.length) return;
-  const longest = Math.max(...shown.flatMap(i => [benchSamples[i].error.rmse, benchSamples[i].budget.model]));
-  const table = add(add(parent, "div", {class: "card scroll"}), "table", {class: "budgets"});
-  const head = add(add(table, "thead"), "tr");
-  for (const title of ["config", "error", ...PARTS.map(part => part[1]), "all of these"])
-    add(head, "th", {}, title);
-  add(head, "th", {class: "wide"}, "what would help most");
-  const body = add(table, "tbody");
-  for (const i of shown) {
-    const p = benchSamples[i], row = add(body, "tr", {class: "budget"});
-    add(row, "td", {class: "label"}, brief(p.label));
-    bar(add(row, "td"), p.error.rmse, longest, "all");
-    for (const [name] of PARTS) changeBar(add(row, "td"), p.budget[name], longest);
-    bar(add(row, "td"), p.budget.model, longest, "model");
-    add(row, "td", {class: "wide"}, p.budget_failure || cureOf(p));
-  }
+  const all = shown.map(i => benchSamples[i]);
+  const longest = Math.max(...all.flatMap(p => [p.error.rmse, p.budget.model]));
+  const plain = (value, kind) => cell => bar(cell, value, longest, kind, error(value));
+  const change = value => cell => {
+    const size = Math.abs(value), text = size < 5e-5 ? "–" : (value < 0 ? "−" : "+") + error(size);
+    bar(cell, size, longest, value < 0 ? "falls" : "rises", text);
+  };
+  const columns = [
+    ["config", "label"], ["error"], ...PARTS.map(part => [part[1]]), ["all of these"], ["what would help most", "wide"]
+  ];
+  const rows = all.map(p => ({
+    class: "budget",
+    cells: [
+      brief(p.label), plain(p.error.rmse, "all"), ...PARTS.map(([name]) => change(p.budget[name])),
+      plain(p.budget.model, "model"), p.budget_failure || cureOf(p)
+    ]
+  }));
+  table(parent, columns, rows, {class: "budgets"});
 }
 function cureOf(p) {
   const [name, , cure] = PARTS.reduce((a, b) => p.budget[b[0]] < p.budget[a[0]] ? b : a);
   return p.budget[name] < -NOTICEABLE * p.error.rmse ? cure : "another estimator";
 }
-function changeBar(cell, change, longest) {
-  const size = Math.abs(change), text = size < 5e-5 ? "–" : (change < 0 ? "−" : "+") + error(size);
-  bar(cell, size, longest, change < 0 ? "falls" : "rises", text);
-}
-// A figure with a bar of its length.
-function bar(cell, value, longest, kind, text = error(value)) {
-  add(cell, "span", {class: "figure"}, text);
-  add(cell, "i", {
-    class: "bar",
-    style: `width:${Math.min(100, Math.max(0, 100 * value / longest))}%;background:var(--${kind})`
-  });
+
+const PATHS = ["still", "sub-pixel", "pan", "strafe", "disocclusion"];
+function showMotion(parent, view) {
+  const known = view.bench_samples.filter(i => benchSamples[i].motion).sort(byError);
+  if (!known.length) return;
+  add(parent, "h3", {}, "What changes while the camera moves");
+  add(parent, "p", {class: "soft"},
+    "Change of the occlusion at the same surface point from a frame to the next, beyond that of ray-traced " +
+      "occlusion: root mean square, and in brackets what 99 of 100 and 999 of 1,000 points stay below. " +
+      "Beside it the error at rest and in the pan.");
+  const change = c => c ? `${c.rms.toFixed(4)} (${c.p99.toFixed(3)}, ${c.p999.toFixed(3)})` : "–";
+  const titles = ["error at rest", "in the pan", ...PATHS, "settles after", "uncovered, error by frame"];
+  const rows = known.map(i => benchSamples[i]).map(({label, error: own, motion: m}) => ({
+    class: "motion",
+    cells: [
+      brief(label), error(own.rmse), m.paths.pan ? error(m.paths.pan.rmse) : "–",
+      ...PATHS.map(path => change(m.paths[path])), m.settled_after ? plural(m.settled_after, "frame") : "never",
+      m.uncovered.map(u => `${u.frames}: ${error(u.rmse)}`).join(" · ") + ` · at rest: ${error(m.uncovered_rest)}`
+    ]
+  }));
+  table(parent, [["config", "label"], ...titles.map(title => [title, "num"])], rows, {class: "motions"});
 }
 
-// kind: [heading, x, y, the slope of the guide and what it means, where there is one]
+// kind: [heading, x, y]
 const CURVES = {
   taps_samples: ["What all taps would take from the error", "depth taps a pixel", "less error"],
   error_samples: ["Error against samples", "depth taps a pixel", "error"],
-  cost_samples: ["Cost against samples", "depth taps a pixel", "ms", 1, "in proportion"],
-  cost_pixels: ["Cost against pixels", "pixels", "ms", 1, "in proportion"],
-  cost_radius: ["Cost against radius", "radius in pixels on screen", "ms", 1, "in proportion"],
-  cost_triangles: ["Time against triangles", "triangles", "ms", 1, "in proportion"]
+  cost_samples: ["Cost against samples", "depth taps a pixel", "ms"],
+  cost_pixels: ["Cost against pixels", "pixels", "ms"],
+  cost_radius: ["Cost against radius", "radius in pixels on screen", "ms"],
+  cost_triangles: ["Time against triangles", "triangles", "ms"]
 };
 function showCurves(parent, curves, title) {
   const kinds = Object.keys(CURVES).filter(kind => curves.some(c => c.kind === kind));
@@ -80,31 +91,18 @@ function showCurves(parent, curves, title) {
     "The figures are the exponents of fitted power laws; of an error, one further below 0 is " +
       "better. Cost that rises in proportion has 1.");
   const grid = add(parent, "div", {class: "charts"});
-  for (const kind of kinds) {
+  for (const kind of kinds)
     showCurve(add(grid, "div", {class: "card"}), curves.filter(c => c.kind === kind), CURVES[kind]);
-  }
 }
-function showCurve(card, curves, [heading, xlabel, ylabel, slope, meaning]) {
+function showCurve(card, curves, [heading, xlabel, ylabel]) {
   add(card, "h4", {}, heading);
-  const series = curves.map(c => (
-    {family: c.family, color: colorOf(c.family), points: c.points.map(([x, y]) => ({x, y}))}));
-  const place = chart(card, {series, height: 260, xlabel, ylabel, title: heading});
-  if (slope) showGuide(place, slope, meaning);
-  for (const s of series)
-    for (const p of s.points) mark(place.svg, s.family, place.X(p.x), place.Y(p.y), 0.7);
+  const series = curves.map(
+    ({family, points}) => ({family, color: colorOf(family), points: points.map(([x, y]) => ({x, y}))}));
+  const {svg, X, Y} = chart(card, {series, height: 260, xlabel, ylabel, title: heading});
+  for (const {family, points} of series)
+    for (const p of points) mark(svg, family, X(p.x), Y(p.y), 0.7);
   const sorted = [...curves].sort((a, b) => a.slope - b.slope);
   legend(card, sorted.map(c => ({family: c.family, text: `${brief(c.label)}: ${signed(c.slope)}`})));
-}
-
-// A line from a corner, so that it shows a direction and hides nothing.
-function showGuide({svg, X, Y, x0, x1, y0, y1, right}, slope, meaning) {
-  const corner = slope < 0 ? y1 : y0,
-        end = Math.min(x1, x0 * (slope < 0 ? y0 / y1 : y1 / y0) ** (1 / slope));
-  const x = X(end), y = Y(corner * (end / x0) ** slope), near = x > right - 110;
-  add(svg, "line", {class: "none", x1: X(x0), y1: Y(corner), x2: x, y2: y});
-  const at = {x: x + (near ? -6 : 5), y: y + (slope < 0 ? -6 : 12)};
-  add(svg, "text", {class: "soft-name", ...at, "text-anchor": near ? "end" : "start"},
-    `${meaning} (${signed(slope)})`);
 }
 
 const COLUMNS = [
@@ -123,56 +121,9 @@ const COLUMNS = [
 function showTable(parent, view, select) {
   const details = add(parent, "details");
   add(details, "summary", {}, `All ${view.bench_samples.length} bench samples of ${view.name}`);
-  const table = add(add(details, "div", {class: "card scroll"}), "table");
-  const head = add(add(table, "thead"), "tr");
-  add(head, "th", {}, "config (★: no other beats it)");
-  for (const [name] of COLUMNS) add(head, "th", {class: "num"}, name);
-  const body = add(table, "tbody", {class: "bench-samples"});
-  for (const i of [...view.bench_samples].sort((a, b) => benchSamples[a].cost.median - benchSamples[b].cost.median)) {
-    const row = add(body, "tr"), star = view.front_ms.includes(i);
-    const link = add(add(row, "td", {class: "label"}), "button",
-      {class: "link", type: "button", onclick: () => select(i)});
-    link.append(benchSamples[i].label + (star ? " ★" : ""));
-    for (const [, text] of COLUMNS) add(row, "td", {class: "num"}, text(benchSamples[i]));
-  }
-}
-
-// What each optimization saves: a table for each config, scene and size.
-const FRAMES = {
-  "moving camera": "the camera moves", "moving light": "a light moves", still: "nothing moves",
-  off: "occlusion is off, the camera moves", "ao alone": "occlusion alone, the camera moves"
-};
-function showAblation(parent, rows) {
-  if (!rows.length) return;
-  add(parent, "h2", {id: "optimizations"}, "What each optimization saves");
-  add(parent, "p", {class: "soft"},
-    `Whole frames, by ${CLOCKS[rows[0].clock]}. The columns after the time with all optimizations are ratios: the ` +
-      "time without that optimization, or without any, over the time with all.");
-  const groups = new Map();
-  for (const row of rows) {
-    const several = rows.some(r => r.scene === row.scene && r.camera !== row.camera);
-    const seen = several ? `${row.scene} from ${row.camera}` : row.scene;
-    const title = `${row.config}, ${seen}, ${row.width}×${row.height}, ${row.device}`;
-    groups.set(title, [...(groups.get(title) || []), row]);
-  }
-  for (const [title, group] of groups) showOptimizations(parent, title, group);
-}
-function showOptimizations(parent, title, rows) {
-  add(parent, "h3", {}, title);
-  const optimizations = [...new Set(rows.map(r => r.optimization))].filter(optimization => optimization);
-  const table = add(add(parent, "div", {class: "card scroll"}), "table");
-  const head = add(add(table, "thead"), "tr");
-  add(head, "th", {}, "frame");
-  add(head, "th", {class: "num"}, "all optimizations, ms");
-  for (const optimization of optimizations)
-    add(head, "th", {class: "num"}, optimization === "all" ? "no optimization" : `not ${optimization}`);
-  const body = add(table, "tbody");
-  for (const situation of new Set(rows.map(r => r.situation))) {
-    const row = add(body, "tr"), of = optimization =>
-      rows.find(r => r.situation === situation && r.optimization === optimization);
-    add(row, "td", {class: "label"}, FRAMES[situation] || situation);
-    add(row, "td", {class: "num"}, of("") ? three(of("").ms.median) : "");
-    for (const optimization of optimizations)
-      add(row, "td", {class: "num"}, of(optimization) ? times(of(optimization).factor.median) : "");
-  }
+  const link = i => cell => add(cell, "button", {class: "link", type: "button", onclick: () => select(i)},
+    benchSamples[i].label + (view.front_ms.includes(i) ? " ★" : ""));
+  const sorted = [...view.bench_samples].sort((a, b) => benchSamples[a].cost.median - benchSamples[b].cost.median);
+  table(details, [["config (★: no other beats it)", "label"], ...COLUMNS.map(([name]) => [name, "num"])],
+    sorted.map(i => ({cells: [link(i), ...COLUMNS.map(([, text]) => text(benchSamples[i]))]})), {class: "bench-samples"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How charts write numbers, and a chart of two logarithmic axes: of the reports, and of the page of tools/page.
+// How charts write numbers, and a chart of two logarithmic axes, of the reports.
 "use strict";
 const SHAPES = [  // around 0,0
   "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z", "M-4.6-4.6h9.2v9.2h-9.2z", "M0-6L5.6 4.4H-5.6z",

@@ -17,7 +17,7 @@ namespace crevice {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kDegreeInRadians = 3.14159265358979323846 / 180.0;
 constexpr std::uint32_t kNone = ~0u;
 
 // A surface is open where its outline squared is more than this times its area. A square sheet has
@@ -231,7 +231,7 @@ void smoothNormals(MeshDesc& mesh, double crease_degrees)
     separateVertices(mesh);
     const std::vector<glm::dvec3> normals = faceNormals(mesh.vertices);
     const Indices positions = firstEqual(mesh.vertices, sizeof(Vertex::position));
-    Groups groups = smoothGroups(positions, normals, std::cos(crease_degrees * kDegree));
+    Groups groups = smoothGroups(positions, normals, std::cos(crease_degrees * kDegreeInRadians));
     std::vector<glm::dvec3> sums(mesh.vertices.size(), glm::dvec3(0.0));
     for (std::uint32_t corner = 0; corner < sums.size(); ++corner)
         sums[groups.find(corner)] += normals[corner / 3] * cornerAngle(mesh.vertices, corner);

@@ -2,28 +2,33 @@
 # SPDX-License-Identifier: MIT
 # Builds the Debian packages libcrevice0, libcrevice-dev and crevice-tools, and looks into them.
 #
-#   debian_packages.sh         into build/deb
-#   debian_packages.sh --bare  installs them in a bare Debian 12 too, which debootstrap downloads (root, network), and
-#                              runs the command, and the examples built there, with Mesa's software renderer
+#   debian_packages.sh                 into build/deb
+#   debian_packages.sh --built FOLDER  from what is built there, by the preset ci
+#   debian_packages.sh --bare          installs them in a bare Debian 12 too, which debootstrap downloads (root,
+#                                      network), and runs the command, and the examples built there, with Mesa's
+#                                      software renderer
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 build=$PWD/build/deb
 packages=(libcrevice0 libcrevice-dev crevice-tools)
 
-bare=false
+bare=false built=false
 case ${1:-} in
     "") ;;
+    --built) built=true build=$(realpath -- "$2") ;;
     --bare) bare=true ;;
-    *) echo "usage: debian_packages.sh [--bare]" >&2; exit 2 ;;
+    *) echo "usage: debian_packages.sh [--built FOLDER | --bare]" >&2; exit 2 ;;
 esac
 fail() { printf '%s\n' "$1" >&2; exit 1; }
 for tool in dpkg-deb dpkg-shlibdeps; do
     command -v "$tool" >/dev/null || { echo "SKIPPED: $tool is not here; apt-get install dpkg-dev"; exit 77; }
 done
 
-cmake -G Ninja -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_SHARED_LIBS=ON \
-    -DCREVICE_TESTS=OFF ${CREVICE_CMAKE_OPTIONS:-}
-cmake --build "$build"
+if ! $built; then
+    cmake -G Ninja -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_INSTALL_PREFIX=/usr \
+        -DBUILD_SHARED_LIBS=ON -DCREVICE_TESTS=OFF
+    cmake --build "$build"
+fi
 rm -f "$build"/*.deb
 (cd "$build" && cpack -G DEB)
 

@@ -38,10 +38,6 @@ apt_get() {
 
 echo "Installing: ${missing[*]}"
 apt_get update || echo "install_packages.sh: the package lists could not be renewed; going on" >&2
-for package in "${missing[@]}"; do
-    apt_get install --simulate --no-install-recommends "$package" >/dev/null ||
-        fail "the package '$package' cannot be had; check /etc/apt/sources.list and the network
-(crevice is built on Debian 12)"
-done
 apt_get install --yes --no-install-recommends "${missing[@]}" ||
-    fail "installing failed; apt-get says above which of these: ${missing[*]}"
+    fail "apt-get says above which of these cannot be installed: ${missing[*]}
+Check /etc/apt/sources.list and the network; crevice is built on Debian 12."

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of README.md and docs/methods: one view of the room, radius 1, through each method. Half a minute.
+# Draws the pictures of README.md and docs: the room at radius 1. Half a minute.
 #
-#   tools/scripts/pictures.sh          into docs/methods/pictures: look at them, and at git diff, before you commit
+#   tools/scripts/pictures.sh          into docs/reference/pictures: look at them, and at git diff, before you commit
 #   tools/scripts/pictures.sh --check  changes nothing; exit code 1 where a picture is not what is drawn now
 #
 # CREVICE may name a built command; otherwise the release preset is built. On another device than the
@@ -10,7 +10,7 @@
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
-shown=docs/methods/pictures
+shown=docs/reference/pictures
 case ${1:-} in
     "") check=false ;;
     --check) check=true ;;
@@ -42,37 +42,29 @@ detail() { draw "$1" 320x180 "$near" "${@:2}"; }
 # made NAME MODULES: a config of one's own.
 made() { printf '{"format":1,"name":"%s","extends":[%s]}' "$1" "$2" >"$work/$1.json"; }
 
+# docs/reference/methods.md
 quietly "$CREVICE" reference --scene room --size 480x270 --camera "$main" --radius 1 \
     --out "$work/pictures/ground_truth.png"
-for config in gtao hbao hbao_plus sao; do whole "$config" ao "$config"; done
-for config in learnopengl lettier thesis; do half "hemisphere_$config" ao "$config"; done
+for config in gtao sao; do whole "$config" ao "$config"; done
+half hemisphere_learnopengl ao learnopengl
 half sphere_ogldev45 ao ogldev45
-half sphere_box ao sphere_box
-for config in bitmask bitmask_layers; do half "$config" ao "$config"; done
-half ssdo_off color ssdo --set indirect=false --set bounce=4
+half bitmask ao bitmask
 half ssdo_on color ssdo --set bounce=4
-half lighting_no_ao color gtao --set display=no_ao
-half lighting_everything color gtao --set ao_on=everything
-half lighting_ambient color gtao
-draw stereo 240x180 "$near" color gtao --stereo 0.065
-for config in mobile_low balanced high reference; do half "presets_$config" ao "$config"; done
 
-half balanced_no_ao color balanced --set ambient=0.5 --set display=no_ao  # the README's
+# README.md
+half presets_balanced ao balanced
+half balanced_no_ao color balanced --set ambient=0.5 --set display=no_ao
 half balanced_lit color balanced --set ambient=0.5
 
-for filter in none box edges3x3 upsample; do
+# docs/reference/filters.md
+for filter in none upsample; do
     made "gtao_$filter" "\"geometry/depth_normal\",\"ssao/gtao\",\"filter/$filter\""
     detail "filters_$filter" ao "$work/gtao_$filter.json"
 done
-for geometry in depth_normal depth_only; do
-    made "$geometry" "\"geometry/$geometry\",\"ssao/gtao\",\"filter/edges3x3\""
-    detail "inputs_$geometry" ao "$work/$geometry.json"
-done
+
+# docs/reference/temporal.md
 made gathered '"geometry/depth_normal","ssao/gtao","filter/temporal"'
-for frames in 1 32; do
-    detail "temporal_$frames" ao "$work/gathered.json" --frames $frames \
-        --set slices=1 --set steps=4 --set rotation=gradient
-done
+detail temporal_1 ao "$work/gathered.json" --frames 1 --set slices=1 --set steps=4 --set rotation=gradient
 detail temporal_filtered ao gtao_temporal --frames 32
 
 if ! $check; then

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every limit that a step of a stress case is judged by, and why it is that. None is fitted to what
-// a config does; docs/stress.md has the same table.
+// a config does; docs/reference/stress.md explains them.
 #pragma once
 
 namespace crevice {

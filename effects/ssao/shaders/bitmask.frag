@@ -10,7 +10,7 @@
 //
 // [Therrien, Levesque, Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask"] - the sectors; theirs are
 // of equal angle. That taps join, and that each is clipped to the radius, is ours. Off the screen the surface last seen
-// goes on. Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/methods/bitmask.md says how to
+// goes on. Figures are rmse in the room and on the spheres, 480x270, radius 1; docs/reference/methods.md says how to
 // measure.
 precision highp float;  // positions and depths; mediump bands
 precision highp int;    // all 32 bits of a mask: mediump has 16

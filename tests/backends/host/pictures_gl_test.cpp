@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of a host's in every object that it may keep them in: taken as they are, copied, or
 // refused with the reason.
-#include "backends/gl/objects.h"
-#include "tests/support/gl_fixture.h"
+#include "tests/backends/host/host_pictures.h"
 
 using namespace crevice;
 
@@ -23,22 +22,8 @@ constexpr DepthFormat kDepthFormats[] = {
     {Format::depth32f, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
 };
 
-/// A host with objects of its own.
-struct Pictures : GlFixture {
-    Pictures()
-    {
-        load(storage3, "glTexStorage3D");
-        load(sample_storage, "glTexStorage2DMultisample");
-        load(renderbuffer_storage, "glRenderbufferStorage");
-    }
-
-    template <class Function>
-    void load(Function& function, const char* name)
-    {
-        function = reinterpret_cast<Function>(testContext().loader()(name));
-    }
-
-    /// Depth of each framebuffer bound to: 0.25 left of `x`, and 0.75 from there.
+struct Pictures : HostPictures {
+    /// Depth of the framebuffer that is bound: 0.25 left of `x`, and 0.75 from there.
     void fill(int x, Extent extent)
     {
         gl.Enable(GL_SCISSOR_TEST);
@@ -52,22 +37,11 @@ struct Pictures : GlFixture {
 
     GLuint depthTexture(const DepthFormat& format, Extent extent)
     {
-        auto made = GlTexture::make(gl);
-        gl.BindTexture(GL_TEXTURE_2D, made.name());
-        gl.TexStorage2D(GL_TEXTURE_2D, 1, format.internal, extent.width, extent.height);
-        auto into = GlFramebuffer::make(gl);
-        gl.BindFramebuffer(GL_FRAMEBUFFER, into.name());
-        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, made.name(), 0);
+        const GLuint made = newTexture(format.internal, extent);
+        newFramebuffer();
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, made, 0);
         fill(3, extent);
-        return textures.emplace_back(std::move(made)).name();
-    }
-
-    GLuint colourTexture(GLenum internal, Extent extent)
-    {
-        auto made = GlTexture::make(gl);
-        gl.BindTexture(GL_TEXTURE_2D, made.name());
-        gl.TexStorage2D(GL_TEXTURE_2D, 1, internal, extent.width, extent.height);
-        return textures.emplace_back(std::move(made)).name();
+        return made;
     }
 
     /// A step from 0.25 to 0.75 at column `x`.
@@ -79,23 +53,14 @@ struct Pictures : GlFixture {
             CHECK(image.at(column, 1) == Approx(column < x ? 0.25f : 0.75f).margin(1e-4));
         }
     }
-
-    std::string refusal(const HostTexture& host)
-    {
-        const auto adopted = device->adoptTexture(host);
-        if (adopted) return "";
-        CHECK(gl.GetError() == GL_NO_ERROR);
-        REQUIRE(adopted.diagnostics().size() == 1);
-        CHECK(adopted.diagnostics()[0].code == Code::bad_input);
-        CHECK(!adopted.diagnostics()[0].help.empty());
-        return adopted.diagnostics()[0].message;
-    }
-
-    std::vector<GlTexture> textures;
-    PFNGLTEXSTORAGE3DPROC storage3 = nullptr;
-    PFNGLTEXSTORAGE2DMULTISAMPLEPROC sample_storage = nullptr;
-    PFNGLRENDERBUFFERSTORAGEPROC renderbuffer_storage = nullptr;
 };
+
+/// A function that the library has no need of.
+template <class Function>
+Function find(const char* name)
+{
+    return reinterpret_cast<Function>(testContext().loader()(name));
+}
 
 }  // namespace
 
@@ -120,14 +85,15 @@ TEST_CASE_METHOD(Pictures, "Depth of every format is read, whole and in part")
 
 TEST_CASE_METHOD(Pictures, "A layer of an array is copied, and again when it is refreshed")
 {
+    const auto storage = find<PFNGLTEXSTORAGE3DPROC>("glTexStorage3D");
     for (const DepthFormat& format : kDepthFormats) {
         INFO(format.internal);
         auto array = GlTexture::make(gl);
         gl.BindTexture(GL_TEXTURE_2D_ARRAY, array.name());
-        storage3(GL_TEXTURE_2D_ARRAY, 1, format.internal, kExtent.width, kExtent.height, kLayers);
-        auto into = GlFramebuffer::make(gl);
+        storage(GL_TEXTURE_2D_ARRAY, 1, format.internal, kExtent.width, kExtent.height, kLayers);
+        const GLuint into = newFramebuffer();
         const auto draw = [&](int layer, int x) {
-            gl.BindFramebuffer(GL_FRAMEBUFFER, into.name());
+            gl.BindFramebuffer(GL_FRAMEBUFFER, into);
             gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, array.name(), 0, layer);
             fill(x, kExtent);
         };
@@ -146,7 +112,7 @@ TEST_CASE_METHOD(Pictures, "A layer of an array is copied, and again when it is 
         if (gl.GetTexLevelParameteriv) {
             host.extent.width += 1;
             CHECK(refusal(host).find("has 6x4 pixels") != std::string::npos);
-            HostTexture drawn{into.name(), "depth", format.format, host.extent};
+            HostTexture drawn{into, "depth", format.format, host.extent};
             drawn.kind = HostTexture::Kind::framebuffer;
             CHECK(refusal(drawn).find("has 6x4 pixels") != std::string::npos);
             host.extent = kExtent;
@@ -162,20 +128,16 @@ TEST_CASE_METHOD(Pictures, "A renderbuffer's depth is copied, and so is a frameb
     for (const int samples : {0, 4}) {
         for (const DepthFormat& format : kDepthFormats) {
             INFO(format.internal << ", samples " << samples);
-            auto buffer = GlRenderbuffer::make(gl);
-            gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-            gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format.internal,
-                                              kExtent.width, kExtent.height);
-            auto into = GlFramebuffer::make(gl);
-            gl.BindFramebuffer(GL_FRAMEBUFFER, into.name());
+            const GLuint buffer = newRenderbuffer(format.internal, kExtent, samples);
+            const GLuint into = newFramebuffer();
             gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                       buffer.name());
+                                       buffer);
             fill(2, kExtent);
-            HostTexture host{buffer.name(), "depth", format.format, kExtent};
+            HostTexture host{buffer, "depth", format.format, kExtent};
             host.kind = HostTexture::Kind::renderbuffer;
             checkStep(need(device->adoptTexture(host)), 2);
             host.kind = HostTexture::Kind::framebuffer;
-            host.name = into.name();
+            host.name = into;
             checkStep(need(device->adoptTexture(host)), 2);
         }
     }
@@ -184,13 +146,13 @@ TEST_CASE_METHOD(Pictures, "A renderbuffer's depth is copied, and so is a frameb
 TEST_CASE_METHOD(Pictures,
                  "Several samples of a texture are read as they are, or resolved by a copy")
 {
-    if (!sample_storage || device->caps().version < 310) return;
+    const auto storage = find<PFNGLTEXSTORAGE2DMULTISAMPLEPROC>("glTexStorage2DMultisample");
+    if (!storage || device->caps().version < 310) return;
     auto several = GlTexture::make(gl);
     gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, several.name());
-    sample_storage(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_DEPTH_COMPONENT24, kExtent.width,
-                   kExtent.height, GL_TRUE);
-    auto into = GlFramebuffer::make(gl);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, into.name());
+    storage(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_DEPTH_COMPONENT24, kExtent.width, kExtent.height,
+            GL_TRUE);
+    newFramebuffer();
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE,
                             several.name(), 0);
     fill(2, kExtent);
@@ -207,7 +169,7 @@ TEST_CASE_METHOD(Pictures,
 
 TEST_CASE_METHOD(Pictures, "What is not as it was said to be is refused with what it is")
 {
-    const GLuint colour = colourTexture(GL_RGBA8, {32, 32});
+    const GLuint colour = newTexture(GL_RGBA8, {32, 32});
     HostTexture host{colour, "depth", Format::depth24, {96, 64}};
     CHECK(refusal(host).find("for 'depth' holds") != std::string::npos);
     host.format = Format::rgba8;
@@ -228,11 +190,11 @@ TEST_CASE_METHOD(Pictures, "What is not as it was said to be is refused with wha
     }
     host = {depthTexture(kDepthFormats[0], kExtent), "depth", Format::depth24, kExtent};
     CHECK(refusal(host).find("depth of 16 bits") != std::string::npos);
-    host = {colourTexture(GL_SRGB8_ALPHA8, kExtent), "normal", Format::rgba8, kExtent};
+    host = {newTexture(GL_SRGB8_ALPHA8, kExtent), "normal", Format::rgba8, kExtent};
     CHECK(refusal(host).find("sRGB") != std::string::npos);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
 
-    host = {colourTexture(GL_RGBA8, kExtent), "normal", Format::rgba8, kExtent};
+    host = {newTexture(GL_RGBA8, kExtent), "normal", Format::rgba8, kExtent};
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_BLUE);
     CHECK(refusal(host).find("GL_TEXTURE_SWIZZLE") != std::string::npos);
 
@@ -268,28 +230,29 @@ TEST_CASE("OpenGL ES 3.0, which cannot be asked for sizes, refuses other ones to
     }
 }
 
-TEST_CASE_METHOD(Pictures, "An output is drawn into a part of a host's texture, at any size")
+TEST_CASE_METHOD(Pictures,
+                 "An output is drawn into a part of a host's texture or framebuffer, at any size")
 {
-    const GLuint into = colourTexture(GL_RGBA8, {8, 8});
+    const GLuint into = newTexture(GL_RGBA8, {8, 8});
     const float black[] = {0, 0, 0, 1};
-    auto framebuffer = GlFramebuffer::make(gl);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    const GLuint framebuffer = newFramebuffer();
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, into, 0);
-    gl.ClearBufferfv(GL_COLOR, 0, black);
     const TextureId source = texture(Format::rgba8, {4, 4});
     Image image({4, 4}, 4, 1.0f);
     for (int i = 0; i < 8; ++i) image.pixels[i * 4] = 0.0f;  // the lower half has no red
     need(device->writeTexture(source, image));
-    HostFramebuffer target;
-    target.texture = into;
-    target.x = 3;
-    target.y = 2;
-    target.extent = {2, 2};
-    need(device->present(source, target));
-    const Image drawn = read(need(device->adoptTexture({into, "host", Format::rgba8, {8, 8}})));
-    for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x)
-            CHECK(drawn.at(x, y, 0) == (x >= 3 && x < 5 && y == 3 ? 1.0f : 0.0f));
+    HostFramebuffer target{framebuffer, 3, 2, {2, 2}};
+    for (const GLuint name : {0u, into}) {
+        target.texture = name;
+        gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        gl.ClearBufferfv(GL_COLOR, 0, black);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        need(device->present(source, target));
+        const Image drawn = read(need(device->adoptTexture({into, "host", Format::rgba8, {8, 8}})));
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x)
+                CHECK(drawn.at(x, y, 0) == (x >= 3 && x < 5 && y == 3 ? 1.0f : 0.0f));
+    }
     target.texture = depthTexture(kDepthFormats[1], kExtent);
     const Status refused = device->present(source, target);
     REQUIRE(!refused);

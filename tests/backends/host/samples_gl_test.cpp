@@ -2,12 +2,7 @@
 // The host's own multisampled depth and normals: of each pixel one sample, whole.
 #include "tests/support/picture.h"
 
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
+#include "tests/backends/stage.h"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -89,15 +84,9 @@ public:
         TextureId depth, normal;
     };
 
-    explicit Host(const std::string& name = "spheres", Extent size = {128, 72})
-        : extent(size),
-          scene(need(loadScene(name))),
-          uploaded(need(UploadedScene::upload(*device, scene)))
+    explicit Host(const std::string& name = "spheres") : stage(*device, {128, 72}, name)
     {
-        const double aspect = double(extent.width) / extent.height;
-        frame =
-            makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), extent);
-        one = draw(texture(Format::depth24, extent), texture(Format::rgb10_a2, extent));
+        one = draw(texture(Format::depth24, stage.extent), texture(Format::rgb10_a2, stage.extent));
         several = draw(multisampled(Format::depth24, GL_DEPTH_COMPONENT24),
                        multisampled(Format::rgb10_a2, GL_RGB10_A2));
     }
@@ -109,12 +98,10 @@ public:
               const std::string& output)
     {
         Frame bare;
-        bare.camera = frame.camera;
+        bare.camera = stage.frame.camera;
         bare.textures = textures;
-        CompileOptions options;
-        options.extent = extent;
-        options.outputs = {output};
-        auto renderer = need(Renderer::create(*device, description, options, traitsOf(bare)));
+        const auto renderer = need(
+            Renderer::create(*device, description, {stage.extent, {output}, {}}, traitsOf(bare)));
         need(renderer->render(bare));
         return read(renderer->output(output));
     }
@@ -124,10 +111,7 @@ public:
         return {{"depth_samples", several.depth}, {"normal_samples", several.normal}};
     }
 
-    Extent extent;
-    Scene scene;
-    UploadedScene uploaded;
-    Frame frame;
+    Stage stage;
     Drawn one, several;
 
 private:
@@ -138,37 +122,35 @@ private:
         REQUIRE(storage);
         gl.GenTextures(1, &names_.emplace_back());
         gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, names_.back());
-        storage(GL_TEXTURE_2D_MULTISAMPLE, kSamples, internal, extent.width, extent.height,
-                GL_TRUE);
+        storage(GL_TEXTURE_2D_MULTISAMPLE, kSamples, internal, stage.extent.width,
+                stage.extent.height, GL_TRUE);
         gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-        return need(device->adoptTexture({names_.back(), "host", format, extent, kSamples}));
+        return need(device->adoptTexture({names_.back(), "host", format, stage.extent, kSamples}));
     }
 
     Drawn draw(TextureId depth, TextureId normal)
     {
         const ProgramId paint = program(kHostFragment, kHostVertex);
-        PassInfo pass = wholePass(framebuffer({normal}, depth), extent);
+        PassInfo pass = wholePass(framebuffer({normal}, depth), stage.extent);
         pass.has_depth = true;
         pass.depth_load = LoadOp::clear;
         pass.depth_store = StoreOp::store;
         StateDesc state;
         state.depth_test = Compare::less;
         state.depth_write = true;
-        need(device->beginFrame());
-        device->beginPass(pass);
-        device->setProgram(paint, state);
-        for (const DrawItem& item : frame.draws) {
-            const glm::mat4 view = frame.camera.view_from_world * item.world_from_model;
-            const glm::mat4 clip = frame.camera.clip_from_view * view;
-            const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(view)));
-            device->setUniform(location(paint, "clip_from_model"), GlslType::mat4, 1,
-                               glm::value_ptr(clip));
-            device->setUniform(location(paint, "normal_from_model"), GlslType::mat3, 1,
-                               glm::value_ptr(normals));
-            device->draw(item.mesh, item.first, item.count);
-        }
-        device->endPass();
-        need(device->endFrame());
+        drawPass(pass, [&] {
+            device->setProgram(paint, state);
+            for (const DrawItem& item : stage.frame.draws) {
+                const glm::mat4 view = stage.frame.camera.view_from_world * item.world_from_model;
+                const glm::mat4 clip = stage.frame.camera.clip_from_view * view;
+                const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(view)));
+                device->setUniform(location(paint, "clip_from_model"), GlslType::mat4, 1,
+                                   glm::value_ptr(clip));
+                device->setUniform(location(paint, "normal_from_model"), GlslType::mat3, 1,
+                                   glm::value_ptr(normals));
+                device->draw(item.mesh, item.first, item.count);
+            }
+        });
         return {depth, normal};
     }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outputs in a host's own framebuffers and textures: what is drawn there, and what is refused.
-#include "backends/gl/objects.h"
-#include "tests/support/gl_fixture.h"
+#include "tests/backends/host/host_pictures.h"
 
 #include <limits>
 
@@ -18,47 +17,8 @@ GlDeviceOptions bare()
     return options;
 }
 
-struct Targets : GlFixture {
-    explicit Targets(const GlDeviceOptions& options = {}) : GlFixture(options) {}
-
-    GLuint colorTexture(GLenum internal, Extent extent, GLsizei levels = 1)
-    {
-        auto made = GlTexture::make(gl);
-        gl.BindTexture(GL_TEXTURE_2D, made.name());
-        gl.TexStorage2D(GL_TEXTURE_2D, levels, internal, extent.width, extent.height);
-        gl.BindTexture(GL_TEXTURE_2D, 0);
-        return textures.emplace_back(std::move(made)).name();
-    }
-
-    GLuint renderbuffer(GLenum internal, Extent extent)
-    {
-        auto made = GlRenderbuffer::make(gl);
-        gl.BindRenderbuffer(GL_RENDERBUFFER, made.name());
-        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, internal, extent.width,
-                                          extent.height);
-        return renderbuffers.emplace_back(std::move(made)).name();
-    }
-
-    /// "" where the output is drawn, else why not.
-    std::string refusal(const HostFramebuffer& target)
-    {
-        if (!shown) shown = texture(Format::rgba8);
-        return reasonOf(device->present(shown, target).diagnostics());
-    }
-
-    std::string refusal(const HostTexture& host)
-    {
-        return reasonOf(device->adoptTexture(host).diagnostics());
-    }
-
-    std::string reasonOf(const Diagnostics& found)
-    {
-        CHECK(gl.GetError() == GL_NO_ERROR);
-        if (found.empty()) return "";
-        CHECK(found[0].code == Code::bad_input);
-        CHECK(!found[0].help.empty());
-        return found[0].message;
-    }
+struct Targets : HostPictures {
+    using HostPictures::HostPictures;
 
     /// All rectangles that leave a target of 8x6 pixels are refused, and those within are not.
     void checkRectangles(HostFramebuffer target)
@@ -68,7 +28,8 @@ struct Targets : GlFixture {
             {0, 0, 0, {9, 6}},    {0, 0, 0, {8, 7}},       {0, 8, 0, {1, 1}},
             {0, 0, 6, {1, 1}},    {0, -1, 0, {4, 4}},      {0, 0, -1, {4, 4}},
             {0, kMax, 0, {4, 4}}, {0, 1, 0, {kMax, 4}},    {0, 0, kMax, {4, 4}},
-            {0, 0, 4, {4, kMax}}, {0, 0, 0, {kMax, kMax}}, {0, -kMax - 1, 0, {4, 4}}};
+            {0, 0, 4, {4, kMax}}, {0, 0, 0, {kMax, kMax}}, {0, -kMax - 1, 0, {4, 4}},
+            {0, 0, 0, {0, 4}},    {0, 0, 0, {4, 0}}};
         const auto refused = [&](const HostFramebuffer& rectangle) {
             target.x = rectangle.x;
             target.y = rectangle.y;
@@ -82,10 +43,6 @@ struct Targets : GlFixture {
             CHECK(refused(each));
         }
     }
-
-    TextureId shown;
-    std::vector<GlTexture> textures;
-    std::vector<GlRenderbuffer> renderbuffers;
 };
 
 }  // namespace
@@ -99,7 +56,7 @@ TEST_CASE_METHOD(Targets, "One channel is presented as grey, two as red and gree
                   {Format::rg8, {0.2f, 0.4f, 0, 1}},
                   {Format::rgba8, {0.2f, 0.4f, 0.6f, 0.8f}},
                   {Format::r8, {0.2f, 0.2f, 0.2f, 1}}};
-    const GLuint into = colorTexture(GL_RGBA8, {4, 4});
+    const GLuint into = newTexture(GL_RGBA8, {4, 4});
     const TextureId drawn = need(device->adoptTexture({into, "host", Format::rgba8, {4, 4}}));
     for (const auto& each : kCases) {
         INFO(formatInfo(each.format).name);
@@ -120,7 +77,7 @@ TEST_CASE_METHOD(Targets, "One channel is presented as grey, two as red and gree
 
 TEST_CASE_METHOD(Targets, "What is presented may multiply what is there, and then leaves its alpha")
 {
-    const GLuint into = colorTexture(GL_RGBA8, {4, 4});
+    const GLuint into = newTexture(GL_RGBA8, {4, 4});
     const TextureId drawn = need(device->adoptTexture({into, "host", Format::rgba8, {4, 4}}));
     const TextureId ao = texture(Format::r8);
     const auto fill = [&](TextureId id, const std::vector<float>& color) {
@@ -159,22 +116,21 @@ TEST_CASE("A rectangle that leaves the host's target is refused, on OpenGL ES 3.
     HostFramebuffer target;
     for (const GLenum internal : {GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F, GL_R8}) {
         INFO(internal);
-        target.texture = host.colorTexture(internal, {16, 12}, 2);
+        target.texture = host.newTexture(internal, {16, 12}, 2);
         target.level = 1;
         host.checkRectangles(target);
     }
-    const auto framebuffer = GlFramebuffer::make(gl);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    const GLuint framebuffer = host.newFramebuffer();
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                            host.colorTexture(GL_RGBA8, {16, 16}), 0);
+                            host.newTexture(GL_RGBA8, {16, 16}), 0);
     const GLenum none = GL_NONE, first = GL_COLOR_ATTACHMENT0;
     gl.DrawBuffers(1, &none);
-    target = {framebuffer.name(), 0, 0, {32, 32}};
+    target = {framebuffer, 0, 0, {32, 32}};
     CHECK(host.refusal(target).empty());  // nothing is drawn
     gl.DrawBuffers(1, &first);
     CHECK(!host.refusal(target).empty());
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                               host.renderbuffer(GL_RGBA8, {8, 6}));
+                               host.newRenderbuffer(GL_RGBA8, {8, 6}));
     host.checkRectangles(target);
     target.extent = {9, 6};
     CHECK(host.refusal(target).find("has 8x6 pixels, and the rectangle to draw into ends at 9x6") !=
@@ -186,9 +142,8 @@ TEST_CASE("A framebuffer's depth of another size than was said is refused")
 {
     Targets host(GENERATE(GlDeviceOptions(), bare()));
     const GlApi& gl = host.gl;
-    const auto framebuffer = GlFramebuffer::make(gl);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    HostTexture depth{framebuffer.name(), "depth", Format::depth24, {8, 6}};
+    const GLuint framebuffer = host.newFramebuffer();
+    HostTexture depth{framebuffer, "depth", Format::depth24, {8, 6}};
     depth.kind = HostTexture::Kind::framebuffer;
     const auto check = [&] {
         depth.part = false;
@@ -206,10 +161,10 @@ TEST_CASE("A framebuffer's depth of another size than was said is refused")
     for (const GLenum internal : {GL_DEPTH_COMPONENT24, GL_DEPTH24_STENCIL8}) {
         INFO(internal);
         gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-                                host.colorTexture(internal, {8, 6}), 0);
+                                host.newTexture(internal, {8, 6}), 0);
         check();
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                   host.renderbuffer(internal, {8, 6}));
+                                   host.newRenderbuffer(internal, {8, 6}));
         check();
     }
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -217,7 +172,7 @@ TEST_CASE("A framebuffer's depth of another size than was said is refused")
 
 TEST_CASE_METHOD(Targets, "A part of a host's picture that ends where no int counts is refused")
 {
-    HostTexture host{colorTexture(GL_RGBA8, {8, 6}), "colour", Format::rgba8, {4, 4}};
+    HostTexture host{newTexture(GL_RGBA8, {8, 6}), "colour", Format::rgba8, {4, 4}};
     host.part = true;
     CHECK(refusal(host).empty());
     for (const int far : {kMax, kMax - 1, kMax - 4, -1, -kMax - 1}) {

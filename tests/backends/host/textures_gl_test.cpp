@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A host samples outputs in shaders of its own, by their native names.
-#include <crevice/renderer.h>
-
+#include "tests/backends/stage.h"
 #include "tests/support/gl_fixture.h"
-#include "tests/support/shipped_subjects.h"
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
 
 using namespace crevice;
 
 namespace {
-
-constexpr Extent kExtent = {32, 18};
 
 /// The host's own program, framebuffer and way to draw, without the library.
 struct Host : GlFixture {
@@ -90,29 +84,24 @@ struct Host : GlFixture {
 
 TEST_CASE_METHOD(Host, "A host's own shader sees of an output what is read back, frame after frame")
 {
-    const Scene scene = need(loadScene("spheres"));
-    const UploadedScene uploaded = need(UploadedScene::upload(*device, scene));
-    const double aspect = double(kExtent.width) / kExtent.height;
-    Frame frame =
-        makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), "", aspect)), kExtent);
+    Stage stage(*device);
     const std::string config = GENERATE("balanced", "mobile", "gtao_temporal");
     INFO(config);
-    auto renderer =
-        need(Renderer::create(*device, descriptionOf({config, ""}), {kExtent}, traitsOf(frame)));
+    const auto renderer = stage.make(config);
     // The host's bindings stay as they are between frames, its texture included.
     for (int i = 0; i < 4; ++i) {
-        frame.camera.view_from_world[3][0] += 0.05;
-        need(renderer->render(frame));
+        stage.frame.camera.view_from_world[3][0] += 0.05;
+        need(renderer->render(stage.frame));
         for (const PlanOutput& output : renderer->plan().outputs) {
             INFO(output.name);
             checkSame(renderer->output(output.name));
         }
     }
     need(renderer->resize({16, 9}));
-    need(renderer->render(frame));
+    need(renderer->render(stage.frame));
     checkSame(renderer->output("ao"));
     need(renderer->setParam("intensity", 0.0f));
-    need(renderer->render(frame));
+    need(renderer->render(stage.frame));
     checkSame(renderer->output("ao"));
 }
 
@@ -131,24 +120,10 @@ TEST_CASE_METHOD(Host,
         pass.depth_store = StoreOp::store;
         pass.clear_depth = 0.5f;
         std::fill(std::begin(pass.clear_color[0]), std::end(pass.clear_color[0]), 1.0f);
-        need(device->beginFrame());
-        device->beginPass(pass);
-        device->endPass();
-        need(device->endFrame());
+        clearPass(pass);
         checkSame(id);
         CHECK(read(id).at(0, 0) > 0.4f);
         device->destroy(into);
         device->destroy(id);
     }
-}
-
-TEST_CASE_METHOD(Host, "An adopted texture's native name is the host's own")
-{
-    GLuint name = 0;
-    gl.GenTextures(1, &name);
-    gl.BindTexture(GL_TEXTURE_2D, name);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
-    CHECK(device->nativeName(need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}))) ==
-          name);
-    gl.DeleteTextures(1, &name);
 }

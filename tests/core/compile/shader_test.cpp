@@ -183,90 +183,58 @@ TEST_CASE("A uniform of another type or length than its value is refused")
 
 TEST_CASE("Renaming what the shader nowhere has is refused, and what an #if hides is fine")
 {
-    SECTION("an input")
-    {
-        const Diagnostic error =
-            onlyError(body("uniform sampler2D noise;\n", R"("inputs": {"noize": "noise"})"));
-        CHECK(error.code == Code::input_unused);
-        CHECK(error.pointer == "/passes/p/inputs/noize");
-        CHECK(textAt(error.place) == "\"noize\"");
-        CHECK(error.help.find("'noise'") != error.help.npos);
-    }
-    SECTION("an input by a name far from that of what it reads, which the shader has")
-    {
-        const Diagnostic error =
-            onlyError(body("uniform sampler2D noise;\n", R"("inputs": {"grain": "noise"})"));
-        CHECK(error.code == Code::input_unused);
-        CHECK_THAT(error.help, Catch::StartsWith("did you mean 'noise'? the shader declares: "));
-    }
-    SECTION("hidden")
-    {
-        CHECK(planOf(body("#if SAMPLES > 90\nuniform sampler2D grain;\n#endif\n",
-                          R"("inputs": {"grain": "noise"})"))
-                  .passes[0]
-                  .inputs.empty());
-    }
-    SECTION("hidden in a file that is not included")
-    {
-        CHECK(planOf(body("#if SAMPLES > 90\n#include \"part.glsl\"\n#endif\n",
-                          R"("inputs": {"deep": "noise"})"))
-                  .passes.size() == 1);
-    }
+    const std::string noise = "uniform sampler2D noise;\n";
+    const Diagnostic error = onlyError(body(noise, R"("inputs": {"noize": "noise"})"));
+    CHECK(error.code == Code::input_unused);
+    CHECK(error.pointer == "/passes/p/inputs/noize");
+    CHECK(textAt(error.place) == "\"noize\"");
+    CHECK_THAT(error.help, Catch::Contains("'noise'"));
+    // By a name far from that of what it reads, which the shader has.
+    const Diagnostic far = onlyError(body(noise, R"("inputs": {"grain": "noise"})"));
+    CHECK(far.code == Code::input_unused);
+    CHECK_THAT(far.help, Catch::StartsWith("did you mean 'noise'? the shader declares: "));
+
+    const Plan hidden = planOf(body("#if SAMPLES > 90\nuniform sampler2D grain;\n#endif\n",
+                                    R"("inputs": {"grain": "noise"})"));
+    CHECK(hidden.passes[0].inputs.empty());
+    CHECK(outcome(body("#if SAMPLES > 90\n#include \"part.glsl\"\n#endif\n",
+                       R"("inputs": {"deep": "noise"})")) == "p");
 }
 
 TEST_CASE("Outputs of the shader are the pass's colour targets")
 {
-    const std::string targets = R"("targets": {"a": {"format": ["r8"]}, "b": {"format": ["r8"]}},)";
-    const auto compiled = [&](const std::string& outputs, const std::string& color,
-                              const std::string& exported = "a") {
-        return describe("{\"format\": 1, " + targets + R"(
+    const auto compiled = [](const std::string& outputs, const std::string& color,
+                             const std::string& exported = "a") {
+        return describe(R"({"format": 1,
+            "targets": {"a": {"format": ["r8"]}, "b": {"format": ["r8"]}},
             "shaders": {"s": {"vertex": "v", "fragment": "f"}},
             "passes": {"p": {"shader": "s", "color": )" +
                             color + R"(}}, "outputs": {"o": ")" + exported + "\"}}",
                         {{"v", kFullVertex}, {"f", kHead + outputs + "void main() {}\n"}});
     };
-    const std::string both = "layout(location = 0) out vec4 a;\nlayout(location = 1) out vec4 b;\n";
-    SECTION("in order") { CHECK(planOf(compiled(both, R"(["a", "b"])")).passes.size() == 1); }
-    SECTION("an output without a target")
-    {
-        const Diagnostic error = onlyError(compiled(both, R"("a")"));
-        CHECK(error.code == Code::output_mismatch);
-        CHECK(textAt(error.notes.at(0).place) == "b");
-    }
-    SECTION("a target without an output")
-    {
-        const Diagnostic error =
-            onlyError(compiled("layout(location = 0) out vec4 a;\n", R"(["a", "b"])"));
-        CHECK(error.code == Code::output_mismatch);
-        CHECK(error.pointer == "/passes/p/color/1");
-    }
-    SECTION("a last output that an #if leaves out takes its target off the pass")
-    {
-        const std::string maybe =
-            "layout(location = 0) out vec4 a;\n#if SCENE_TEXTURED\n"
-            "layout(location = 1) out vec4 b;\n#endif\n";
-        CHECK(planOf(compiled(maybe, R"(["a", "b"])")).passes[0].color.size() == 1);
-        const Plan with = planOf(compiled(maybe, R"(["a", "b"])"), {0, false, false, true});
-        CHECK(with.passes[0].color.size() == 2);
-        const Diagnostic unread = onlyError(compiled(maybe, R"(["a", "b"])", "b"));
-        CHECK(unread.code == Code::never_written);
-        CHECK(unread.message.find("an #if takes it out") != std::string::npos);
-        const Diagnostic error = onlyError(compiled(maybe, R"(["b", "a"])"));
-        CHECK(error.code == Code::output_mismatch);
-        CHECK(error.pointer == "/passes/p/color/1");
-    }
-    SECTION("the names in another order")
-    {
-        const Diagnostic error = onlyError(compiled(both, R"(["b", "a"])"));
-        CHECK(error.code == Code::output_mismatch);
-        CHECK(error.notes.at(0).place.source->name == "f");
-    }
-    SECTION("other names")
-    {
-        const std::string others =
-            "layout(location = 0) out vec4 first;\nlayout(location = 1) out vec4 second;\n";
-        CHECK(planOf(compiled(others, R"(["b", "a"])")).passes.size() == 1);
-    }
+    const std::string a = "layout(location = 0) out vec4 a;\n";
+    const std::string both = a + "layout(location = 1) out vec4 b;\n";
+    CHECK(outcome(compiled(both, R"(["a", "b"])")) == "p");
+    const Diagnostic without_target = onlyError(compiled(both, R"("a")"));
+    CHECK(without_target.code == Code::output_mismatch);
+    CHECK(textAt(without_target.notes.at(0).place) == "b");
+    CHECK(outcome(compiled(a, R"(["a", "b"])")) == "CV5008 /passes/p/color/1");
+    const Diagnostic other_order = onlyError(compiled(both, R"(["b", "a"])"));
+    CHECK(other_order.code == Code::output_mismatch);
+    CHECK(other_order.notes.at(0).place.source->name == "f");
+    const std::string other_names =
+        "layout(location = 0) out vec4 first;\nlayout(location = 1) out vec4 second;\n";
+    CHECK(outcome(compiled(other_names, R"(["b", "a"])")) == "p");
+
+    // A last output that an #if leaves out takes its target off the pass.
+    const std::string maybe = a + "#if SCENE_TEXTURED\nlayout(location = 1) out vec4 b;\n#endif\n";
+    const Description last = compiled(maybe, R"(["a", "b"])");
+    CHECK(planOf(last).passes[0].color.size() == 1);
+    CHECK(planOf(last, {0, false, false, true}).passes[0].color.size() == 2);
+    const Diagnostic unread = onlyError(compiled(maybe, R"(["a", "b"])", "b"));
+    CHECK(unread.code == Code::never_written);
+    CHECK_THAT(unread.message, Catch::Contains("an #if takes it out"));
+    CHECK(outcome(compiled(maybe, R"(["b", "a"])")) == "CV5008 /passes/p/color/1");
 }
 
 TEST_CASE("GLSL that cannot be read stops its pass and brings no further errors")

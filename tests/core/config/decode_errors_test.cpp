@@ -1,59 +1,52 @@
 // SPDX-License-Identifier: MIT
-// Decoding: keys, types, names and ranges that are wrong.
-#include "tests/support/decode_fixture.h"
+// Decoding: keys, types, names and ranges that are wrong, beyond those of tests/data/bad, and how
+// errors are told.
+#include "tests/core/config/decode_fixture.h"
 
 using namespace crevice;
-
-TEST_CASE("an unknown key is an error at the key with the nearest one in the help", "[decode]")
-{
-    checkEach({
-        {"passses", "{}", "CV3001 /passses"},
-        {"views", R"({"v": {"target": "ao", "scales": 1}})", "CV3001 /views/v/scales"},
-        {"targets", R"({"depth": {"format": "depth24"}, "ao": {"format": "r8", "mip": 1},
-                        "ao_filtered": {"format": "r8", "size": {"follow": "ao"}}})",
-         "CV3001 /targets/ao/mip; CV3001 /targets/ao_filtered/size/follow"},
-    });
-    const auto result = decodeWith({{"views", R"({"v": {"target": "ao", "scales": 1}})"}});
-    CHECK(underlined(result.diagnostics().at(0)).find("scales") != std::string::npos);
-    CHECK(result.diagnostics().at(0).help.find("'scale'") != std::string::npos);
-}
 
 TEST_CASE("a missing key is an error at what lacks it", "[decode]")
 {
     checkEach({
         {"format", "", "CV3003 "},
-        {"params", R"({"samples": {"type": "int"}})", "CV3003 /params/samples"},
         {"imports", R"({"photo": {"type": "texture"}, "eye": {}})", "CV3003 /imports/eye"},
         {"views", R"({"v": {"scale": 1}})", "CV3003 /views/v"},
-        {"passes", R"({"p": {"color": "ao"}})", "CV3003 /passes/p"},
         {"passes", R"({"p": {"shader": "ao", "color": "ao", "no_op": {"radius": {}}}})",
          "CV3003 /passes/p/no_op/radius; CV3003 /passes/p/no_op/radius"},
         {"features", R"({"check": {"type": "enum"}})", "CV3003 /features/check"},
     });
 }
 
-TEST_CASE("a value of another type is an error at the value", "[decode]")
+TEST_CASE("a value of another type, length or word is an error at the value", "[decode]")
 {
     checkEach({
         {"name", "1", "CV3002 /name"},
         {"targets", "[]", "CV3002 /targets"},
         {"targets", "null", "CV3002 /targets"},
-        {"outputs", R"({"ao": ["ao"]})", "CV3002 /outputs/ao"},
         {"views", R"({"v": {"target": "ao", "scale": true}})", "CV3002 /views/v/scale"},
-        {"views", R"({"v": {"target": "ao", "scale": "abc"}})", "CV3002 /views/v/scale"},
-        {"views", R"({"v": "ao"})", "CV3002 /views/v"},
         {"imports", R"({"photo": {"type": "texture", "optional": 1}})",
          "CV3002 /imports/photo/optional"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "count": 16.7}})",
          "CV3002 /generated/k/count"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "seed": 1e3}})",
          "CV3002 /generated/k/seed"},
-        {"features", R"({"fast": {"default": "true"}})", "CV3002 /features/fast/default"},
+        {"generated", R"({"k": {"generator": "sphere_kernel", "lengths": "gauss"}})",
+         "CV3005 /generated/k/lengths"},
         {"passes", R"({"p": {"shader": "ao", "color": ["ao", 3]}})", "CV3002 /passes/p/color/1"},
         {"passes", R"({"p": {"shader": "ao", "color": "ao", "when": {"fast": [true, {}]}}})",
          "CV3002 /passes/p/when/fast/1"},
         {"passes", R"({"p": {"shader": "ao", "color": "ao", "inputs": {"a": 3}}})",
          "CV3002 /passes/p/inputs/a"},
+        {"passes", R"({"p": {"shader": "ao", "depth": "depth", "clear": {"depth": [1, 1, 1, 1]}}})",
+         "CV3006 /passes/p/clear/depth"},
+        {"features", R"({"check": {"type": "enum", "values": ["one"]}})",
+         "CV3006 /features/check/values"},
+        {"params", R"({"samples": {"type": "int", "default": 1},
+                       "a": {"type": "vec2", "default": [1, "2"]}})",
+         "CV3002 /params/a/default/1"},
+        {"targets", R"({"depth": {"format": "depth24"}, "ao": {"format": ["r8", "rgba_8"]},
+                        "ao_filtered": {"format": "none"}})",
+         "CV3005 /targets/ao/format/1; CV3005 /targets/ao_filtered/format"},
     });
 }
 
@@ -61,62 +54,8 @@ TEST_CASE("a wrong type says what was found and what was wanted", "[decode]")
 {
     const auto result = decodeWith({{"views", R"({"v": {"target": "ao", "scale": "abc"}})"}});
     const Diagnostic& error = result.diagnostics().at(0);
-    CHECK(error.message.find("found the string \"abc\", wanted a number") != std::string::npos);
-    CHECK(underlined(error).find("abc") != std::string::npos);
-}
-
-TEST_CASE("an unknown word is an error with the allowed ones in the help", "[decode]")
-{
-    checkEach({
-        {"params", R"({"samples": {"type": "integer", "default": 1}})",
-         "CV3005 /params/samples/type"},
-        {"generated", R"({"k": {"generator": "spheer_kernel"}})", "CV3005 /generated/k/generator"},
-        {"generated", R"({"k": {"generator": "sphere_kernel", "lengths": "gauss"}})",
-         "CV3005 /generated/k/lengths"},
-        {"features", R"({"check": {"type": "enum", "values": ["a", "b"], "default": "c"}})",
-         "CV3005 /features/check/default"},
-        {"passes", R"({"p": {"type": "blit", "shader": "ao", "color": "ao"}})",
-         "CV3005 /passes/p/type"},
-        {"passes", R"({"p": {"shader": "ao", "color": "ao", "state": {"cull": "both"}}})",
-         "CV3005 /passes/p/state/cull"},
-    });
-    const auto result = decodeWith({{"targets", R"({"depth": {"format": "depth24"},
-        "ao": {"format": ["r8", "rgba_8"]}, "ao_filtered": {"format": "none"}})"}});
-    CHECK(errorsOf(result) == "CV3005 /targets/ao/format/1; CV3005 /targets/ao_filtered/format");
-    CHECK(result.diagnostics().at(0).help.find("'rgba8'") != std::string::npos);
-}
-
-TEST_CASE("a list of another length is an error", "[decode]")
-{
-    checkEach({
-        {"params", R"({"samples": {"type": "int", "default": 1},
-                       "tint": {"type": "vec3", "default": [1, 2]}})",
-         "CV3006 /params/tint/default"},
-        {"features", R"({"check": {"type": "enum", "values": ["one"]}})",
-         "CV3006 /features/check/values"},
-        {"targets", R"({"depth": {"format": []}, "ao": {"format": "r8"},
-                        "ao_filtered": {"format": "r8"}})",
-         "CV3006 /targets/depth/format"},
-        {"passes", R"({"p": {"shader": "ao", "color": "ao", "clear": {"ao": [0, 0, 0]}}})",
-         "CV3006 /passes/p/clear/ao"},
-        {"passes", R"({"p": {"shader": "ao", "depth": "depth", "clear": {"depth": [1, 1, 1, 1]}}})",
-         "CV3006 /passes/p/clear/depth"},
-    });
-}
-
-TEST_CASE("a vector param wants a list of numbers and cannot be a define", "[decode]")
-{
-    checkEach({
-        {"params", R"({"samples": {"type": "int", "default": 1},
-                       "a": {"type": "vec2", "default": 1}})",
-         "CV3002 /params/a/default"},
-        {"params", R"({"samples": {"type": "int", "default": 1},
-                       "a": {"type": "vec2", "default": [1, "2"]}})",
-         "CV3002 /params/a/default/1"},
-        {"params", R"({"samples": {"type": "int", "default": 1},
-                       "a": {"type": "vec2", "default": [1, 2], "bind": "define"}})",
-         "CV3005 /params/a/bind"},
-    });
+    CHECK_THAT(error.message, Catch::Contains("found the string \"abc\", wanted a number"));
+    CHECK_THAT(underlined(error), Catch::Contains("abc"));
 }
 
 TEST_CASE("a value outside its range is an error", "[decode]")
@@ -134,6 +73,8 @@ TEST_CASE("a value outside its range is an error", "[decode]")
          "CV4001 /params/samples/soft_max"},
         {"params", R"({"samples": {"type": "int", "default": 1, "max": 1e300}})",
          "CV4001 /params/samples/max"},
+        {"params", R"({"samples": {"type": "int", "default": 5, "max": -2e29, "min": 1}})",
+         "CV4002 /params/samples/min"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "count": 0}})",
          "CV4001 /generated/k/count"},
         {"generated", R"({"k": {"generator": "sphere_kernel", "count": -1}})",
@@ -166,16 +107,6 @@ TEST_CASE("a range error names value, range and unit, and points at the number",
     CHECK(error.place.line == 3);
     CHECK(error.place.column == 49);
     CHECK(underlined(error) == "-0.5");
-}
-
-TEST_CASE("a minimum above the maximum is one error, whatever the default", "[decode]")
-{
-    checkEach({
-        {"params", R"({"samples": {"type": "int", "default": 5, "min": 9, "max": 3}})",
-         "CV4002 /params/samples/min"},
-        {"params", R"({"samples": {"type": "int", "default": 5, "max": -2e29, "min": 1}})",
-         "CV4002 /params/samples/min"},
-    });
 }
 
 TEST_CASE("names are snake_case that GLSL does not reserve", "[decode]")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decoding: what each key becomes, and its default.
-#include "tests/support/decode_fixture.h"
+#include "tests/core/config/decode_fixture.h"
 
 using namespace crevice;
 

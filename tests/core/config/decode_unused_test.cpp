@@ -2,7 +2,7 @@
 // Decoding, the names that nothing uses: a typo makes one, and it must not pass in silence.
 #include <crevice/config.h>
 
-#include "tests/support/decode_fixture.h"
+#include "tests/core/config/decode_fixture.h"
 #include "tests/support/plan_rig.h"
 
 using namespace crevice;

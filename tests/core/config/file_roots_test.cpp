@@ -4,7 +4,7 @@
 
 #include "core/base/files.h"
 
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/load_fixture.h"
 #include "tests/support/temporary_folder.h"
 
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Features whose words set params and other features: levels of quality.
-#include "tests/support/decode_fixture.h"
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/decode_fixture.h"
+#include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
 
 using namespace crevice;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Modules that take the place of others, and what is left out with those.
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
 

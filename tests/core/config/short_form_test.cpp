@@ -2,8 +2,8 @@
 // "radius": 0.8 for {"radius": {"default": 0.8}}: what it sets, where errors point, and when it may
 // not stand.
 #include "core/json/merge.h"
-#include "tests/support/decode_fixture.h"
-#include "tests/support/load_fixture.h"
+#include "tests/core/config/decode_fixture.h"
+#include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
 
 using namespace crevice;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace crevice;
 
@@ -316,4 +317,27 @@ TEST_CASE("The range of draws is of those in view, by what they cover, and unkno
     add(10, -1);
     CHECK(traitsOf(frame).draws.distance == 0);
     CHECK(traitsOf(frame).draws.vertex_step == 0);
+}
+
+TEST_CASE("Two materials differ where any of their members does")
+{
+    const std::function<void(Material&)> changes[] = {
+        [](Material& m) { m.base_color.y = 0.5f; },
+        [](Material& m) { m.base_color_map.value = 7; },
+        [](Material& m) { m.specular = glm::vec3(0.25f); },
+        [](Material& m) { m.shininess = 3; },
+        [](Material& m) { m.ambient = 0.25f; },
+        [](Material& m) { m.alpha_cutoff = 0.25f; },
+        [](Material& m) { m.normal_map.value = 7; },
+        [](Material& m) { m.normal_scale = 0.5f; },
+        [](Material& m) { m.occlusion_map.value = 7; },
+        [](Material& m) { m.occlusion_strength = 0.5f; },
+    };
+    for (const auto& change : changes) {
+        INFO("change " << &change - changes);
+        Material changed;
+        change(changed);
+        CHECK_FALSE(changed == Material());
+    }
+    CHECK(Material() == Material());
 }

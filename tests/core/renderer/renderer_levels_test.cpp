@@ -27,11 +27,6 @@ struct LevelRig : Rig {
         config.insert(config.find("\"soft\""), levels);
         return describe(config, rigSources(""));
     }
-
-    float value(const char* param) const
-    {
-        return findNamed(renderer->description().params, param)->value[0];
-    }
 };
 
 }  // namespace
@@ -46,9 +41,9 @@ TEST_CASE("Switching between levels compiles no program, whichever they are")
         const Status status = rig.renderer->setFeature("quality", level);
         REQUIRE(status.ok());
         CHECK(status.diagnostics().empty());
-        CHECK(rig.device.log().find("createProgram") == std::string::npos);
+        CHECK_FALSE(rig.logged("createProgram"));
         rig.draw();
-        CHECK(rig.device.log().find("createProgram") == std::string::npos);
+        CHECK_FALSE(rig.logged("createProgram"));
         CHECK(rig.ranPass("occlusion") == (std::string(level) != "off"));
         CHECK(rig.ranPass("filter") == (std::string(level) != "low"));
     }
@@ -96,7 +91,7 @@ TEST_CASE("What was set by hand after a level stands over it, after a reload too
     REQUIRE(rig.renderer->setFeature("soft", "false").ok());
     REQUIRE(rig.renderer->setParam("samples", 5.0f).ok());
     REQUIRE(rig.renderer->reload(LevelRig::description(), {rig.renderer->plan().extent}).ok());
-    CHECK(findNamed(rig.renderer->description().features, "soft")->value == 0);
+    CHECK(rig.feature("soft") == 0);
     CHECK(rig.value("samples") == 5);
     CHECK(rig.value("edge") == 0.25f);  // of the level
 }

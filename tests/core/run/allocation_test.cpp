@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Steady frames allocate no memory. Counts every operator new of the program.
-#include "tests/support/allocations.h"
+#include "tests/core/run/allocations.h"
 
 #include <crevice/renderer.h>
 

@@ -6,8 +6,8 @@
 
 #include "core/run/view_draws.h"
 
+#include "tests/core/run/allocations.h"
 #include "tests/core/run/reading_device.h"
-#include "tests/support/allocations.h"
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
 #include "tests/support/shipped_subjects.h"

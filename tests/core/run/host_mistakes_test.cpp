@@ -6,6 +6,7 @@
 #include "tests/support/need.h"
 #include "tests/support/renderer_rig.h"
 
+#include <functional>
 #include <limits>
 
 using namespace crevice;
@@ -14,13 +15,6 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kPoison = 12345;
-
-int count(const std::string& text, const std::string& part)
-{
-    int found = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
 
 /// The one warning of a frame that is drawn, and what was drawn of it.
 struct Drawn {
@@ -35,7 +29,7 @@ struct Drawn {
         CHECK(warning.code == Code::bad_input);
         CHECK_FALSE(warning.help.empty());
         CHECK(rig.device.misuse().empty());
-        draws = count(rig.device.log(), "draw mesh");
+        draws = occurrences(rig.device.log(), "draw mesh");
     }
 
     Diagnostic warning;
@@ -58,9 +52,53 @@ struct Scene {
     Rig rig;
 };
 
-Code onlyCode(const Status& status)
+/// What a host may get wrong about a draw, and what is said of it.
+struct Mistake {
+    const char* why;
+    std::function<void(Scene&)> make;
+};
+
+std::vector<Mistake> mistakes()
 {
-    return status.diagnostics().size() == 1 ? status.diagnostics()[0].code : Code::internal;
+    std::vector<Mistake> all = {
+        {"it has no mesh", [](Scene& scene) { scene.item().mesh = {}; }},
+        {"mesh 12345 is none of this device", [](Scene& scene) { scene.item().mesh = {kPoison}; }},
+        {"is none of this device",  // any more
+         [](Scene& scene) {
+             Device& device = scene.rig.device;
+             const MeshDesc gone = {"gone", std::vector<Vertex>(3), {0, 1, 2}};
+             scene.item().mesh = need(device.createMesh(gone));
+             device.destroy(scene.item().mesh);
+         }},
+        {"is none of this device",  // but a texture
+         [](Scene& scene) { scene.item().mesh = {scene.rig.renderer->output("ao").value}; }},
+        {"has fewer indices than it draws", [](Scene& scene) { scene.item().count = 7; }},
+        {"has fewer indices than it draws", [](Scene& scene) { scene.item().first = 0xffffffff; }},
+        {"its matrix is not finite",
+         [](Scene& scene) { scene.item().world_from_model[1][2] = kNan; }},
+        {"its matrix is not finite",
+         [](Scene& scene) { scene.item().world_from_model[3][0] = 1e300; }},
+        {"its bounds are not finite", [](Scene& scene) { scene.item().bounds_center.y = kNan; }},
+        {"its bounds are not finite", [](Scene& scene) { scene.item().bounds_radius = kNan; }},
+        {"material 1 is not finite", [](Scene& scene) { scene.material().base_color.w = kNan; }},
+        {"material 1 is not finite", [](Scene& scene) { scene.material().specular.y = kNan; }},
+        {"material 1 has texture 12345 as base_color_map, which is none of this device",
+         [](Scene& scene) { scene.material().base_color_map = {kPoison}; }},
+        {"as normal_map, which has several samples a pixel",
+         [](Scene& scene) {
+             const HostTexture host{7, "samples", Format::rgba8, {4, 4}, 4};
+             scene.material().normal_map = need(scene.rig.device.adoptTexture(host));
+         }},
+    };
+    for (const int none : {2, -1, 2147483647})
+        all.push_back({"and the frame has 2 materials",
+                       [none](Scene& scene) { scene.item().material = none; }});
+    for (float Material::*number :
+         {&Material::shininess, &Material::alpha_cutoff, &Material::normal_scale,
+          &Material::occlusion_strength, &Material::ambient})
+        all.push_back({"material 1 is not finite",
+                       [number](Scene& scene) { scene.material().*number = kNan; }});
+    return all;
 }
 
 }  // namespace
@@ -68,103 +106,27 @@ Code onlyCode(const Status& status)
 TEST_CASE(
     "A draw that cannot be drawn is left out with a warning, and is back as soon as it is mended")
 {
-    Scene scene;
-    Rig& rig = scene.rig;
-    const DrawItem item = scene.item();
-    const Material material = scene.material();
-    std::string why;
-    SECTION("null mesh")
-    {
-        scene.item().mesh = {};
-        why = "it has no mesh";
+    for (const Mistake& mistake : mistakes()) {
+        INFO(mistake.why);
+        Scene scene;
+        Rig& rig = scene.rig;
+        const DrawItem item = scene.item();
+        const Material material = scene.material();
+        mistake.make(scene);
+        for (int frame = 0; frame < 2; ++frame) {
+            rig.frame.lights[0].position.x += 1;
+            const Drawn drawn(rig);
+            CHECK(drawn.warning.message.find("draw 1 is left out: ") == 0);
+            CHECK(drawn.warning.message.find(mistake.why) != std::string::npos);
+            CHECK(drawn.draws == (frame == 0 ? 1 : 0));  // nothing of the geometry changed since
+        }
+        scene.item() = item;
+        scene.material() = material;
+        rig.draw();
+        CHECK(occurrences(rig.device.log(), "draw mesh") == 2);
+        rig.draw();
+        CHECK(occurrences(rig.device.log(), "draw mesh") == 0);
     }
-    SECTION("unknown mesh")
-    {
-        scene.item().mesh = {kPoison};
-        why = "mesh 12345 is none of this device";
-    }
-    SECTION("a mesh that was destroyed")
-    {
-        scene.item().mesh =
-            rig.device.createMesh({"gone", std::vector<Vertex>(3), {0, 1, 2}}).value();
-        rig.device.destroy(scene.item().mesh);
-        why = "is none of this device";
-    }
-    SECTION("a texture as mesh")
-    {
-        scene.item().mesh = {rig.renderer->output("ao").value};
-        why = "is none of this device";
-    }
-    SECTION("indices past the mesh's")
-    {
-        scene.item().count = 7;
-        why = "has fewer indices than it draws";
-    }
-    SECTION("first index past the mesh's")
-    {
-        scene.item().first = 0xffffffff;
-        why = "has fewer indices than it draws";
-    }
-    SECTION("matrix")
-    {
-        scene.item().world_from_model[1][2] = kNan;
-        why = "its matrix is not finite";
-    }
-    SECTION("huge matrix")
-    {
-        scene.item().world_from_model[3][0] = 1e300;
-        why = "its matrix is not finite";
-    }
-    SECTION("center")
-    {
-        scene.item().bounds_center.y = kNan;
-        why = "its bounds are not finite";
-    }
-    SECTION("radius")
-    {
-        scene.item().bounds_radius = kNan;
-        why = "its bounds are not finite";
-    }
-    SECTION("no such material")
-    {
-        scene.item().material = GENERATE(2, -1, 2147483647);
-        why = "and the frame has 2 materials";
-    }
-    SECTION("material")
-    {
-        float* const numbers[] = {
-            &scene.material().base_color.w, &scene.material().specular.y,
-            &scene.material().shininess,    &scene.material().alpha_cutoff,
-            &scene.material().normal_scale, &scene.material().occlusion_strength,
-            &scene.material().ambient};
-        *numbers[GENERATE(range(0, 7))] = kNan;
-        why = "material 1 is not finite";
-    }
-    SECTION("unknown map")
-    {
-        scene.material().base_color_map = {kPoison};
-        why = "material 1 has texture 12345 as base_color_map, which is none of this device";
-    }
-    SECTION("a map of samples")
-    {
-        const HostTexture host{7, "samples", Format::rgba8, {4, 4}, 4};
-        scene.material().normal_map = need(rig.device.adoptTexture(host));
-        why = "as normal_map, which has several samples a pixel";
-    }
-    INFO(why);
-    for (int frame = 0; frame < 2; ++frame) {
-        rig.frame.lights[0].position.x += 1;
-        const Drawn drawn(rig);
-        CHECK(drawn.warning.message.find("draw 1 is left out: ") == 0);
-        CHECK(drawn.warning.message.find(why) != std::string::npos);
-        CHECK(drawn.draws == (frame == 0 ? 1 : 0));  // nothing of the geometry changed since
-    }
-    scene.item() = item;
-    scene.material() = material;
-    rig.draw();
-    CHECK(count(rig.device.log(), "draw mesh") == 2);
-    rig.draw();
-    CHECK(count(rig.device.log(), "draw mesh") == 0);
 }
 
 TEST_CASE("A renderer's first frame may have a draw that cannot be drawn")
@@ -186,7 +148,7 @@ TEST_CASE("Many draws that cannot be drawn are few warnings and a count")
     REQUIRE(status.ok());
     REQUIRE(status.diagnostics().size() == 8);
     CHECK(status.diagnostics()[7].notes.at(0).text == "991 more draws are left out");
-    CHECK(count(rig.device.log(), "draw mesh") == 1);
+    CHECK(occurrences(rig.device.log(), "draw mesh") == 1);
 }
 
 TEST_CASE("A strict renderer draws no frame of which something would be left out")
@@ -213,46 +175,34 @@ TEST_CASE("A strict renderer draws no frame of which something would be left out
 
 TEST_CASE("A light that is not finite is left out with a warning, and the picture goes on")
 {
-    Rig rig;
-    rig.draw();
-    std::string what;
-    SECTION("position")
-    {
-        rig.frame.lights[0].position.y = kNan;
-        what = "light 0";
+    float* (*const numbers[])(Frame&) = {
+        [](Frame& frame) { return &frame.lights[0].color.y; },
+        [](Frame& frame) { return &frame.lights[0].attenuation.z; },
+        [](Frame& frame) { return &frame.lights[0].inner_angle_rad; },
+        [](Frame& frame) { return &frame.ambient_light.z; },
+        [](Frame&) -> float* { return nullptr; },  // the position
+    };
+    for (const auto number : numbers) {
+        Rig rig;
+        rig.draw();
+        float* const bad = number(rig.frame);
+        if (bad) *bad = kNan;
+        if (!bad) rig.frame.lights[0].position.y = kNan;
+        const bool ambient = bad == &rig.frame.ambient_light.z;
+        const Drawn drawn(rig);
+        CHECK(drawn.warning.message == std::string(ambient ? "ambient_light" : "light 0") +
+                                           " is left out: it is not finite");
+        CHECK(rig.device.lastUniform("light_count") == std::vector<float>{1});
+        for (const char* name :
+             {"light_position", "light_color", "light_attenuation", "ambient_light"})
+            for (const float value : rig.device.lastUniform(name)) CHECK(std::isfinite(value));
+        CHECK(rig.device.lastUniform(ambient ? "ambient_light" : "light_color")[0] == 0);
+        rig.frame.lights[0] = {};
+        rig.frame.ambient_light = glm::vec3(1.0f);
+        rig.draw();
+        CHECK(rig.device.lastUniform("light_color")[0] == 1);
+        CHECK(rig.device.lastUniform("ambient_light")[0] == 1);
     }
-    SECTION("color")
-    {
-        rig.frame.lights[0].color.y = kNan;
-        what = "light 0";
-    }
-    SECTION("attenuation")
-    {
-        rig.frame.lights[0].attenuation.z = kNan;
-        what = "light 0";
-    }
-    SECTION("cone")
-    {
-        rig.frame.lights[0].inner_angle_rad = kNan;
-        what = "light 0";
-    }
-    SECTION("ambient")
-    {
-        rig.frame.ambient_light.z = kNan;
-        what = "ambient_light";
-    }
-    const Drawn drawn(rig);
-    CHECK(drawn.warning.message == what + " is left out: it is not finite");
-    CHECK(rig.device.lastUniform("light_count") == std::vector<float>{1});
-    for (const char* name : {"light_position", "light_color", "light_attenuation", "ambient_light"})
-        for (const float value : rig.device.lastUniform(name)) CHECK(std::isfinite(value));
-    const std::string dark = what == "light 0" ? "light_color" : "ambient_light";
-    CHECK(rig.device.lastUniform(dark)[0] == 0);
-    rig.frame.lights[0] = {};
-    rig.frame.ambient_light = glm::vec3(1.0f);
-    rig.draw();
-    CHECK(rig.device.lastUniform("light_color")[0] == 1);
-    CHECK(rig.device.lastUniform("ambient_light")[0] == 1);
 }
 
 TEST_CASE("Timed frames leave out the same")

@@ -27,9 +27,7 @@ Sketch sketched(const std::string& samples, const std::string& extra = "")
 
 Plan planWith(const DeviceCaps& caps, const std::string& samples)
 {
-    Result<Plan> plan = compile(describe(sketched(samples)), {}, caps, sized());
-    if (!plan) FAIL(toText(plan.diagnostics()));
-    return std::move(*plan);
+    return need(compile(describe(sketched(samples)), {}, caps, sized()));
 }
 
 DeviceCaps capsWith(const std::vector<int>& counts)
@@ -100,16 +98,14 @@ TEST_CASE("Samples are drawn into one texture by passes that follow each other")
 TEST_CASE("A device draws the samples, resolves what is stored, and nobody samples the rest")
 {
     RecordingDevice device;
-    auto renderer = Renderer::create(device, describe(sketched("4")), sized(), {});
-    REQUIRE(renderer.ok());
-    REQUIRE((*renderer)->render(Frame{}).ok());
-    const std::string log = device.log();
-    const auto says = [&](const char* line) { return log.find(line) != std::string::npos; };
-    CHECK(says("createTexture 'color' rgba8 64x32 4 samples\n"));
-    CHECK(says("createTexture 'd' depth24 64x32 4 samples\n"));
-    CHECK(says("createFramebuffer 'paint' color 'color' depth 'd' resolve 'color'\n"));
-    CHECK(says("beginPass paint 64x32 color0 clear 0 0 0 0 store depth clear 1 discard\n"));
-    INFO(log);
+    const auto renderer = need(Renderer::create(device, describe(sketched("4")), sized(), {}));
+    need(renderer->render({}));
+    for (const char* line :
+         {"createTexture 'color' rgba8 64x32 4 samples\n",
+          "createTexture 'd' depth24 64x32 4 samples\n",
+          "createFramebuffer 'paint' color 'color' depth 'd' resolve 'color'\n",
+          "beginPass paint 64x32 color0 clear 0 0 0 0 store depth clear 1 discard\n"})
+        CHECK_THAT(device.log(), Catch::Contains(line));
     CHECK(device.misuse().empty());
 }
 
@@ -118,13 +114,12 @@ TEST_CASE("A param gives the samples, and another value plans again")
     const std::string msaa =
         R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 16}})";
     RecordingDevice device;
-    auto renderer = Renderer::create(device, describe(sketched("\"msaa\"", msaa)), sized(), {});
-    REQUIRE(renderer.ok());
-    CHECK((*renderer)->plan().passes[0].samples == 1);
-    const float eight = 8;
-    REQUIRE((*renderer)->setParam("msaa", &eight, 1).ok());
-    CHECK((*renderer)->plan().passes[0].samples == 8);
-    REQUIRE((*renderer)->render(Frame{}).ok());
+    const auto renderer =
+        need(Renderer::create(device, describe(sketched("\"msaa\"", msaa)), sized(), {}));
+    CHECK(renderer->plan().passes[0].samples == 1);
+    REQUIRE(renderer->setParam("msaa", 8).ok());
+    CHECK(renderer->plan().passes[0].samples == 8);
+    need(renderer->render({}));
     CHECK(device.misuse().empty());
 }
 
@@ -193,18 +188,26 @@ TEST_CASE("A recording device blames what no device can do with samples")
 
 namespace {
 
-/// A pass that reads what `import` says one sample at a time.
-Description reading(const std::string& import, const std::string& sampler = "sampler2DMS")
+/// A pass that declares `first`, and one that declares `second` and reads the target of the first.
+Description reading(const std::string& import, const std::string& target, const std::string& first,
+                    const std::string& second)
 {
+    const std::string version = "#version 310 es\n", out = "out highp vec4 c;\n";
     return describe(
         R"({"format": 1, "imports": {"host": )" + import + R"(},
-        "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
+        "targets": {"x": )" +
+            target + R"(, "y": {"format": ["r8"]}},
         "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
         "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},
         "outputs": {"y": "y"}})",
-        {{"v", kFullVertex},
-         {"f", "#version 310 es\nuniform highp " + sampler + " host;\nout highp vec4 c;\n"},
-         {"g", "#version 310 es\nuniform highp sampler2D x;\nout highp vec4 c;\n"}});
+        {{"v", kFullVertex}, {"f", version + first + out}, {"g", version + second + out}});
+}
+
+/// A pass that reads what `import` says one sample at a time.
+Description readingHost(const std::string& import, const std::string& sampler = "sampler2DMS")
+{
+    return reading(import, R"({"format": ["r8"]})", "uniform highp " + sampler + " host;\n",
+                   "uniform highp sampler2D x;\n");
 }
 
 const char* const kHostTexture = R"({"type": "texture"})";
@@ -220,11 +223,11 @@ DeviceCaps newerCaps()
 Status drawnWith(int samples, const std::string& sampler)
 {
     RecordingDevice device;
-    auto renderer = Renderer::create(device, reading(kHostTexture, sampler), sized(), {});
-    REQUIRE(renderer.ok());
+    const auto renderer =
+        need(Renderer::create(device, readingHost(kHostTexture, sampler), sized(), {}));
     Frame frame;
     frame.textures = {{"host", *device.adoptTexture({7, "host", Format::r8, {64, 32}, samples})}};
-    const Status status = (*renderer)->render(frame);
+    const Status status = renderer->render(frame);
     CHECK(device.misuse().empty());
     return status;
 }
@@ -233,8 +236,8 @@ Status drawnWith(int samples, const std::string& sampler)
 
 TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names the way out")
 {
-    CHECK(compile(reading(kHostTexture), {}, newerCaps(), sized()).ok());
-    const Diagnostic error = onlyError(reading(kHostTexture), {}, ampleCaps());
+    CHECK(compile(readingHost(kHostTexture), {}, newerCaps(), sized()).ok());
+    const Diagnostic error = onlyError(readingHost(kHostTexture), {}, ampleCaps());
     CHECK(error.code == Code::sampler_version);
     CHECK(textAt(error.notes.at(0).place) == "host");
     CHECK(error.help.find("geometry/host_depth") != std::string::npos);
@@ -243,20 +246,13 @@ TEST_CASE("Samples of the host want OpenGL ES 3.1, and a device without it names
 TEST_CASE("Samples are read of the host's textures alone, and of such as are there for certain")
 {
     const Diagnostic optional =
-        onlyError(reading(R"({"type": "texture", "optional": true})"), {}, newerCaps());
+        onlyError(readingHost(R"({"type": "texture", "optional": true})"), {}, newerCaps());
     CHECK(optional.code == Code::uniform_type);
     CHECK(optional.pointer == "/imports/host");
 
-    const Diagnostic resolved = onlyError(
-        describe(R"({"format": 1, "targets": {"x": {"format": ["r8"], "samples": 4},
-            "y": {"format": ["r8"]}},
-            "shaders": {"s": {"vertex": "v", "fragment": "f"}, "t": {"vertex": "v", "fragment": "g"}},
-            "passes": {"p": {"shader": "s", "color": "x"}, "q": {"shader": "t", "color": "y"}},
-            "outputs": {"y": "y"}})",
-                 {{"v", kFullVertex},
-                  {"f", "#version 310 es\nout highp vec4 c;\n"},
-                  {"g", "#version 310 es\nuniform highp sampler2DMS x;\nout highp vec4 c;\n"}}),
-        {}, newerCaps());
+    const Diagnostic resolved = onlyError(reading(kHostTexture, target("r8", R"("samples": 4)"), "",
+                                                  "uniform highp sampler2DMS x;\n"),
+                                          {}, newerCaps());
     CHECK(resolved.code == Code::uniform_type);
     CHECK(textAt(resolved.notes.at(0).place) == "x");
 }

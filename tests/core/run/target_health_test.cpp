@@ -18,27 +18,32 @@ Image ramp()
     return image;
 }
 
-TargetHealth healthy(const std::string& target, const std::string& pass)
+/// What an examination finds in a target that a pass of `chain` wrote.
+TargetHealth examined(const Image& image, const std::string& target, const std::string& pass)
 {
-    TargetHealth health = examine(ramp(), ramp());
-    health.target = target;
-    health.pass = pass;
-    return health;
-}
-
-TargetHealth constant(const std::string& target, const std::string& pass, float value)
-{
-    const Image image(kSize, 1, value);
     TargetHealth health = examine(image, image);
     health.target = target;
     health.pass = pass;
     return health;
 }
 
+TargetHealth healthy(const std::string& target, const std::string& pass)
+{
+    return examined(ramp(), target, pass);
+}
+
 // Three passes in a row.
 Description chain()
 {
     return describe(Sketch{{"first: -> x", "second: x -> y", "third: y -> z"}, {{"out", "z"}}});
+}
+
+/// The one thing that is said of those targets.
+Diagnostic saidOf(const std::vector<TargetHealth>& targets)
+{
+    const Diagnostics found = diagnose(chain(), planOf(chain()), targets, {});
+    REQUIRE(found.size() == 1);
+    return found[0];
 }
 
 }  // namespace
@@ -95,17 +100,14 @@ TEST_CASE("Floats show what a format of 8 or 16 bits hides, and rounding is no f
 
 TEST_CASE("A value that its format clamps is an error with the value and the pass")
 {
-    const Description description = chain();
     TargetHealth second = healthy("y", "second");
     second.out_of_range = 4;
     second.first_value = 1.7f;
-    const Diagnostics found =
-        diagnose(description, planOf(description), {healthy("x", "first"), second}, {});
-    REQUIRE(found.size() == 1);
-    CHECK(found[0].code == Code::target_out_of_range);
-    CHECK(found[0].pointer == "/passes/second");
-    CHECK(found[0].message.find("pass 'second' writes 4 of 12 pixels out of range") == 0);
-    CHECK(found[0].message.find("1.7") != std::string::npos);
+    const Diagnostic said = saidOf({healthy("x", "first"), second});
+    CHECK(said.code == Code::target_out_of_range);
+    CHECK(said.pointer == "/passes/second");
+    CHECK(said.message.find("pass 'second' writes 4 of 12 pixels out of range") == 0);
+    CHECK(said.message.find("1.7") != std::string::npos);
 }
 
 TEST_CASE("A pixel that differs with the poison in memory is undefined")
@@ -131,47 +133,39 @@ TEST_CASE("An image of one value in each channel is constant")
 
 TEST_CASE("The first pass that is wrong is named, and those behind it are notes")
 {
-    const Description description = chain();
     TargetHealth second = healthy("y", "second"), third = healthy("z", "third");
     second.not_numbers = 3;
     third.not_numbers = 7;
-    const Diagnostics found =
-        diagnose(description, planOf(description), {healthy("x", "first"), second, third}, {});
-    REQUIRE(found.size() == 1);
-    CHECK(found[0].code == Code::target_not_finite);
-    CHECK(found[0].pointer == "/passes/second");
-    CHECK(found[0].message.find("pass 'second' writes 3 of 12 pixels") == 0);
-    REQUIRE(found[0].notes.size() == 1);
-    CHECK(found[0].notes[0].text.find("'third'") != std::string::npos);
+    const Diagnostic said = saidOf({healthy("x", "first"), second, third});
+    CHECK(said.code == Code::target_not_finite);
+    CHECK(said.pointer == "/passes/second");
+    CHECK(said.message.find("pass 'second' writes 3 of 12 pixels") == 0);
+    REQUIRE(said.notes.size() == 1);
+    CHECK(said.notes[0].text.find("'third'") != std::string::npos);
 }
 
 TEST_CASE("What depends on poison is an error of the pass that left it")
 {
-    const Description description = chain();
     TargetHealth first = healthy("x", "first");
     first.undefined = 12;
-    const Diagnostics found = diagnose(description, planOf(description), {first}, {});
-    REQUIRE(found.size() == 1);
-    CHECK(found[0].code == Code::target_undefined);
-    CHECK_FALSE(found[0].help.empty());
+    const Diagnostic said = saidOf({first});
+    CHECK(said.code == Code::target_undefined);
+    CHECK_FALSE(said.help.empty());
 }
 
 TEST_CASE("An output that is the same everywhere is traced to the pass where that began")
 {
-    const Description description = chain();
-    const Diagnostics found = diagnose(
-        description, planOf(description),
-        {healthy("x", "first"), constant("y", "second", 1), constant("z", "third", 1)}, {});
-    REQUIRE(found.size() == 1);
-    CHECK(found[0].code == Code::output_constant);
-    CHECK(found[0].severity == Severity::warning);
-    CHECK(found[0].pointer == "/passes/second");
+    const Image white(kSize, 1, 1.0f);
+    const Diagnostic said = saidOf(
+        {healthy("x", "first"), examined(white, "y", "second"), examined(white, "z", "third")});
+    CHECK(said.code == Code::output_constant);
+    CHECK(said.severity == Severity::warning);
+    CHECK(said.pointer == "/passes/second");
 }
 
 TEST_CASE("Nothing is said of a healthy frame")
 {
-    const Description description = chain();
-    CHECK(diagnose(description, planOf(description),
+    CHECK(diagnose(chain(), planOf(chain()),
                    {healthy("x", "first"), healthy("y", "second"), healthy("z", "third")}, {})
               .empty());
 }

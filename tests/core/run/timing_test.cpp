@@ -45,11 +45,10 @@ std::string withoutTiming(const std::string& log)
 FrameTimes timed(Rig& rig)
 {
     rig.device.clearLog();
-    Result<FrameTimes> times = rig.renderer->renderTimed(rig.frame);
-    if (!times) FAIL(toText(times.diagnostics()));
+    const FrameTimes times = need(rig.renderer->renderTimed(rig.frame));
     CHECK(rig.device.misuse().empty());
-    CHECK(times->pass_ms.size() == rig.renderer->plan().passes.size());
-    return *times;
+    CHECK(times.pass_ms.size() == rig.renderer->plan().passes.size());
+    return times;
 }
 
 /// A renderer for `count` passes, each reading the one before it.
@@ -71,55 +70,36 @@ std::unique_ptr<Renderer> chain(RecordingDevice& device, int count)
     const std::string json = R"({"format": 1, "name": "chain", "targets": {)" + targets +
                              R"(}, "shaders": {)" + shaders + R"(}, "passes": {)" + passes +
                              R"(}, "outputs": {"ao": "t)" + std::to_string(count - 1) + "\"}}";
-    auto renderer = Renderer::create(device, describe(json, files), {{8, 8}}, {});
-    if (!renderer) FAIL(toText(renderer.diagnostics()));
-    return std::move(*renderer);
+    return need(Renderer::create(device, describe(json, files), {{8, 8}}, {}));
 }
 
 const std::vector<double> kFourTimes = {1.5, 0.25, 4.0, 2.0};
 
 }  // namespace
 
-TEST_CASE("A device without timers is timed by the clock, with a wait around each pass")
+TEST_CASE("Passes are timed by the device's timers, or by the clock with a wait around each")
 {
-    Rig rig;
-    const FrameTimes times = timed(rig);
-    CHECK(times.method == TimingMethod::wall_clock);
-    CHECK(order(rig.device.log()) ==
-          "finish\nbeginFrame\n"
-          "beginTimer 0\nbeginPass geometry\nendPass\nfinish\n"
-          "beginTimer 1\nbeginPass occlusion\nendPass\nfinish\n"
-          "beginTimer 2\nbeginPass filter\nendPass\nfinish\n"
-          "beginTimer 3\nbeginPass lighting\nendPass\nfinish\n"
-          "endFrame\nfinish\n");
-}
-
-TEST_CASE("By the clock no pass takes less than nothing, and all take no more than the frame")
-{
-    Rig rig;
-    const FrameTimes times = timed(rig);
-    for (double pass : times.pass_ms) CHECK(pass >= 0);
-    const double sum = std::accumulate(times.pass_ms.begin(), times.pass_ms.end(), 0.0);
-    CHECK(sum > 0);
-    CHECK(sum <= times.total_ms * 1.000001);
-}
-
-TEST_CASE("A device's timers measure pass by pass, and are read after the frame")
-{
-    Rig rig;
-    rig.device.setTimers(kFourTimes);
-    const FrameTimes times = timed(rig);
-    CHECK(times.method == TimingMethod::gpu_timer);
-    CHECK(times.pass_ms == kFourTimes);
-    CHECK(times.total_ms == Approx(7.75));
-    CHECK(order(rig.device.log()) ==
-          "finish\nbeginFrame\n"
-          "beginTimer 0\nbeginPass geometry\nendPass\nendTimer\n"
-          "beginTimer 1\nbeginPass occlusion\nendPass\nendTimer\n"
-          "beginTimer 2\nbeginPass filter\nendPass\nendTimer\n"
-          "beginTimer 3\nbeginPass lighting\nendPass\nendTimer\n"
-          "endFrame\nfinish\n"
-          "readTimer 0\nreadTimer 1\nreadTimer 2\nreadTimer 3\n");
+    for (const bool timers : {false, true}) {
+        Rig rig;
+        if (timers) rig.device.setTimers(kFourTimes);
+        const FrameTimes times = timed(rig);
+        CHECK(times.method == (timers ? TimingMethod::gpu_timer : TimingMethod::wall_clock));
+        std::string wanted = "finish\nbeginFrame\n";
+        int slot = 0;
+        for (const char* pass : {"geometry", "occlusion", "filter", "lighting"})
+            wanted += "beginTimer " + std::to_string(slot++) + "\nbeginPass " + pass +
+                      "\nendPass\n" + (timers ? "endTimer\n" : "finish\n");
+        wanted += "endFrame\nfinish\n";
+        if (timers) wanted += "readTimer 0\nreadTimer 1\nreadTimer 2\nreadTimer 3\n";
+        CHECK(order(rig.device.log()) == wanted);
+        const double sum = std::accumulate(times.pass_ms.begin(), times.pass_ms.end(), 0.0);
+        for (const double pass : times.pass_ms) CHECK(pass >= 0);
+        CHECK(sum > 0);
+        CHECK(sum <= times.total_ms * 1.000001);
+        if (!timers) continue;
+        CHECK(times.pass_ms == kFourTimes);
+        CHECK(times.total_ms == Approx(7.75));
+    }
 }
 
 TEST_CASE("A void time makes the total void, and the next frame is measured again")
@@ -203,45 +183,54 @@ TEST_CASE("What the driver reports of a timed frame reaches the caller, and fram
 
 TEST_CASE("Timers out of order are blamed")
 {
-    RecordingDevice device;
-    device.setTimers({1, 2});
-    SECTION("outside a frame") { CHECK(device.beginTimer(0)); }
-    SECTION("one inside another")
-    {
-        need(device.beginFrame());
-        CHECK(device.beginTimer(0));
-        CHECK(device.misuse().empty());
-        CHECK(device.beginTimer(1));
+    using Device = RecordingDevice;
+    constexpr std::pair<const char*, void (*)(Device&)> kMistakes[] = {
+        {"outside a frame", [](Device& device) { CHECK(device.beginTimer(0)); }},
+        {"one inside another",
+         [](Device& device) {
+             need(device.beginFrame());
+             CHECK(device.beginTimer(0));
+             CHECK(device.misuse().empty());
+             CHECK(device.beginTimer(1));
+         }},
+        {"ended without a beginning", [](Device& device) { device.endTimer(); }},
+        {"ended though refused",
+         [](Device& device) {
+             device.setTimers({});
+             need(device.beginFrame());
+             CHECK_FALSE(device.beginTimer(0));
+             CHECK(device.misuse().empty());
+             device.endTimer();
+         }},
+        {"running when the frame ends",
+         [](Device& device) {
+             need(device.beginFrame());
+             CHECK(device.beginTimer(0));
+             CHECK(device.endFrame().ok());
+         }},
+        {"read inside a frame",
+         [](Device& device) {
+             need(device.beginFrame());
+             CHECK(device.readTimer(0) < 0);
+         }},
+        {"a slot past the last",
+         [](Device& device) {
+             need(device.beginFrame());
+             CHECK_FALSE(device.beginTimer(kMaxTimers));
+         }},
+        {"a slot below 0",
+         [](Device& device) {
+             need(device.beginFrame());
+             CHECK_FALSE(device.beginTimer(-1));
+         }},
+    };
+    for (const auto& [what, make] : kMistakes) {
+        INFO(what);
+        RecordingDevice device;
+        device.setTimers({1, 2});
+        make(device);
+        CHECK(device.misuse().size() == 1);
     }
-    SECTION("ended without a beginning") { device.endTimer(); }
-    SECTION("ended though refused")
-    {
-        device.setTimers({});
-        need(device.beginFrame());
-        CHECK_FALSE(device.beginTimer(0));
-        CHECK(device.misuse().empty());
-        device.endTimer();
-    }
-    SECTION("running when the frame ends")
-    {
-        need(device.beginFrame());
-        CHECK(device.beginTimer(0));
-        CHECK(device.endFrame().ok());
-    }
-    SECTION("read inside a frame")
-    {
-        need(device.beginFrame());
-        CHECK(device.readTimer(0) < 0);
-    }
-    SECTION("no such slot")
-    {
-        need(device.beginFrame());
-        CHECK_FALSE(device.beginTimer(kMaxTimers));
-        CHECK_FALSE(device.beginTimer(-1));
-        CHECK(device.misuse().size() == 2);
-        return;
-    }
-    CHECK(device.misuse().size() == 1);
 }
 
 TEST_CASE("A recorded timer that measured nothing is void")

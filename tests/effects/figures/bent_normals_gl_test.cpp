@@ -10,15 +10,14 @@ using namespace crevice;
 
 namespace {
 
-/// Unit vectors in view space.
-Image directions(const char* target, PictureRequest request)
+/// Unit vectors in view space, a target of the config.
+Image directions(SceneRig& rig, const char* target, const std::string& camera,
+                 const char* radius = "radius=0.5")
 {
-    const GivenConfig config({"geometry/depth_normal", "ssao/gtao", "ssao/bent_normals"});
-    request.config = "given";
-    request.sources = &config.sources();
-    request.target = target;
-    request.overrides.insert(request.overrides.end(), {"slices=16", "steps=32"});
-    return picture(request);
+    const GivenConfig config({"geometry/depth_normal", "ssao/gtao", "ssao/bent_normals"},
+                             std::string(R"(, "outputs": {"shown": ")") + target + "\"}");
+    return rig.draw(config.description({"slices=16", "steps=32", radius}), rig.frame(camera),
+                    "shown");
 }
 
 glm::vec3 directionAt(const Image& image, int x, int y)
@@ -31,15 +30,12 @@ glm::vec3 directionAt(const Image& image, int x, int y)
 
 TEST_CASE("On an open wall the bent normal is the normal, however the wall lies to the camera")
 {
+    SceneRig rig("plane", {64, 36});
     for (const char* camera :
          {"", "eye=0,0.4,4;at=0,0,-8;fov=60", "eye=5,2,1;at=0,0,0;fov=70",
           "eye=1,2,1;at=0,0,0;up=1,1,0;fov=80", "eye=3,4,5;at=0,0,0;ortho=4"}) {
-        PictureRequest request;
-        request.scene = "plane";
-        request.camera = camera;
-        request.extent = {64, 36};
-        const Image bent = directions("bent_normal", request);
-        const Image normal = directions("normal", request);
+        const Image bent = directions(rig, "bent_normal", camera);
+        const Image normal = directions(rig, "normal", camera);
         INFO(camera);
         float farthest = 0;
         for (int y = 0; y < 36; ++y)
@@ -65,17 +61,15 @@ TEST_CASE("At the foot of a wall the bent normal leans away from it, as far as t
     const Place on_wall = {"0,0.1,0", {0, 0.1, 0}, glm::normalize(glm::dvec3(0, away, along))};
     const std::pair<const char*, glm::dvec3> ups[] = {
         {"0,1,0", {0, 1, 0}}, {"1,0,0", {1, 0, 0}}, {"-1,1,0", {-1, 1, 0}}};
+    SceneRig rig("corner", {97, 97});
     for (const Place& place : {on_floor, on_wall})
         for (const auto& [up_text, up] : ups) {
-            PictureRequest request;
-            request.scene = "corner";
-            request.camera =
+            const std::string camera =
                 std::string("eye=0,4,4;at=") + place.text + ";up=" + up_text + ";fov=90";
-            request.extent = {97, 97};
-            request.overrides = {"radius=3"};
             const glm::dmat3 view_from_world(glm::lookAt(glm::dvec3(0, 4, 4), place.at, up));
-            const glm::vec3 bent = directionAt(directions("bent_normal", request), 48, 48);
-            INFO(request.camera);
+            const glm::vec3 bent =
+                directionAt(directions(rig, "bent_normal", camera, "radius=3"), 48, 48);
+            INFO(camera);
             CHECK(glm::distance(bent, glm::vec3(view_from_world * place.bent)) < 0.1f);
         }
 }

@@ -6,14 +6,10 @@
 // ordinary planes. It changed where the mean change is more than half a step of 8 bits; a warning
 // is false where it is less than an eighth. Scenes have occlusion to lose: planes are open in any
 // format (tests/effects/precision_gl_test.cpp).
-#include "tests/support/gl_fixture.h"
-#include "tests/support/picture.h"
-
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
 #include "core/base/numbers.h"
-#include "tools/render/scene_upload.h"
+#include "tests/support/nightly.h"
+#include "tests/support/picture.h"
+#include "tools/cli/config_options.h"
 #include "tools/scene/mesh_shapes.h"
 #include "tools/stress/geometry.h"
 #include "tools/stress/limits.h"
@@ -291,11 +287,11 @@ void count(Stage& stage, const Subject& subject, const Setup& setup, Tally& tall
     tally.add(drawn.warned, change > kSameChange, change < kUnseenChange);
 }
 
-Tally tallyOf(Stage& stage, const Group& group, Random& random, int setups)
+Tally tallyOf(Stage& stage, const Group& group, Random& random, int setups, std::size_t configs)
 {
     Tally tally;
     for (int i = 0; i < setups; ++i) {
-        const Subject& subject = group.subjects[i % group.subjects.size()];
+        const Subject& subject = group.subjects[i % std::min(configs, group.subjects.size())];
         const Setup setup = randomSetup(random, group.kind);
         count(stage, subject, setup, tally);
     }
@@ -313,11 +309,13 @@ void print(const char* name, const Tally& tally)
 
 TEST_CASE("What changes a picture is foretold, and little that does not")
 {
+    // By day few configs in as many set-ups: compiling them takes longest.
+    const std::size_t configs = nightly() ? 100 : 3;
     Stage stage;
     Random random(1);
     Tally all;
     for (const Group& group : groups()) {
-        const Tally tally = tallyOf(stage, group, random, 60);
+        const Tally tally = tallyOf(stage, group, random, 60, configs);
         CAPTURE(group.name, tally.changed, tally.missed, tally.warned, tally.false_alarms);
         CHECK(tally.changed >= 10);
         CHECK_FALSE(tally.tellsLess());
@@ -334,12 +332,10 @@ TEST_CASE("Figures of what is foretold", "[.]")
     Random random(1000);
     Tally all;
     for (const Group& group : groups()) {
-        const Tally tally = tallyOf(stage, group, random, 600);
+        const Tally tally = tallyOf(stage, group, random, 600, 100);
         print(group.name, tally);
         CAPTURE(group.name);
-        if (group.kind == Kind::depth || group.kind == Kind::view_depth ||
-            group.kind == Kind::position)
-            CHECK(tally.recall() >= kLeastRecall);
+        if (group.kind != Kind::vertices) CHECK(tally.recall() >= kLeastRecall);
         all += tally;
     }
     print("all", all);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Far taps read coarser copies of depth, each texel of which is one of depth.
+#include "tests/support/modules.h"
 #include "tests/support/picture.h"
-
-#include <crevice/shipped.h>
+#include "tests/support/shipped_subjects.h"
 
 #include <cmath>
 
@@ -10,30 +10,12 @@ using namespace crevice;
 
 namespace {
 
+using Overrides = std::vector<std::string>;
+
 /// A config with the levels added to it.
-Image drawn(const std::string& config, PictureRequest request)
+Description withLevels(const std::string& config, const Overrides& overrides, const char* more = "")
 {
-    MemorySources mine;
-    mine.add("configs/levels.json",
-             R"({"format": 1, "extends": [")" + config + R"(", "geometry/depth_levels"]})");
-    const LayeredSources sources({&mine, &shippedSources()});
-    request.config = "levels";
-    request.sources = &sources;
-    return picture(request);
-}
-
-Image withoutLevels(const std::string& config, PictureRequest request)
-{
-    request.config = config;
-    return picture(request);
-}
-
-PictureRequest room(std::vector<std::string> overrides)
-{
-    PictureRequest request;
-    request.scene = "room";
-    request.overrides = std::move(overrides);
-    return request;
+    return GivenConfig({config, "geometry/depth_levels"}, more).description(overrides);
 }
 
 /// Two steps of 24 bits, by which a value may move when it is stored once more.
@@ -52,12 +34,12 @@ bool holds(const Image& depth, int level, int x, int y, float value)
 
 TEST_CASE("A texel of a level is one of the texels of depth that it stands for")
 {
-    PictureRequest request = room({"guard_band=1"});
-    request.extent = {97, 53};
-    request.target = "depth_levels";
-    const Image levels = drawn("gtao", request);
-    request.target = "depth";
-    const Image depth = withoutLevels("gtao", request);
+    SceneRig rig("room", {97, 53});
+    const auto target = [&](const char* name) {
+        const std::string shown = std::string(R"(, "outputs": {"shown": ")") + name + "\"}";
+        return rig.draw(withLevels("gtao", {"guard_band=1"}, shown.c_str()), rig.frame(), "shown");
+    };
+    const Image levels = target("depth_levels"), depth = target("depth");
     REQUIRE(levels.extent == depth.extent);
     const Extent corners[] = {{0, 0}, {48, 0}, {48, 13}, {48, 13 + 6}};
     for (int level = 1; level <= 4; ++level) {
@@ -72,11 +54,12 @@ TEST_CASE("A texel of a level is one of the texels of depth that it stands for")
 
 TEST_CASE("Levels change little, the nearer they begin the more, and nothing beyond every tap")
 {
+    SceneRig rig("room");
     for (const char* config : {"sao", "learnopengl", "ogldev45"}) {
         INFO(config);
-        const Image without = withoutLevels(config, room({"radius=1"}));
+        const Image without = rig.draw(descriptionOf({config}, {"radius=1"}), rig.frame());
         const auto change = [&](const char* near_taps) {
-            const Image image = drawn(config, room({"radius=1", near_taps}));
+            const Image image = rig.draw(withLevels(config, {"radius=1", near_taps}), rig.frame());
             CHECK(allVisibility(image));
             return meanChange(image, without);
         };
@@ -90,10 +73,11 @@ TEST_CASE("Levels change little, the nearer they begin the more, and nothing bey
 
 TEST_CASE("Levels of tiny and odd views, and of views with a guard band, draw visibility")
 {
+    SceneRig rig("room");
     for (const Extent extent : {Extent{1, 1}, Extent{5, 3}, Extent{17, 31}, Extent{33, 16}})
         for (const char* guard : {"guard_band=1", "guard_band=1.37"}) {
-            PictureRequest request = room({"radius=4", "near_taps=1", guard});
-            request.extent = extent;
-            CHECK(allVisibility(drawn("sao", request)));
+            rig.extent = extent;
+            const Overrides overrides = {"radius=4", "near_taps=1", guard};
+            CHECK(allVisibility(rig.draw(withLevels("sao", overrides), rig.frame())));
         }
 }

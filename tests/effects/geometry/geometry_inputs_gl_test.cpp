@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a surface is read from: stored, rebuilt from depth, or the host's own textures.
+#include "tests/support/modules.h"
 #include "tests/support/picture.h"
-
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
+#include "tests/support/shipped_subjects.h"
 
 #include <glm/geometric.hpp>
 
@@ -37,23 +32,11 @@ const char* const kShow = R"({
     "outputs": {"color": "color"}})";
 
 /// Normals in view space as a geometry module finds them; alpha 0 in the background.
-Image normals(const std::string& geometry, const std::string& scene, const std::string& camera,
-              Extent extent = {128, 72})
+Image normals(SceneRig& rig, const std::string& geometry, const std::string& camera = "")
 {
-    MemorySources mine;
-    mine.add("mine/show.frag", kShowNormals);
-    mine.add("mine/show.json", kShow);
-    mine.add("configs/show.json",
-             R"({"format": 1, "extends": ["geometry/)" + geometry + R"(", "mine/show"]})");
-    const LayeredSources sources({&mine, &shippedSources()});
-    PictureRequest request;
-    request.config = "show";
-    request.scene = scene;
-    request.camera = camera;
-    request.extent = extent;
-    request.output = "color";
-    request.sources = &sources;
-    return picture(request);
+    const GivenConfig config({"geometry/" + geometry, "mine/show"}, "",
+                             {{"mine/show.frag", kShowNormals}, {"mine/show.json", kShow}});
+    return rig.draw(config.description(), rig.frame(camera), "color");
 }
 
 glm::vec3 normalOf(const Image& image, int x, int y)
@@ -115,31 +98,12 @@ double shareWithin(const Image& a, const Image& b, double degrees)
     return double(near) / seen;
 }
 
-Description describeText(const std::string& config)
-{
-    MemorySources mine;
-    mine.add("configs/host.json", config);
-    const LayeredSources sources({&mine, &shippedSources()});
-    return need(decode(need(loadConfig(sources, {"host"})), sources));
-}
-
-const char* const kDrawn = R"({"format": 1,
-    "extends": ["geometry/depth_normal", "ssao/hemisphere", "filter/bilateral_normal"],
-    "outputs": {"depth": "depth", "normal": "normal"}})";
-
-std::string hostConfig(const std::string& geometry)
-{
-    return R"({"format": 1, "extends": ["geometry/)" + geometry +
-           R"(", "ssao/hemisphere", "filter/bilateral_normal"]})";
-}
-
 /// A view space turned by 90 degrees about z, and left-handed: what x, y and z of the upright one
 /// are.
 const glm::dmat3 kTurn = {0, 1, 0, -1, 0, 0, 0, 0, -1};
 
 /// The occlusion, and the surface as a host has it whose view space is turned.
-const char* const kTurned = R"({"format": 1,
-    "extends": ["geometry/depth_normal", "ssao/gtao", "filter/bilateral_normal", "lighting/blinn_phong"],
+const char* const kTurned = R"(,
     "targets": {
         "host_position": {"format": "rgba32f"},
         "host_distance": {"format": "r32f"},
@@ -149,7 +113,7 @@ const char* const kTurned = R"({"format": 1,
     "passes": {"turn": {"type": "fullscreen", "shader": "turn",
                         "color": ["host_position", "host_distance", "host_normal"]}},
     "outputs": {"depth": "depth", "position": "host_position", "linear_depth": "host_distance",
-                "normal": "host_normal"}})";
+                "normal": "host_normal"})";
 const char* const kTurnedShader = R"(#version 300 es
 precision highp float;
 #include <surface>
@@ -168,91 +132,74 @@ void main()
 }
 )";
 
-/// A host that has drawn depth and normals itself.
-struct Host {
-    GlFixture gl;
-    Scene scene = need(loadScene("spheres"));
-    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    CompileOptions options;
-    Frame frame;
-    std::unique_ptr<Renderer> drawn;
+using Names = std::vector<std::string>;
 
-    Host()
-    {
-        options.extent = {128, 72};
-        const double aspect = 128.0 / 72.0;
-        const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", aspect));
-        frame = makeFrame(uploaded, camera, options.extent);
-        drawn = need(Renderer::create(*gl.device, describeText(kDrawn), options, traitsOf(frame)));
-        need(drawn->render(frame));
-    }
-
-    /// The occlusion by a config that draws no scene.
-    Image occlusion(const std::string& geometry, const std::vector<std::string>& textures)
-    {
-        Frame bare;
-        bare.camera = frame.camera;
-        for (const std::string& name : textures)
-            bare.textures.push_back({name, drawn->output(name)});
-        auto renderer = need(Renderer::create(*gl.device, describeText(hostConfig(geometry)),
-                                              options, traitsOf(bare)));
-        need(renderer->render(bare));
-        return gl.read(renderer->output("ao"));
-    }
-};
+/// A frame of what a host drew itself, outputs of a renderer.
+Frame hostFrame(const Camera& camera, const Renderer& host, const Names& textures)
+{
+    Frame bare;
+    bare.camera = camera;
+    for (const std::string& name : textures) bare.textures.push_back({name, host.output(name)});
+    return bare;
+}
 
 }  // namespace
 
 TEST_CASE("Normals rebuilt from depth are those of the mesh on flat surfaces, edges included")
 {
+    SceneRig rig("corner");
     for (const char* camera : {"", "eye=3,2,4;at=0,0,0;ortho=4", "eye=0,1.5,4;at=0,0,0;fov=100"}) {
         INFO(camera);
-        const Image stored = normals("depth_normal", "corner", camera);
-        CHECK(shareWithin(normals("depth_only", "corner", camera), stored, 2) > 0.97);
+        const Image stored = normals(rig, "depth_normal", camera);
+        CHECK(shareWithin(normals(rig, "depth_only", camera), stored, 2) > 0.97);
     }
 }
 
-TEST_CASE("Normals rebuilt from depth follow round surfaces")
+TEST_CASE("Normals rebuilt from depth follow round surfaces, of unit length in any size")
 {
-    const Image stored = normals("depth_normal", "spheres", "", {256, 144});
-    const Image rebuilt = normals("depth_only", "spheres", "", {256, 144});
-    CHECK(shareWithin(rebuilt, stored, 10) > 0.9);
-}
-
-TEST_CASE("Normals rebuilt from depth have unit length in pictures of any size")
-{
+    SceneRig spheres("spheres", {256, 144});
+    const Image stored = normals(spheres, "depth_normal");
+    CHECK(shareWithin(normals(spheres, "depth_only"), stored, 10) > 0.9);
+    SceneRig rig("plane");
     for (const Extent extent : {Extent{1, 1}, Extent{2, 1}, Extent{1, 37}, Extent{3, 2}}) {
-        const Image stored = normals("depth_normal", "plane", "", extent);
-        shareWithin(normals("depth_only", "plane", "", extent), stored, 90);
+        rig.extent = extent;
+        shareWithin(normals(rig, "depth_only"), normals(rig, "depth_normal"), 90);
     }
 }
 
 TEST_CASE("The host's own depth and normals give the occlusion that ours give")
 {
-    Host host;
-    const Image ours = host.gl.read(host.drawn->output("ao"));
+    SceneRig rig("spheres");
+    const Names rest = {"ssao/hemisphere", "filter/bilateral_normal"};
+    const GivenConfig drawn({"geometry/depth_normal", rest[0], rest[1]},
+                            R"(, "outputs": {"depth": "depth", "normal": "normal"})");
+    const auto host = rig.renderer(drawn.description(), rig.frame());
+    need(host->render(rig.frame()));
+    const Image ours = rig.read(host->output("ao"));
+    const auto hosted = [&](const char* geometry, const Names& textures) {
+        return rig.draw(GivenConfig({geometry, rest[0], rest[1]}).description(),
+                        hostFrame(rig.frame().camera, *host, textures));
+    };
     CHECK(mean(ours) < 0.99);
-    CHECK(meanChange(host.occlusion("host_depth_normal", {"depth", "normal"}), ours) == 0.0);
-    CHECK(meanChange(host.occlusion("host_depth", {"depth"}), ours) < 0.02);
+    CHECK(meanChange(hosted("geometry/host_depth_normal", {"depth", "normal"}), ours) == 0.0);
+    CHECK(meanChange(hosted("geometry/host_depth", {"depth"}), ours) < 0.02);
 }
 
 TEST_CASE("Distances of a host count as surfaces above 0 and below the far, and nowhere else")
 {
     // A sphere kernel shades all surfaces, and no background.
-    const Description description = describeText(R"({"format": 1,
-        "extends": ["geometry/host_linear_depth", "ssao/sphere", "filter/none"],
-        "params": {"linear_far": 10}})");
-    Host host;
+    const Description description =
+        GivenConfig({"geometry/host_linear_depth", "ssao/sphere", "filter/none"},
+                    R"(, "params": {"linear_far": 10})")
+            .description();
+    SceneRig rig("spheres");
     Frame bare;
-    bare.camera = host.frame.camera;
+    bare.camera = rig.frame().camera;
     const auto occlusionAt = [&](float distance) {
-        const TextureId image = host.gl.texture(Format::r32f, host.options.extent);
-        need(host.gl.device->writeTexture(image, Image(host.options.extent, 1, distance)));
+        const TextureId image = rig.texture(Format::r32f, rig.extent);
+        need(rig.device->writeTexture(image, Image(rig.extent, 1, distance)));
         bare.textures = {{"linear_depth", image}};
-        auto renderer =
-            need(Renderer::create(*host.gl.device, description, host.options, traitsOf(bare)));
-        need(renderer->render(bare));
-        return 1 - mean(host.gl.read(renderer->output("ao")));
+        return 1 - mean(rig.draw(description, bare));
     };
     for (const float distance : {5.0f, 9.9f}) CHECK(occlusionAt(distance) > 0.1);
     for (const float distance : {-5.0f, 0.0f, 10.0f, 11.0f}) CHECK(occlusionAt(distance) == 0);
@@ -260,74 +207,46 @@ TEST_CASE("Distances of a host count as surfaces above 0 and below the far, and 
 
 TEST_CASE("A turned view space changes no picture but for noise, nor does what a host stored in it")
 {
-    GlFixture gl;
-    const Scene scene = need(loadScene("spheres"));
-    const UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    CompileOptions options;
-    options.extent = {96, 54};
-    const SceneCamera camera = need(chooseCamera(scene, uploaded.bounds(), "", 96.0 / 54.0));
-    const Frame upright = makeFrame(uploaded, camera, options.extent);
+    SceneRig rig("spheres", {96, 54});
+    const Frame upright = rig.frame();
     Frame turned = upright;
     const glm::dmat4 turn(kTurn);
     turned.camera.view_from_world = turn * upright.camera.view_from_world;
     turned.camera.clip_from_view =
         glm::mat4(glm::dmat4(upright.camera.clip_from_view) * glm::transpose(turn));
-
-    MemorySources mine;
-    mine.add("configs/turn.frag", kTurnedShader);
-    mine.add("configs/host.json", kTurned);
-    const LayeredSources sources({&mine, &shippedSources()});
-    const Description drawn = need(decode(need(loadConfig(sources, {"host"})), sources));
-    const auto rendererOf = [&](const Frame& frame) {
-        auto renderer = need(Renderer::create(*gl.device, drawn, options, traitsOf(frame)));
-        need(renderer->render(frame));
-        return renderer;
+    const GivenConfig drawn(
+        {"geometry/depth_normal", "ssao/gtao", "filter/bilateral_normal", "lighting/blinn_phong"},
+        kTurned, {{"configs/turn.frag", kTurnedShader}});
+    const auto host = rig.renderer(drawn.description(), upright);
+    const auto own = rig.renderer(drawn.description(), turned);
+    need(host->render(upright));
+    need(own->render(turned));
+    const auto of = [&](const Renderer& renderer, const char* output) {
+        return rig.read(renderer.output(output));
     };
-    const auto host = rendererOf(upright);
-    const auto own = rendererOf(turned);
-    const Image ao = gl.read(host->output("ao"));
+    const Image ao = of(*host, "ao"), own_ao = of(*own, "ao");
     CHECK(mean(ao) < 0.99);
-    const Image own_ao = gl.read(own->output("ao"));
-    CHECK(meanChange(gl.read(own->output("depth")), gl.read(host->output("depth"))) == 0.0);
+    CHECK(meanChange(of(*own, "depth"), of(*host, "depth")) == 0.0);
     CHECK(meanChange(own_ao, ao) < 0.02);  // the noise turns with the space
-    CHECK(meanChange(gl.read(own->output("color")), gl.read(host->output("color"))) < 0.02);
+    CHECK(meanChange(of(*own, "color"), of(*host, "color")) < 0.02);
 
-    using Names = std::vector<std::string>;
-    const auto [geometry, textures] = GENERATE(
-        table<std::string, Names>({{"host_depth", {"depth"}},
-                                   {"host_depth_normal", {"depth", "normal"}},
-                                   {"host_linear_depth_normal", {"linear_depth", "normal"}},
-                                   {"host_position_normal", {"position", "normal"}}}));
-    INFO(geometry);
-    const auto occlusion = [&](const Camera& seen_by) {
-        Frame bare;
-        bare.camera = seen_by;
-        for (const std::string& name : textures)
-            bare.textures.push_back({name, host->output(name)});
-        auto renderer = need(
-            Renderer::create(*gl.device,
-                             describeText(R"({"format": 1, "extends": ["geometry/)" + geometry +
-                                          R"(", "ssao/gtao", "filter/bilateral_normal"]})"),
-                             options, traitsOf(bare)));
-        need(renderer->render(bare));
-        return gl.read(renderer->output("ao"));
-    };
-    // Noise is in the picture; how far stored positions are off is known in four steps.
-    CHECK(meanChange(occlusion(turned.camera), own_ao) < (geometry == "host_depth" ? 0.02 : 4e-3));
-    const bool in_view_space = geometry != "host_depth";
-    CHECK((meanChange(occlusion(upright.camera), ao) > 0.02) == in_view_space);
-}
-
-TEST_CASE("A host that forgets its depth gets an error")
-{
-    Host host;
-    Frame bare;
-    bare.camera = host.frame.camera;
-    auto renderer = need(Renderer::create(*host.gl.device, describeText(hostConfig("host_depth")),
-                                          host.options, traitsOf(bare)));
-    const Status status = renderer->render(bare);
-    REQUIRE_FALSE(status.ok());
-    CHECK(status.diagnostics().front().code == Code::missing_import);
+    const std::pair<std::string, Names> inputs[] = {
+        {"host_depth", {"depth"}},
+        {"host_depth_normal", {"depth", "normal"}},
+        {"host_linear_depth_normal", {"linear_depth", "normal"}},
+        {"host_position_normal", {"position", "normal"}}};
+    for (const auto& input : inputs) {
+        INFO(input.first);
+        const GivenConfig config(
+            {"geometry/" + input.first, "ssao/gtao", "filter/bilateral_normal"});
+        const auto occlusion = [&](const Frame& seen_by) {
+            return rig.draw(config.description(), hostFrame(seen_by.camera, *host, input.second));
+        };
+        const bool in_view_space = input.first != "host_depth";
+        // Noise is in the picture; how far stored positions are off is known in four steps.
+        CHECK(meanChange(occlusion(turned), own_ao) < (in_view_space ? 4e-3 : 0.02));
+        CHECK((meanChange(occlusion(upright), ao) > 0.02) == in_view_space);
+    }
 }
 
 TEST_CASE("A normal map tilts the normal towards growing u and v, from whichever side and scale")
@@ -397,34 +316,6 @@ TEST_CASE(
                 for (int x = 0; x < normals.extent.width; ++x)
                     if (normals.at(x, y, 3) > 0.5f) CHECK(normals.at(x, y, 1) > 0.9f);
         }
-}
-
-TEST_CASE("A guard band leaves the lit picture in its place, deferred and forward")
-{
-    for (const char* lighting : {"blinn_phong", "forward"}) {
-        INFO(lighting);
-        const auto lit = [&](const char* guard) {
-            MemorySources mine;
-            mine.add("configs/guarded.json",
-                     std::string(R"({"format": 1, "extends": ["geometry/depth_normal", "ssao/gtao",
-                                 "filter/bilateral_normal", "lighting/)") +
-                         lighting + R"("], "params": {"guard_band": {"default": )" + guard + "}}}");
-            const LayeredSources sources({&mine, &shippedSources()});
-            PictureRequest request;
-            request.config = "guarded";
-            request.scene = "spheres";
-            request.extent = {160, 90};
-            request.output = "color";
-            request.sources = &sources;
-            return picture(request);
-        };
-        const Image without = lit("1");
-        const Image with = lit("1.4");
-        double sum = 0;
-        for (std::size_t i = 0; i < with.pixels.size(); ++i)
-            sum += std::abs(with.pixels[i] - without.pixels[i]);
-        CHECK(sum / static_cast<double>(with.pixels.size()) < 0.005);
-    }
 }
 
 TEST_CASE("Baked occlusion joins that of the screen by the lesser of both")

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Presets on a host's textures give the picture of the same preset that draws what they hold.
 #include "tests/support/picture.h"
-
-#include <crevice/config.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
+#include "tests/support/shipped_subjects.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
 
 #include <cmath>
 
@@ -19,30 +13,16 @@ namespace {
 using Overrides = std::vector<std::string>;
 
 /// A scene, and configs that draw it or get it from a host.
-struct Hosted {
-    GlFixture gl;
-    Scene scene = need(loadScene("spheres"));
-    UploadedScene uploaded = need(UploadedScene::upload(*gl.device, scene));
-    Extent extent = {160, 90};
-    Frame frame;
+struct Hosted : SceneRig {
+    Frame seen = frame();
 
-    explicit Hosted(const char* camera = "")
-    {
-        const double aspect = double(extent.width) / extent.height;
-        frame = makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), camera, aspect)),
-                          extent);
-    }
+    Hosted() : SceneRig("spheres", {160, 90}) {}
 
     Image occlusion(const std::string& config, const Overrides& overrides, int frames = 1)
     {
-        const Description description = need(
-            decode(need(loadConfig(shippedSources(), {config, "", overrides})), shippedSources()));
-        HostTextures host = need(HostTextures::make(*gl.device, description, extent, frame));
-        const Frame hosted = need(host.frameOf(frame));
-        const auto renderer =
-            need(Renderer::create(*gl.device, description, {extent, {"ao"}, {}}, traitsOf(hosted)));
-        for (int i = 0; i < frames; ++i) need(renderer->render(hosted));
-        return gl.read(renderer->output("ao"));
+        const Description description = descriptionOf({config}, overrides);
+        HostTextures host = need(HostTextures::make(*device, description, extent, seen));
+        return draw(description, need(host.frameOf(seen)), "ao", frames);
     }
 };
 
@@ -69,8 +49,9 @@ TEST_CASE("A preset on a host's surface is the same preset drawn, without band, 
 
 TEST_CASE("What a host stores in another way gives the same picture, from cameras of any kind")
 {
+    Hosted hosted;
     for (const char* camera : {"", "eye=0.6,0.9,2.2;at=0,0.3,0;fov=50"}) {
-        Hosted hosted(camera);
+        hosted.seen = hosted.frame(camera);
         const Image ours = hosted.occlusion("gtao", {"+geometry/host_depth_normal"});
         CHECK(mean(ours) < 0.98);
         for (const char* module : {"linear_depth_normal", "log_depth_normal", "position_normal"}) {
@@ -86,24 +67,22 @@ TEST_CASE("A host's textures are in its own view space, and in its own format")
     Hosted hosted;
     const Image upright = hosted.occlusion("gtao", {"+geometry/host_depth_normal"});
     const glm::dmat4 mirror = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
-    hosted.frame.camera.view_from_world = mirror * hosted.frame.camera.view_from_world;
-    hosted.frame.camera.clip_from_view =
-        glm::mat4(glm::dmat4(hosted.frame.camera.clip_from_view) * mirror);
+    Camera& camera = hosted.seen.camera;
+    camera.view_from_world = mirror * camera.view_from_world;
+    camera.clip_from_view = glm::mat4(glm::dmat4(camera.clip_from_view) * mirror);
     for (const char* module : {"depth_normal", "position_normal"}) {
         INFO(module);
         const Image other = hosted.occlusion("gtao", {std::string("+geometry/host_") + module});
         CHECK(meanChange(other, upright) < 0.003);
     }
 
-    const Description coarse = need(decode(
-        need(loadConfig(shippedSources(),
-                        {"mobile", "", {"+geometry/host_depth", "/imports/depth/format=depth16"}})),
-        shippedSources()));
+    const Description coarse =
+        descriptionOf({"mobile"}, {"+geometry/host_depth", "/imports/depth/format=depth16"});
     HostTextures host =
-        need(HostTextures::make(*hosted.gl.device, coarse, hosted.extent, hosted.frame));
-    const Frame frame = need(host.frameOf(hosted.frame));
+        need(HostTextures::make(*hosted.device, coarse, hosted.extent, hosted.seen));
+    const Frame frame = need(host.frameOf(hosted.seen));
     REQUIRE(frame.textures.size() == 1);
-    for (const float value : hosted.gl.read(frame.textures[0].texture).pixels)
+    for (const float value : hosted.read(frame.textures[0].texture).pixels)
         REQUIRE(std::abs(value * 65535 - std::round(value * 65535)) < 0.02f);
     CHECK(frame.draws.empty());
 }
@@ -111,22 +90,19 @@ TEST_CASE("A host's textures are in its own view space, and in its own format")
 TEST_CASE("Each of two eyes gets a host's textures of its own")
 {
     Hosted hosted;
-    Camera other = hosted.frame.camera;
+    Camera other = hosted.seen.camera;
     other.view_from_world[3][0] += 0.5;
-    hosted.frame.other_views = {{other, {}}};
-    const Description mobile =
-        need(decode(need(loadConfig(shippedSources(), {"mobile", "", {"+geometry/host_depth"}})),
-                    shippedSources()));
+    hosted.seen.other_views = {{other, {}}};
+    const Description mobile = descriptionOf({"mobile"}, {"+geometry/host_depth"});
     HostTextures host =
-        need(HostTextures::make(*hosted.gl.device, mobile, hosted.extent, hosted.frame));
-    const Frame both = need(host.frameOf(hosted.frame));
-    const auto renderer = need(
-        Renderer::create(*hosted.gl.device, mobile, {hosted.extent, {"ao"}, {}}, traitsOf(both)));
+        need(HostTextures::make(*hosted.device, mobile, hosted.extent, hosted.seen));
+    const Frame both = need(host.frameOf(hosted.seen));
+    const auto renderer = hosted.renderer(mobile, both, {"ao"});
     need(renderer->render(both));
-    const Image left = hosted.gl.read(renderer->output("ao", 0));
-    const Image right = hosted.gl.read(renderer->output("ao", 1));
-    hosted.frame.other_views.clear();
+    const Image left = hosted.read(renderer->output("ao", 0));
+    const Image right = hosted.read(renderer->output("ao", 1));
+    hosted.seen.other_views.clear();
     CHECK(meanChange(hosted.occlusion("mobile", {"+geometry/host_depth"}), left) == 0.0);
-    hosted.frame.camera = other;
+    hosted.seen.camera = other;
     CHECK(meanChange(hosted.occlusion("mobile", {"+geometry/host_depth"}), right) == 0.0);
 }

@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Every shipped config through the public API, from cameras of every kind: the picture is the same,
-// turned with the camera. Drawn from meshes, and on what a host draws itself.
-//
-// CREVICE_ORIENTATIONS=all draws the whole matrix and prints it, in some minutes; without it each
-// config meets a part, so that each kind of camera meets some config.
-#include <crevice/config.h>
-#include <crevice/effect.h>
-#include <crevice/renderer.h>
-#include <crevice/shipped.h>
-
-#include "tests/effects/geometry/host_scene.h"
-#include "tests/support/gl_fixture.h"
-#include "tools/render/scene_upload.h"
-#include "tools/stress/limits.h"
+// What a host draws through cameras and under clip controls of every kind: the occlusion is the
+// same, turned with the picture. Cameras over a config's own meshes are a case of `crevice stress`,
+// which shipped_properties_gl_test.cpp asks of all configs.
+#include "tests/support/modules.h"
+#include "tests/support/picture.h"
+#include "tests/support/shipped_subjects.h"
+#include "tools/stress/figures.h"
 #include "tools/stress/scenes.h"
-
-#include <glm/gtc/type_ptr.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <iomanip>
-#include <iterator>
-#include <sstream>
 
 using namespace crevice;
 
 namespace {
 
+constexpr Extent kExtent = {64, 64};
 constexpr int kBlock = 8;  // pixels a side of the means that are compared
-
-bool isWhole() { return std::getenv("CREVICE_ORIENTATIONS") != nullptr; }
-
-const Extent kExtent = isWhole() ? Extent{128, 128} : Extent{64, 64};
 
 /// How a host's camera differs from the plain one.
 struct Orientation {
@@ -41,7 +22,6 @@ struct Orientation {
     bool left_handed = false;
     bool half_depth = false;  ///< Clip z from 0 to 1 that the viewport halves again.
     ClipControl control = {};
-    bool set = false;  ///< As the context's clip control, else told.
     bool oblique = false;
 };
 
@@ -53,12 +33,11 @@ const Orientation kOrientations[] = {
     {"turned by 270", {0, -1, 1, 0}},
     {"left-handed", glm::dmat2(1.0), true},
     {"halved depth", glm::dmat2(1.0), false, true},
-    {"0 to 1 told", glm::dmat2(1.0), false, false, {true, false}},
-    {"0 to 1 set", glm::dmat2(1.0), false, false, {true, false}, true},
-    {"upper left told", {1, 0, 0, -1}, false, false, {false, true}},
-    {"both set", {1, 0, 0, -1}, false, false, {true, true}, true},
-    {"oblique", glm::dmat2(1.0), false, false, {}, false, true},
-    {"oblique, turned by 90", {0, 1, -1, 0}, false, false, {}, false, true},
+    {"0 to 1", glm::dmat2(1.0), false, false, {true, false}},
+    {"upper left", {1, 0, 0, -1}, false, false, {false, true}},
+    {"both", {1, 0, 0, -1}, false, false, {true, true}},
+    {"oblique", glm::dmat2(1.0), false, false, {}, true},
+    {"oblique, turned by 90", {0, 1, -1, 0}, false, false, {}, true},
 };
 
 struct Lens {
@@ -67,20 +46,15 @@ struct Lens {
     glm::dvec2 off_centre = glm::dvec2(0.0);
 };
 
-StressView roomView()
-{
-    StressView view;
-    view.eye = {0, 1, 5};
-    return view;
-}
-
 std::vector<Lens> lenses()
 {
-    std::vector<Lens> all = {{"perspective", roomView()},
-                             {"orthographic", roomView()},
-                             {"off-centre", roomView(), {0.3, -0.2}},
-                             {"infinite", roomView()},
-                             {"reversed infinite", roomView()}};
+    StressView room;
+    room.eye = {0, 1, 5};
+    std::vector<Lens> all = {{"perspective", room},
+                             {"orthographic", room},
+                             {"off-centre", room, {0.3, -0.2}},
+                             {"infinite", room},
+                             {"reversed infinite", room}};
     all[1].view.half_height = 2;
     all[1].view.eye.z = 10;  // before all of the scene: nothing is cut away
     all[3].view.infinite = all[4].view.infinite = all[4].view.reversed = true;
@@ -98,10 +72,10 @@ void makeOblique(glm::dmat4& rows, double sign)
     rows[2] = sign * (scale * plane - rows[3]);
 }
 
-/// A host's matrices, and the projection by which GL's own clip control draws the same.
+/// A host's camera, and from the plain view to where GL draws what it shows.
 struct HostCamera {
-    glm::dmat4 view_from_world;
-    glm::mat4 clip_from_view, plain_clip;
+    Camera given;
+    glm::dmat4 mirror, clip_from_view;
 };
 
 HostCamera cameraOf(const Lens& lens, const Orientation& kind)
@@ -117,150 +91,98 @@ HostCamera cameraOf(const Lens& lens, const Orientation& kind)
     glm::dmat4 given = glm::transpose(drawn);
     if (kind.control.upper_left) given[1] = -given[1];  // GL turns the picture
     if (kind.control.zero_to_one) given[2] = (given[2] + given[3]) * 0.5;
-    return {mirror * plain.view_from_world, glm::mat4(glm::transpose(given)), glm::mat4(drawn)};
+    Camera camera;
+    camera.view_from_world = mirror * plain.view_from_world;
+    camera.clip_from_view = glm::mat4(glm::transpose(given));
+    camera.clip_control = kind.control;
+    return {camera, mirror, drawn * mirror};
 }
 
-/// What a block of `plain` has more than the same of `image`, turned back.
-double differenceOf(const Image& plain, const Image& image, const glm::dmat2& turned, int left,
-                    int low)
-{
-    double sum = 0;
-    for (int y = low; y < low + kBlock; ++y)
-        for (int x = left; x < left + kBlock; ++x) {
-            const glm::dvec2 middle(kExtent.width * 0.5);
-            const glm::ivec2 at(glm::floor(turned * (glm::dvec2(x, y) + 0.5 - middle) + middle));
-            sum += plain.at(x, y) - image.at(at.x, at.y);
-        }
-    return sum / (kBlock * kBlock);
-}
+/// A host that has drawn the test scene: what a plain camera sees, stored as another one would.
+struct Host : SceneRig {
+    Host() : SceneRig(testScene(), kExtent) {}
 
-struct Difference {
-    double mean = 0, most = 0;
-};
-
-Difference differenceOf(const Image& plain, const Image& image, const glm::dmat2& turned)
-{
-    REQUIRE(plain.extent == kExtent);
-    REQUIRE(image.extent == kExtent);
-    Difference found;
-    for (int low = 0; low < kExtent.height; low += kBlock)
-        for (int left = 0; left < kExtent.width; left += kBlock) {
-            const double change = std::abs(differenceOf(plain, image, turned, left, low));
-            found.mean += change * kBlock * kBlock / (kExtent.width * kExtent.height);
-            found.most = std::max(found.most, change);
-        }
-    return found;
-}
-
-using SetClipControl = void(GL_APIENTRY*)(GLenum origin, GLenum depth);
-
-/// A host with the test scene, in draws of its own and as meshes for configs.
-struct Host : GlFixture {
-    HostScene own{gl, testScene(), kExtent};
-    UploadedScene uploaded = need(UploadedScene::upload(*device, testScene()));
-    SetClipControl set_clip_control = reinterpret_cast<SetClipControl>(
-        testContext().loader()(testBackend() == "osmesa" ? "glClipControl" : "glClipControlEXT"));
-
-    Host()
+    /// The plain picture through a lens.
+    void look(const Lens& through)
     {
-        constexpr ClipControl kBoth = {true, true};
-        setControl(kBoth);
-        if (!(device->clipControl() == kBoth)) set_clip_control = nullptr;
-        setControl({});
+        lens = through;
+        Frame plain = frame();
+        plain.camera = cameraOf(lens, {"plain"}).given;
+        const GivenConfig surface({"geometry/depth_normal"},
+                                  R"(, "outputs": {"depth": "depth", "normal": "normal"})");
+        Renderer& drawn = reloaded(surface.description(), plain, {kExtent, {}, {}}, 1);
+        need(drawn.render(plain));
+        depth = read(drawn.output("depth"));
+        normal = read(drawn.output("normal"));
+        view_from_clip = glm::inverse(glm::dmat4(plain.camera.clip_from_view));
     }
 
-    void setControl(const ClipControl& control)
-    {
-        constexpr GLenum kZeroToOne = 0x935F, kUpperLeft = 0x8CA2;
-        if (set_clip_control)
-            set_clip_control(control.upper_left ? kUpperLeft : GL_LOWER_LEFT_EXT,
-                             control.zero_to_one ? kZeroToOne : GL_NEGATIVE_ONE_TO_ONE_EXT);
-    }
-
-    /// A config on a module that takes the host's pictures, or, without one, on its meshes.
-    Result<Effect> effectOf(const std::string& config, const std::string& module)
-    {
-        const std::string on = module.empty() ? "" : "\", \"" + module;
-        Result<Effect> made = Effect::create(
-            *device, R"({"format": 1, "name": "ao", "extends": [")" + config + on + "\"]}", kExtent,
-            {"ao"});
-        if (!made) return made;
-        if (module.empty()) made->frame() = makeFrame(uploaded, SceneCamera(), kExtent);
-        for (const ImportDesc& import : made->renderer().description().imports) {
-            if (import.name == "depth")
-                need(made->setTexture("depth", own.depth(), Format::depth32f, kExtent));
-            if (import.name == "normal")
-                need(made->setTexture("normal", own.normal(), Format::rgba16f, kExtent));
-        }
-        need(made->setParam("radius", 1));
-        return made;
-    }
-
-    /// AO as the host gets it through such a camera.
-    Image occlusion(Effect& effect, const Lens& lens, const Orientation& kind)
+    /// AO as the host gets it through such a camera. A history has two cycles of its noise.
+    Image occlusion(const Description& hosted, const Orientation& kind)
     {
         const HostCamera camera = cameraOf(lens, kind);
-        setControl(kind.set ? kind.control : ClipControl());
-        own.draw(camera.view_from_world, kind.set ? camera.clip_from_view : camera.plain_clip,
-                 lens.view.reversed);
-        Frame& frame = effect.frame();
-        effect.setProjection(glm::value_ptr(camera.clip_from_view));
-        frame.camera.clip_control.reset();
-        if (!kind.set && !(kind.control == ClipControl())) effect.setClipControl(kind.control);
-        if (frame.textures.empty()) effect.setView(glm::value_ptr(camera.view_from_world));
-        const std::vector<TargetDesc>& targets = effect.renderer().description().targets;
-        const bool remembers = std::any_of(targets.begin(), targets.end(),
-                                           [](const TargetDesc& each) { return each.history; });
-        frame.camera_cut = true;
-        for (int i = 0; i < (remembers ? 16 : 1); ++i) {  // two cycles of noise
-            need(effect.render());
-            frame.camera_cut = false;
-        }
-        setControl({});
-        return read(effect.output("ao"));
+        const float background = lens.view.reversed ? 0 : 1;
+        Image depths(kExtent, 1, background), normals(kExtent, 4, 0);
+        for (int y = 0; y < kExtent.height; ++y)
+            for (int x = 0; x < kExtent.width; ++x) {
+                const glm::dvec2 here = (glm::dvec2(x, y) + 0.5) * (2.0 / kExtent.width) - 1.0;
+                const glm::dvec2 plain = glm::inverse(kind.turned) * here;
+                const glm::ivec2 at(glm::floor((plain + 1.0) * (kExtent.width / 2.0)));
+                if (depth.at(at.x, at.y) == background) continue;
+                const double plain_z = depth.at(at.x, at.y) * 2.0 - 1.0;
+                const glm::dvec4 view = view_from_clip * glm::dvec4(plain, plain_z, 1);
+                const glm::dvec4 clip = camera.clip_from_view * view;
+                depths.at(x, y) = static_cast<float>(clip.z / clip.w * 0.5 + 0.5);
+                for (int i = 0; i < 3; ++i)
+                    normals.at(x, y, i) = static_cast<float>(
+                        camera.mirror[i][i] * (normal.at(at.x, at.y, i) - 0.5) + 0.5);
+            }
+        need(device->writeTexture(stored_depth, depths));
+        need(device->writeTexture(stored_normal, normals));
+        Frame given;
+        given.camera = camera.given;
+        given.textures = {{"depth", stored_depth}, {"normal", stored_normal}};
+        const bool remembers = findNamed(hosted.params, "history_frames") != nullptr;
+        return draw(hosted, given, "ao", remembers ? 16 : 1);
     }
-};
 
-/// All pictures of one effect, or those that the test takes of its number `index`.
-void checkOrientations(Host& host, Effect& effect, const std::string& title, std::size_t index)
-{
-    const std::vector<Lens> all = lenses();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (!isWhole() && index % all.size() != i) continue;
-        const Image plain = host.occlusion(effect, all[i], {"plain"});
-        std::ostringstream table;
-        table << title << ", " << all[i].name << std::fixed << std::setprecision(4);
-        for (std::size_t kind = 0; kind < std::size(kOrientations); ++kind) {
-            const Orientation& orientation = kOrientations[kind];
-            if (!isWhole() && (kind + index) % 7 > 0) continue;
-            if (orientation.set && !host.set_clip_control) continue;
-            INFO(all[i].name << ", " << orientation.name);
-            const Image image = host.occlusion(effect, all[i], orientation);
-            const Difference found = differenceOf(plain, image, orientation.turned);
-            CHECK(found.mean < kSameChange);
-            table << '\n' << found.mean << ' ' << found.most << ' ' << orientation.name;
-        }
-        if (isWhole()) WARN(table.str());
-    }
-}
+    Lens lens = {};
+    Image depth, normal;
+    glm::dmat4 view_from_clip = glm::dmat4(1.0);
+    TextureId stored_depth = texture(Format::r32f, kExtent);
+    TextureId stored_normal = texture(Format::rgba16f, kExtent);
+};
 
 }  // namespace
 
-TEST_CASE("The picture of every shipped config turns with the host's projection, and only so")
+TEST_CASE("The occlusion of what a host draws turns with the host's projection, and only so")
 {
+    std::vector<std::pair<std::string, std::string>> configs = {
+        {"mobile_temporal", "+geometry/host_depth"},
+        {"gtao", "+geometry/host_depth_normal"},
+        {"learnopengl", "+geometry/host_depth_normal"}};
+    if (nightly())
+        for (const std::string& config : configNames(shippedSources()))
+            if (config != "ssdo")  // which gathers albedo
+                for (const char* module : {"+geometry/host_depth", "+geometry/host_depth_normal"})
+                    configs.emplace_back(config, module);
     Host host;
-    std::size_t index = 0;
-    const char* const modules[] = {"", "geometry/host_depth", "geometry/host_depth_normal"};
-    for (const std::string& config : configNames(shippedSources())) {
-        for (const char* module : modules) {
-            if (!isWhole() && module != modules[index % std::size(modules)]) continue;
-            const std::string title = config + ' ' + module;
-            INFO(title);
-            Result<Effect> effect = host.effectOf(config, module);
-            CHECK(effect.ok() == (config != "ssdo" || !*module));  // which gathers albedo
-            INFO(toText(effect.diagnostics()));
-            if (effect) checkOrientations(host, *effect, title, index);
+    std::size_t turn = 0;
+    for (const auto& [config, module] : configs) {
+        const Description hosted = descriptionOf({config}, {module, "radius=1"});
+        for (const Lens& lens : lenses()) {
+            host.look(lens);
+            const Image plain = host.occlusion(hosted, {"plain"});
+            CHECK(mean(plain) < 0.98);
+            for (const Orientation& kind : kOrientations) {
+                if (!nightly() && turn++ % 4 > 0) continue;
+                StressShot shot;
+                shot.turned = kind.turned;
+                shot.block_px = kBlock;
+                const Image image = host.occlusion(hosted, kind);
+                INFO(config << ' ' << module << ", " << lens.name << ", " << kind.name);
+                CHECK(changeBetween(plain, image, shot).change < kSameChange);
+            }
         }
-        ++index;
     }
 }

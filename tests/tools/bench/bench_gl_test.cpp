@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A whole bench on a real device: figures, pictures, a config that fails, and the same errors
 // twice.
-#include "tools/bench/ablation.h"
 #include "tools/bench/measure.h"
 
 #include <crevice/shipped.h>
@@ -89,37 +88,6 @@ void checkMotion(const MotionFigures& motion)
 }
 
 }  // namespace
-
-TEST_CASE(
-    "An ablation times every optimization in every situation, and a still frame is next to nothing")
-{
-    GlFixture gl;
-    BenchOptions options = smallOptions();
-    options.configs = {"gtao"};
-    const BenchPlan plan = need(planBench(options, shippedSources()));
-    const BenchTask& task = plan.tasks.at(0);
-    const std::vector<AblationRow> rows =
-        need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return false; }));
-    const std::size_t optimizations = std::size(kOptimizations) + 2;  // all of them on, and none
-    REQUIRE(rows.size() == 5 * optimizations);
-    const auto of = [&](const std::string& situation, const std::string& optimization) {
-        for (const AblationRow& row : rows)
-            if (row.situation == situation && row.optimization == optimization) return row;
-        FAIL("no row " << situation << ", " << optimization);
-        return AblationRow();
-    };
-    for (const AblationRow& row : rows) {
-        INFO(row.situation << ' ' << row.optimization);
-        CHECK(row.repeats == 3);
-        CHECK(row.clock == (gl.device->caps().software ? "cpu" : "wall"));
-        CHECK(row.ms.median > 0);
-        if (row.optimization.empty()) CHECK(row.factor.median == 1.0);
-    }
-    CHECK(of("still", "").ms.median < 0.02 * of("still", "all").ms.median);
-    CHECK(of("off", "no_op").elided < of("off", "").elided);
-    CHECK(of("off", "").elided > of("moving camera", "").elided);
-    CHECK(need(ablate(*gl.device, task, plan.views[task.view], 3, [] { return true; })).empty());
-}
 
 TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a config that fails")
 {
@@ -215,20 +183,28 @@ TEST_CASE("A bench measures motion: open pictures change as the truth alone, tap
     }
 }
 
-TEST_CASE("Two benches find exactly the same errors")
+TEST_CASE("Two benches find exactly the same errors, with all optimizations and without")
 {
-    const TemporaryFolder first("bench_gl_first"), second("bench_gl_second");
-    const std::vector<BenchSample> a = bench(smallOptions(), shippedSources(), first);
-    const std::vector<BenchSample> b = bench(smallOptions(), shippedSources(), second);
-    REQUIRE(a.size() == 1);
-    REQUIRE(b.size() == 1);
-    CHECK(a[0].key == b[0].key);
-    CHECK(a[0].error.rmse == b[0].error.rmse);
-    CHECK(a[0].error.p99 == b[0].error.p99);
-    CHECK(a[0].error.rmse_fit == b[0].error.rmse_fit);
-    CHECK(a[0].budget.taps == b[0].budget.taps);
-    CHECK(a[0].budget.model == b[0].budget.model);
-    CHECK(a[0].budget.precision == b[0].budget.precision);
+    const auto measured = [&](const char* name, std::vector<std::string> disable) {
+        const TemporaryFolder own(name);
+        BenchOptions options = smallOptions();
+        options.disable = std::move(disable);
+        return bench(options, shippedSources(), own).at(0);
+    };
+    const BenchSample first = measured("bench_gl_first", {});
+    const BenchSample second = measured("bench_gl_second", {});
+    const BenchSample bare = measured("bench_gl_bare", {"all"});
+    CHECK(first.key == second.key);
+    CHECK(bare.key != first.key);
+    CHECK(bare.texture_bytes > first.texture_bytes);
+    for (const BenchSample& other : {second, bare}) {
+        CHECK(other.error.rmse == first.error.rmse);
+        CHECK(other.error.p99 == first.error.p99);
+        CHECK(other.error.rmse_fit == first.error.rmse_fit);
+        CHECK(other.budget.taps == first.budget.taps);
+        CHECK(other.budget.model == first.budget.model);
+        CHECK(other.budget.precision == first.budget.precision);
+    }
 }
 
 TEST_CASE("A view without a surface fails each of its samples and says why")

@@ -37,26 +37,26 @@ Code refusal(const std::vector<BenchSample>& samples, const ChoiceScope& scope)
 
 }  // namespace
 
-TEST_CASE("the worst scene decides what a config costs and how wrong it is")
+TEST_CASE("the worst scene decides what a config costs and how wrong it is, or the one asked for")
 {
-    const auto samples = twoScenes();
-    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
-    CHECK(chosen(samples, Kind::time_ms, 5) == "good samples=16");
-    CHECK(chosen(samples, Kind::time_ms, 1.2) == "fast samples=4");
-    CHECK(chosen(samples, Kind::copy_ratio, 20) == "middle samples=8");
-    CHECK(chosen(samples, Kind::error, 0.09) == "middle samples=8");
-    CHECK(chosen(samples, Kind::error, 0.06) == "good samples=16");
-    const auto candidates = findCandidates(samples, {});
+    const struct {
+        Kind kind;
+        double most;
+        const char* scene;
+        const char* best;
+    } rows[] = {{Kind::time_ms, 4, "", "middle samples=8"},
+                {Kind::time_ms, 5, "", "good samples=16"},
+                {Kind::time_ms, 1.2, "", "fast samples=4"},
+                {Kind::copy_ratio, 20, "", "middle samples=8"},
+                {Kind::error, 0.09, "", "middle samples=8"},
+                {Kind::error, 0.06, "", "good samples=16"},
+                {Kind::time_ms, 4, "room", "middle samples=8"},
+                {Kind::error, 0.05, "room", "middle samples=8"}};
+    for (const auto& [kind, most, scene, best] : rows)
+        CHECK(chosen(twoScenes(), kind, most, {"", scene, {}}) == best);
+    const auto candidates = findCandidates(twoScenes(), {});
     CHECK(candidates->list[2].slowest_view == "hall");
     CHECK(candidates->list[1].worst_view == "hall");
-}
-
-TEST_CASE("a choice for one scene knows no other")
-{
-    ChoiceScope scope;
-    scope.scene = "room";
-    CHECK(chosen(twoScenes(), Kind::time_ms, 4, scope) == "middle samples=8");
-    CHECK(chosen(twoScenes(), Kind::error, 0.05, scope) == "middle samples=8");
 }
 
 TEST_CASE("everything within and beyond a limit is reported, the nearest first")
@@ -66,15 +66,10 @@ TEST_CASE("everything within and beyond a limit is reported, the nearest first")
     REQUIRE(choice.ok());
     CHECK(choice->also == std::vector<std::size_t>{2});
     CHECK(choice->beyond == std::vector<std::size_t>{0});
-}
-
-TEST_CASE("where nothing is within a limit the help names the nearest")
-{
-    const auto candidates = findCandidates(twoScenes(), {});
-    const auto choice = choose(*candidates, {Kind::time_ms, 0.5});
-    REQUIRE(!choice.ok());
-    CHECK(choice.diagnostics().front().code == Code::out_of_range);
-    CHECK(choice.diagnostics().front().help.find("fast samples=4") != std::string::npos);
+    const auto none = choose(*candidates, {Kind::time_ms, 0.5});
+    REQUIRE(!none.ok());
+    CHECK(none.diagnostics().front().code == Code::out_of_range);
+    CHECK(none.diagnostics().front().help.find("fast samples=4") != std::string::npos);
 }
 
 TEST_CASE("a config that lacks a scene is left out of the choice and said so")
@@ -104,21 +99,16 @@ TEST_CASE("what is no better than no ambient occlusion in one scene is no candid
     CHECK(!choose(*candidates, {Kind::time_ms, 1.5}).ok());
 }
 
-TEST_CASE("a config without samples of its own can be chosen")
+TEST_CASE("a config without samples can be chosen, and a host's own geometry costs nothing")
 {
     auto samples = twoScenes();
+    for (BenchSample& sample : samples) sample.total.median = 100;
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
     for (const char* scene : {"room", "hall"}) {
         samples.push_back(benchSample("horizons", 0, 0.5, 0.07, scene));
         samples.back().overrides = {"radius=1"};
     }
     CHECK(chosen(samples, Kind::time_ms, 1) == "horizons");
-}
-
-TEST_CASE("a time is what a config adds to a host's own geometry")
-{
-    auto samples = twoScenes();
-    for (BenchSample& sample : samples) sample.total.median = 100;
-    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
 }
 
 TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")
@@ -137,18 +127,7 @@ TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be ask
     CHECK(chosen(samples, Kind::time_ms, 4, scope) == "fast samples=4");
 }
 
-TEST_CASE("a config that has another radius than the rest is no candidate and said so")
-{
-    auto samples = twoScenes();
-    samples.push_back(benchSample("wide", 4, 0.1, 0.001));
-    samples.back().radius = 1.5;
-    const auto candidates = findCandidates(samples, {});
-    CHECK(candidates->list.size() == 3);
-    REQUIRE(candidates->elided.size() == 1);
-    CHECK(candidates->elided[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
-}
-
-TEST_CASE("scenes with radii of their own compare, since the radius is part of the question")
+TEST_CASE("scenes have radii of their own, and a config with another one than the rest is left out")
 {
     auto samples = twoScenes();
     for (BenchSample& sample : samples) {
@@ -156,24 +135,26 @@ TEST_CASE("scenes with radii of their own compare, since the radius is part of t
         sample.radius = 50;
         sample.overrides[0] = "radius=50";
     }
+    samples.push_back(benchSample("wide", 4, 0.1, 0.001));
+    samples.back().radius = 1.5;
     CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    const auto candidates = findCandidates(samples, {});
+    CHECK(candidates->list.size() == 3);
+    REQUIRE(candidates->elided.size() == 1);
+    CHECK(candidates->elided[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
 }
 
 TEST_CASE("a choice refuses what the results do not hold")
 {
     auto samples = twoScenes();
-    ChoiceScope scene, size, device;
-    scene.scene = "cellar";
-    size.extent = {1, 1};
-    device.device = "B";
-    CHECK(refusal(samples, scene) == Code::usage);
-    CHECK(refusal(samples, size) == Code::usage);
-    CHECK(refusal(samples, device) == Code::usage);
+    for (const ChoiceScope& scope :
+         {ChoiceScope{"", "cellar", {}}, {"", "", {1, 1}}, {"B", "", {}}})
+        CHECK(refusal(samples, scope) == Code::usage);
     CHECK(refusal({}, {}) == Code::results_broken);
     samples.push_back(benchSample("fast", 4, 1, 0.1));
     samples.back().device = "device B";
     CHECK(refusal(samples, {}) == Code::usage);
-    CHECK(findCandidates(samples, device).ok());
+    CHECK(findCandidates(samples, {"B", "", {}}).ok());
 }
 
 TEST_CASE("a budget has a unit")

@@ -62,11 +62,11 @@ TEST_CASE("A stopped bench knows how much of it was measured, and a finished one
     CHECK(coverage().planned == planned.tasks.size());
     CHECK(coverageText(coverage())
               .find("3 of " + std::to_string(planned.tasks.size()) +
-                    " bench samples measured: balanced") == 0);
+                    " bench samples measured: learnopengl") == 0);
     CHECK(FakeBench{"thesis"}.run(path, planned).kept == 3);
-    CHECK(coverage().failed == 4);
+    CHECK(coverage().failed == 3);
     CHECK(coverage().whole());
-    CHECK(FakeBench().run(path, planned).measured == 4);
+    CHECK(FakeBench().run(path, planned).measured == 3);
     CHECK(coverage().measured == planned.tasks.size());
     CHECK(coverage().whole());
     CHECK(coverageText(coverage()).empty());
@@ -96,6 +96,8 @@ TEST_CASE("Each shard knows of the samples of all, and together they are the who
 TEST_CASE("Presets are measured first, in all scenes, unless configs were named")
 {
     BenchOptions options = smallOptions();
+    options.configs = {};
+    options.samples = {};
     const std::set<std::string> presets = {"mobile_low", "mobile", "balanced", "high"};
     std::set<std::string> first;
     bool others = false;

@@ -12,6 +12,7 @@ namespace crevice {
 inline BenchOptions smallOptions()
 {
     BenchOptions options;
+    options.configs = {"learnopengl", "thesis"};
     options.scenes = {"plane", "spheres"};
     options.sizes = {"64x36"};
     options.samples = {4, 16};

@@ -175,12 +175,12 @@ expect 0 'wrote' render cross.json "${small[@]}" --out ao=cross.pfm
 expect 5 'over' compare cross.pfm ao.pfm --max-rmse 0.0001
 
 # The whole effect in one file is what the modules make.
-whole=$(dirname -- "$readme")/docs/written_out.json
+whole=$(dirname -- "$readme")/docs/reference/learnopengl_without_modules.json
 expect 0 'wrote' render "$whole" "${small[@]}" --out color=whole.png --out ao=whole.pfm
 expect 0 'wrote' render learnopengl "${small[@]}" --out color=modules.png --out ao=modules.pfm
 check "both have one picture" cmp -s whole.png modules.png
 check "and one occlusion" cmp -s whole.pfm modules.pfm
-check "written out it takes at most 110 lines" test "$(wc -l <"$whole")" -le 110
+check "without modules it takes at most 110 lines" test "$(wc -l <"$whole")" -le 110
 
 # Live editing: a save draws again, a mistake leaves the picture, and its mending draws again.
 "$crevice" render mine.json "${small[@]}" --out ao=live.pfm --watch >watch.txt 2>&1 </dev/null &

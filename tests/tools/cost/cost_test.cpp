@@ -136,7 +136,7 @@ TEST_CASE("Costs read from JSON are those that were written")
     CHECK(toJson(again) == text);
     CHECK(again.configs[0].passes[2].role == PassRole::geometry_for_ao);
     CHECK(compareCosts(report(), again).worse.empty());
-    CHECK(text.find("{\"gpu\":\"Mali-G57\",\"instructions\":400,") != std::string::npos);
+    CHECK(text.find("{\"gpu\": \"Mali-G57\", \"instructions\": 400,") != std::string::npos);
 }
 
 TEST_CASE("What holds no costs is an error that says how to write some")

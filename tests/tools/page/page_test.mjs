@@ -15,6 +15,12 @@ const VIEW = {scene: 'corner', camera: 'eye=0.8,1.4,2.8;at=0,0.45,0;near=1;far=1
 const SIZE = [480, 270];
 const [FIRST_PICTURE_MS, LEAST_FPS, ACTIONS] = [3000, 10, 200];
 
+// The ordinary run compares each kind of config with this machine's picture, and turns the knobs of two.
+const NIGHTLY = 'CREVICE_NIGHTLY' in process.env;
+const COMPARED = ['mobile_low', 'mobile', 'mobile_temporal', 'balanced', 'high', 'hbao_plus', 'learnopengl', 'lettier'];
+const TURNED = ['mobile', 'balanced'];
+const nightly = {skip: !NIGHTLY && 'takes minutes, and tools/test.sh --nightly runs it'};
+
 const configs = page => page.evaluate(() => crevice.engine.configs().map(each => each.name));
 const look = (page, view, size) => page.evaluate(async (seen, [width, height]) => {
   crevice.app.chooseScene(seen.scene);
@@ -23,19 +29,19 @@ const look = (page, view, size) => page.evaluate(async (seen, [width, height]) =
   await crevice.app.whenIdle();
 }, view, size);
 
-// What a config draws in a slot of its own, and whether the picture has what is no number.
-const drawn = (page, config, camera) => page.evaluate((name, at) => {
+// What a config draws in a slot of its own; of a temporal one `most` frames.
+const drawn = (page, config, camera, most) => page.evaluate((name, at, most) => {
   const {engine} = crevice, slot = 3;
   const loaded = engine.load(slot, {config: name, outputs: ['ao']});
   if (!loaded.ok) return {failed: loaded.diagnostics[0].message};
-  const frames = engine.plan(slot).targets.some(each => each.history_texture !== null) ? 32 : 1;
+  const frames = engine.plan(slot).targets.some(each => each.history_texture !== null) ? most : 1;
   for (let i = 0; i < frames; ++i) {
     const answer = engine.draw({camera: at, left: {slot, show: 'ao'}});
     if (!answer.ok) return {failed: answer.diagnostics[0].message};
   }
   const {answer, values} = engine.readBack(slot, 'ao');
   return {values: [...values].filter((_, i) => i % answer.channels === 0)};
-}, config, camera);
+}, config, camera, most);
 
 test('The page opens without a word in its console, and soon', async () => {
   const page = await open();
@@ -51,8 +57,11 @@ test('Every config draws what it draws elsewhere', async () => {
   await look(page, VIEW, SIZE);
   const off = [];
   for (const name of await configs(page)) {
-    const {values, failed} = await drawn(page, name, VIEW.camera);
+    const compared = NIGHTLY || COMPARED.includes(name);
+    const {values, failed} = await drawn(page, name, VIEW.camera, compared ? 32 : 1);
     assert.equal(failed, undefined, `${name}: ${failed}`);
+    assert(values.every(Number.isFinite), `${name}: not a number`);
+    if (!compared) continue;
     const file = join(work, 'native.pfm');
     await crevice('render', name, '--scene', VIEW.scene, '--camera', VIEW.camera, '--size', SIZE.join('x'), '--out', `ao=${file}`,
       ...(/temporal/.test(name) ? ['--frames', '32'] : []));
@@ -65,10 +74,10 @@ test('Every config draws what it draws elsewhere', async () => {
   await page.close();
 });
 
-test('Every knob of every config moves through its range', async () => {
+test('Every knob moves through its range', async () => {
   const page = await open();
   await look(page, VIEW, [96, 54]);
-  for (const name of await configs(page)) {
+  for (const name of NIGHTLY ? await configs(page) : TURNED) {
     const faults = await page.evaluate(async config => {
       const {app, engine} = crevice, found = [];
       app.chooseConfig(config);
@@ -96,6 +105,75 @@ test('Every knob of every config moves through its range', async () => {
     }, name);
     assert.deepEqual(faults, [], name);
   }
+  quiet(page);
+  await page.close();
+});
+
+// Rows of the canvas from the lowest on, its red channel as a share.
+const canvas = page => page.evaluate(() => {
+  const {canvas} = crevice.engine, gl = canvas.getContext('webgl2'), bytes = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return [...bytes].filter((_, i) => i % 4 === 0).map(byte => byte / 255);
+});
+
+test('The canvas shows A, a drag orbits, and a line parts A from B', async () => {
+  const page = await open('#config=balanced&scene=corner&show=ao&size=96x54');
+  const ao = () => page.evaluate(() => [...crevice.engine.readBack(0, 'ao').values]);
+  const home = await ao();
+  assert(differing(await canvas(page), home) === 0);
+  const {x, y, width, height} = await (await page.$('#canvas')).boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 + 90, y + height / 2, {steps: 3});
+  await page.mouse.up();
+  await rest(page);
+  assert.match(await page.$eval('#camera-text', field => field.value), /^eye=/);
+  const turned = await ao();
+  assert(differing(turned, home) > 10);
+  await page.click('#split');
+  await page.select('#config-b', 'learnopengl');
+  await rest(page);
+  const parted = await canvas(page), right = i => i % 96 >= 48;
+  assert(differing(parted.filter((_, i) => !right(i)), turned.filter((_, i) => !right(i))) === 0);
+  const b = await page.evaluate(() => [...crevice.engine.readBack(1, 'ao').values]);
+  assert(differing(parted.filter((_, i) => right(i)), b.filter((_, i) => right(i))) === 0);
+  assert(differing(b, turned) > 1);
+  await page.click('#home');
+  await rest(page);
+  assert.deepEqual(await ao(), home);
+  quiet(page);
+  await page.close();
+});
+
+test('Each tab shows what the engine says', async () => {
+  const page = await open('#config=balanced&scene=corner&size=96x54');
+  const passes = await page.evaluate(() => crevice.engine.plan(0).passes.map(pass => pass.name));
+  const words = selector => page.$$eval(selector, nodes => nodes.map(node => node.textContent));
+  await page.click('#tab-plan');
+  await rest(page);
+  assert.deepEqual((await words('.graph .pass .strong')).sort(), [...passes].sort());
+  await page.click('#tab-cost');
+  await page.waitForSelector('#bars tr');
+  assert.deepEqual(await words('#bars th'), passes);
+  await page.click('#tab-patch');
+  assert.deepEqual(JSON.parse((await words('#patch-text'))[0]), {format: 1, extends: ['balanced']});
+  await page.click('#tab-panel');
+  const [knobs, params] = [await page.$$('[data-param]'), await page.evaluate(() => crevice.engine.state(0).params.length)];
+  assert.equal(knobs.length, params);
+  assert.match((await words('.command'))[0], /^crevice render balanced --scene corner --size 96x54 --out color=color.png/);
+  quiet(page);
+  await page.close();
+});
+
+test('Measure all has time and error of every config', nightly, async () => {
+  const page = await open('#config=mobile&scene=corner&size=96x54');
+  await page.click('#tab-cost');
+  await rest(page);
+  await page.click('#measure-all');
+  await rest(page);
+  const rows = await page.$$eval('#all-configs tr:not(:first-child)', nodes => nodes.map(node => node.textContent));
+  const failures = await page.$$eval('#all-configs > p:not(:first-child)', nodes => nodes.map(node => node.textContent));
+  assert.equal(rows.length, (await configs(page)).length, failures.join('\n'));
   quiet(page);
   await page.close();
 });
@@ -154,6 +232,9 @@ test('A slider edits the text, the text moves the slider, and the patch draws th
   await page.evaluate(source => crevice.app.typed('configs/balanced.json', source.replace('0.9', '0.3')), text);
   await rest(page);
   assert.equal(await page.evaluate(() => crevice.engine.state(0).params.find(each => each.name === 'radius').value[0]), 0.3);
+  await page.click('#reset-all');
+  await rest(page);
+  assert.deepEqual(await page.evaluate(() => crevice.engine.editedPaths()), []);
   quiet(page);
   await page.close();
 });
@@ -178,17 +259,24 @@ test('A link holds what was changed', async () => {
   }
 });
 
-// A cube without normals, half a metre under its node.
+// A PNG of one texel, 255, 128, 64.
+const ORANGE = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP43+AAAARBAcAyLD49AAAAAElFTkSuQmCC';
+
+// An orange cube without normals, half a metre under its node, and a camera that looks at it.
 async function boxGlb() {
   const document = new Document(), buffer = document.createBuffer();
   const corners = Array.from({length: 24}, (_, i) => (i % 3 === 0 ? i / 3 & 1 : i % 3 === 1 ? i / 6 & 1 : i / 12 & 1) - 0.5);
   const faces = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5];
   const accessor = (type, array) => document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
+  const orange = document.createTexture('orange').setImage(Buffer.from(ORANGE, 'base64')).setMimeType('image/png');
   const primitive = document.createPrimitive()
+    .setMaterial(document.createMaterial().setBaseColorTexture(orange))
     .setAttribute('POSITION', accessor('VEC3', new Float32Array(corners)))
     .setIndices(accessor('SCALAR', new Uint16Array(faces)));
   const node = document.createNode('box').setMesh(document.createMesh().addPrimitive(primitive)).setTranslation([0, -0.5, 0]);
-  document.createScene().addChild(node);
+  const camera = document.createCamera('front').setType('perspective').setYFov(0.8).setAspectRatio(1.5).setZNear(0.1);
+  const eye = document.createNode('eye').setCamera(camera).setTranslation([0, -0.5, 3]);
+  document.createScene().addChild(node).addChild(eye);
   return Buffer.from(await new NodeIO().writeBinary(document));
 }
 
@@ -204,8 +292,17 @@ test('A dropped .glb appears, and one that is broken is told', async () => {
   await drop(glb);
   await page.waitForFunction(() => crevice.engine.scene.name.startsWith('box'));
   await rest(page);
-  const shades = await page.evaluate(() => new Set(crevice.engine.readBack(0, 'color').values).size);
+  const seen = camera => page.evaluate(async at => {
+    crevice.app.setCamera(at);
+    await crevice.app.whenIdle();
+    const {answer: {extent: [w, h], channels}, values} = crevice.engine.readBack(0, 'color');
+    return {shades: new Set(values).size, middle: [...values.slice(channels * (w * (h >> 1) + (w >> 1)))]};
+  }, camera);
+  const {shades} = await seen('eye=1.5,0.7,2;at=0,-0.5,0');
   assert(shades > 10, `${shades} different values`);
+  assert.deepEqual(await page.evaluate(() => crevice.engine.scene.cameras), ['front']);
+  const [red, green] = (await seen('front')).middle;
+  assert(Math.abs(green / red - 128 / 255) < 0.02, `red ${red}, green ${green}`);  // sRGB, as the picture is
   await drop(glb.slice(0, 400));
   await page.waitForFunction(() => crevice.app.message?.kind === 'error');
   quiet(page);
@@ -232,7 +329,7 @@ test('The heat map says what crevice compare says', async () => {
   await page.close();
 });
 
-test('mobile is drawn at 10 frames a second and more', async () => {
+test('mobile is drawn at 10 frames a second and more', nightly, async () => {
   const page = await open('#config=mobile&scene=street');
   const fps = await page.evaluate(() => {
     const {engine} = crevice, gl = engine.canvas.getContext('webgl2');
@@ -251,7 +348,7 @@ test('mobile is drawn at 10 frames a second and more', async () => {
   await page.close();
 });
 
-test('200 random actions leave the page working', async () => {
+test('200 random actions leave the page working', nightly, async () => {
   const page = await open('#config=mobile_low&scene=corner');
   await look(page, VIEW, [96, 54]);
   let seed = 1;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Builds the page and uses it in headless Chromium over software WebGL, beside this machine's pictures. Prints how large
 # the page is. Exit code 77 (skipped) where there is no Emscripten, Node.js or Chromium, 1 with CREVICE_REQUIRE_BROWSER
-# set.
+# set. With CREVICE_NIGHTLY set it turns every knob of every config and more, which takes five minutes.
 #   page_test.sh CREVICE [ARGUMENT...]    the command; arguments of node, such as --test-name-pattern=typo
 set -euo pipefail
 kLargest=2097152  # bytes that the page may take, compressed

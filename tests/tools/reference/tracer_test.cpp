@@ -108,7 +108,7 @@ TEST_CASE("rays pass through the holes of an alpha-tested material")
     CHECK(image.at(0, 1) > image.at(3, 1) + 0.02f);
 }
 
-TEST_CASE("noise is about what docs/bench.md says of each number of rays")
+TEST_CASE("noise is about what docs/reference/bench.md says of each number of rays")
 {
     const Scene scene = cornerWithSphere();
     const Image exact = trace(scene, kAhead, {24, 24}, 1, 8192);

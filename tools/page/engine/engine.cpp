@@ -55,9 +55,7 @@ Status Engine::resize(Extent extent)
 
 Status Engine::draw(const DrawRequest& request)
 {
-    Result<SceneCamera> camera = stage_->camera(request.camera, extent_);
-    if (camera && !request.path.empty())
-        camera = stage_->along(request.path, *camera, extent_, request.frame, request.frames);
+    const Result<SceneCamera> camera = stage_->camera(request.camera, extent_);
     if (!camera) return camera.diagnostics();
     frame_ = stage_->frameOf(*camera, extent_);
     const bool split = request.split < 1.0f;

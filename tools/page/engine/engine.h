@@ -19,10 +19,7 @@ struct Side {
 };
 
 struct DrawRequest {
-    std::string camera;     ///< As `--camera` has it.
-    std::string path = {};  ///< A camera path that ends there; empty for none.
-    int frame = 0;          ///< Of the path.
-    int frames = 1;
+    std::string camera;  ///< As `--camera` has it.
     Side left = {};
     Side right = {};
     float split = 1.0f;  ///< Share of the width that shows `left`.

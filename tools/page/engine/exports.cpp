@@ -18,14 +18,14 @@
 
 #include <cmath>
 
-using namespace crevice;
-using namespace crevice::page;
+namespace crevice::page {
 
-Engine crevice::page::engine;
+Engine engine;
+
 namespace {
 
-std::string bytes;
-Image image;
+std::string scene_bytes;
+Image read_image;
 /// What was drawn, planned or compiled, and how long that took.
 template <class Change>
 Json measured(Change&& change)
@@ -73,16 +73,9 @@ EXPORT const char* page_open(const char* canvas, const char* config, const char*
                              int height)
 {
     Json json = answer(engine.open(canvas, config, shader, {width, height}));
-    if (!json["ok"]) return say(json);
-    const DeviceCaps& caps = engine.device().caps();
-    json["machine"] = {{"renderer", caps.name},
-                       {"version", caps.version},
-                       {"timer", caps.timers},
-                       {"software", caps.software}};
+    if (json["ok"]) json["timer"] = engine.device().caps().timers;
     return say(json);
 }
-
-EXPORT const char* page_source_paths() { return say(Json(engine.texts().sources().list())); }
 
 /// The text in force, or the shipped one; null where there is none.
 EXPORT const char* page_source(const char* path, int shipped)
@@ -134,11 +127,11 @@ EXPORT const char* page_scene() { return say(engine.stage().state()); }
 
 EXPORT int page_scene_bytes()
 {
-    bytes = sceneBytes(engine.stage().scene());
-    return static_cast<int>(bytes.size());
+    scene_bytes = sceneBytes(engine.stage().scene());
+    return static_cast<int>(scene_bytes.size());
 }
 
-EXPORT const char* page_bytes() { return bytes.data(); }
+EXPORT const char* page_bytes() { return scene_bytes.data(); }
 
 // ---- Cameras
 
@@ -149,14 +142,6 @@ EXPORT const char* page_resolve_camera(const char* text, double aspect)
     Json json = answer(camera);
     if (camera) json.update(*camera);
     return say(json);
-}
-
-EXPORT const char* page_camera_paths()
-{
-    auto paths = Json::array();
-    for (const CameraPath& path : kCameraPaths)
-        paths.push_back({{"name", path.name}, {"what", path.what}});
-    return say(paths);
 }
 
 // ---- Slots
@@ -214,11 +199,6 @@ EXPORT const char* page_draw(const char* text)
     DrawRequest request;
     request.camera = json.value("camera", "");
     request.left = sideOf(json["left"]);
-    if (json.contains("path") && json["path"].is_object()) {
-        request.path = json["path"].value("name", "");
-        request.frame = json["path"].value("frame", 0);
-        request.frames = json["path"].value("frames", 1);
-    }
     if (json.contains("right") && json["right"].is_object()) {
         request.right = sideOf(json["right"]);
         request.split = json.value("split", 0.5f);
@@ -255,13 +235,13 @@ EXPORT const char* page_read(int slot, const char* show)
     Result<Image> read = engine.read({slot, show});
     Json json = answer(read);
     if (!read) return say(json);
-    image = std::move(*read);
-    json["extent"] = {image.extent.width, image.extent.height};
-    json["channels"] = image.channels;
+    read_image = std::move(*read);
+    json["extent"] = {read_image.extent.width, read_image.extent.height};
+    json["channels"] = read_image.channels;
     return say(json);
 }
 
-EXPORT const float* page_pixels() { return image.pixels.data(); }
+EXPORT const float* page_pixels() { return read_image.pixels.data(); }
 
 /// Reads a slot's "ao" and compares it with `truth`, of the canvas's size; `heat`, where it is not
 /// null, becomes the difference as 4 bytes a pixel, highest row first.
@@ -274,12 +254,7 @@ EXPORT const char* page_compare(int slot, const float* truth, std::uint8_t* heat
     const Result<ImageDifference> figures = compareUnfitted(*ao, ground_truth);
     Json json = answer(figures);
     if (!figures) return say(json);
-    json.update({{"rmse", figures->rmse},
-                 {"bias", figures->bias},
-                 {"p99", figures->p99},
-                 {"max", figures->max},
-                 {"pixels", figures->pixels},
-                 {"non_finite", figures->non_finite}});
+    json.update({{"rmse", figures->rmse}, {"bias", figures->bias}, {"p99", figures->p99}});
     const Result<Image> picture =
         heat ? differencePicture(*ao, ground_truth) : Result<Image>(Image());
     if (!heat || !picture) return say(json);
@@ -293,3 +268,5 @@ EXPORT const char* page_compare(int slot, const float* truth, std::uint8_t* heat
         }
     return say(json);
 }
+
+}  // namespace crevice::page

@@ -16,9 +16,10 @@
 #include <set>
 
 namespace crevice::page {
-namespace {
 
 using Json = nlohmann::json;
+
+namespace {
 
 std::string configPath(const std::string& name) { return "configs/" + name + ".json"; }
 

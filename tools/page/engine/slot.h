@@ -33,7 +33,6 @@ public:
                 const Frame& frame);
 
     bool loaded() const { return renderer_ != nullptr; }
-    const std::string& config() const { return request_.config; }
 
     /// Errors: those of Renderer::setParam; CV4004 for a name that no param has.
     Status setParam(const std::string& name, const std::vector<float>& values);

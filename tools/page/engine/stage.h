@@ -2,7 +2,6 @@
 // The scene of the page on its device, and the camera that sees it.
 #pragma once
 
-#include "tools/render/camera_path.h"
 #include "tools/render/scene_upload.h"
 #include "tools/scene/scene.h"
 
@@ -21,10 +20,9 @@ public:
     /// those of UploadedScene::upload. The scene of before stays.
     Status show(Scene scene);
 
-    bool empty() const { return !uploaded_; }
     const Scene& scene() const { return scene_; }
 
-    /// {"name", "triangles", "min", "max", "diagonal", "cameras"}.
+    /// {"name", "diagonal", "cameras"}.
     nlohmann::json state() const;
 
     /// A camera as `--camera` says it. Errors: those of chooseCamera.
@@ -34,21 +32,13 @@ public:
     /// view, at the median distance. Errors: those of chooseCamera and of drawing depth.
     Result<nlohmann::json> resolve(const std::string& text, Extent extent) const;
 
-    /// The camera of a frame of a path that ends at `camera`. Errors: CV8001 for a name that no
-    /// path has; those of drawing depth.
-    Result<SceneCamera> along(const std::string& path, const SceneCamera& camera, Extent extent,
-                              int frame, int frames);
-
     /// The frame that the camera sees.
     Frame frameOf(const SceneCamera& camera, Extent extent) const;
 
 private:
-    Result<double> distanceOf(const SceneCamera& camera, Extent extent) const;
-
     Device* device_;
     Scene scene_;
     std::optional<UploadedScene> uploaded_;
-    std::optional<PathView> path_;  // of the path that runs
 };
 
 }  // namespace crevice::page

@@ -44,11 +44,6 @@ Status Trace::begin(const std::string& text, Extent extent, const TraceOptions& 
     return {};
 }
 
-}  // namespace crevice::page
-
-using namespace crevice;
-using namespace crevice::page;
-
 EXPORT const char* page_trace_scene(const char* data, int size)
 {
     return say(answer(trace.setScene({data, static_cast<std::size_t>(size)})));
@@ -74,3 +69,5 @@ EXPORT const float* page_trace_row(int pass, int y)
     trace.progress().readRow(y, row.data());
     return row.data();
 }
+
+}  // namespace crevice::page

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page shows, and the only place that loads slots and turns knobs. All engine calls go through `ask`.
-import {debounce, kept} from "./dom.js";
+import {debounce} from "./dom.js";
 import {Drawing} from "./drawing.js";
 import {Knobs} from "./knobs.js";
 
@@ -19,23 +19,18 @@ export class App {
   constructor(engine) {
     this.engine = engine;
     this.listeners = new Map();
-    this.busy = new Map();
-    this.waiting = [];
+    this.busy = 1;  // until the page has started
     this.a = {config: "", variant: "", show: "color"};
     this.b = {config: "", variant: "", show: "ao"};  // without a config: A's
     this.split = {on: false, at: 0.5};
     this.camera = "";
     this.builtin = null;      // the scene's name where it is a built-in one
     this.sizeChoice = "fit";
-    this.bookmarks = [];
     this.diagnostics = [];
     this.firstTexts = new Map();  // of files without a shipped text: what they were at first
     this.drawing = new Drawing(this);
     this.knobs = new Knobs(this);
-    this.applyLater = debounce(APPLY_AFTER_MS, () => {
-      this.reload();
-      this.release("text");
-    });
+    this.applyLater = debounce(APPLY_AFTER_MS, () => this.reload());
   }
 
   // ---- listeners; a listener that throws is told to the user
@@ -55,6 +50,7 @@ export class App {
     }
   }
   fail(error) {
+    console.error(error);
     this.say(error?.message || String(error), "error");
     return null;
   }
@@ -79,37 +75,23 @@ export class App {
     return answer;
   }
 
-  // ---- what is under way, for tests: whenIdle() waits until nothing is
-  hold(what) {
-    this.busy.set(what, (this.busy.get(what) ?? 0) + 1);
-  }
-  release(what) {
-    const left = (this.busy.get(what) ?? 0) - 1;
-    left > 0 ? this.busy.set(what, left) : this.busy.delete(what);
-    this.settle();
-  }
-  async during(what, work) {
-    this.hold(what);
+  // ---- what is under way; for tests, whenIdle() waits until nothing is
+  async during(work) {
+    ++this.busy;
     try {
       return await work();
     } catch (e) {
       return this.fail(e);
     } finally {
-      this.release(what);
+      --this.busy;
     }
   }
   isIdle() {
-    return this.busy.size === 0 && !this.drawing.isPending();
+    return !this.busy && !this.truth.tracing && !this.applyLater.waits() && !this.drawing.isPending();
   }
-  settle() {
-    if (!this.isIdle()) return;
-    for (const done of this.waiting.splice(0)) done();
-  }
-  whenIdle() {
-    return new Promise(done => {
-      this.waiting.push(done);
-      setTimeout(() => this.settle());
-    });
+  async whenIdle() {
+    do await new Promise(done => setTimeout(done, 5));
+    while (!this.isIdle());
   }
 
   // ---- configs
@@ -143,13 +125,13 @@ export class App {
 
   request(side, slot) {
     const {config, variant} = this.effective(side), load = look => this.ask(() => this.engine.load(slot, {
-      config, variant: variant || undefined, outputs: OUTPUTS, look, size: this.engine.size,
+      config, variant, outputs: OUTPUTS, look,
       without_occlusion: side.show === "without" && slot !== SLOT.a
     }));
-    const look = lookOf(side.show), answer = load(look);
+    const look = lookOf(side.show), answer = load(look ?? undefined);
     if (answer.ok || !look || !answer.diagnostics.some(d => d.code === NO_SUCH_TARGET)) return answer;
     side.show = "ao";  // another config may not have that target
-    return load(null);
+    return load();
   }
   effective(side) {
     return side.config ? side : this.a;
@@ -157,7 +139,6 @@ export class App {
 
   loadA() {
     this.applyLater.cancel();
-    this.busy.delete("text");
     const answer = this.request(this.a, SLOT.a);
     this.diagnostics = answer.diagnostics ?? [];
     this.loadedWell = answer.ok;
@@ -247,7 +228,6 @@ export class App {
   sceneChanged(builtin) {
     this.builtin = builtin;
     this.camera = "";
-    this.bookmarks = kept.get("bookmarks." + this.engine.scene.name, []);
     this.emit("scene");
     this.emit("camera");
     this.redraw();
@@ -255,12 +235,10 @@ export class App {
   chooseScene(name) {
     if (this.must(() => this.engine.loadBuiltinScene(name)).ok) this.sceneChanged(name);
   }
-  openModel(bytes, name) {
-    return this.during("scene", async () => {
-      const answer = await this.engine.loadGltf(bytes, name);
-      if (answer.ok) return this.say(null), this.sceneChanged(null);
-      this.say(describe(answer.diagnostics), "error");
-    });
+  async openModel(bytes, name) {
+    const answer = await this.engine.loadGltf(bytes, name);
+    this.say(answer.ok ? null : describe(answer.diagnostics), "error");
+    if (answer.ok) this.sceneChanged(null);
   }
   setCamera(text) {
     this.camera = text;
@@ -283,7 +261,6 @@ export class App {
   /// A text that somebody typed: it is drawn a little later.
   typed(path, text) {
     this.putText(path, text);
-    if (!this.applyLater.waits()) this.hold("text");
     this.applyLater();
   }
   /// `joined`: part of the step of undo before.
@@ -291,20 +268,20 @@ export class App {
     this.engine.setSource(path, text === this.engine.shippedSource(path) ? null : text);
     this.emit("text", path, joined);
   }
+  /// Makes files say again what they said at first.
+  takeBack(paths) {
+    for (const path of paths) {
+      const first = this.firstText(path);
+      if (first !== null && first !== this.engine.source(path)) this.putText(path, first);
+    }
+    this.reload();
+  }
   flushText() {
     this.applyLater.flush();
   }
 
   redraw() {
     this.drawing.wake();
-  }
-  /// Plain and readable, for tests.
-  get state() {
-    return {
-      ...this.a, b: {...this.b}, split: {...this.split}, camera: this.camera, scene: this.engine.scene?.name,
-      size: [...this.engine.size], message: this.message?.text ?? null, diagnostics: this.diagnostics,
-      cost: this.knobs.cost, truth: this.truth?.figures ?? null, edited: this.engine.editedPaths()
-    };
   }
 }
 

@@ -1,41 +1,34 @@
 // SPDX-License-Identifier: MIT
 // What a frame costs here: milliseconds a pass, bytes of textures, and all configs against each other.
 import {$, add, button, debounce} from "./dom.js";
-import {measureAll} from "./measure_all.js";
-import {shown} from "./scale.js";
-import {scatter} from "./scatter.js";
-import {error, ms} from "../../report/chart.js";
+import {measureAll, medianTime} from "./measure.js";
+import {round, shown} from "./scale.js";
 
 const TIME_AFTER_MS = 400;  // of the last change, while the tab is open
-const TIMES = 3;            // the median of so many frames,
-const TIMES_MS = 600;       // or of those that fit in this time
 const BY = {"gpu timer": "timer queries", processor: "the processor's time", "wall clock": "a clock around each pass"};
+const ms = x => `${x >= 1000 ? Math.round(x) : round(x, 3)} ms`;
 
 export class CostPanel {
   constructor(app) {
     Object.assign(this, {app, root: $("cost"), result: null, running: null});
     this.build();
-    this.later = debounce(TIME_AFTER_MS, () => app.during("timing", () => this.time()));
-    app.on("tab", () => this.wake());
-    for (const event of ["loaded", "values", "size"]) app.on(event, () => this.wake());
-    app.on("drawn", () => this.showFrame());
+    this.later = debounce(TIME_AFTER_MS, () => this.time());
+    for (const event of ["tab", "loaded", "values", "size"]) app.on(event, () => this.wake());
   }
 
   build() {
     const {root, app} = this;
-    this.machine = add(root, "p", {class: "soft", id: "machine"}, app.engine.machine.renderer);
-    this.frame = add(root, "p", {class: "soft", id: "frame-time"});
-    const row = add(root, "div", {class: "row"});
-    button(row, "Measure passes", () => app.during("timing", () => this.time()), {id: "measure"});
+    add(root, "p", {class: "soft"}, app.engine.machine.renderer);
+    button(add(root, "div", {class: "row"}), "Measure passes", () => this.time());
     this.bars = add(root, "div", {class: "bars", id: "bars"});
     add(root, "h2", {}, "All configs on this machine");
     add(root, "p", {class: "soft"}, "Time and error of each shipped config on the present view, against the picture traced " +
       "at A's radius. Takes one to two minutes; keep the page in view.");
-    const all = add(root, "div", {class: "row"});
-    this.start = button(all, "Measure all", () => this.measureAll(), {id: "measure-all"});
-    this.stop = button(all, "Cancel", () => this.running.cancelled = true, {hidden: "", id: "measure-cancel"});
-    this.progress = add(all, "progress", {max: 1, value: 0, hidden: "", "aria-label": "Configs measured"});
-    this.step = add(all, "output", {class: "soft"});
+    const row = add(root, "div", {class: "row"});
+    this.start = button(row, "Measure all", () => this.measureAll(), {id: "measure-all"});
+    this.stop = button(row, "Cancel", () => this.running.cancelled = true, {hidden: ""});
+    this.progress = add(row, "progress", {max: 1, value: 0, hidden: "", "aria-label": "Configs measured"});
+    this.step = add(row, "output", {class: "soft"});
     this.all = add(root, "div", {id: "all-configs"});
   }
 
@@ -44,35 +37,19 @@ export class CostPanel {
     this.later();
     if (this.result) this.showAll();
   }
-  showFrame() {
-    const time = this.app.drawing.frameTime();
-    if (this.app.tab === "cost")
-      this.frame.textContent = time ? `${ms(time)} from frame to frame, by the browser's clock (at least one refresh of the screen).`
-                                    : "Frames are drawn only when something changes: turn the picture to see their time.";
-  }
 
   // One at a time: what changes meanwhile is timed afterwards.
   async time() {
+    const {app} = this;
     if (this.timing) return void (this.again = true);
+    if (!app.stateA() || this.running) return;
     this.timing = true;
-    try {
-      await this.timeOnce();
-    } finally {
-      this.timing = false;
-    }
+    const answer = await app.during(() => medianTime(app, 0, () => this.again));
+    this.timing = false;
+    if (answer?.ok) this.showBars(answer);
+    else if (answer) app.must(() => answer);
     if (this.again) this.wake();
     this.again = false;
-  }
-  async timeOnce() {
-    const {app} = this, runs = [], begin = performance.now();
-    if (!app.stateA() || this.running) return;
-    for (let i = 0; i < TIMES && !this.again && (i === 0 || performance.now() - begin < TIMES_MS); ++i) {
-      const answer = await app.ask(() => app.engine.timed(0));
-      if (!answer.ok) return app.must(() => answer);
-      runs.push(answer);
-    }
-    const middle = runs.sort((a, b) => a.total_ms - b.total_ms)[runs.length >> 1];
-    this.showBars(middle);
   }
   showBars({passes, total_ms, by}) {
     const {bars, app} = this, most = Math.max(...passes.map(p => p.ms), 1e-6), plan = app.engine.plan(0);
@@ -92,9 +69,7 @@ export class CostPanel {
     const {app} = this, running = this.running = {cancelled: false};
     this.start.disabled = true;
     this.stop.hidden = this.progress.hidden = false;
-    app.drawing.play(null);
-    app.drawing.setTurntable(false);
-    return app.during("measuring", async () => {
+    return app.during(async () => {
       try {
         const result = await measureAll(app, step => this.showStep(step), () => running.cancelled);
         this.step.textContent = result ? "" : "Cancelled.";
@@ -116,20 +91,23 @@ export class CostPanel {
     const {all, app, result} = this;
     if (!result) return;
     all.replaceChildren();
-    const {samples, failures, without, radius, size, scene} = result, drawn = samples.filter(s => s.ms > 0);
-    const select = config => app.chooseConfig(config);
-    add(all, "p", {class: "soft"}, `${scene}, ${size}, radius ${shown(radius)}:`);
-    if (drawn.length)
-      scatter(add(all, "div", {class: "pareto"}), {samples: drawn, without, chosen: app.a.config, select});
-    const table = add(add(all, "div", {class: "scroll"}), "table", {class: "figures"});
-    const head = add(table, "tr");
+    const {samples, failures, radius, size, scene} = result, front = frontOf(samples);
+    add(all, "p", {class: "soft"}, `${scene}, ${size}, radius ${shown(radius)}; those that no other beats in time and error are marked:`);
+    const table = add(add(all, "div", {class: "scroll"}), "table", {class: "figures"}), head = add(table, "tr");
     for (const name of ["config", "ms", "rmse", "bias", "p99"]) add(head, "th", {scope: "col", class: name === "config" ? null : "num"}, name);
     for (const sample of [...samples].sort((a, b) => a.rmse - b.rmse)) {
-      const line = add(table, "tr", {class: sample.config === app.a.config ? "on" : null});
-      button(add(line, "td"), sample.config, () => select(sample.config), {class: "link"});
-      for (const text of [ms(sample.ms).replace(" ms", ""), error(sample.rmse), sample.bias.toFixed(3), sample.p99.toFixed(3)])
+      const line = add(table, "tr", {class: sample.config === app.a.config ? "on" : null}), name = add(line, "td");
+      button(name, sample.config, () => app.chooseConfig(sample.config), {class: "link"});
+      if (front.has(sample)) add(name, "strong", {}, " ●");
+      for (const text of [ms(sample.total_ms).replace(" ms", ""), sample.rmse.toFixed(4), sample.bias.toFixed(3), sample.p99.toFixed(3)])
         add(line, "td", {class: "num"}, text);
     }
     for (const each of failures) add(all, "p", {class: "soft"}, `${each.config}: ${each.failure}`);
   }
+}
+
+function frontOf(samples) {
+  let best = Infinity;
+  const sorted = [...samples].sort((a, b) => a.total_ms - b.total_ms || a.rmse - b.rmse);
+  return new Set(sorted.filter(s => s.rmse < best && (best = s.rmse, true)));
 }

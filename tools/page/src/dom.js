@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Making elements, and what is kept between visits. Text goes in as text, never as markup.
+// Making elements, and waiting. Text goes in as text, never as markup.
 const SVG = "http://www.w3.org/2000/svg";
 
 export const $ = id => document.getElementById(id);
@@ -23,12 +23,6 @@ export function button(parent, text, onclick, attributes = {}) {
   return add(parent, "button", {type: "button", onclick, ...attributes}, text);
 }
 
-/// A button that is on or off.
-export function toggle(parent, text, onchange, attributes = {}) {
-  const node = button(parent, text, () => onchange(!isPressed(node)), {"aria-pressed": "false", ...attributes});
-  return node;
-}
-export const isPressed = node => node.getAttribute("aria-pressed") === "true";
 export const press = (node, on) => node.setAttribute("aria-pressed", String(on));
 
 /// options: [{value, text, title, group}]; keeps the choice where it still exists.
@@ -73,22 +67,6 @@ export function download(name, text, type = "application/json") {
   document.body.lastElementChild.remove();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
-
-/// Private windows may forbid storage: then nothing is kept.
-export const kept = {
-  get(key, otherwise) {
-    try {
-      return JSON.parse(localStorage.getItem("crevice." + key)) ?? otherwise;
-    } catch {
-      return otherwise;
-    }
-  },
-  set(key, value) {
-    try {
-      localStorage.setItem("crevice." + key, JSON.stringify(value));
-    } catch {}
-  }
-};
 
 export function debounce(milliseconds, call) {
   let timer = 0, last = null;

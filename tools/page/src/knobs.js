@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Turning params and features: the engine's value and the config's text are one state.
-import {applyEdits, restoreEdits, setEdits, treeOf} from "./text/json_edit.js";
+import {applyEdits, getNodeValue} from "jsonc-parser";
+import {restoreEdits, setEdits, treeOf} from "./text/json_edit.js";
 import {SLOT, describe} from "./app.js";
 
 export class Knobs {
@@ -89,12 +90,7 @@ export class Knobs {
 
 function jsonOf(text) {
   const tree = text && treeOf(text);
-  return tree ? valueOf(tree) : null;
-}
-function valueOf(node) {
-  if (node.type === "array") return node.children.map(valueOf);
-  if (node.type !== "object") return node.value;
-  return Object.fromEntries(node.children.filter(p => p.children[1]).map(p => [p.children[0].value, valueOf(p.children[1])]));
+  return tree ? getNodeValue(tree) : null;
 }
 
 /// "compiled 'ssao', 'blur', 34 ms"; the engine's sentences end with what was compiled.

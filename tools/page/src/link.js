@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // All that the page shows, as a link: the part after "#" is base64url of deflated JSON, or plain "config=NAME&...".
-const VERSION = 1;
 
 async function through(stream, bytes) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -25,8 +24,8 @@ export async function shareLink(app) {
   for (const path of used)
     if (engine.shippedSource(path) === null && engine.source(path) !== null) files[path] = engine.source(path);
   return "#" + await pack({
-    v: VERSION, config: app.a.config, variant: app.a.variant, files, scene: app.builtin, camera: app.camera,
-    size: app.sizeChoice, show: app.a.show, split: {...app.split, ...app.b}, bookmarks: app.bookmarks
+    config: app.a.config, variant: app.a.variant, files, scene: app.builtin, camera: app.camera,
+    size: app.sizeChoice, show: app.a.show, split: {...app.split, ...app.b}
   });
 }
 
@@ -50,7 +49,6 @@ function checked(said) {
   const files = Object.entries(said.files ?? {}).filter(([path, body]) =>
     typeof body === "string" && /^[\w./-]+$/.test(path) && !path.includes(".."));
   const split = said.split && typeof said.split === "object" ? said.split : {};
-  const bookmarks = Array.isArray(said.bookmarks) ? said.bookmarks : [];
   return {
     config: text(said.config, null), variant: text(said.variant, ""), files: Object.fromEntries(files),
     scene: text(said.scene, null), camera: text(said.camera, ""), size: text(said.size, null),
@@ -58,7 +56,6 @@ function checked(said) {
     split: {
       on: split.on === true, at: Number.isFinite(split.at) ? split.at : 0.5, config: text(split.config, ""),
       variant: text(split.variant, ""), show: text(split.show, "ao")
-    },
-    bookmarks: bookmarks.filter(b => typeof b?.name === "string" && typeof b.camera === "string")
+    }
   };
 }

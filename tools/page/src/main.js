@@ -5,14 +5,13 @@ import {App} from "./app.js";
 import {CostPanel} from "./cost_panel.js";
 import {openEngine} from "./engine/engine.js";
 import {readLink} from "./link.js";
-import {Magnifier} from "./magnifier.js";
 import {Panel} from "./panel.js";
 import {makePatch} from "./text/patch_panel.js";
 import {PictureInput} from "./picture_input.js";
 import {PlanPanel} from "./plan_panel.js";
 import {makeScenePanel} from "./scene_panel.js";
 import {makeSplit} from "./split.js";
-import {makeMessage, makeTabs, makeTheme} from "./tabs.js";
+import {makeMessage, makeTabs} from "./tabs.js";
 import {Texts} from "./text/texts.js";
 import {makeToolbar} from "./toolbar.js";
 import {TruthView} from "./truth_view.js";
@@ -33,9 +32,7 @@ function build(app) {
   app.plan = new PlanPanel(app);
   app.costs = new CostPanel(app);
   makeSplit(app);
-  app.magnifier = new Magnifier(app);
-  app.input = new PictureInput(app, app.canvas);
-  app.input.magnifier = app.magnifier;
+  new PictureInput(app, app.canvas);
   makeTabs(app);
 }
 
@@ -52,8 +49,6 @@ function show(app, wanted) {
     if (app.builtin !== scene) app.chooseScene(scene);
   }
   app.chooseSize(wanted.size ?? (SOFTWARE.test(engine.machine.renderer) ? "480x270" : "fit"));
-  if (wanted.bookmarks?.length) app.bookmarks = wanted.bookmarks;
-  app.emit("bookmarks");
   app.setCamera(wanted.camera ?? "");
   if (wanted.camera && !app.resolved()) {
     missing.push(`camera '${wanted.camera}'`);
@@ -92,12 +87,10 @@ async function fromView(app, view) {
 }
 
 async function start() {
-  makeTheme($("theme"));
   const engine = await openEngine($("canvas"));
   const app = new App(engine);
   window.crevice = {engine, app};
   build(app);
-  app.hold("start");
   const view = await openView();
   show(app, await wanted(app, view));
   app.started = true;
@@ -110,7 +103,7 @@ async function start() {
   addEventListener("hashchange", () => app.guard(async () => show(app, await wanted(app, null))));
   if (view) app.viewFiles = new ViewFiles(app, view, add(document.querySelector(".bar"), "button", {type: "button", id: "save"}, "Save"));
   await app.guard(() => app.texts.start());
-  app.release("start");
+  --app.busy;
 }
 
 function told(error) {

@@ -74,12 +74,7 @@ export class Panel {
     const {app} = this;
     const broken = path => !app.loadedWell && !path.startsWith("configs/");  // any module may be why
     const own = path => path === app.path() || app.stateA().files.includes(path) || broken(path);
-    for (const path of app.engine.editedPaths().filter(own)) {
-      const first = app.firstText(path);
-      if (first === null || first === app.engine.source(path)) continue;
-      app.putText(path, first);
-    }
-    app.reload();
+    app.takeBack(app.engine.editedPaths().filter(own));
   }
 
   buildFeatures(parent, state) {

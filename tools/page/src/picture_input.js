@@ -10,21 +10,19 @@ const WHEEL_ZOOM = 0.0012;   // exponent for a pixel of the wheel
 
 export class PictureInput {
   constructor(app, canvas) {
-    Object.assign(this, {app, canvas, pointers: new Map(), magnifier: null});
+    Object.assign(this, {app, canvas, pointers: new Map()});
     canvas.addEventListener("pointerdown", e => this.down(e));
     canvas.addEventListener("pointermove", e => this.move(e));
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, e => this.up(e));
     canvas.addEventListener("wheel", e => this.wheel(e), {passive: false});
     canvas.addEventListener("contextmenu", e => e.preventDefault());
     canvas.addEventListener("keydown", e => this.key(e));
-    app.on("turn", degrees => this.change(c => orbit(c, degrees * Math.PI / 180, 0)));
   }
 
   // The engine is asked only for cameras that are not made here: it finds the point to go round by drawing depth.
   change(move) {
     const {app} = this, now = this.made?.text === app.camera ? this.made.camera : app.resolved();
     if (!now) return;
-    if (app.drawing.path) app.drawing.play(null);
     const camera = move(upright(now)), text = cameraText(camera, app.camera);
     this.made = {text, camera};
     app.setCamera(text);
@@ -36,12 +34,10 @@ export class PictureInput {
       this.canvas.setPointerCapture(e.pointerId);
     } catch {}  // a pointer of a script cannot be captured
     this.pointers.set(e.pointerId, {x: e.clientX, y: e.clientY});
-    if (e.pointerType === "touch" && this.magnifier?.on) this.magnifier.follow(e);
     e.preventDefault();
   }
   move(e) {
     const old = this.pointers.get(e.pointerId);
-    if (this.magnifier?.on && (!old || e.pointerType === "touch")) return this.magnifier.follow(e);
     if (!old) return;
     const others = [...this.pointers].filter(([id]) => id !== e.pointerId).map(([, p]) => p);
     const now = {x: e.clientX, y: e.clientY};

@@ -19,7 +19,7 @@ export class PlanPanel {
     const plan = app.guard(() => app.engine.plan(0)), key = JSON.stringify(plan);
     if (!plan || key === this.shown) return;
     this.shown = key;
-    return app.during("plan", async () => {
+    return app.during(async () => {
       this.layout ??= (await import("./graph_layout.js")).layout;
       this.root.replaceChildren();
       const megabytes = (plan.texture_bytes / 1e6).toFixed(2);
@@ -34,7 +34,7 @@ export class PlanPanel {
 const kilobytes = bytes => bytes >= 1e6 ? `${(bytes / 1e6).toFixed(1)} MB` : `${(bytes / 1e3).toFixed(1)} kB`;
 
 /// {nodes: [{id, kind, lines, title}], edges: [[from, to]]} of a plan; each target is a node of its own.
-export function graphOf(plan) {
+function graphOf(plan) {
   const nodes = [], edges = [];
   for (const pass of plan.passes)
     nodes.push({id: "pass " + pass.name, kind: "pass", lines: [pass.name, `${pass.type} ${pass.extent.join("×")}`],
@@ -57,11 +57,8 @@ export function graphOf(plan) {
     for (const {from} of pass.inputs) if (!written.includes(from)) edges.push(["target " + from, own]);
   }
   const unique = new Set(edges.filter(([a, b]) => known.has(a) && known.has(b)).map(e => e.join("\n")));
-  nodes.push(...plan.elided.filter(e => isPass(e, plan)).map(e => (
-    {id: "elided " + e.what, kind: "elided", lines: [e.what.replace(/^pass /, ""), "left out"], title: e.reason})));
   return {nodes, edges: [...unique].map(e => e.split("\n"))};
 }
-const isPass = (elided, plan) => /^pass /.test(elided.what) && !plan.passes.some(p => "pass " + p.name === elided.what);
 
 function drawGraph(parent, plan, layout) {
   const {nodes, edges} = graphOf(plan);

@@ -9,7 +9,7 @@ const LENGTH_SHARE = 0.2;  // of the scene's diagonal: the end of a length's sli
 const isLength = param => param.semantic === "length" || param.unit === "scene units";
 
 /// The param's soft range. A length that does not fit the scene at all ends at a share of the scene.
-export function softRange(param, diagonal = 0) {
+function softRange(param, diagonal = 0) {
   const most = Math.max(...param.initial.map(Math.abs), 0);
   let low = param.min <= -NO_BOUND ? (Math.min(...param.initial) < 0 ? -4 * most : 0) : param.min;
   let high = param.soft_max || (param.max >= NO_BOUND ? 4 * most || 1 : param.max);
@@ -19,7 +19,7 @@ export function softRange(param, diagonal = 0) {
   return {low, high};
 }
 
-/// {low, high, places, log, place(value), value(place)}; a place is a whole number of [0, places].
+/// {places, place(value), value(place)}; a place is a whole number of [0, places].
 export function scaleOf(param, diagonal = 0) {
   const {low, high} = softRange(param, diagonal), int = param.type === "int";
   const log = low > 0 ? high / low > 100 : low === 0 && isLength(param) && !int;
@@ -31,7 +31,7 @@ function linearScale(param, low, high) {
   const counted = step > 0 ? Math.round((high - low) / step) : 0;
   const places = counted > 0 && counted <= 1000 ? counted : PLACES;
   return {
-    low, high, places, log: false,
+    places,
     place: value => Math.round(places * (value - low) / (high - low)),
     value: place => place >= places ? high : snapped(param, low + (high - low) * place / places)
   };
@@ -46,7 +46,7 @@ function logScale(param, low, high) {
     if (place <= 0 || t < 0) return low;
     return place >= PLACES ? high : snapped(param, begin * (high / begin) ** t);
   };
-  return {low, high, places: PLACES, log: true, place: v => Math.round(PLACES * share(v)), value};
+  return {places: PLACES, place: v => Math.round(PLACES * share(v)), value};
 }
 
 // On the step or the whole number, else to three digits.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The camera: bookmarks, turntable, paths, its text and a command line; and the picture's size.
+// The camera: home, those of the scene, its text and a command line; and the picture's size.
 import {makeCommand} from "./command_line.js";
-import {$, add, button, copyText, fillSelect, kept, press, toggle} from "./dom.js";
+import {$, add, button, copyText, debounce, fillSelect} from "./dom.js";
 
 const SIZES = ["480x270", "640x360", "960x540"];
 const LARGEST_FIT = 1920 * 1080;  // pixels
@@ -9,35 +9,30 @@ const LARGEST_FIT = 1920 * 1080;  // pixels
 export function makeScenePanel(app) {
   const card = add($("view"), "div", {class: "card camera"});
   add(card, "h2", {}, "Camera");
-  makeMoves(app, add(card, "div", {class: "row"}));
-  makeBookmarks(app, card);
+  const row = add(card, "div", {class: "row"});
+  makeCameras(app, row);
   makeText(app, card);
-  makeSize(app);
+  makeSize(app, row);
 }
 
-function makeMoves(app, row) {
+// Home, and those that the scene has.
+function makeCameras(app, row) {
   button(row, "Home", () => app.setCamera(""), {id: "home"});
-  const turntable = toggle(row, "Turntable", on => app.drawing.setTurntable(on), {id: "turntable"});
-  const label = add(row, "label", {}, "Path ");
-  const path = add(label, "select", {id: "path"});
-  fillSelect(path, [{value: "", text: "none"}, ...app.engine.cameraPaths().map(p => ({value: p.name, title: p.what}))], "");
-  path.addEventListener("change", () =>
-    app.drawing.play(app.engine.cameraPaths().find(p => p.name === path.value) ?? null));
-  const size = add(add(row, "label", {}, "Size "), "select", {id: "size"});
-  const showSize = () => {
-    const values = [...new Set([...SIZES, app.sizeChoice])].filter(value => value !== "fit");
-    fillSelect(size, [{value: "fit", text: "fit"}, ...values.map(value => ({value, text: value.replace("x", " × ")}))], app.sizeChoice);
-  };
-  showSize();
-  size.addEventListener("change", () => app.chooseSize(size.value));
-  app.on("size", showSize);
-  app.on("moving", () => {
-    press(turntable, app.drawing.turntable);
-    path.value = app.drawing.path?.name ?? "";
+  const own = add(row, "span", {class: "group"});
+  app.on("scene", () => {
+    own.replaceChildren();
+    for (const name of app.engine.scene?.cameras ?? [])
+      button(own, name, () => app.setCamera(name), {title: "A camera of the scene"});
   });
 }
 
-function makeSize(app) {
+function makeSize(app, row) {
+  const size = add(add(row, "label", {}, "Size "), "select", {id: "size", onchange: () => app.chooseSize(size.value)});
+  const show = () => {
+    const values = [...new Set([...SIZES, app.sizeChoice])].filter(value => value !== "fit");
+    fillSelect(size, [{value: "fit", text: "fit"}, ...values.map(value => ({value, text: value.replace("x", " × ")}))], app.sizeChoice);
+    $("picture").style.setProperty("--aspect", app.engine.size[0] / app.engine.size[1]);
+  };
   const fit = () => {
     const {clientWidth, clientHeight} = $("stage"), sharp = Math.min(2, devicePixelRatio || 1);
     const wide = Math.min(clientWidth, clientHeight * 16 / 9 || clientWidth) * sharp;
@@ -54,49 +49,9 @@ function makeSize(app) {
     app.setSize(app.sizeOf(choice));
     app.emit("size");
   };
-  let timer = 0;
-  new ResizeObserver(() => {
-    if (app.sizeChoice !== "fit" || !app.started) return;
-    clearTimeout(timer);
-    timer = setTimeout(() => app.sizeChoice === "fit" && app.setSize(fit()), 200);
-  }).observe($("stage"));
-  app.on("size", () => $("picture").style.setProperty("--aspect", app.engine.size[0] / app.engine.size[1]));
-}
-
-function makeBookmarks(app, card) {
-  const list = add(card, "ul", {class: "bookmarks", "aria-label": "Camera bookmarks"});
-  const form = add(card, "form", {class: "row", onsubmit: e => {
-    e.preventDefault();
-    const name = field.value.trim() || `view ${app.bookmarks.length + 1}`;
-    app.bookmarks = [...app.bookmarks.filter(b => b.name !== name), {name, camera: app.camera}];
-    field.value = "";
-    keep();
-  }});
-  const field = add(form, "input", {type: "text", maxlength: 40, placeholder: "name of this view", "aria-label": "Name of a new bookmark", id: "bookmark-name"});
-  add(form, "button", {type: "submit", id: "bookmark-add"}, "Add bookmark");
-  const keep = () => {
-    kept.set("bookmarks." + app.engine.scene.name, app.bookmarks);
-    show();
-  };
-  const go = camera => {
-    app.drawing.play(null);
-    app.setCamera(camera);
-  };
-  const show = () => {
-    list.replaceChildren();
-    for (const name of app.engine.scene?.cameras ?? [])
-      button(add(list, "li"), name, () => go(name), {title: "A camera of the scene"});
-    app.bookmarks.forEach(bookmark => {
-      const item = add(list, "li", {class: "own"});
-      button(item, bookmark.name, () => go(bookmark.camera), {title: bookmark.camera || "home"});
-      button(item, "×", () => {
-        app.bookmarks = app.bookmarks.filter(b => b !== bookmark);
-        keep();
-      }, {"aria-label": `Delete bookmark ${bookmark.name}`});
-    });
-  };
-  app.on("scene", show);
-  app.on("bookmarks", show);
+  const fitLater = debounce(200, () => app.sizeChoice === "fit" && app.started && app.setSize(fit()));
+  new ResizeObserver(() => fitLater()).observe($("stage"));
+  app.on("size", show);
 }
 
 function makeText(app, card) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tabs, dark and light, and the message over the picture.
-import {$, kept} from "./dom.js";
+// The tabs, and the message over the picture.
+import {$} from "./dom.js";
 
 const NOTE_MS = 8000;  // how long a note stays; errors and warnings stay until they are mended or closed
 const WIDE = "(min-width: 900px)";  // as in page.css: there the view's panel stands below the picture
@@ -33,22 +33,6 @@ export function makeTabs(app) {
   wide.addEventListener("change", fit);
   fit();
   app.openTab = name => choose($("tab-" + name));
-}
-
-export function makeTheme(node) {
-  const dark = matchMedia("(prefers-color-scheme: dark)");
-  const now = () => document.documentElement.dataset.theme ?? (dark.matches ? "dark" : "light");
-  const name = () => node.textContent = now() === "dark" ? "Light" : "Dark";
-  const turnTo = theme => {
-    if (theme) document.documentElement.dataset.theme = theme;
-    name();
-  };
-  node.addEventListener("click", () => {
-    turnTo(now() === "dark" ? "light" : "dark");
-    kept.set("theme", now());
-  });
-  dark.addEventListener("change", name);
-  turnTo(kept.get("theme", null));
 }
 
 export function makeMessage(app) {

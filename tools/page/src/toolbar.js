@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The choices above the picture: scene, configs, views, and models that are dropped on the page.
-import {$, fillSelect, isPressed, press} from "./dom.js";
+import {SLOT} from "./app.js";
+import {$, copyText, fillSelect, press} from "./dom.js";
 import {shareLink} from "./link.js";
-import {copyText} from "./dom.js";
 
 const NAMES = {color: "Lit", ao: "AO", without: "Without AO"};
 const nameOf = show => NAMES[show] ?? show.replace(/^(target|view):/, "");
@@ -10,12 +10,10 @@ const OWN_MODEL = "\u0000own";
 
 export function makeToolbar(app) {
   makeScene(app);
-  makeConfigs(app);
-  makeShows(app);
+  makeSides(app);
   $("split").addEventListener("click", () => app.setSplit(!app.split.on));
-  $("swap").addEventListener("click", () => app.guard(() => swap(app)));
   $("copy-to-b").addEventListener("click", () => app.guard(() => copyToB(app)));
-  $("share").addEventListener("click", e => app.during("share", () => share(app, e.target)));
+  $("share").addEventListener("click", e => app.during(() => share(app, e.target)));
   makeDrop(app);
 }
 
@@ -49,76 +47,57 @@ function makeScene(app) {
 
 function openFile(app, file) {
   if (!/\.glb$/i.test(file.name)) return app.say(`${file.name} is no .glb. Other formats: crevice view --scene FILE.`, "error");
-  return app.during("file", async () => app.openModel(new Uint8Array(await file.arrayBuffer()), file.name));
+  return app.during(async () => app.openModel(new Uint8Array(await file.arrayBuffer()), file.name));
 }
 
 function makeDrop(app) {
-  const shade = $("drop");
-  let depth = 0;
-  const leave = () => shade.hidden = (depth = 0) === 0;
   const files = e => [...e.dataTransfer?.types ?? []].includes("Files");
-  addEventListener("dragenter", e => {
-    if (!files(e)) return;
-    ++depth;
-    shade.hidden = false;
-  });
-  addEventListener("dragleave", e => files(e) && --depth <= 0 && leave());
   addEventListener("dragover", e => files(e) && e.preventDefault());
   addEventListener("drop", e => {
     if (!files(e)) return;
     e.preventDefault();
-    leave();
     if (e.dataTransfer.files[0]) openFile(app, e.dataTransfer.files[0]);
   });
 }
 
-function makeConfigs(app) {
-  const a = $("config-a"), b = $("config-b");
-  const show = () => {
+function makeSides(app) {
+  const [configA, configB, showA, showB] = ["config-a", "config-b", "show-a", "show-b"].map($);
+  configA.addEventListener("change", () => app.chooseConfig(configA.value));
+  configB.addEventListener("change", () => app.chooseB(configB.value));
+  showA.addEventListener("change", () => app.setShow("a", showA.value));
+  showB.addEventListener("change", () => app.setShow("b", showB.value));
+  const showConfigs = () => {
     const list = app.engine.configs().map(c => ({value: c.name, title: c.description}));
     if (app.a.config && !list.some(o => o.value === app.a.config)) list.unshift({value: app.a.config});
-    fillSelect(a, list, app.a.config);
-    fillSelect(b, [{value: "", text: "same as A"}, ...list], app.b.config);
+    fillSelect(configA, list, app.a.config);
+    fillSelect(configB, [{value: "", text: "same as A"}, ...list], app.b.config);
   };
-  a.addEventListener("change", () => app.chooseConfig(a.value));
-  b.addEventListener("change", () => app.chooseB(b.value));
-  for (const event of ["config", "sides", "configs"]) app.on(event, show);
+  const showViews = () => {
+    const own = app.engine.state(SLOT.b), {on} = app.split;
+    fillSelect(showA, viewsOf(app, app.stateA()), app.a.show);
+    fillSelect(showB, viewsOf(app, app.b.config && own ? own : app.stateA()), app.b.show);
+    press($("split"), on);
+    $("bar-b").hidden = $("name-b").hidden = !on;
+    $("name-a").textContent = (on ? "A: " : "") + nameOfSide(app, app.a);
+    $("name-b").textContent = "B: " + nameOfSide(app, app.b);
+  };
+  for (const event of ["config", "sides", "configs"]) app.on(event, showConfigs);
+  for (const event of ["loaded", "loadedB", "sides", "values"]) app.on(event, showViews);
 }
 
-function makeShows(app) {
-  const a = $("show-a"), b = $("show-b");
-  a.addEventListener("change", () => app.setShow("a", a.value));
-  b.addEventListener("change", () => app.setShow("b", b.value));
-  const show = () => {
-    const own = app.engine.state(1);
-    fillSelect(a, showOptions(app, app.stateA()), app.a.show);
-    fillSelect(b, showOptions(app, app.b.config && own ? own : app.stateA()), app.b.show);
-    press($("split"), app.split.on);
-    $("bar-b").hidden = !app.split.on;
-    nameSides(app);
-  };
-  for (const event of ["loaded", "loadedB", "sides", "values"]) app.on(event, show);
-}
-
-function showOptions(app, state) {
+function viewsOf(app, state) {
   const texts = Object.fromEntries((state?.targets ?? []).map(t => ["target:" + t.name, `${t.name} (${t.format})`]));
   const group = value => value.startsWith("target:") ? "Targets" : value.startsWith("view:") ? "Views" : null;
   return app.choices(state).map(value => ({value, text: texts[value] ?? nameOf(value), group: group(value)}));
 }
 
-function nameSides(app) {
-  const text = side => {
-    const config = side.config || app.a.config, variant = side.config ? side.variant : app.a.variant;
-    return `${config}${variant ? ":" + variant : ""} · ${nameOf(side.show)}`;
-  };
-  const {on} = app.split;
-  $("name-a").textContent = (on ? "A: " : "") + text(app.a);
-  $("name-b").textContent = "B: " + text(app.b);
-  $("name-b").hidden = !on;
+function nameOfSide(app, {config, variant, show}) {
+  if (!config) ({config, variant} = app.a);
+  return `${config}${variant ? ":" + variant : ""} · ${nameOf(show)}`;
 }
 
 /// B keeps A's present text under a name of its own; the modules that it extends stay shared.
-export function copyToB(app) {
+function copyToB(app) {
   const {config, variant, show} = app.a, {engine} = app;
   const stem = config.replace(/_b\d*$/, "");
   const free = name => name !== config && (engine.source(app.path(name)) === null || engine.shippedSource(app.path(name)) === null);
@@ -131,14 +110,4 @@ export function copyToB(app) {
   if (!app.split.on) app.setSplit(true);
   else app.chooseB(name, variant);
   app.emit("configs");
-}
-
-function swap(app) {
-  if (!app.b.config) return app.say("B is the same as A: choose a config for B, or copy A to B.", "note");
-  const {a, b} = app;
-  app.b = {...a};
-  app.a = {...a, show: b.show};
-  app.chooseConfig(b.config, b.variant);
-  app.refreshB();
-  app.emit("sides");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Against the truth: traces the view, draws what was traced or the difference over the picture, and prints how far AO is.
+// Against the truth: traces the view, draws the difference over the picture, and prints how far AO is.
 import {$, add, debounce, fillSelect, press} from "./dom.js";
 import {shown} from "./scale.js";
 import {Truth} from "./engine/truth.js";
@@ -20,7 +20,7 @@ export function radiusOf(app) {
 
 export class TruthView {
   constructor(app) {
-    Object.assign(this, {app, on: false, image: null, figures: null, stale: true, key: "", show: "difference", rays: 64});
+    Object.assign(this, {app, on: false, image: null, figures: null, stale: true, key: "", rays: 64});
     this.overlay = $("overlay");
     this.paint = this.overlay.getContext("2d");
     this.build(add($("view"), "div", {class: "card truth", id: "truth-card"}));
@@ -35,13 +35,6 @@ export class TruthView {
     add(card, "h2", {}, "Against the truth");
     this.hint = add(card, "p", {class: "soft"}, "Press Truth: the view is ray-traced here, and AO is compared with it.");
     const row = add(card, "div", {class: "row"});
-    const select = add(add(row, "label", {}, "Over the picture "), "select", {id: "truth-show", onchange: e => {
-      this.show = e.target.value;
-      this.drawOverlay();
-    }});
-    fillSelect(select, [
-      {value: "difference", text: "difference"}, {value: "traced", text: "the traced picture"}, {value: "none", text: "nothing"}
-    ], this.show);
     const rays = add(add(row, "label", {}, "Rays a pixel "), "select", {id: "truth-rays", onchange: e => {
       this.rays = Number(e.target.value);
       this.key = "";
@@ -50,9 +43,9 @@ export class TruthView {
     fillSelect(rays, RAYS.map(value => ({value})), this.rays);
     this.bar = add(card, "progress", {max: 1, value: 0, "aria-label": "Rays traced", hidden: ""});
     const list = add(card, "dl", {class: "numbers", "aria-live": "off", id: "truth-numbers"});
-    this.numbers = Object.fromEntries([["rmse", "rmse"], ["bias", "bias"], ["p99", "p99"]].map(([key, name]) => {
+    this.numbers = Object.fromEntries(["rmse", "bias", "p99"].map(name => {
       add(list, "dt", {}, name);
-      return [key, add(list, "dd", {"data-figure": key}, "–")];
+      return [name, add(list, "dd", {"data-figure": name}, "–")];
     }));
     this.list = list;
     this.legend = add(card, "p", {class: "legend-line soft"});
@@ -86,7 +79,6 @@ export class TruthView {
       this.stale = true;
       this.endTrace();
       this.overlay.hidden = true;
-      app.hold("trace");
       this.tracing = true;
       this.later();
       return this.showNumbers();
@@ -94,23 +86,22 @@ export class TruthView {
     this.compare();
   }
   view() {
-    const {app} = this, at = app.drawing.path ? JSON.stringify(app.drawing.path) : "";
-    return {camera: app.camera, at, size: [...app.engine.size], radius: radiusOf(app), rays: this.rays, scene: app.engine.scene.name};
+    const {app} = this;
+    return {camera: app.camera, size: [...app.engine.size], radius: radiusOf(app), rays: this.rays, scene: app.engine.scene.name};
   }
   endTrace() {
     if (!this.tracing) return;
     this.tracing = false;
     this.tracer?.cancel();
-    this.app.release("trace");
   }
 
   start() {
     const {app} = this, {camera, size, radius, rays} = this.view(), key = this.key;
-    if (!this.on || app.drawing.path) return this.endTrace();
+    if (!this.on) return this.endTrace();
     this.bar.hidden = false;
     this.bar.value = 0;
     app.guard(() => {
-      this.tracer ??= new Truth(app.engine, {});
+      this.tracer ??= new Truth(app.engine);
       const started = this.tracer.start({camera, size, radius, rays}, progress => app.guard(() => this.progress(key, progress)));
       started?.catch?.(e => this.failed(key, e));
     });
@@ -133,7 +124,6 @@ export class TruthView {
     if (done < 1) return;
     this.bar.hidden = true;
     this.tracing = false;
-    this.app.release("trace");
   }
 
   compare() {
@@ -158,10 +148,9 @@ export class TruthView {
 
   drawOverlay() {
     const {app, overlay} = this, [w, h] = app.engine.size;
-    overlay.hidden = !this.on || this.stale || !this.image || this.show === "none";
-    overlay.dataset.show = this.show;
+    overlay.hidden = !this.on || this.stale || !this.image;
     if (overlay.hidden) return;
-    const picture = this.show === "traced" ? grey(this.image, w, h) : app.guard(() => app.engine.heat(0, this.image));
+    const picture = app.guard(() => app.engine.heat(0, this.image));
     if (!picture) return;
     if (overlay.width !== w || overlay.height !== h) Object.assign(overlay, {width: w, height: h});
     this.paint.putImageData(picture, 0, 0);
@@ -171,15 +160,4 @@ export class TruthView {
     const {on, at} = this.app.split;
     this.overlay.style.clipPath = on ? `inset(0 ${100 * (1 - at)}% 0 0)` : "";
   }
-}
-
-// Rows bottom up; the background is not drawn.
-function grey(image, w, h) {
-  const picture = new ImageData(w, h), words = new Uint32Array(picture.data.buffer);
-  for (let y = 0; y < h; ++y)
-    for (let x = 0; x < w; ++x) {
-      const v = image[(h - 1 - y) * w + x], level = Math.round(255 * Math.min(1, Math.max(0, v)));
-      words[y * w + x] = Number.isNaN(v) ? 0xffffffff : 0xff000000 | level << 16 | level << 8 | level;
-    }
-  return picture;
 }

@@ -47,7 +47,7 @@ export class ViewFiles {
   }
 
   save() {
-    return this.app.during("save", async () => {
+    return this.app.during(async () => {
       let saved = 0;
       for (const [path] of this.unsaved()) saved += await this.put(path) ? 1 : 0;
       if (saved) this.app.say(`Saved ${saved === 1 ? "the file" : saved + " files"}.`);

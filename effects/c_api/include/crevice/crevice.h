@@ -42,7 +42,7 @@
 // GL state    It is as before after each call, if your context was current (see
 //             crevice_device_desc).
 //
-// The configs, params and outputs are those of configs/README.md and docs/methods.
+// docs/which_config.md has the configs, configs/README.md the params and outputs.
 #ifndef CREVICE_CREVICE_H
 #define CREVICE_CREVICE_H
 
@@ -144,10 +144,10 @@ typedef struct crevice_device_desc {
     bool ignore_extensions;
 
     /// Keeps linked programs between runs, so that the next one starts without compiling
-    /// (docs/program_cache.md). Either may be null. A key is 16 hex digits. `cache_load` gives the
-    /// bytes that were stored, which must stay until the next call of either, and their count; or
-    /// null. They are called where programs are made, and must not call GL or crevice. Keep the
-    /// bytes where nobody else can write: drivers run them.
+    /// (docs/reference/program_cache.md). Either may be null. A key is 16 hex digits. `cache_load`
+    /// gives the bytes that were stored, which must stay until the next call of either, and their
+    /// count; or null. They are called where programs are made, and must not call GL or crevice.
+    /// Keep the bytes where nobody else can write: drivers run them.
     const void* (*cache_load)(const char* key, size_t* count, void* cache_user);
     void (*cache_store)(const char* key, const void* bytes, size_t count, void* cache_user);
     void* cache_user;

@@ -43,8 +43,11 @@ constexpr Kind kKinds[] = {
 
 }  // namespace
 
-HostLife::HostLife(Context& context) : calls_(context.loader())
+HostLife::HostLife(Context& context, const GlDeviceOptions& options)
+    : calls_(context.loader()),
+      options_(options)
 {
+    options_.program_cache = programs_.cache();
     need(context.makeCurrent());
     load_ = context.loader();
     gl = need(loadGlApi(load_));
@@ -86,7 +89,7 @@ struct HostLife::Run {
 
     void create()
     {
-        device = need(makeGlDevice(host.load_, host.programs_.options()));
+        device = need(makeGlDevice(host.load_, host.options_));
         after("making a device");
         effect.emplace(need(Effect::create(*device, kind.config, kHostSize)));
         after("making an effect");

@@ -5,7 +5,7 @@
 #include "backends/gl/caps.h"
 #include "tests/backends/host/states/random_host.h"
 #include "tests/support/gl_fixture.h"
-#include "tests/support/kept_programs.h"
+#include "tests/support/watched_gl.h"
 
 #include <crevice/effect.h>
 
@@ -19,7 +19,7 @@ constexpr Extent kHostSize = {32, 18};
 class HostLife {
 public:
     /// Makes the host's own pictures and buffers. Requires that the context is fresh.
-    explicit HostLife(Context& context);
+    explicit HostLife(Context& context, const GlDeviceOptions& options = {});
     ~HostLife();
 
     int kinds() const;
@@ -47,6 +47,7 @@ private:
     GlCalls calls_;
     GlInfo info_;
     KeptPrograms programs_;
+    GlDeviceOptions options_;
     std::vector<HostTexture> depths_;
     std::vector<std::pair<GLenum, GlTexture>> textures_;
     std::vector<GlFramebuffer> framebuffers_;

@@ -103,11 +103,25 @@ constexpr Strange kStrange[] = {
      [](const GlCalls& gl) { gl("glPixelTransferf", GLenum(0x0D14), 0.5f); }},
 };
 
+constexpr int kDrawn = 1;  // a kind that draws the scene, into several samples too
+constexpr std::uint32_t kSeeds = 6;
+
+/// A loader that knows nothing of several draw buffers or viewports.
+GlLoader withoutIndices(const GlLoader& load)
+{
+    return [load](const char* name) -> void* {
+        const std::string text = name;
+        const bool indexed = text.find("Indexed") != text.npos || text == "glColorMaski" ||
+                             text == "glBlendEquationi" ||
+                             (text.find("glBlend") == 0 && text.back() == 'i');
+        return indexed ? nullptr : load(name);
+    };
+}
+
 }  // namespace
 
 TEST_CASE("Hosts with one strange setting keep it, and get the pictures of a fresh context")
 {
-    constexpr int kDrawn = 1;  // a kind that draws the scene, into several samples too
     const std::vector<Image> wanted = FreshPictures()[kDrawn];
     for (const Strange& strange : kStrange) {
         INFO(strange.name);
@@ -135,7 +149,8 @@ TEST_CASE("Hosts in random states keep them, and get the pictures of a fresh con
     life.watch(host);
     Figures figures;
     for (int seed = first; seed < first + (count > 0 ? count : kFew); ++seed) {
-        const int kind = seed % life.kinds();
+        // Steps of 7 come by every kind in the end, and by all depths and configs in the first few.
+        const int kind = (7 * seed + life.kinds() - 1) % life.kinds();
         INFO("state " << seed << ", kind " << kind);
         host.randomize(static_cast<std::uint32_t>(seed));
         const Snapshot before = host.snapshot();
@@ -148,6 +163,44 @@ TEST_CASE("Hosts in random states keep them, and get the pictures of a fresh con
         WARN(count << " states: " << figures.values << " values read after steps, "
                    << figures.changes << " steps changed some; " << figures.pictures
                    << " pictures, " << figures.different << " differ");
+}
+
+TEST_CASE("A context without state per draw buffer has the host's put back too")
+{
+    GlDeviceOptions options;
+    options.ignore_extensions = true;
+    const auto own = need(makeContext(testBackend()));
+    GlFixture bare(options, *own);
+    settleOptional(bare.gl, need(readInfo(bare.gl, true)), own->loader());
+    RandomHost host(bare.gl, withoutIndices(own->loader()));
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        INFO(seed);
+        host.randomize(seed);
+        const Snapshot before = host.snapshot();
+        bare.texture(Format::r8);
+        need(bare.device->beginFrame());
+        need(bare.device->endFrame());
+        CHECK(difference(before, host.snapshot()) == "");
+    }
+}
+
+TEST_CASE("Hosts that want no restoring get the pictures of a fresh context all the same")
+{
+    const std::vector<Image> wanted = FreshPictures()[kDrawn];
+    GlDeviceOptions options;
+    options.restore_state = false;
+    options.check_errors = false;
+    const auto own = need(makeContext(testBackend()));
+    HostLife life(*own, options);
+    RandomHost host(life.gl, own->loader());
+    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        INFO(seed);
+        host.randomize(seed);
+        GLboolean feedback = GL_FALSE;  // nothing pauses it then, and drawing is refused
+        life.gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &feedback);
+        Figures figures;
+        if (!feedback) comparePictures(life.live(kDrawn, [](const char*) {}), wanted, figures);
+    }
 }
 
 }  // namespace crevice

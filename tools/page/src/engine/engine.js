@@ -18,11 +18,10 @@ export async function openEngine(canvas) {
   return engine;
 }
 
-/// What the browser tells of the GPU: WebGL's own answers say as little as they can.
-function machineOf(canvas) {
+/// The GPU's name: WebGL's own answer says as little as it can.
+function rendererOf(canvas) {
   const gl = canvas.getContext('webgl2'), names = gl.getExtension('WEBGL_debug_renderer_info');
-  const renderer = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
-  return {renderer, software: /swiftshader|llvmpipe|software/i.test(renderer)};
+  return gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
 }
 
 class Engine {
@@ -30,70 +29,62 @@ class Engine {
     this.module = module;
     this.canvas = canvas;
     this.read = {};  // pictures read back since the last draw, by slot and name
-    const text = (name, types) => module.cwrap(name, 'string', types);
-    const json = (name, types) => {
-      const call = text(name, types);
-      return (...values) => JSON.parse(call(...values));
+    const s = 'string', n = 'number', bare = (name, gives, ...types) => module.cwrap('page_' + name, gives, types);
+    const json = (...call) => {
+      const text = bare(call[0], s, ...call.slice(1));
+      return (...values) => JSON.parse(text(...values));
     };
-    const s = 'string', n = 'number';
+    Object.assign(this, {
+      setSource: bare('set_source', null, s, s),  // a text of null: the shipped one again
+      editedPaths: json('edited_paths'),
+      configs: json('configs'),  // [{name, description}]
+      schema: json('schema'),
+      builtinScenes: json('builtin_scenes'),
+      resolveCamera: json('resolve_camera', s, n),  // (text, aspect)
+      unload: bare('unload', null, n),  // (slot), as the next three
+      state: json('state', n),
+      plan: json('plan', n),
+      patch: json('patch', n)
+    });
     this.calls = {
-      open: json('page_open', [s, s, s, n, n]),
-      sourcePaths: json('page_source_paths', []),
-      source: json('page_source', [s, n]),
-      setSource: module.cwrap('page_set_source', null, [s, s]),
-      editedPaths: json('page_edited_paths', []),
-      configs: json('page_configs', []),
-      schema: json('page_schema', []),
-      builtinScenes: json('page_builtin_scenes', []),
-      showBuiltinScene: json('page_show_builtin_scene', [s]),
-      showSceneBytes: json('page_show_scene_bytes', [n, n, s]),
-      scene: json('page_scene', []),
-      sceneBytes: module.cwrap('page_scene_bytes', n, []),
-      bytes: module.cwrap('page_bytes', n, []),
-      resolveCamera: json('page_resolve_camera', [s, n]),
-      cameraPaths: json('page_camera_paths', []),
-      load: json('page_load', [n, s]),
-      unload: module.cwrap('page_unload', null, [n]),
-      state: json('page_state', [n]),
-      plan: json('page_plan', [n]),
-      setParam: json('page_set_param', [n, s, s]),
-      setFeature: json('page_set_feature', [n, s, s]),
-      patch: json('page_patch', [n]),
-      resize: json('page_resize', [n, n]),
-      draw: json('page_draw', [s]),
-      timed: json('page_timed', [n]),
-      startTiming: json('page_start_timing', [n, n]),
-      again: json('page_again', [n]),
-      times: json('page_times', [n]),
-      read: json('page_read', [n, s]),
-      pixels: module.cwrap('page_pixels', n, []),
-      compare: json('page_compare', [n, n, n]),
+      open: json('open', s, s, s, n, n),
+      source: json('source', s, n),
+      showBuiltinScene: json('show_builtin_scene', s),
+      showSceneBytes: json('show_scene_bytes', n, n, s),
+      showModel: json('show_model', s, n),
+      scene: json('scene'),
+      sceneBytes: bare('scene_bytes', n),
+      bytes: bare('bytes', n),
+      load: json('load', n, s),
+      setParam: json('set_param', n, s, s),
+      setFeature: json('set_feature', n, s, s),
+      resize: json('resize', n, n),
+      draw: json('draw', s),
+      timed: json('timed', n),
+      startTiming: json('start_timing', n, n),
+      again: json('again', n),
+      times: json('times', n),
+      read: json('read', n, s),
+      pixels: bare('pixels', n),
+      compare: json('compare', n, n, n)
     };
   }
 
   open() {
-    if (!this.canvas.id) this.canvas.id = 'crevice-canvas';
     const {width, height} = this.canvas;
-    const answer =
-      this.calls.open('#' + this.canvas.id, JSON.stringify(displayConfig), displayShader, width, height);
+    const answer = this.calls.open('#' + this.canvas.id, JSON.stringify(displayConfig), displayShader, width, height);
     if (!answer.ok) throw new Error(answer.diagnostics.map(d => [d.message, d.help].join('; ')).join('\n'));
-    this.machine = {...answer.machine, ...machineOf(this.canvas)};
+    this.machine = {timer: answer.timer, renderer: rendererOf(this.canvas)};
     this.size = [width, height];
   }
 
   // ---- Texts
 
-  sourcePaths() { return this.calls.sourcePaths(); }
   source(path) { return this.calls.source(path, 0); }
   shippedSource(path) { return this.calls.source(path, 1); }
-  setSource(path, text) { this.calls.setSource(path, text); }
-  editedPaths() { return this.calls.editedPaths(); }
-  configs() { return this.calls.configs(); }
-  schema() { return this.calls.schema(); }
 
   // ---- Scene
 
-  builtinScenes() { return this.calls.builtinScenes(); }
   loadBuiltinScene(name) { return this.shown(this.calls.showBuiltinScene(name)); }
 
   loadSceneBytes(bytes, name) {
@@ -102,7 +93,10 @@ class Engine {
 
   async loadGltf(bytes, name) {
     const {loadGltf} = await import('./gltf.js');  // half of the page's scripts
-    return this.shown(await loadGltf(this, bytes, name));
+    return loadGltf(this, bytes, name);
+  }
+  loadModel(scene, bytes) {
+    return this.withBytes(bytes, at => this.shown(this.calls.showModel(JSON.stringify(scene), at)));
   }
 
   shown(answer) {
@@ -116,23 +110,16 @@ class Engine {
     return this.module.HEAPU8.slice(at, at + size);
   }
 
-  resolveCamera(text, aspect = this.size[0] / this.size[1]) { return this.calls.resolveCamera(text, aspect); }
-  cameraPaths() { return this.calls.cameraPaths(); }
-
   // ---- Slots
 
-  load(slot, {config, variant = '', outputs = ['color', 'ao'], look = '', without_occlusion = false}) {
+  /// {config, variant, outputs, look, without_occlusion}, of which all but the first may lack.
+  load(slot, request) {
     this.read = {};
-    return this.changed(
-      this.calls.load(slot, JSON.stringify({config, variant, outputs, look: look || '', without_occlusion})));
+    return this.changed(this.calls.load(slot, JSON.stringify(request)));
   }
 
-  unload(slot) { this.calls.unload(slot); }
-  state(slot) { return this.calls.state(slot); }
-  plan(slot) { return this.calls.plan(slot); }
   setParam(slot, name, values) { return this.changed(this.calls.setParam(slot, name, JSON.stringify(values))); }
   setFeature(slot, name, word) { return this.changed(this.calls.setFeature(slot, name, String(word))); }
-  patch(slot) { return this.calls.patch(slot); }
 
   /// Adds `compiled`: the sentences that say what was compiled.
   changed(answer) {
@@ -180,27 +167,6 @@ class Engine {
       await new Promise(done => setTimeout(done, 4));
     } while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED);
     gl.deleteSync(fence);
-  }
-
-  startTiming(slot, on) { return this.calls.startTiming(slot, on ? 1 : 0); }
-  frameMs(slot) { return this.calls.times(slot)?.total_ms ?? null; }
-
-  /// The n x n texels around a pixel of the canvas, counted from its top left: row by row from the top, channels
-  /// together. Outside of the picture they are null.
-  pixels(slot, show, x, y, n) {
-    const {answer, values} = this.readBack(slot, show);
-    if (!answer.ok) return answer;
-    const [width, height] = answer.extent, channels = answer.channels;
-    const tx = Math.floor((x + 0.5) / this.size[0] * width);
-    const ty = height - 1 - Math.floor((y + 0.5) / this.size[1] * height);
-    const list = [];
-    for (let row = 0; row < n; ++row)
-      for (let column = 0; column < n; ++column) {
-        const px = tx + column - (n >> 1), py = ty + (n >> 1) - row;
-        const inside = px >= 0 && py >= 0 && px < width && py < height;
-        for (let k = 0; k < channels; ++k) list.push(inside ? values[(py * width + px) * channels + k] : null);
-      }
-    return {...answer, values: list, at: [tx, ty]};
   }
 
   /// A picture in full: {answer, values}, lowest row first.

@@ -12,82 +12,75 @@ const EXTENSIONS = [
 ];
 const {TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN} = Primitive.Mode;
 
-const broken = (name, reason) => ({
-  ok: false,
-  diagnostics: [{
-    code: 'CV7002',
-    severity: 'error',
-    message: `the scene '${name}' cannot be read: ${reason}`,
-    help: 'export it as a .glb without Draco compression or KTX textures',
-    file: '', line: 0, column: 0, length: 0, pointer: '', notes: []
-  }]
-});
-
 /// Puts the scene of a .glb in the place of the engine's. -> Answer
 export async function loadGltf(engine, bytes, name) {
-  let document;
   try {
     await MeshoptDecoder.ready;
     const io = new WebIO().registerExtensions(EXTENSIONS).registerDependencies({'meshopt.decoder': MeshoptDecoder});
-    document = await io.readBinary(bytes);
-    return await new Builder(engine, name).build(document);
+    const model = new Model(name);
+    await model.read(await io.readBinary(bytes));
+    return engine.loadModel(model.scene, model.bytes());
   } catch (error) {
-    return broken(name, error.message);
+    const message = `the scene '${name}' cannot be read: ${error.message}; export it without Draco compression or KTX textures`;
+    return {ok: false, diagnostics: [{code: 'CV7002', severity: 'error', message}]};
   }
 }
 
-class Builder {
-  constructor(engine, name) {
-    this.engine = engine;
-    const m = engine.module, n = 'number', s = 'string';
-    this.begin = () => m.cwrap('page_build_begin', null, [s])(name);
-    this.addTexture = m.cwrap('page_build_texture', n, [s, n, n, n, n]);
-    this.addMaterial = m.cwrap('page_build_material', null, [s]);
-    this.addMesh = m.cwrap('page_build_mesh', n, [s, n, n, n, n, n]);
-    this.addInstance = m.cwrap('page_build_instance', null, [n, n, n]);
-    this.addCamera = m.cwrap('page_build_camera', null, [s]);
-    this.addLight = m.cwrap('page_build_light', null, [s]);
-    this.end = m.cwrap('page_build_end', s, []);
-    this.textures = new Map();
-    this.materials = new Map();
-    this.meshes = new Map();
+// A scene as engine/model.cpp reads it: JSON, in which arrays are numbers of bytes, at which they begin.
+class Model {
+  constructor(name) {
+    this.scene = {name, textures: [], materials: [], meshes: [], instances: [], cameras: [], lights: []};
+    this.arrays = [];
+    this.size = 0;
+    this.known = new Map();   // the index of each primitive, material and texture that was read
+    this.colors = new Map();  // ... and of textures as sRGB
   }
 
-  async build(document) {
-    const root = document.getRoot();
-    const scene = root.getDefaultScene() || root.listScenes()[0];
+  put(array) {
+    const at = this.size;
+    this.arrays.push([at, array]);
+    this.size += Math.ceil(array.byteLength / 8) * 8;
+    return at;
+  }
+  bytes() {
+    const bytes = new Uint8Array(this.size);
+    for (const [at, array] of this.arrays) bytes.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength), at);
+    return bytes;
+  }
+  // The index in a list of what is made of a thing; -1 where that is null.
+  async once(known, list, thing, make) {
+    if (known.has(thing)) return known.get(thing);
+    const made = await make(thing), index = made ? this.scene[list].push(made) - 1 : -1;
+    known.set(thing, index);
+    return index;
+  }
+
+  async read(document) {
+    const root = document.getRoot(), scene = root.getDefaultScene() || root.listScenes()[0];
     if (!scene) throw new Error('it holds no scene');
     const nodes = [];
     scene.traverse(node => nodes.push(node));
-    const images = await decodeTextures(nodes);
-    this.begin();
-    for (const node of nodes) this.addNode(node, images);
-    return JSON.parse(this.end());
+    for (const node of nodes) await this.addNode(node);
   }
 
-  addNode(node, images) {
-    const matrix = node.getWorldMatrix();
+  async addNode(node) {
+    const {instances, cameras, lights} = this.scene, matrix = node.getWorldMatrix();
     for (const primitive of node.getMesh()?.listPrimitives() ?? []) {
-      const mesh = this.meshOf(primitive);
+      const mesh = await this.once(this.known, 'meshes', primitive, () => this.meshOf(primitive));
       if (mesh < 0) continue;
-      const material = this.materialOf(primitive.getMaterial(), images);
-      this.engine.withFloats(new Float64Array(matrix), at => this.addInstance(mesh, material, at));
+      const material = await this.once(this.known, 'materials', primitive.getMaterial(), each => this.materialOf(each));
+      instances.push({mesh, material, world_from_model: this.put(new Float64Array(matrix))});
     }
-    if (node.getCamera()) this.addCamera(JSON.stringify(cameraOf(node.getCamera(), matrix)));
+    if (node.getCamera()) cameras.push(cameraOf(node.getCamera(), matrix));
     const light = node.getExtension('KHR_lights_punctual');
-    if (light) this.addLight(JSON.stringify(lightOf(light, matrix)));
+    if (light) lights.push(lightOf(light, matrix));
   }
 
   meshOf(primitive) {
-    if (!this.meshes.has(primitive)) this.meshes.set(primitive, this.upload(primitive));
-    return this.meshes.get(primitive);
-  }
-
-  upload(primitive) {
     const positions = primitive.getAttribute('POSITION'), normals = primitive.getAttribute('NORMAL'),
           uv = primitive.getAttribute('TEXCOORD_0');
     const indices = positions && trianglesOf(primitive, positions.getCount());
-    if (!indices || indices.length === 0) return -1;
+    if (!indices || indices.length === 0) return null;
     const vertices = new Float32Array(positions.getCount() * 8), element = [];
     for (let i = 0; i < positions.getCount(); ++i) {
       vertices.set(positions.getElement(i, element).slice(0, 3), i * 8);
@@ -98,61 +91,37 @@ class Builder {
     }
     const finite = indices.every(index => index < positions.getCount()) && vertices.every(Number.isFinite);
     if (!finite) throw new Error('a mesh has vertices that are not finite, or indices past its vertices');
-    const list = new Uint32Array(indices);
-    return this.engine.withFloats(vertices,
-      at => this.engine.withFloats(list,
-        from => this.addMesh(primitive.getName(), at, positions.getCount(), from, list.length, normals ? 1 : 0)));
+    return {
+      name: primitive.getName(), has_normals: normals !== null,
+      vertices: this.put(vertices), vertex_count: positions.getCount(),
+      indices: this.put(new Uint32Array(indices)), index_count: indices.length
+    };
   }
 
-  materialOf(material, images) {
-    if (!this.materials.has(material)) {
-      this.addMaterial(JSON.stringify(this.materialJson(material, images)));
-      this.materials.set(material, this.materials.size);
-    }
-    return this.materials.get(material);
-  }
-
-  materialJson(material, images) {
+  async materialOf(material) {
     if (!material) return {name: '', base_color: [0.8, 0.8, 0.8, 1]};
-    const texture = (from, srgb) => this.textureOf(from, images, srgb);
     return {
       name: material.getName(),
       base_color: material.getBaseColorFactor(),
-      base_color_texture: texture(material.getBaseColorTexture(), true),
+      base_color_texture: await this.textureOf(material.getBaseColorTexture(), true),
       alpha_cutoff: material.getAlphaMode() === 'MASK' ? material.getAlphaCutoff() : 0,
-      normal_texture: texture(material.getNormalTexture(), false),
+      normal_texture: await this.textureOf(material.getNormalTexture(), false),
       normal_scale: material.getNormalScale(),
-      occlusion_texture: texture(material.getOcclusionTexture(), false),
+      occlusion_texture: await this.textureOf(material.getOcclusionTexture(), false),
       occlusion_strength: material.getOcclusionStrength()
     };
   }
 
-  textureOf(texture, images, srgb) {
-    const pixels = images.get(texture);
-    if (!pixels) return -1;
-    const key = texture.getName() + texture.getURI() + [...images.keys()].indexOf(texture) + srgb;
-    if (!this.textures.has(key)) {
-      const at = bytes => this.addTexture(texture.getName(), pixels.width, pixels.height, bytes, srgb ? 1 : 0);
-      this.textures.set(key, this.engine.withBytes(pixels.rows, at));
-    }
-    return this.textures.get(key);
+  async textureOf(texture, srgb) {
+    if (!texture?.getImage()) return -1;
+    return this.once(srgb ? this.colors : this.known, 'textures', texture, async () => {
+      const pixels = await decode(texture);
+      return pixels && {...pixels, name: texture.getName(), srgb, rows: this.put(pixels.rows)};
+    });
   }
 }
 
-/// Texels of all textures that are used, lowest row first; without those that the browser cannot read.
-async function decodeTextures(nodes) {
-  const images = new Map();
-  for (const node of nodes)
-    for (const primitive of node.getMesh()?.listPrimitives() ?? []) {
-      const material = primitive.getMaterial();
-      const used = material ?
-        [material.getBaseColorTexture(), material.getNormalTexture(), material.getOcclusionTexture()] : [];
-      for (const texture of used)
-        if (texture?.getImage() && !images.has(texture)) images.set(texture, await decode(texture));
-    }
-  return images;
-}
-
+// Texels, lowest row first; null where the browser cannot read them.
 async function decode(texture) {
   const blob = new Blob([texture.getImage()], {type: texture.getMimeType()});
   const options = {colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'flipY'};

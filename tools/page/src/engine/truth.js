@@ -3,10 +3,9 @@
 
 /// Traces views of the engine's scene. One view at a time; a new one takes the place of the one before.
 export class Truth {
-  /// `workers`: how many trace at once. Default: one less than the machine has cores, at most 4.
-  constructor(engine, {workers} = {}) {
+  constructor(engine) {
     this.engine = engine;
-    this.count = workers ?? Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
+    this.count = Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));  // of workers that trace at once
     this.workers = [];
     this.job = 0;
     this.scene = null;

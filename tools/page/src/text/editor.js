@@ -13,6 +13,7 @@ import {basicSetup} from "codemirror";
 import {add} from "../dom.js";
 import {rangeOf} from "./places.js";
 import {completionAt, meaningAt} from "./schema_help.js";
+import {explain} from "./texts.js";
 
 // {from, to, insert} without what is the same before and behind, or null.
 function difference(old, now) {
@@ -119,18 +120,9 @@ export class Editor {
     const own = this.app.diagnostics.filter(d => d.file === this.path);
     this.view.dispatch(setDiagnostics(this.view.state, own.map(d => ({
       ...rangeOf(text, d), severity: d.severity === "error" ? "error" : d.severity === "warning" ? "warning" : "info",
-      source: d.code, message: d.message, renderMessage: () => message(d)
+      source: d.code, message: d.message, renderMessage: () => explain(document.createElement("div"), d)
     }))));
   }
-}
-
-function message(d) {
-  const node = document.createElement("div");
-  add(node, "strong", {}, d.code ?? "");
-  node.append(" " + d.message);
-  for (const note of d.notes ?? []) add(node, "p", {class: "soft"}, note.text);
-  if (d.help) add(node, "p", {class: "help"}, `help: ${d.help}`);
-  return node;
 }
 
 // Tab indents: Escape leaves the editor for those who have only a keyboard.

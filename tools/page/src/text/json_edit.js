@@ -95,9 +95,3 @@ function removal(text, property) {
   const from = property.parent.offset + 1;
   return {offset: from, length: Math.max(end, comma + 1) - from, content: ""};
 }
-
-export function applyEdits(text, edits) {
-  for (const edit of [...edits].sort((a, b) => b.offset - a.offset))
-    text = text.slice(0, edit.offset) + edit.content + text.slice(edit.offset + edit.length);
-  return text;
-}

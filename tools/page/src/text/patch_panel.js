@@ -14,7 +14,7 @@ export function makePatch(app) {
     download(fileName(), text.textContent + "\n");
     flash(save, "Downloaded");
   }, {id: "patch-save"});
-  button(row, "Share as a link", e => app.during("share", () => share(app, e.target)));
+  button(row, "Share as a link", e => app.during(() => share(app, e.target)));
   const note = add(root, "p", {class: "soft"}), text = add(root, "pre", {id: "patch-text", tabindex: 0, "aria-label": "The patch"});
   const showCommand = makeCommand(app, root, "Copy the command of the patch");
   const fileName = () => `${nameIn(text.textContent) ?? app.a.config + "_mine"}.json`;

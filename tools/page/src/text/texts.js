@@ -7,7 +7,7 @@ export class Texts {
     Object.assign(this, {app, path: null, editor: null});
     const root = $("text"), row = add(root, "div", {class: "row"});
     this.files = add(row, "select", {"aria-label": "File", class: "grow", id: "file", onchange: e => this.open(e.target.value)});
-    this.revert = button(row, "Revert file", () => this.takeBack(), {id: "revert", title: "Back to the text that ships"});
+    this.revert = button(row, "Revert file", () => app.takeBack([this.path]), {id: "revert", title: "Back to the text that ships"});
     this.note = add(row, "output", {class: "soft"});
     this.place = add(root, "div", {class: "editor", id: "editor"});
     add(this.place, "p", {class: "soft"}, "The editor is loading…");
@@ -46,11 +46,6 @@ export class Texts {
     this.revert.disabled = !edited.has(this.path) || app.firstText(this.path) === null;
     this.note.textContent = edited.has(this.path) ? "changed" : "";
   }
-  takeBack() {
-    const {app, path} = this, first = app.firstText(path);
-    app.putText(path, first);
-    app.reload();
-  }
 
   showDiagnostics() {
     const {app, list} = this;
@@ -59,9 +54,7 @@ export class Texts {
       const item = add(list, "li", {class: each.severity});
       const place = each.file ? `${each.file}:${each.line || 1}:${each.column || 1}` : "";
       if (place) button(item, place, () => this.jump(each), {class: "link"});
-      add(item, "span", {}, ` ${each.severity} ${each.code ?? ""}: ${each.message}`);
-      for (const note of each.notes ?? []) add(item, "p", {class: "soft"}, note.text);
-      if (each.help) add(item, "p", {class: "help"}, `help: ${each.help}`);
+      explain(item, each);
     }
     this.editor?.lint();
     this.showFiles();
@@ -70,4 +63,12 @@ export class Texts {
     if (this.app.engine.source(diagnostic.file) === null) return;
     this.open(diagnostic.file, {line: diagnostic.line || 1, column: diagnostic.column || 1});
   }
+}
+
+/// Writes a diagnostic with its notes and help into a node, which it returns.
+export function explain(node, {severity, code, message, notes = [], help}) {
+  add(node, "span", {}, ` ${severity} ${code ?? ""}: ${message}`);
+  for (const note of notes) add(node, "p", {class: "soft"}, note.text);
+  if (help) add(node, "p", {}, `help: ${help}`);
+  return node;
 }

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Passes that are drawn where a mask says, or within the bounds of draws.
+#include "tests/support/plan_rig.h"
+
+using namespace crevice;
+
+namespace {
+
+// draw -> mask -> ao, where ao is drawn where the mask says.
+Sketch masked(const std::string& mask_keys = "", const std::string& ao_keys = "")
+{
+    return {
+        {R"(geometry: -> normal | "type": "draw", "frustum_scale": 1)",
+         R"(mask: normal -> | "depth": "mask", "state": {"depth_write": true})" + mask_keys,
+         R"(ao: normal -> ao | "mask": "mask", "clear": {"ao": 1})" + ao_keys, "light: ao -> lit"},
+        {{"color", "lit"}},
+        {{"mask", R"({"format": ["depth16"], "semantic": "mask", "size": {"of": "ao"}})"}},
+        R"("imports": {"scene": {"type": "draw_list"}},
+               "features": {"soft": {"type": "bool", "default": false}})"};
+}
+
+Sketch with(Sketch sketch, const std::string& target, const std::string& json)
+{
+    sketch.targets[target] = json;
+    return sketch;
+}
+
+}  // namespace
+
+TEST_CASE("A masked pass is tested against its mask, and cleared to what is elsewhere")
+{
+    const Plan plan = planOf(describe(masked()));
+    CHECK(passNames(plan) == "geometry, mask, ao, light");
+    const PlanPass& ao = plan.passes[2];
+    REQUIRE(ao.has_depth);
+    CHECK(ao.depth.name == "mask");
+    CHECK(ao.depth.load == LoadOp::load);
+    CHECK(ao.depth.store == StoreOp::store);
+    CHECK_FALSE(ao.state.depth_write);
+    CHECK(ao.color[0].load == LoadOp::clear);
+    CHECK(ao.color[0].clear[0] == 1.0f);
+    const PlanTarget& mask = plan.targets[ao.depth.target];
+    CHECK(mask.first_pass == 1);
+    CHECK(mask.last_pass == 2);
+}
+
+TEST_CASE("A pass is drawn whole where its mask is left out, off, constant or does not fit")
+{
+    const auto drawnWhole = [](const Plan& plan) {
+        return passNames(plan) == "geometry, ao, light" && !plan.passes[1].has_depth &&
+               plan.passes[1].color[0].load == LoadOp::discard && plan.passes[1].inputs.size() == 1;
+    };
+    CHECK(drawnWhole(planOf(describe(masked()), {}, keeping("depth_mask"))));
+    const Sketch off = masked(R"(, "when": {"soft": true})");
+    const Sketch smaller =
+        with(masked(), "mask", R"({"format": ["depth16"], "size": {"scale": 0.5}})");
+    const Sketch finer = with(masked(), "mask", R"({"format": ["depth16"], "samples": 4})");
+    for (const Sketch& sketch : {off, smaller, finer}) CHECK(drawnWhole(planOf(describe(sketch))));
+
+    Sketch constant = masked(R"(, "no_op": {"fill": {"at": 0, "gives": {"mask": 1}}})");
+    constant.extra += R"(, "params": {"fill": {"default": 0}})";
+    const Plan plan = planOf(describe(constant));
+    CHECK(passNames(plan) == "geometry, ao, light");
+    CHECK_FALSE(plan.passes[1].has_depth);
+    CHECK(plan.passes[1].inputs.size() == 1);
+}
+
+TEST_CASE("A mask must be a depth target of another pass")
+{
+    Sketch color = masked();
+    color.passes[2] = R"(ao: normal -> ao | "mask": "normal", "clear": {"ao": 1})";
+    color.passes.erase(color.passes.begin() + 1);
+    color.targets.erase("mask");
+    CHECK(onlyError(describe(color)).code == Code::attachment_kind);
+}
+
+TEST_CASE("A bounded pass is drawn within the bounds of draws where all it reads comes from them")
+{
+    const auto bounded = [](const Sketch& sketch, const CompileOptions& options = sized()) {
+        const Plan plan = planOf(describe(sketch), {}, options);
+        const PlanPass* pass = findNamed(plan.passes, "ao");
+        CHECK((pass->color[0].load == LoadOp::clear || contains(options.disable, "all")));
+        return pass->scissor;
+    };
+    const Sketch sketch = masked("", R"(, "scissor": true)");
+    CHECK(bounded(sketch));
+    CHECK_FALSE(bounded(sketch, keeping("scissor")));
+    CHECK_FALSE(bounded(sketch, keeping("all")));
+    CHECK_FALSE(bounded(masked()));
+
+    Sketch moved = sketch;  // a vertex shader may put vertices anywhere
+    moved.passes[0] = R"(geometry: -> normal | "type": "draw")";
+    CHECK_FALSE(bounded(moved));
+    Sketch remembering = with(sketch, "ao", R"({"format": ["r8"], "history": true})");
+    remembering.passes[2] =  // which has what was drawn elsewhere in the last frame
+        R"(ao: normal ao_history -> ao | "mask": "mask", "clear": {"ao": 1}, "scissor": true)";
+    CHECK_FALSE(bounded(remembering));
+    Sketch hosts = sketch;
+    hosts.passes[0] = "geometry: host -> normal";
+    hosts.extra = R"("imports": {"host": {"type": "texture"}},
+                     "features": {"soft": {"type": "bool", "default": false}})";
+    CHECK_FALSE(bounded(hosts));
+}
+
+TEST_CASE("A long chain of passes that each read twice what is before is planned at once")
+{
+    Sketch sketch;
+    sketch.passes = {R"(pass_0: -> t_0 | "type": "draw", "frustum_scale": 1)"};
+    for (int i = 1; i < 40; ++i) {
+        const std::string now = std::to_string(i), before = "t_" + std::to_string(i - 1);
+        sketch.passes.push_back("pass_" + now + ": " + before + " again -> t_" + now +
+                                R"( | "scissor": true, "clear": {"t_)" + now +
+                                R"(": 0}, "inputs": {"again": ")" + before + "\"}");
+    }
+    sketch.outputs = {{"out", "t_39"}};
+    sketch.extra = R"("imports": {"scene": {"type": "draw_list"}})";
+    CHECK(planOf(describe(sketch)).passes.back().scissor);
+}

@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The source tree against its rules: who includes whom, where GL is named, who prints, licences. Each rule is
+first shown texts that break it.
+   source_tree_test.py SOURCE"""
+import os
+import re
+import sys
+
+MAY_INCLUDE = {
+    'core': ['core'],
+    'backends': ['backends', 'core'],
+    'effects': ['effects', 'core'],
+    'effects/c_api': ['effects', 'core', 'backends'],
+    'tools': ['tools', 'core', 'backends', 'effects'],
+    'tests': ['tests', 'tools', 'core', 'backends', 'effects'],
+}
+# The rooms of a library from the bottom up: a file may include its own room and those before it.
+ROOMS = {
+    'core': 'base json glsl sampling gpu frame config plan compile run renderer'.split(),
+    'backends': 'gl context recording'.split(),
+    'tools': 'image cli schema plan scene reference device render cost motion measure bench stress report view page '
+             'commands examples'.split(),
+}
+TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+
+
+class Source:
+    def __init__(self, path, text):
+        self.path, self.text = path, text
+        self.folders = path.split('/')
+        self.example = path.startswith('tools/examples/')
+        self.cpp = path.endswith(('.h', '.cpp'))
+        self.code = self.words = ''
+        if self.cpp:  # without comments, and of words without what strings say
+            self.code = TOKENS.sub(lambda token: '' if token[0][0] == '/' else token[0], text)
+            self.words = TOKENS.sub('', text)
+        self.includes = re.findall(r'^\s*#\s*include (["<][^">]+)', self.code, re.M)
+
+
+def read_tree(root):
+    found = {}
+    for top in 'core', 'backends', 'effects', 'configs', 'tools', 'tests':
+        for folder, _, names in os.walk(os.path.join(root, top)):
+            for name in names:
+                path = os.path.relpath(os.path.join(folder, name), root)
+                with open(os.path.join(folder, name), encoding='latin-1') as file:
+                    found[path] = Source(path, file.read())
+    return found
+
+
+tree = read_tree(sys.argv[1])
+headers = {'<crevice/' + path.rsplit('/', 1)[1]: path for path in tree if '/include/crevice/' in path}
+# A source's own header comes first.
+homes = {(each.folders[0], each.includes[0]): each for each in tree.values()
+         if each.path.endswith('.cpp') and each.includes}
+configs = [path[8:-5] for path in tree if re.match('configs/.*json', path)]
+
+
+def target(include):
+    """The path that an include names; empty for those of others."""
+    return headers.get(include) or (include[1:] if include[0] == '"' else '')
+
+
+def included(source):
+    return [tree[target(each)] for each in source.includes if target(each) in tree]
+
+
+def room(source):
+    """A public header belongs to the room of its source; without one, to the highest that it includes."""
+    rooms = ROOMS[source.folders[0]]
+    if source.folders[1] != 'include':
+        return rooms.index(source.folders[1])
+    home = homes.get((source.folders[0], '<crevice/' + source.folders[-1]))
+    if home:
+        return room(home)
+    return max([room(each) for each in included(source) if each.folders[0] == source.folders[0]], default=0)
+
+
+def sideways(source):
+    library = 'effects/c_api' if source.path.startswith('effects/c_api/') else source.folders[0]
+    paths = [target(each) for each in source.includes]
+    return [path for path in paths if path and path.split('/')[0] not in MAY_INCLUDE[library]]
+
+
+def climbing(source):
+    return [each.path for each in included(source)
+            if each.folders[0] == source.folders[0] and room(each) > room(source)]
+
+
+def config_behind_plan(source):
+    """Files of the config language and of JSON that what runs a plan includes, through others too."""
+    seen, rest = set(), [source] if source.folders[1] in ('run', 'gpu') else []
+    while rest:
+        new = [each for each in included(rest.pop()) if each.path not in seen]
+        seen.update(each.path for each in new)
+        rest += new
+    return [path for path in seen if ROOMS['core'][room(tree[path])] in ('config', 'json')]
+
+
+def private(source):
+    beside = os.path.dirname(source.path) + '/'
+    return source.example and [each for each in source.includes if each[0] == '"' and beside + each[1:] not in tree and
+                               not each.startswith('"tools/examples/')]
+
+
+def unlicensed(source):
+    kinds = r'\.(h|c|cpp|cmake|sh|py|frag|vert|glsl|comp|in)$|/CMakeLists\.txt$'
+    return re.search(kinds, source.path) and 'SPDX-License-Identifier: MIT' not in source.text[:60]
+
+
+def words(pattern):
+    return lambda source: re.findall(pattern, source.words)
+
+
+FLOAT_FORMAT = r'"[^"\n]*%[-+#0-9.*]*l?[aAeEfFgG][^"\n]*"'
+NO_EXAMPLE = 'tools/examples/'
+# What holds, where, what finds the contrary, where it does not hold, and texts that break it.
+RULES = [
+    ('includes point downwards', 'core backends effects tools tests', sideways, ('tests/outside/', NO_EXAMPLE),
+     [('core/plan/x.h', '#include "backends/gl/device.h"\n'), ('core/plan/x.h', '#include "plan.h"\n'),
+      ('effects/x.cpp', '#include <crevice/gl_device.h>\n'), ('backends/gl/x.cpp', '#include "effects/effect.h"\n'),
+      ('effects/c_api/x.cpp', '#include "tools/image/image_file.h"\n')]),
+    ('rooms include those before them', 'core backends tools', lambda source: source.cpp and climbing(source), (),
+     [('core/plan/x.cpp', '#include "core/compile/steps.h"\n'), ('core/base/x.h', '#include <crevice/document.h>\n'),
+      ('core/gpu/x.cpp', '#include <crevice/config.h>\n')]),
+    ('what runs a plan knows no config and no JSON', 'core', config_behind_plan, (),
+     [('core/run/x.cpp', '#include <crevice/renderer.h>\n')]),
+    ("graphics headers are the backends'", 'core effects tools tests',
+     lambda source: [each for each in source.includes if re.match(r'.(GL\w*|EGL|KHR)/', each)], NO_EXAMPLE,
+     [('tests/x.cpp', '#include <GLES3/gl3.h>\n'), ('core/x.h', '#include <EGL/egl.h>\n')]),
+    ('nothing of GL is named outside backends', 'core effects tools',
+     words(r'\b(?:(?:gl|egl|OSMesa|E?GL_)[A-Z]\w+|GL(?:u?int|enum|float|sizei|boolean|bitfield)|EGL[DC]\w+)\b'),
+     NO_EXAMPLE, [('core/x.cpp', 'glClear(mask);'), ('core/x.cpp', 'int a = GL_RGBA8;'), ('core/x.h', 'GLuint name;')]),
+    ('numbers are read and written by core/base/numbers.h, which knows no locale', 'core backends effects tools',
+     lambda source: re.findall(r'\b(?:strto(?:f|d|ld)|atof|sto(?:f|d|ld)|set(?:locale|precision))\s*\(|'
+                               r'\b[io]?stringstream\b|' + FLOAT_FORMAT, source.code), NO_EXAMPLE,
+     [('core/x.cpp', 'snprintf(text, 9, "vec2(%.3e", x);'), ('core/x.cpp', 'std::stof(text)'),
+      ('core/x.cpp', 'sscanf(text, "%d %lf", &n, &x);'), ('core/x.cpp', 'std::ostringstream out;')]),
+    ('text is printed by tools/cli/output.h, which keeps control characters off the terminal',
+     'core backends effects tools',
+     words(r'\b(?:v?f?printf|f?puts|f?putc|putchar|cout|cerr|clog|stdout|stderr)\b'), ('tools/cli/output.', NO_EXAMPLE),
+     [('tools/x.cpp', 'std::printf(x);'), ('tools/x.cpp', 'std::cout << x;')]),
+    ('files are opened where pipes, devices and endless files are refused', 'core backends effects tools',
+     words(r'\b(?:[io]?fstream|fopen|freopen|fdopen)\b'),
+     ('core/base/files.cpp', 'tools/image/image_file.cpp', 'tools/measure/line_file.cpp'),
+     [('tools/x.cpp', 'std::ifstream file(path);')]),
+    ('no library names a config', 'core backends effects',
+     lambda source: [each for each in configs if '"%s"' % each in source.code or each + '.json' in source.code], (),
+     [('core/x.cpp', 'find("gtao")'), ('core/x.cpp', 'find("configs/gtao.json")')]),
+    ('examples include public headers and one another alone', 'tools', private, (),
+     [('tools/examples/a.cpp', '#include "core/base/text.h"\n')]),
+    ('examples have at most 120 lines', 'tools', lambda source: source.example and source.text.count('\n') > 120, (),
+     [('tools/examples/a.cpp', 121 * '\n')]),
+    ('files have at most 600 lines', 'core backends effects tools tests',
+     lambda source: source.cpp and source.text.count('\n') > 600, 'effects/c_api/include/',
+     [('core/x.cpp', 601 * '\n')]),
+    ('functions of the libraries have at most 40 lines', 'core backends effects',
+     lambda source: [body.count('\n') for body in re.findall(r'^\{\n(.*?)^\}', source.code, re.M | re.S)
+                     if body.count('\n') > 40], 'backends/gl/caps.cpp',
+     [('core/x.cpp', 'int f()\n{' + 42 * '\n' + '}')]),
+    ('sources have the licence line', 'core backends effects configs tools tests', unlicensed, (),
+     [('core/x.cpp', '#include <vector>\n'), ('tests/CMakeLists.txt', '# tests\n')]),
+]
+
+failures = []
+for says, folders, broken_by, but_not, planted in RULES:
+    failures += ['the rule fails for no text: %s, %r' % (says, text) for path, text in planted
+                 if not broken_by(Source(path, text))]
+    for source in tree.values():
+        found = source.folders[0] in folders.split() and not source.path.startswith(but_not) and broken_by(source)
+        if found:
+            failures.append('%s: %s, not so by %s' % (source.path, says, found))
+
+counts = {}
+for path in tree:
+    if not path.startswith(('configs/', 'tests/data/', 'tests/fuzz/seeds/')):
+        counts.setdefault(os.path.dirname(path), []).append(path)
+failures += ['%s has %d files' % (folder, len(paths)) for folder, paths in counts.items() if len(paths) > 25]
+for library, rooms in ROOMS.items():
+    there = {each.folders[1] for each in tree.values() if each.folders[0] == library and each.cpp} - {'include'}
+    failures += ['%s/%s is no room, or a room without files' % (library, each) for each in there ^ set(rooms)]
+
+print('\n'.join(failures) or 'The %d files keep %d rules.' % (len(tree), len(RULES)))
+sys.exit(1 if failures else 0)
