@@ -15,7 +15,7 @@ packages=(libcrevice0 libcrevice-dev crevice-tools)
 bare=false built=false
 case ${1:-} in
     "") ;;
-    --built) built=true build=$(realpath -- "$2") ;;
+    --built) built=true build=$(realpath -- "${2:?--built needs the folder of a build}") ;;
     --bare) bare=true ;;
     *) echo "usage: debian_packages.sh [--built FOLDER | --bare]" >&2; exit 2 ;;
 esac
