@@ -7,7 +7,7 @@
 #include <crevice/renderer.h>
 #include <crevice/shipped.h>
 
-#include "tools/device/forwarding_device.h"
+#include "tools/render/device/forwarding_device.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -15,12 +15,13 @@ MAY_INCLUDE = {
     'tools': ['tools', 'core', 'backends', 'effects'],
     'tests': ['tests', 'tools', 'core', 'backends', 'effects'],
 }
-# The rooms of a library from the bottom up: a file may include its own room and those before it.
-ROOMS = {
+# The layers of a library from the bottom up: a file may include its own layer and those before it.
+LAYERS = {
     'core': 'base json glsl sampling gpu frame config plan compile run renderer'.split(),
     'backends': 'gl context recording'.split(),
-    'tools': 'image cli schema plan scene reference device render cost motion measure bench stress report view page '
-             'commands examples'.split(),
+    'tools': 'render/image commands/cli show/schema show/plan render/scene measure/reference render/device render '
+             'measure/cost measure/motion measure measure/bench measure/stress show/report show/view show/page commands '
+             'examples'.split(),
 }
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
 
@@ -66,15 +67,22 @@ def included(source):
     return [tree[target(each)] for each in source.includes if target(each) in tree]
 
 
-def room(source):
-    """A public header belongs to the room of its source; without one, to the highest that it includes."""
-    rooms = ROOMS[source.folders[0]]
+def folder_layer(source):
+    """The layer whose folder holds a source, itself or in folders of no layer; empty where none does."""
+    parts = source.folders[1:-1]
+    while parts and '/'.join(parts) not in LAYERS[source.folders[0]]:
+        parts = parts[:-1]
+    return '/'.join(parts)
+
+
+def layer(source):
+    """A public header belongs to the layer of its source; without one, to the highest that it includes."""
     if source.folders[1] != 'include':
-        return rooms.index(source.folders[1])
+        return LAYERS[source.folders[0]].index(folder_layer(source))
     home = homes.get((source.folders[0], '<crevice/' + source.folders[-1]))
     if home:
-        return room(home)
-    return max([room(each) for each in included(source) if each.folders[0] == source.folders[0]], default=0)
+        return layer(home)
+    return max([layer(each) for each in included(source) if each.folders[0] == source.folders[0]], default=0)
 
 
 def sideways(source):
@@ -85,7 +93,7 @@ def sideways(source):
 
 def climbing(source):
     return [each.path for each in included(source)
-            if each.folders[0] == source.folders[0] and room(each) > room(source)]
+            if each.folders[0] == source.folders[0] and layer(each) > layer(source)]
 
 
 def config_behind_plan(source):
@@ -95,7 +103,7 @@ def config_behind_plan(source):
         new = [each for each in included(rest.pop()) if each.path not in seen]
         seen.update(each.path for each in new)
         rest += new
-    return [path for path in seen if ROOMS['core'][room(tree[path])] in ('config', 'json')]
+    return [path for path in seen if LAYERS['core'][layer(tree[path])] in ('config', 'json')]
 
 
 def private(source):
@@ -120,8 +128,8 @@ RULES = [
     ('includes point downwards', 'core backends effects tools tests', sideways, ('tests/outside/', NO_EXAMPLE),
      [('core/plan/x.h', '#include "backends/gl/device.h"\n'), ('core/plan/x.h', '#include "plan.h"\n'),
       ('effects/x.cpp', '#include <crevice/gl_device.h>\n'), ('backends/gl/x.cpp', '#include "effects/effect.h"\n'),
-      ('effects/c_api/x.cpp', '#include "tools/image/image_file.h"\n')]),
-    ('rooms include those before them', 'core backends tools', lambda source: source.cpp and climbing(source), (),
+      ('effects/c_api/x.cpp', '#include "tools/render/image/image_file.h"\n')]),
+    ('layers include those before them', 'core backends tools', lambda source: source.cpp and climbing(source), (),
      [('core/plan/x.cpp', '#include "core/compile/steps.h"\n'), ('core/base/x.h', '#include <crevice/document.h>\n'),
       ('core/gpu/x.cpp', '#include <crevice/config.h>\n')]),
     ('what runs a plan knows no config and no JSON', 'core', config_behind_plan, (),
@@ -137,13 +145,13 @@ RULES = [
                                r'\b[io]?stringstream\b|' + FLOAT_FORMAT, source.code), NO_EXAMPLE,
      [('core/x.cpp', 'snprintf(text, 9, "vec2(%.3e", x);'), ('core/x.cpp', 'std::stof(text)'),
       ('core/x.cpp', 'sscanf(text, "%d %lf", &n, &x);'), ('core/x.cpp', 'std::ostringstream out;')]),
-    ('text is printed by tools/cli/output.h, which keeps control characters off the terminal',
+    ('text is printed by tools/commands/cli/output.h, which keeps control characters off the terminal',
      'core backends effects tools',
-     words(r'\b(?:v?f?printf|f?puts|f?putc|putchar|cout|cerr|clog|stdout|stderr)\b'), ('tools/cli/output.', NO_EXAMPLE),
+     words(r'\b(?:v?f?printf|f?puts|f?putc|putchar|cout|cerr|clog|stdout|stderr)\b'), ('tools/commands/cli/output.', NO_EXAMPLE),
      [('tools/x.cpp', 'std::printf(x);'), ('tools/x.cpp', 'std::cout << x;')]),
     ('files are opened where pipes, devices and endless files are refused', 'core backends effects tools',
      words(r'\b(?:[io]?fstream|fopen|freopen|fdopen)\b'),
-     ('core/base/files.cpp', 'tools/image/image_file.cpp', 'tools/measure/line_file.cpp'),
+     ('core/base/files.cpp', 'tools/render/image/image_file.cpp', 'tools/measure/line_file.cpp'),
      [('tools/x.cpp', 'std::ifstream file(path);')]),
     ('no library names a config', 'core backends effects',
      lambda source: [each for each in configs if '"%s"' % each in source.code or each + '.json' in source.code], (),
@@ -177,9 +185,10 @@ for path in tree:
     if not path.startswith(('configs/', 'tests/data/', 'tests/fuzz/seeds/')):
         counts.setdefault(os.path.dirname(path), []).append(path)
 failures += ['%s has %d files' % (folder, len(paths)) for folder, paths in counts.items() if len(paths) > 25]
-for library, rooms in ROOMS.items():
-    there = {each.folders[1] for each in tree.values() if each.folders[0] == library and each.cpp} - {'include'}
-    failures += ['%s/%s is no room, or a room without files' % (library, each) for each in there ^ set(rooms)]
+for library, layers in LAYERS.items():
+    there = {folder_layer(each) or each.path for each in tree.values()
+             if each.folders[0] == library and each.folders[1] != 'include' and each.cpp}
+    failures += ['%s/%s is in no layer, or a layer without files' % (library, each) for each in there ^ set(layers)]
 
 print('\n'.join(failures) or 'The %d files keep %d rules.' % (len(tree), len(RULES)))
 sys.exit(1 if failures else 0)

@@ -12,16 +12,16 @@ for tool in em++ node npm; do
 done
 tools/scripts/web.sh >&2
 npm=build/page_npm
-if ! cmp -s tools/page/package-lock.json "$npm/installed.json"; then
+if ! cmp -s tools/show/page/package-lock.json "$npm/installed.json"; then
     mkdir -p "$npm"
-    cp tools/page/package.json tools/page/package-lock.json "$npm"
+    cp tools/show/page/package.json tools/show/page/package-lock.json "$npm"
     npm ci --prefix "$npm" --ignore-scripts --no-audit --no-fund --silent
-    cp tools/page/package-lock.json "$npm/installed.json"
+    cp tools/show/page/package-lock.json "$npm/installed.json"
 fi
 rm -rf -- "$folder"
 mkdir -p -- "$folder"
-node tools/page/build.mjs "$folder" "$root/$npm/node_modules"
-cp build/web/tools/page/crevice_page.{js,wasm} "$folder"
+node tools/show/page/build.mjs "$folder" "$root/$npm/node_modules"
+cp build/web/tools/show/page/crevice_page.{js,wasm} "$folder"
 bytes=$(find "$folder" -type f -exec gzip -9c {} + | wc -c)
 printf 'Wrote %s, %d bytes with gzip -9; show it with: crevice view, or python3 -m http.server -d %s\n' "$folder" "$bytes" \
     "$folder"

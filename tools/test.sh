@@ -66,7 +66,7 @@ full_packages() {
 }
 guard() { tools/scripts/guard_bench.sh --errors-only; }
 pictures() { tools/scripts/pictures.sh --check; }
-shader_faults() { tests/tools/stress/mutations_test.sh "$CREVICE" .; }
+shader_faults() { tests/faults/shaders.sh "$CREVICE" .; }
 sanitized_tests() {
     cmake --preset asan "${options[@]}" && cmake --build --preset asan &&
         seq 0 7 | xargs -P "$(nproc)" -I{} bash tests/in_parts.sh build/asan/tests/crevice_memory_tests {} 8
@@ -79,7 +79,7 @@ lone_files() { tools/scripts/lone_files.sh; }
 debian_packages() { tools/scripts/debian_packages.sh --built build/ci; }
 bare_debian() { tools/scripts/debian_packages.sh --bare; }
 web() { or_skipped tests/platforms/web_test.sh build/ci; }
-page() { or_skipped tests/tools/page/page_test.sh "$CREVICE"; }
+page() { or_skipped tests/tools/show/page/page_test.sh "$CREVICE"; }
 arm() {
     local scope=()
     [[ $run != nightly ]] || scope=(all)

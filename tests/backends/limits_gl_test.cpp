@@ -5,7 +5,7 @@
 #include "tests/backends/stage.h"
 #include "tests/support/picture.h"
 #include "tests/support/watched_gl.h"
-#include "tools/device/forwarding_device.h"
+#include "tools/render/device/forwarding_device.h"
 
 using namespace crevice;
 

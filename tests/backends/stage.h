@@ -5,8 +5,8 @@
 #include <crevice/renderer.h>
 
 #include "tests/support/shipped_subjects.h"
+#include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene_upload.h"
-#include "tools/scene/camera_framing.h"
 
 #include <memory>
 #include <string>

@@ -9,7 +9,7 @@
 #include "effects/c_api/device.h"
 #include "effects/c_api/effect.h"
 #include "tests/c_api/c_api.h"
-#include "tools/device/forwarding_device.h"
+#include "tools/render/device/forwarding_device.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>

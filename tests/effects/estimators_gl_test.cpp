@@ -4,7 +4,7 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/scene/mesh_shapes.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

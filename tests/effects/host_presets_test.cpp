@@ -3,7 +3,7 @@
 #include "tests/support/modules.h"
 #include "tests/support/plan_rig.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <crevice/config.h>
 #include <crevice/recording_device.h>

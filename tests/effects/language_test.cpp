@@ -5,8 +5,8 @@
 #include <crevice/renderer.h>
 
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/costs.h"
-#include "tools/schema/form.h"
+#include "tools/show/plan/costs.h"
+#include "tools/show/schema/form.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

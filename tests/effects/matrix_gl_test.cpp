@@ -5,7 +5,7 @@
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
 #include "tools/render/host_textures.h"
-#include "tools/scene/mesh_shapes.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 #include <algorithm>
 

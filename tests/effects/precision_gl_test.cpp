@@ -3,8 +3,8 @@
 #include "core/compile/depth_precision.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/stress/case.h"
-#include "tools/stress/scenes.h"
+#include "tools/measure/stress/case.h"
+#include "tools/measure/stress/scenes.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // What GLSL ES leaves to chance is written: a sampler without a precision is lowp, which holds 8
 // bits, and a literal has the precision of what it meets.
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <regex>
 

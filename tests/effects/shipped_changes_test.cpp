@@ -3,7 +3,7 @@
 #include <crevice/compile.h>
 
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <set>
 

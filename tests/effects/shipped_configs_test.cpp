@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "core/run/dirty_passes.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/print.h"
+#include "tools/show/plan/print.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 
 #include "core/config/values.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <cmath>
 #include <limits>

@@ -4,8 +4,8 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/stress/case.h"
-#include "tools/stress/figures.h"
+#include "tools/measure/stress/case.h"
+#include "tools/measure/stress/figures.h"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include <crevice/gl_device.h>
 
 #include "backends/gl/api.h"
-#include "tools/device/forwarding_device.h"
+#include "tools/render/device/forwarding_device.h"
 
 #include <emscripten.h>
 

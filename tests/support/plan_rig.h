@@ -6,8 +6,8 @@
 
 #include "core/base/text.h"
 #include "tests/support/test_config.h"
-#include "tools/plan/costs.h"
-#include "tools/plan/print.h"
+#include "tools/show/plan/costs.h"
+#include "tools/show/plan/print.h"
 
 #include <map>
 #include <set>

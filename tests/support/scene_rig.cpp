@@ -2,7 +2,7 @@
 #include "tests/support/scene_rig.h"
 
 #include "tools/render/read_output.h"
-#include "tools/scene/camera_framing.h"
+#include "tools/render/scene/camera_framing.h"
 
 namespace crevice {
 

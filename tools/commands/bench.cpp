@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // crevice bench: error against run time of many configs, scenes, sizes and sample counts.
-#include "tools/bench/measure.h"
-#include "tools/bench/views.h"
-#include "tools/cli/long_run.h"
-#include "tools/cli/output.h"
+#include "tools/commands/cli/long_run.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/device/open_device.h"
+#include "tools/measure/bench/measure.h"
+#include "tools/measure/bench/views.h"
+#include "tools/measure/motion/table.h"
+#include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/run_options.h"
-#include "tools/motion/table.h"
-#include "tools/reference/reference_cache.h"
-#include "tools/scene/options.h"
+#include "tools/render/device/open_device.h"
+#include "tools/render/scene/options.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"

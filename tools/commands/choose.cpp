@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // crevice choose: the best measured config for a time or an error, and why.
-#include "tools/bench/choice.h"
-#include "tools/cli/output.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/scene/options.h"
+#include "tools/measure/bench/choice.h"
+#include "tools/render/scene/options.h"
 
 #include "core/base/numbers.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The subcommands of crevice. Each adds itself to the command line; when it is chosen it runs and
-// leaves an ExitCode of tools/cli/output.h in `exit_code`.
+// leaves an ExitCode of tools/commands/cli/output.h in `exit_code`.
 #pragma once
 
 namespace CLI {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // crevice compare: how far one image is from another, and whether that is within limits.
-#include "tools/cli/output.h"
-#include "tools/cli/output_request.h"
+#include "tools/commands/cli/output.h"
+#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
-#include "tools/image/image_file.h"
-#include "tools/image/image_metrics.h"
+#include "tools/render/image/image_file.h"
+#include "tools/render/image/image_metrics.h"
 
 #include "core/base/numbers.h"
 

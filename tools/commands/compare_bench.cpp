@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // crevice compare-bench: what has changed since an older bench.
-#include "tools/bench/compare.h"
-#include "tools/cli/output.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
+#include "tools/measure/bench/compare.h"
 
 #include "core/base/numbers.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // crevice cost: what configs cost on phones' GPUs, by their compilers, and whether it is more than
 // what was approved.
-#include "tools/cost/cost.h"
-#include "tools/cli/output.h"
-#include "tools/cli/output_request.h"
+#include "tools/measure/cost/cost.h"
+#include "tools/commands/cli/output.h"
+#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
-#include "tools/cost/check.h"
-#include "tools/image/image_file.h"
+#include "tools/measure/cost/check.h"
+#include "tools/render/image/image_file.h"
 
 #include "core/base/files.h"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // crevice explain: the plan of a config, what it leaves out and why, and where a value came from.
-#include "tools/cli/config_options.h"
-#include "tools/cli/output.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/device/open_device.h"
-#include "tools/plan/diff.h"
-#include "tools/plan/explain_value.h"
-#include "tools/plan/planning.h"
-#include "tools/plan/print.h"
+#include "tools/render/device/open_device.h"
 #include "tools/render/output_source.h"
+#include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
-#include "tools/scene/options.h"
+#include "tools/show/plan/diff.h"
+#include "tools/show/plan/explain_value.h"
+#include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 #include <crevice/config.h>
 #include <crevice/recording_device.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The crevice command.
-#include "tools/cli/output.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 
 #include <CLI/CLI.hpp>

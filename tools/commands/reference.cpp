@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // crevice reference: the ray-traced ambient occlusion that configs are measured against.
-#include "tools/cli/output.h"
-#include "tools/cli/output_request.h"
+#include "tools/commands/cli/output.h"
+#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
-#include "tools/image/image_file.h"
-#include "tools/reference/reference_cache.h"
-#include "tools/scene/options.h"
+#include "tools/measure/reference/reference_cache.h"
+#include "tools/render/image/image_file.h"
+#include "tools/render/scene/options.h"
 
 #include "core/base/text.h"
 

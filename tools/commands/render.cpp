@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // crevice render: draws a scene through a config and writes what was asked for.
-#include "tools/cli/long_run.h"
-#include "tools/cli/output.h"
-#include "tools/cli/save_patch.h"
-#include "tools/cli/watched_files.h"
+#include "tools/commands/cli/long_run.h"
+#include "tools/commands/cli/output.h"
+#include "tools/commands/cli/save_patch.h"
+#include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
 #include "tools/render/missing_texture.h"
 #include "tools/render/read_output.h"
 #include "tools/render/session.h"
-#include "tools/render/view_check.h"
+#include "tools/render/view_diagnosis.h"
 
 #include <crevice/config.h>
 

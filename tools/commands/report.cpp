@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // crevice report: bench results as a page, and the figures beside it.
-#include "tools/cli/output.h"
-#include "tools/cli/output_request.h"
+#include "tools/commands/cli/output.h"
+#include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
-#include "tools/image/image_file.h"
-#include "tools/report/bench_report.h"
+#include "tools/render/image/image_file.h"
+#include "tools/show/report/bench_report.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"

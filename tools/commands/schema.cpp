@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // crevice schema: the config format for editors, as JSON Schema, and for readers, as Markdown.
-#include "tools/schema/schema.h"
-#include "tools/cli/config_options.h"
-#include "tools/cli/output.h"
+#include "tools/show/schema/schema.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 
 #include <CLI/CLI.hpp>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // crevice stress: how far each config holds on stiff and extreme cases, and where it breaks.
-#include "tools/cli/output.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/device/open_device.h"
-#include "tools/image/image_file.h"
+#include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/run_options.h"
-#include "tools/reference/reference_cache.h"
-#include "tools/report/stress_report.h"
-#include "tools/scene/options.h"
-#include "tools/stress/against.h"
-#include "tools/stress/pictures.h"
-#include "tools/stress/tell.h"
+#include "tools/measure/stress/breakdown.h"
+#include "tools/measure/stress/differences.h"
+#include "tools/measure/stress/pictures.h"
+#include "tools/render/device/open_device.h"
+#include "tools/render/image/image_file.h"
+#include "tools/render/scene/options.h"
+#include "tools/show/report/stress_report.h"
 
 #include "core/base/text.h"
 
@@ -224,7 +224,7 @@ int measureSteps(const StressCommand& command, const std::vector<StressTask>& ta
     const Result<std::vector<StressRecord>> known = readStressRecords(file->path());
     if (!known) return report(known.diagnostics(), command.json);
 
-    StressMeter meter(*open->device, sources, command.cache.path());
+    StressRunner meter(*open->device, sources, command.cache.path());
     const std::string device = open->device->caps().name;
     StressHow how;
     how.key = [&](const StressTask& task) {

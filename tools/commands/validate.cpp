@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // crevice validate: reads, decodes and plans configs with no GL at all.
-#include "tools/cli/config_options.h"
-#include "tools/cli/output.h"
-#include "tools/cli/sarif.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/commands/cli/output.h"
+#include "tools/commands/cli/sarif.h"
 #include "tools/commands/commands.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <crevice/config.h>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // crevice view: serves the page on this machine, with one's own config and scene.
-#include "tools/cli/long_run.h"
-#include "tools/cli/output.h"
+#include "tools/commands/cli/long_run.h"
+#include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
-#include "tools/scene/builtin_scenes.h"
-#include "tools/scene/camera_framing.h"
-#include "tools/scene/options.h"
-#include "tools/scene/scene_bytes.h"
-#include "tools/view/browser.h"
-#include "tools/view/server.h"
-#include "tools/view/token.h"
+#include "tools/render/scene/builtin_scenes.h"
+#include "tools/render/scene/camera_framing.h"
+#include "tools/render/scene/options.h"
+#include "tools/render/scene/scene_bytes.h"
+#include "tools/show/view/browser.h"
+#include "tools/show/view/server.h"
+#include "tools/show/view/token.h"
 
 #include "core/base/text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/measure/run_options.h"
 
-#include "tools/cli/long_run.h"
+#include "tools/commands/cli/long_run.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"

@@ -2,7 +2,7 @@
 // What commands that measure for long share: their options, a run on the console, and how it ends.
 #pragma once
 
-#include "tools/cli/output.h"
+#include "tools/commands/cli/output.h"
 #include "tools/measure/run.h"
 
 #include <string>

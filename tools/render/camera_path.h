@@ -5,7 +5,7 @@
 // scene. Its last frame is that camera itself.
 #pragma once
 
-#include "tools/scene/scene.h"
+#include "tools/render/scene/scene.h"
 
 #include <string>
 

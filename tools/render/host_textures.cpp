@@ -4,8 +4,8 @@
 
 #include <crevice/shipped.h>
 
-#include "tools/cli/config_options.h"
-#include "tools/image/image_file.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/render/image/image_file.h"
 
 #include <algorithm>
 #include <filesystem>

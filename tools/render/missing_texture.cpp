@@ -3,7 +3,7 @@
 #include "tools/render/missing_texture.h"
 
 #include "core/base/text.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 namespace crevice {
 namespace {

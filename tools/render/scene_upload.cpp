@@ -2,7 +2,7 @@
 // A scene's objects on a device, and frames of them.
 #include "tools/render/scene_upload.h"
 
-#include "tools/scene/mesh_normals.h"
+#include "tools/render/scene/mesh_normals.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

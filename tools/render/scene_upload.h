@@ -2,7 +2,7 @@
 // A scene on a device: its meshes and textures, and the frames drawn from them.
 #pragma once
 
-#include "tools/scene/scene.h"
+#include "tools/render/scene/scene.h"
 
 namespace crevice {
 

@@ -2,10 +2,10 @@
 // Drawing a scene through a config, and reading the pictures back.
 #include "tools/render/session.h"
 
-#include "tools/cli/output.h"
-#include "tools/image/image_file.h"
+#include "tools/commands/cli/output.h"
+#include "tools/render/image/image_file.h"
 #include "tools/render/read_output.h"
-#include "tools/render/view_check.h"
+#include "tools/render/view_diagnosis.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,15 +4,15 @@
 
 #include <crevice/renderer.h>
 
-#include "tools/cli/config_options.h"
-#include "tools/cli/output_request.h"
-#include "tools/device/open_device.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/commands/cli/output_request.h"
 #include "tools/render/camera_path.h"
+#include "tools/render/device/open_device.h"
 #include "tools/render/host_textures.h"
 #include "tools/render/output_source.h"
+#include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/stereo.h"
-#include "tools/scene/options.h"
 
 #include <memory>
 #include <optional>

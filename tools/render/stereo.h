@@ -6,7 +6,7 @@
 // pictures together at the distance of convergence: what lies there is at one place in both.
 #pragma once
 
-#include "tools/scene/scene.h"
+#include "tools/render/scene/scene.h"
 
 namespace CLI {
 class App;

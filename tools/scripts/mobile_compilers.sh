@@ -81,6 +81,6 @@ if ! has_drivers; then
     rm -rf -- build source mesa_*
 fi
 step "Building compile_programs.c" "install gcc, libegl-dev and libgles-dev" \
-    "${CC:-cc}" -O1 "$here/../cost/compile_programs.c" -o compile_programs.new -lEGL -lGLESv2
+    "${CC:-cc}" -O1 "$here/../measure/cost/compile_programs.c" -o compile_programs.new -lEGL -lGLESv2
 mv -f -- compile_programs.new compile_programs
 echo "$folder"

@@ -24,4 +24,4 @@ if [[ "$(cat -- "$folder/npm/packages" 2>/dev/null)" != "${packages[*]}" ]]; the
     npm install --prefix "$folder/npm" --ignore-scripts --no-audit --no-fund --silent "${packages[@]}"
     echo "${packages[*]}" >"$folder/npm/packages"
 fi
-node "$(dirname -- "${BASH_SOURCE[0]}")/../peers/make.mjs" "$folder/npm/node_modules" "$folder"
+node "$(dirname -- "${BASH_SOURCE[0]}")/../measure/peers/make.mjs" "$folder/npm/node_modules" "$folder"

@@ -6,8 +6,8 @@
 
 #include "core/base/numbers.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/planning.h"
-#include "tools/plan/print.h"
+#include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 #include <cmath>
 #include <sstream>

@@ -6,8 +6,8 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "tests/support/renderer_rig.h"
-#include "tools/plan/planning.h"
-#include "tools/plan/print.h"
+#include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

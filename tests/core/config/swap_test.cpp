@@ -3,7 +3,7 @@
 #include "tests/core/config/load_fixture.h"
 #include "tests/support/nightly.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <algorithm>
 

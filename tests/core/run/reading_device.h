@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/run/uniform_values.h"
-#include "tools/device/forwarding_device.h"
+#include "tools/render/device/forwarding_device.h"
 
 #include <cstring>
 #include <map>

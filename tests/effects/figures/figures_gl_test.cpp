@@ -8,8 +8,8 @@
 #include "tests/support/modules.h"
 #include "tests/support/scene_rig.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/image/image_metrics.h"
-#include "tools/reference/tracer.h"
+#include "tools/measure/reference/tracer.h"
+#include "tools/render/image/image_metrics.h"
 
 #include <map>
 

@@ -9,11 +9,11 @@
 #include "core/base/numbers.h"
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
-#include "tools/cli/config_options.h"
-#include "tools/scene/mesh_shapes.h"
-#include "tools/stress/geometry.h"
-#include "tools/stress/limits.h"
-#include "tools/stress/scenes.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/measure/stress/geometry.h"
+#include "tools/measure/stress/limits.h"
+#include "tools/measure/stress/scenes.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

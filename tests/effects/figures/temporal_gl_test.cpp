@@ -3,8 +3,8 @@
 // and after the camera has jumped, and a picture that stands still where the camera does.
 #include "tests/support/scene_rig.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/image/image_metrics.h"
-#include "tools/reference/tracer.h"
+#include "tools/measure/reference/tracer.h"
+#include "tools/render/image/image_metrics.h"
 
 using namespace crevice;
 

@@ -4,7 +4,7 @@
 #include "tests/support/nightly.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/device/forwarding_device.h"
+#include "tools/render/device/forwarding_device.h"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
-#include "tools/stress/figures.h"
-#include "tools/stress/scenes.h"
+#include "tools/measure/stress/figures.h"
+#include "tools/measure/stress/scenes.h"
 
 using namespace crevice;
 

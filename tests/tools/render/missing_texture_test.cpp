@@ -4,7 +4,7 @@
 
 #include "core/base/text.h"
 #include "tests/support/need.h"
-#include "tools/plan/planning.h"
+#include "tools/show/plan/planning.h"
 
 #include <crevice/config.h>
 #include <crevice/recording_device.h>

@@ -5,7 +5,7 @@
 #include <crevice/recording_device.h>
 
 #include "tests/support/need.h"
-#include "tools/scene/mesh_shapes.h"
+#include "tools/render/scene/mesh_shapes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

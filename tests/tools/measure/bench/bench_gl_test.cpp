@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// A whole bench on a real device: figures, pictures, a config that fails, and the same errors
+// twice.
+#include "tools/measure/bench/measure.h"
+
+#include <crevice/shipped.h>
+
+#include "tests/support/gl_fixture.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/render/camera_path.h"
+#include "tools/render/image/image_file.h"
+#include "tools/render/scene_upload.h"
+
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+BenchOptions smallOptions()
+{
+    BenchOptions options;
+    options.scenes = {"spheres"};
+    options.sizes = {"64x36"};
+    options.configs = {"hemisphere_box"};
+    options.rays = 16;
+    return options;
+}
+
+/// Plans, measures all samples into the folder and reads them back.
+std::vector<BenchSample> bench(const BenchOptions& options, const SourceSet& sources,
+                               const TemporaryFolder& folder)
+{
+    GlFixture gl;
+    const BenchPlan plan = need(planBench(options, sources));
+    MeasureOptions measure;
+    measure.rays = options.rays;
+    measure.repeats = 3;
+    measure.motion = options.motion;
+    if (options.motion) measure.cache_folder = (folder.path / "cache").string();
+    measure.out_folder = folder.path.string();
+    BenchMeter meter(*gl.device, plan, sources, measure);
+    PlannedBench planned = plan.planned;
+    planned.device = gl.device->caps().name;
+    BenchFile file = need(openBench(folder.path.string(), planned));
+    MeasureWorld world;
+    world.seconds = [] { return 0.0; };
+    world.interrupted = [] { return false; };
+    world.begin = world.say = [](const std::string&) {};
+    const auto one = [&meter](const BenchTask& task) { return meter.measure(task); };
+    need(measureAll(benchJob(plan, planned.device, file.done, one), file.lines, world).written);
+    return need(readBenchSamples({(folder.path / "results.jsonl").string()}));
+}
+
+void checkErrors(const BenchSample& sample)
+{
+    CHECK(sample.failure.empty());
+    CHECK(sample.error.pixels > 0);
+    CHECK(sample.error.rmse > 0.01);
+    CHECK(sample.error.rmse < 0.3);
+    CHECK(sample.error.rmse_fit <= sample.error.rmse);
+    CHECK(sample.budget.taps != 0.0);
+    CHECK(sample.budget.filter < 0.0);  // at this size it blurs more than it mends
+    CHECK(sample.budget.half_size == 0.0);
+    CHECK(sample.budget.hidden_layers == 0.0);
+    CHECK(std::abs(sample.budget.precision) < 0.05);
+    CHECK(sample.budget.model > 0.01);
+    CHECK(sample.budget.model < 0.3);
+    CHECK(sample.budget_failure.empty());
+    CHECK(sample.error_without_ao > 0.01);
+    CHECK(sample.repeats >= 3);
+}
+
+void checkMotion(const MotionFigures& motion)
+{
+    REQUIRE(motion.paths.size() == std::size(kCameraPaths));
+    for (const auto& [path, figures] : motion.paths) {
+        INFO(path);
+        CHECK(figures.changes > 1000);
+        CHECK(figures.rmse > 0.01);
+        CHECK(figures.rmse < 0.3);
+        CHECK(figures.p99 <= figures.p999);
+    }
+    REQUIRE(motion.uncovered.size() == 5);
+    CHECK(motion.uncovered.front().frames == 1);
+    CHECK(motion.uncovered.back().frames == 16);
+    CHECK(motion.uncovered_pixels > 0);
+}
+
+}  // namespace
+
+TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a config that fails")
+{
+    MemorySources mine;
+    mine.add("configs/broken.json", R"({
+        "format": 1, "extends": ["hemisphere_box"], "shaders": {"ssao": {"fragment": "broken.frag"}}})");
+    mine.add("broken.frag",
+             "#version 300 es\nlayout(location = 0) out mediump float ao;\n"
+             "void main() { ao = nothing; }\n");
+    const LayeredSources sources({&mine, &shippedSources()});
+    const TemporaryFolder folder("bench_gl");
+    BenchOptions options = smallOptions();
+    options.configs = {"broken", "hemisphere_box"};
+    const std::vector<BenchSample> samples = bench(options, sources, folder);
+    REQUIRE(samples.size() == 2);
+    CHECK(!samples[0].failure.empty());
+
+    const BenchSample& sample = samples[1];
+    checkErrors(sample);
+    REQUIRE(sample.passes.size() == 4);
+    CHECK(sample.passes[0].name == "geometry");
+    CHECK(sample.total.median > 0.0);
+    CHECK(sample.total.q1 <= sample.total.q3);
+    CHECK(sample.cost.median > 0.0);
+    CHECK(sample.cost.median < sample.total.median);
+    CHECK(sample.clock == (sample.software ? "cpu" : "query"));
+    CHECK(sample.cost_with_geometry.median == sample.cost.median);  // deferred, one layer
+    CHECK(sample.ratio_with_geometry == sample.ratio_learnopengl);
+    CHECK(sample.ratio_copy > 0.0);
+    CHECK(sample.ratio_learnopengl > 0.0);
+    CHECK(sample.radius_px > 1.0);
+    CHECK(sample.bytes_read > 0.0);
+    CHECK(sample.texture_bytes > 0.0);
+    for (const std::string& picture :
+         {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
+        CHECK(need(readImage(picture)).extent == Extent{64, 36});
+}
+
+TEST_CASE("A bench of whole frames times the lighting too, and has the errors of ao")
+{
+    const TemporaryFolder folder("bench_gl_color");
+    BenchOptions options = smallOptions();
+    const BenchSample ao = bench(options, shippedSources(), folder).at(0);
+    options.output = "color";
+    const BenchSample deferred = bench(options, shippedSources(), folder).at(1);
+    CHECK(deferred.error.rmse == ao.error.rmse);
+    REQUIRE(deferred.passes.size() == ao.passes.size() + 1);
+    CHECK(deferred.passes.back().name == "lighting");
+    CHECK(deferred.bytes_written > ao.bytes_written);
+
+    options.overrides = {"lighting/blinn_phong=lighting/forward"};
+    const BenchSample forward = bench(options, shippedSources(), folder).at(2);
+    REQUIRE(forward.passes.size() == deferred.passes.size());
+    CHECK(forward.passes.back().name == "lighting");
+    const double drawn = forward.passes.front().ms.median + forward.passes.back().ms.median;
+    CHECK(forward.cost.median + 0.5 * drawn < forward.total.median);
+    CHECK(forward.cost_with_geometry.median >
+          forward.cost.median + 0.5 * forward.passes.front().ms.median);
+    CHECK(forward.cost_with_geometry.median + 0.5 * forward.passes.back().ms.median <
+          forward.total.median);
+}
+
+TEST_CASE("A bench measures motion: open pictures change as the truth alone, taps flicker")
+{
+    const TemporaryFolder folder("bench_gl_motion");
+    BenchOptions options = smallOptions();
+    options.motion = true;
+    options.configs = {"gtao", "gtao_temporal"};
+    options.radii = {0.5};
+    const std::vector<BenchSample> samples = bench(options, shippedSources(), folder);
+    REQUIRE(samples.size() == 2);
+    const MotionFigures gtao = samples[0].motion, temporal = samples[1].motion;
+    checkMotion(gtao);
+    CHECK(gtao.settled_after == 1);
+    CHECK(gtao.paths.at("still").p999 == 0.0);
+    CHECK(gtao.paths.at("pan").rms > gtao.paths.at("sub-pixel").rms);
+    CHECK(gtao.paths.at("still").rmse < samples[0].error.rmse);  // whose few rays are noise
+    // Without a history, what was uncovered is as it is at rest.
+    for (const UncoveredFigures& each : gtao.uncovered) CHECK(each.rmse == gtao.uncovered_rest);
+    checkMotion(temporal);
+    CHECK(temporal.paths.at("still").rms < temporal.paths.at("sub-pixel").rms);
+    CHECK(temporal.paths.at("disocclusion").rms > temporal.paths.at("still").rms);
+    CHECK(temporal.uncovered.front().rmse != temporal.uncovered.back().rmse);
+
+    options.overrides = {"intensity=0"};
+    options.configs = {"gtao"};
+    const BenchSample open = bench(options, shippedSources(), folder).at(2);
+    checkMotion(open.motion);
+    for (const auto& [path, figures] : open.motion.paths) {
+        INFO(path);
+        CHECK(figures.rms == Approx(figures.truth));
+        CHECK((figures.truth > 0.0) == (path != "still" && path != "disocclusion"));
+    }
+}
+
+TEST_CASE("Two benches find exactly the same errors, with all optimizations and without")
+{
+    const auto measured = [&](const char* name, std::vector<std::string> disable) {
+        const TemporaryFolder own(name);
+        BenchOptions options = smallOptions();
+        options.disable = std::move(disable);
+        return bench(options, shippedSources(), own).at(0);
+    };
+    const BenchSample first = measured("bench_gl_first", {});
+    const BenchSample second = measured("bench_gl_second", {});
+    const BenchSample bare = measured("bench_gl_bare", {"all"});
+    CHECK(first.key == second.key);
+    CHECK(bare.key != first.key);
+    CHECK(bare.texture_bytes > first.texture_bytes);
+    for (const BenchSample& other : {second, bare}) {
+        CHECK(other.error.rmse == first.error.rmse);
+        CHECK(other.error.p99 == first.error.p99);
+        CHECK(other.error.rmse_fit == first.error.rmse_fit);
+        CHECK(other.budget.taps == first.budget.taps);
+        CHECK(other.budget.model == first.budget.model);
+        CHECK(other.budget.precision == first.budget.precision);
+    }
+}
+
+TEST_CASE("A view without a surface fails each of its samples and says why")
+{
+    const TemporaryFolder folder("bench_gl_nothing");
+    BenchOptions options = smallOptions();
+    options.camera = "eye=0,50,0;at=0,100,0;up=0,0,1";
+    const std::vector<BenchSample> samples = bench(options, shippedSources(), folder);
+    REQUIRE(samples.size() == 1);
+    CHECK(samples[0].failure.find("no surface") != std::string::npos);
+}

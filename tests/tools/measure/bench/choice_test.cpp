@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// The choice of a config: by its worst scene, among those that were measured everywhere.
+#include "tools/measure/bench/choice.h"
+
+#include "tests/support/catch.h"
+#include "tests/tools/measure/bench/fixture.h"
+
+using namespace crevice;
+
+namespace {
+
+using Kind = ChoiceLimit::Kind;
+
+std::vector<BenchSample> twoScenes()
+{
+    return {benchSample("fast", 4, 1, 0.10),   benchSample("fast", 4, 1.2, 0.08, "hall"),
+            benchSample("middle", 8, 2, 0.05), benchSample("middle", 8, 2, 0.09, "hall"),
+            benchSample("good", 16, 3, 0.06),  benchSample("good", 16, 5, 0.06, "hall")};
+}
+
+std::string chosen(const std::vector<BenchSample>& samples, Kind kind, double most,
+                   const ChoiceScope& scope = {})
+{
+    const auto candidates = findCandidates(samples, scope);
+    REQUIRE(candidates.ok());
+    const auto choice = choose(*candidates, {kind, most});
+    REQUIRE(choice.ok());
+    return candidates->list[choice->best].label;
+}
+
+Code refusal(const std::vector<BenchSample>& samples, const ChoiceScope& scope)
+{
+    const auto candidates = findCandidates(samples, scope);
+    REQUIRE(!candidates.ok());
+    return candidates.diagnostics().front().code;
+}
+
+}  // namespace
+
+TEST_CASE("the worst scene decides what a config costs and how wrong it is, or the one asked for")
+{
+    const struct {
+        Kind kind;
+        double most;
+        const char* scene;
+        const char* best;
+    } rows[] = {{Kind::time_ms, 4, "", "middle samples=8"},
+                {Kind::time_ms, 5, "", "good samples=16"},
+                {Kind::time_ms, 1.2, "", "fast samples=4"},
+                {Kind::copy_ratio, 20, "", "middle samples=8"},
+                {Kind::error, 0.09, "", "middle samples=8"},
+                {Kind::error, 0.06, "", "good samples=16"},
+                {Kind::time_ms, 4, "room", "middle samples=8"},
+                {Kind::error, 0.05, "room", "middle samples=8"}};
+    for (const auto& [kind, most, scene, best] : rows)
+        CHECK(chosen(twoScenes(), kind, most, {"", scene, {}}) == best);
+    const auto candidates = findCandidates(twoScenes(), {});
+    CHECK(candidates->list[2].slowest_view == "hall");
+    CHECK(candidates->list[1].worst_view == "hall");
+}
+
+TEST_CASE("everything within and beyond a limit is reported, the nearest first")
+{
+    const auto candidates = findCandidates(twoScenes(), {});
+    const auto choice = choose(*candidates, {Kind::error, 0.09});
+    REQUIRE(choice.ok());
+    CHECK(choice->also == std::vector<std::size_t>{2});
+    CHECK(choice->beyond == std::vector<std::size_t>{0});
+    const auto none = choose(*candidates, {Kind::time_ms, 0.5});
+    REQUIRE(!none.ok());
+    CHECK(none.diagnostics().front().code == Code::out_of_range);
+    CHECK(none.diagnostics().front().help.find("fast samples=4") != std::string::npos);
+}
+
+TEST_CASE("a config that lacks a scene is left out of the choice and said so")
+{
+    auto samples = twoScenes();
+    samples.push_back(benchSample("wonder", 4, 0.1, 0.001));
+    BenchSample failed = benchSample("wonder", 4, 0, 0, "hall");
+    failed.failure = "no memory";
+    samples.push_back(failed);
+    CHECK(chosen(samples, Kind::time_ms, 100) == "good samples=16");
+    const auto candidates = findCandidates(samples, {});
+    REQUIRE(candidates->elided.size() == 1);
+    CHECK(candidates->elided[0] == "wonder samples=4: no figures for hall");
+}
+
+TEST_CASE("what is no better than no ambient occlusion in one scene is no candidate")
+{
+    auto samples = twoScenes();
+    samples[1].error_without_ao = samples[1].error.rmse;  // fast, in the hall
+    samples[2].error_without_ao = 0.4;
+    const auto candidates = findCandidates(samples, {});
+    REQUIRE(candidates.ok());
+    CHECK(candidates->list.size() == 2);
+    CHECK(candidates->harmful == std::vector<std::string>{"fast samples=4"});
+    CHECK(candidates->elided.empty());
+    CHECK(candidates->error_without_ao == 0.4);
+    CHECK(!choose(*candidates, {Kind::time_ms, 1.5}).ok());
+}
+
+TEST_CASE("a config without samples can be chosen, and a host's own geometry costs nothing")
+{
+    auto samples = twoScenes();
+    for (BenchSample& sample : samples) sample.total.median = 100;
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    for (const char* scene : {"room", "hall"}) {
+        samples.push_back(benchSample("horizons", 0, 0.5, 0.07, scene));
+        samples.back().overrides = {"radius=1"};
+    }
+    CHECK(chosen(samples, Kind::time_ms, 1) == "horizons");
+}
+
+TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")
+{
+    auto samples = twoScenes();
+    BenchSample small = benchSample("fast", 4, 0.01, 0.001);
+    small.extent = {96, 54};
+    BenchSample narrow = benchSample("good", 16, 0.01, 0.001);
+    narrow.radius = 0.1;
+    samples.push_back(small);
+    samples.push_back(narrow);
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    CHECK(findCandidates(samples, {})->elided.empty());
+    ChoiceScope scope;
+    scope.extent = {96, 54};
+    CHECK(chosen(samples, Kind::time_ms, 4, scope) == "fast samples=4");
+}
+
+TEST_CASE("scenes have radii of their own, and a config with another one than the rest is left out")
+{
+    auto samples = twoScenes();
+    for (BenchSample& sample : samples) {
+        if (sample.scene != "hall") continue;
+        sample.radius = 50;
+        sample.overrides[0] = "radius=50";
+    }
+    samples.push_back(benchSample("wide", 4, 0.1, 0.001));
+    samples.back().radius = 1.5;
+    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
+    const auto candidates = findCandidates(samples, {});
+    CHECK(candidates->list.size() == 3);
+    REQUIRE(candidates->elided.size() == 1);
+    CHECK(candidates->elided[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
+}
+
+TEST_CASE("a choice refuses what the results do not hold")
+{
+    auto samples = twoScenes();
+    for (const ChoiceScope& scope :
+         {ChoiceScope{"", "cellar", {}}, {"", "", {1, 1}}, {"B", "", {}}})
+        CHECK(refusal(samples, scope) == Code::usage);
+    CHECK(refusal({}, {}) == Code::results_broken);
+    samples.push_back(benchSample("fast", 4, 1, 0.1));
+    samples.back().device = "device B";
+    CHECK(refusal(samples, {}) == Code::usage);
+    CHECK(findCandidates(samples, {"B", "", {}}).ok());
+}
+
+TEST_CASE("a budget has a unit")
+{
+    CHECK(parseBudget("2ms")->most == 2);
+    CHECK(parseBudget("2")->kind == Kind::time_ms);
+    CHECK(parseBudget("500us")->most == 0.5);
+    CHECK(parseBudget("3.5x")->kind == Kind::copy_ratio);
+    for (const char* text : {"", "ms", "0ms", "-1ms", "2 s", "2msx", "infms", "nan"})
+        CHECK(!parseBudget(text).ok());
+}

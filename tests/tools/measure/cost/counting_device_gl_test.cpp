@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Fetches counted in frames that are drawn, against counts that are known.
+#include "tests/support/gl_fixture.h"
+#include "tests/support/need.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/measure/cost/counting_device.h"
+#include "tools/measure/cost/fetches.h"
+#include "tools/render/read_output.h"
+#include "tools/render/scene/camera_framing.h"
+#include "tools/render/scene_upload.h"
+
+#include <crevice/renderer.h>
+
+#include <cmath>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kSize = {96, 54};
+constexpr double kPixels = 96.0 * 54.0;
+
+SceneView viewOf(const char* scene)
+{
+    SceneOptions options;
+    options.scene = scene;
+    options.size = "96x54";
+    return need(loadSceneView(options));
+}
+
+Description described(const char* config, std::vector<std::string> set = {})
+{
+    ConfigOptions options;
+    options.config = config;
+    options.overrides = std::move(set);
+    return need(loadDescription(options, CheckoutSources("")));
+}
+
+}  // namespace
+
+TEST_CASE("Fetches are counted as often as loops run, in pixels that the mask lets through")
+{
+    // The taps, the pixel's own depth and normal, and its depth once more by what rebuilds points.
+    constexpr double kAround = 3;
+    const auto filled = need(countFetches(described("learnopengl"), viewOf("corner")));
+    CHECK(filled.at("foreground") == kPixels);
+    CHECK(filled.at("filter") == 9 * kPixels);
+    CHECK(filled.at("ssao") == (64 + kAround) * kPixels);
+    const auto fewer =
+        need(countFetches(described("learnopengl", {"samples=16"}), viewOf("corner")));
+    CHECK(fewer.at("ssao") == (16 + kAround) * kPixels);
+    const auto masked = need(countFetches(described("learnopengl"), viewOf("spheres")));
+    CHECK(masked.at("ssao") < 0.9 * filled.at("ssao"));
+    CHECK(masked.at("ssao") > 0.5 * filled.at("ssao"));
+    CHECK(std::fmod(masked.at("ssao"), 64 + kAround) == 0);
+}
+
+TEST_CASE("A branch that a param decides is counted as that param has it")
+{
+    const auto fetches = [](const char* radius) {
+        return need(countFetches(described("sao", {radius}), viewOf("corner"))).at("ssao");
+    };
+    CHECK(fetches("radius=1") < 0.95 * fetches("radius=0.01"));
+}
+
+TEST_CASE("Counting changes no picture, whatever the config reads")
+{
+    GlFixture gl;
+    for (const char* config : {"mobile", "high", "gtao_temporal", "learnopengl"}) {
+        INFO(config);
+        const SceneView view = viewOf("spheres");
+        const UploadedScene scene = need(UploadedScene::upload(*gl.device, view.scene));
+        const Frame frame = makeFrame(scene, view.camera, kSize);
+        CompileOptions options;
+        options.extent = kSize;
+        options.disable = {"cached"};
+        std::vector<Image> pictures;
+        for (const bool counting : {false, true}) {
+            CountingDevice device(*gl.device);
+            if (counting) device.startCounting();
+            const auto renderer =
+                need(Renderer::create(device, described(config), options, traitsOf(frame)));
+            for (int i = 0; i < 3; ++i) REQUIRE(renderer->render(frame).ok());
+            pictures.push_back(need(readOutput(device, *renderer, "ao")));
+            CHECK(need(device.fetches()).empty() == !counting);
+        }
+        CHECK(pictures[0].pixels == pictures[1].pixels);
+    }
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// The tree's search against Embree's, where crevice was built with Embree, and against nonsense.
+#include "tools/measure/reference/bvh_scene.h"
+
+#include "tests/tools/measure/reference/tracer_shot.h"
+#include "tools/render/scene/builtin_scenes.h"
+#include "tools/render/scene/camera_framing.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+using namespace crevice;
+
+namespace {
+
+constexpr Extent kExtent = {64, 48};
+constexpr int kRays = 64;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+const Camera kAhead = {glm::lookAt(glm::vec3(0, 0, 5), glm::vec3(0), glm::vec3(0, 1, 0)),
+                       glm::perspective(0.9f, 4.0f / 3.0f, 0.1f, 100.0f)};
+
+glm::dvec3 eyeOf(const Camera& camera) { return glm::inverse(camera.view_from_world)[3]; }
+
+// How two pictures of the surfaces and of the occlusion differ.
+struct Differences {
+    int surfaces = 0, occlusion = 0;  // pixels
+    float most_rays = 0;
+    int seen = 0;
+};
+
+Image occlusion(const RayScene& scene, const Camera& camera, double radius)
+{
+    return trace(scene, camera, kExtent, radius, kRays);
+}
+
+void compareSurfaces(const RayScene& a, const RayScene& b, const Camera& camera, Differences& found)
+{
+    const SurfaceMap one = need(traceSurfaces(a, camera, kExtent));
+    const SurfaceMap other = need(traceSurfaces(b, camera, kExtent));
+    for (std::size_t k = 0; k < one.points.size(); ++k) {
+        const SurfacePoint& p = one.points[k];
+        const SurfacePoint& q = other.points[k];
+        found.seen += p.seen;
+        const bool same =
+            p.seen ? q.seen && p.position == q.position && p.normal == q.normal : !q.seen;
+        found.surfaces += !same;
+    }
+}
+
+void checkAlike(const Scene& scene, const Camera& camera, const std::vector<double>& radii)
+{
+    const auto chosen = need(makeRayScene(scene, eyeOf(camera)));
+    const auto tree = makeBvhScene(scene, eyeOf(camera));
+    Differences found;
+    compareSurfaces(*chosen, *tree, camera, found);
+    for (const double radius : radii) {
+        const Image one = occlusion(*chosen, camera, radius);
+        const Image other = occlusion(*tree, camera, radius);
+        for (std::size_t k = 0; k < one.pixels.size(); ++k) {
+            const float a = one.pixels[k], b = other.pixels[k];
+            if (a == b || (std::isnan(a) && std::isnan(b))) continue;
+            ++found.occlusion;
+            found.most_rays = std::max(found.most_rays, std::abs(a - b) * kRays);
+        }
+    }
+    CHECK(found.seen > 100);
+    CHECK(found.surfaces == 0);
+    CHECK(found.occlusion <= 0.001 * found.seen * static_cast<double>(radii.size()));
+    CHECK(found.most_rays <= 3.0f);
+}
+
+// In a cube of 2 to each side.
+MeshDesc soup(int triangles, float size, unsigned seed)
+{
+    std::mt19937 random(seed);
+    const auto number = [&random](float scale) {
+        return scale * (static_cast<float>(random() >> 8) / (1 << 23) - 1.0f);
+    };
+    MeshDesc mesh;
+    for (int k = 0; k < triangles; ++k) {
+        const float x = number(1), y = number(1), z = number(1);
+        for (int corner = 0; corner < 3; ++corner) {
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+            const float right = x + number(size), up = y + number(size);
+            mesh.vertices.push_back({{right, up, z + number(size)}, {0, 0, 1}});
+        }
+    }
+    return mesh;
+}
+
+int pixelsSeen(const Scene& scene)
+{
+    const Image image = occlusion(*makeBvhScene(scene, eyeOf(kAhead)), kAhead, 1.0);
+    return static_cast<int>(std::count_if(image.pixels.begin(), image.pixels.end(),
+                                          [](float value) { return value >= 0.0f; }));
+}
+
+}  // namespace
+
+TEST_CASE("both searches find the same in the built-in scenes")
+{
+    for (const std::string& name : builtinSceneNames()) {
+        const Result<Scene> scene = builtinScene(name);
+        if (!scene) continue;  // the room's bunny is not everywhere
+        INFO(name);
+        const Bounds bounds = scene->bounds();
+        const auto camera = chooseCamera(*scene, bounds, "", 4.0 / 3.0);
+        REQUIRE(camera.ok());
+        checkAlike(*scene, {camera->view_from_world, clipFromView(*camera, kExtent, bounds)},
+                   {0.1, 1.0, 1e3});
+    }
+}
+
+TEST_CASE("both searches find the same among triangles of any size and through any lens")
+{
+    for (const float size : {0.03f, 0.1f, 0.3f, 1.0f}) {
+        INFO(size);
+        const Scene scene = sceneOf({soup(static_cast<int>(60 / (size * size)), size, 3)});
+        checkAlike(scene, kAhead, {0.05, 0.5, 10.0});
+    }
+    const Scene scene = sceneOf({soup(2000, 0.1f, 9), makeSphere(0.5f, 12)});
+    const glm::mat4 endless = glm::infinitePerspective(0.9f, 4.0f / 3.0f, 0.1f);
+    for (const float sign : {1.0f, -1.0f}) {  // -1 reverses depth
+        const glm::mat4 lens = glm::scale(glm::mat4(1), {1, 1, sign}) * endless;
+        checkAlike(scene, {kAhead.view_from_world, lens}, {0.2, 2.0});
+    }
+}
+
+TEST_CASE("both searches find the same at any place, size and tilt, from above and from below")
+{
+    Scene scene = sceneOf({kFloor, kWall, makeSphere(5, 16), soup(300, 0.3f, 5)});
+    scene.instances[2].world_from_model = glm::translate(glm::dmat4(1), {0, 4, 8});
+    scene.instances[3].world_from_model =
+        glm::scale(glm::translate(glm::dmat4(1), {9, 9, 9}), glm::dvec3(8));
+    for (const Placement& placement : kPlacements) {
+        INFO(describe(placement, 0));
+        const double s = placement.scale;
+        const Shot shot = shotOf(scene, placement, {0, 0, 10}, 20, 60);
+        checkAlike(shot.scene, shot.camera, {s, 10 * s, 1e6 * s});
+    }
+}
+
+TEST_CASE("both searches find the same through holes")
+{
+    Scene scene = sceneOf({makeQuad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), soup(500, 0.3f, 11)});
+    scene.materials.emplace_back();
+    scene.materials[1].alpha_cutoff = 0.5f;
+    scene.materials[1].base_color_texture = 0;
+    scene.instances[0].material = 1;
+    scene.instances[1].world_from_model = glm::translate(glm::dmat4(1), {0, 0, -1.5});
+    scene.textures.push_back({"holes", Image({8, 8}, 4, 1.0f)});
+    for (int k = 0; k < 64; k += 3) scene.textures[0].image.at(k % 8, k / 8, 3) = 0.0f;
+    checkAlike(scene, kAhead, {0.5, 3.0});
+    Scene whole = scene;
+    whole.materials[1].alpha_cutoff = 0.0f;
+    CHECK(pixelsSeen(whole) > pixelsSeen(scene));
+}
+
+TEST_CASE("no ray slips through between triangles that share an edge")
+{
+    // From within, through the edges and corners of a sphere around the origin.
+    Scene scene = sceneOf({makeSphere(1, 40)});
+    const auto tree = makeBvhScene(scene, glm::dvec3(0));
+    const MeshDesc& mesh = scene.meshes[0];
+    int slipped = 0;
+    for (std::size_t k = 0; k + 1 < mesh.indices.size(); ++k) {
+        const float* a = mesh.vertices[mesh.indices[k]].position;
+        const float* b = mesh.vertices[mesh.indices[k + 1]].position;
+        for (const double part : {0.0, 0.3, 0.5}) {
+            const glm::dvec3 from(a[0], a[1], a[2]), to(b[0], b[1], b[2]);
+            TraceHit hit;
+            const glm::dvec3 along = glm::normalize(from * (1 - part) + to * part);
+            slipped += !tree->intersect({glm::dvec3(0), along, 10.0}, hit);
+        }
+    }
+    CHECK(slipped == 0);
+}
+
+TEST_CASE("rays along the axes meet boxes that have no thickness")
+{
+    const Scene scene = sceneOf({makeQuad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}),
+                                 makeQuad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}),
+                                 makeQuad({0, -1, 1}, {0, 2, 0}, {0, 0, -2})});
+    const auto tree = makeBvhScene(scene, glm::dvec3(0.5, 0.5, 5));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            glm::dvec3 direction(0.0), origin(0.25, 0.5, 0.125);
+            direction[axis] = sign;
+            origin[axis] = -3 * sign;
+            TraceHit hit;
+            REQUIRE(tree->intersect({origin, direction, 10.0}, hit));
+            CHECK((hit.position + tree->center())[axis] == Approx(0).margin(1e-12));
+        }
+    }
+}
+
+TEST_CASE("scenes of nothing, of points and of lines are not seen, and are no crash")
+{
+    Scene nothing;
+    nothing.materials.emplace_back();
+    CHECK(pixelsSeen(nothing) == 0);
+    CHECK(pixelsSeen(sceneOf({MeshDesc()})) == 0);
+    MeshDesc flat = makeSphere(1, 16);
+    for (const int axis : {1, 2, 0}) {  // a disc seen edge on, a line, a point
+        for (Vertex& vertex : flat.vertices) vertex.position[axis] = 0;
+        CHECK(pixelsSeen(sceneOf({flat})) == 0);
+    }
+}
+
+TEST_CASE("a corner that is no number loses its triangles, and one beyond all numbers is no crash")
+{
+    const MeshDesc sphere = makeSphere(1, 16);
+    const auto seenWith = [&sphere](std::size_t corner, int axis, float value) {
+        MeshDesc broken = sphere;
+        broken.vertices[corner].position[axis] = value;
+        return pixelsSeen(sceneOf({broken}));
+    };
+    const int whole = pixelsSeen(sceneOf({sphere}));
+    for (const int axis : {0, 1, 2}) {
+        const int left = seenWith(sphere.vertices.size() / 2, axis, kNaN);
+        CHECK(left > whole / 2);
+        CHECK(left <= whole);
+    }
+    for (const float far_away : {kInfinity, -kInfinity, 3e38f, 2e18f})
+        CHECK(seenWith(5, 1, far_away) >= 0);
+}
+
+TEST_CASE("many triangles in one place are seen as one")
+{
+    MeshDesc pile = soup(1, 1.0f, 2);
+    const int one = pixelsSeen(sceneOf({pile}));
+    CHECK(one > 0);
+    const std::vector<std::uint32_t> corners = pile.indices;
+    for (int k = 0; k < 999; ++k)
+        pile.indices.insert(pile.indices.end(), corners.begin(), corners.end());
+    CHECK(pixelsSeen(sceneOf({pile})) == one);
+}
+
+TEST_CASE("a ray without an end that meets nothing sees the background, in both searches")
+{
+    Camera camera = kAhead;
+    camera.clip_from_view = glm::infinitePerspective(0.9f, 4.0f / 3.0f, 0.1f);
+    const Scene scene = sceneOf({makeSphere(1, 16)});
+    const auto chosen = need(makeRayScene(scene, eyeOf(camera)));
+    CHECK(std::isnan(occlusion(*chosen, camera, 0.0).at(0, 0)));
+    CHECK(std::isnan(occlusion(*makeBvhScene(scene, eyeOf(camera)), camera, 0.0).at(0, 0)));
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The ray tracer against itself: lenses, threads, radii, noise, and what it refuses.
+#include "tests/tools/measure/reference/tracer_shot.h"
+
+#include "tools/measure/reference/bvh_scene.h"
+#include "tools/measure/reference/progressive_trace.h"
+
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+// Looks straight down: the picture's right is +x, its top is -z; `half` to each side.
+Camera fromAbove(float half)
+{
+    return {glm::lookAt(glm::vec3(0, 20, 0), glm::vec3(0), glm::vec3(0, 0, -1)),
+            glm::ortho(-half, half, -half, half, 1.0f, 30.0f)};
+}
+
+Camera perspective(const glm::mat4& clip_from_view)
+{
+    const glm::vec3 eye = {1, 2, 3}, at = {0, 0.3f, 0}, up = {0, 1, 0};
+    return {glm::lookAt(eye, at, up), clip_from_view};
+}
+
+const Camera kAhead = perspective(glm::perspective(0.9f, 1.0f, 0.1f, 100.0f));
+
+Scene cornerWithSphere()
+{
+    Scene scene = sceneOf({kFloor, kWall, makeSphere(0.5f, 24)});
+    scene.instances[2].world_from_model = glm::translate(glm::mat4(1), {0.2f, 0.5f, 0.8f});
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the picture does not depend on the number of threads, and progress ends at one")
+{
+    const Scene scene = cornerWithSphere();
+    TraceOptions options = traceOptions(0.5, 16);
+    options.threads = 1;
+    double last = 0;
+    options.progress = [&](double done) {
+        CHECK(done > last);
+        last = done;
+    };
+    const Image alone = need(traceAmbientOcclusion(scene, kAhead, {32, 32}, options));
+    CHECK(last == 1.0);
+    options.threads = 3;
+    options.progress = {};
+    CHECK(sameBits(need(traceAmbientOcclusion(scene, kAhead, {32, 32}, options)), alone));
+}
+
+TEST_CASE("a radius of zero leaves every surface open, and more radius never opens it")
+{
+    const Scene scene = cornerWithSphere();
+    Image last = trace(scene, kAhead, {24, 24}, 0, 64);
+    for (const float value : last.pixels) CHECK(value == 1.0f);
+    for (const double radius : {0.1, 0.5, 2.0, 8.0}) {
+        const Image image = trace(scene, kAhead, {24, 24}, radius, 64);
+        for (std::size_t k = 0; k < image.pixels.size(); ++k)
+            CHECK(image.pixels[k] <= last.pixels[k] + 1.5f / 64);
+        last = image;
+    }
+}
+
+TEST_CASE("reversed depth, an infinite far plane and a shifted lens see the same")
+{
+    const Scene scene = cornerWithSphere();
+    const Image image = trace(scene, kAhead, {32, 32}, 1, 64);
+    const auto difference = [&](const glm::mat4& lens, int width) {
+        const Image seen = trace(scene, perspective(lens), {width, 32}, 1, 64);
+        double sum = 0;
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < width; ++x) sum += std::abs(seen.at(x, y) - image.at(x, y));
+        return sum / (32.0 * width);
+    };
+    const glm::mat4 infinite = glm::infinitePerspective(0.9f, 1.0f, 0.1f);
+    const glm::mat4 reversed = glm::scale(glm::mat4(1), {1, 1, -1});
+    CHECK(difference(reversed * kAhead.clip_from_view, 32) < 0.002);
+    CHECK(difference(infinite, 32) < 0.002);
+    CHECK(difference(reversed * infinite, 32) < 0.002);
+    const float top = 0.1f * std::tan(0.45f);  // the left half of the view, alone
+    CHECK(difference(glm::frustum(-top, 0.0f, -top, top, 0.1f, 100.0f), 16) < 0.002);
+}
+
+TEST_CASE("rays pass through the holes of an alpha-tested material")
+{
+    Scene scene = sceneOf({kFloor, makeQuad({-1, 1, 1}, {2, 0, 0}, {0, 0, -2})});
+    scene.materials.emplace_back();
+    scene.instances[1].material = 1;
+    const auto shade = [&] { return trace(scene, fromAbove(2), {4, 4}, 10, 256).at(0, 1); };
+    const float shaded = shade();
+    CHECK(shaded < 0.97f);
+    scene.materials[1].base_color.a = 0.3f;
+    CHECK(shade() == shaded);
+    scene.materials[1].alpha_cutoff = 0.5f;
+    CHECK(shade() == 1.0f);
+    scene.materials[1].base_color.a = 1.0f;
+    CHECK(shade() == shaded);
+
+    // The left half of a texture is a hole, so the left of the floor is lighter.
+    scene.textures.push_back({"holes", Image({2, 1}, 4, 1.0f)});
+    scene.textures[0].image.at(0, 0, 3) = 0.0f;
+    scene.materials[1].base_color_texture = 0;
+    const Image image = trace(scene, fromAbove(2), {4, 4}, 10, 256);
+    CHECK(image.at(0, 1) > image.at(3, 1) + 0.02f);
+}
+
+TEST_CASE("noise is about what docs/reference/bench.md says of each number of rays")
+{
+    const Scene scene = cornerWithSphere();
+    const Image exact = trace(scene, kAhead, {24, 24}, 1, 8192);
+    const std::pair<int, double> rows[] = {
+        {64, 0.014}, {128, 0.008}, {256, 0.005}, {512, 0.003}, {1024, 0.002}};
+    for (const auto& [rays, limit] : rows) {
+        const double noise = rmsDifference(trace(scene, kAhead, {24, 24}, 1, rays), exact);
+        CHECK(noise <= limit * 1.25);
+        CHECK(noise >= limit / 2);
+    }
+}
+
+TEST_CASE("options and cameras that cannot be traced are refused, in passes too")
+{
+    struct Row {
+        Code code;
+        double radius;
+        int rays;
+        Extent extent = {4, 4};
+        Camera camera = fromAbove(1);
+    };
+    const Row rows[] = {{Code::out_of_range, -1, 4},
+                        {Code::out_of_range, std::numeric_limits<double>::quiet_NaN(), 4},
+                        {Code::out_of_range, 1, 0},
+                        {Code::out_of_range, 1, kMaxTraceRays + 1},
+                        {Code::bad_size, 1, 4, {0, 4}},
+                        {Code::bad_input, 1, 4, {4, 4}, {glm::mat4(1), glm::mat4(0)}}};
+    const Scene scene = sceneOf({kFloor});
+    const auto tree = makeBvhScene(scene, {0, 20, 0});
+    for (const Row& row : rows) {
+        const TraceOptions options = traceOptions(row.radius, row.rays);
+        const auto image = traceAmbientOcclusion(scene, row.camera, row.extent, options);
+        REQUIRE_FALSE(image.ok());
+        CHECK(image.diagnostics()[0].code == row.code);
+        CHECK_FALSE(ProgressiveTrace::begin(*tree, row.camera, row.extent, options).ok());
+    }
+}

@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# crevice stress as a user's shell sees it: what is broken on purpose is reported at the right case.
+#   stress_test.sh CREVICE
+set -euo pipefail
+checkout=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../../.." && pwd)
+source "$(dirname -- "${BASH_SOURCE[0]}")/../../../support/cli_checks.sh"
+
+# --- arguments, one message each ---
+expect 0 '^plane_near_far .*' stress gtao --list
+expect 2 "there is no case 'plane_fvo'" stress gtao --case plane_fvo
+expect 1 "there is no config 'gtoa'|'gtoa'" stress gtoa --list
+expect 1 "" stress gtao --size 12 --list
+expect 2 "is not a length of time" stress gtao --time-budget never
+expect 2 "is not I/N" stress gtao --shard 3/2
+check "one message for a wrong shard" test "$(grep -c error stderr.txt)" -eq 1
+
+got=0
+small=(--size 64x36)
+"$crevice" stress gtao --case no_op "${small[@]}" --out probe >stdout.txt 2>stderr.txt || got=$?
+if ((got == 3)) && [[ -z ${CREVICE_REQUIRE_GL:-} ]]; then
+    sed 's/^/SKIPPED: /' stderr.txt
+    exit 77
+fi
+check "no-ops of gtao hold" test "$got" -eq 0
+check "the page is there" test -s probe/stress.html
+
+# --- it goes on where it stopped ---
+expect 0 '4 measured, 0 were there already' stress gtao --case no_op "${small[@]}" --out again
+expect 0 '0 measured, 4 were there already' stress gtao --case no_op "${small[@]}" --out again
+expect 0 '0 measured, 0 were there already, 0 failed, 4 not begun' stress gtao --case no_op "${small[@]}" \
+    --time-budget 0.000000001s --out late
+expect 0 '"failures": 0' stress gtao --case no_op "${small[@]}" --out again --json
+expect_json
+
+# --- a shader that takes the root of what is below 0 near four points ---
+mkdir broken
+cat >broken/nan.frag <<'GLSL'
+#version 300 es
+precision highp float;
+uniform highp sampler2D ao;
+in vec2 uv;
+layout(location = 0) out float ao_filtered;
+void main()
+{
+    vec2 away = fract(uv * 2.0) - 0.5;
+    ao_filtered = texture(ao, uv).r + sqrt(min(length(away) - 0.1, 0.0));
+}
+GLSL
+cat >broken/nan.json <<'JSON'
+{
+  "format": 1, "name": "nan", "description": "Writes NaN.",
+  "extends": ["geometry/depth_normal", "ssao/hemisphere"],
+  "targets": {"ao_filtered": {"format": ["r32f", "r16f"]}},
+  "shaders": {"spoil": {"vertex": "common/fullscreen.vert", "fragment": "./nan.frag"}},
+  "passes": {"spoil": {"type": "fullscreen", "shader": "spoil", "color": ["ao_filtered"]}},
+  "outputs": {"ao": "ao_filtered"}
+}
+JSON
+expect 5 "plane_fov +breaks at 45: pass 'spoil' writes [0-9]+ pixels that are not finite into 'ao_filtered'" \
+    stress broken/nan.json --case plane_fov "${small[@]}" --out nan
+check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 32
+check "the page shows it" grep -q 'data:image/png' nan/stress.html
+
+# --- occlusion that is lost beyond 20 of the world's units ---
+cat >broken/absolute.frag <<'GLSL'
+#version 300 es
+precision highp float;
+#include <surface>
+uniform highp sampler2D ao;
+in vec2 uv;
+layout(location = 0) out float ao_filtered;
+void main()
+{
+    highp vec3 point;
+    float lost = viewPosition(uv, point) ? smoothstep(20.0, 50.0, -point.z) : 0.0;
+    ao_filtered = mix(texture(ao, uv).r, 1.0, lost);
+}
+GLSL
+planted() # name, what it does: the module that a shader of that name spoils
+{
+    sed "s/nan/$1/; s/Writes NaN/$2/; s/hemisphere/gtao/" broken/nan.json | sed "s/nan.frag/$1.frag/" >"broken/$1.json"
+}
+planted absolute 'Loses occlusion with absolute distance'
+expect 5 '^  units +(VOID.*|holds from 1e-6 to 1e0); breaks at 1e1: mean change ' \
+    stress broken/absolute.json --case units --case offset "${small[@]}" --out absolute
+check "that is told first, in words" bash -c \
+    'sed -n 2p stdout.txt | grep -qE "^  AO of .broken/absolute.json. .* where all lengths are more than 1 times as large: at 10, "'
+check "with pictures of before and after" test "$(grep -o '"caption":"[a-z]* at 10*"' absolute/stress.html | wc -l)" -eq 2
+check "an offset changes nothing of that" bash -c '! grep -E "^  offset .*breaks" stdout.txt'
+
+# --- occlusion of which half is gone; all of it nightly, which is found more easily ---
+for share in 0.5 ${CREVICE_NIGHTLY:+0.0}; do
+    cat >"broken/faint_$share.frag" <<GLSL
+#version 300 es
+precision highp float;
+uniform highp sampler2D ao;
+in vec2 uv;
+layout(location = 0) out float ao_filtered;
+void main()
+{
+    ao_filtered = mix(1.0, texture(ao, uv).r, $share);
+}
+GLSL
+    planted "faint_$share" 'A share of the occlusion'
+    expect 5 "^  units +VOID: the ordinary picture has (0|4[0-9]) % of the ground truth's occlusion" \
+        stress "broken/faint_$share.json" --quick "${small[@]}" --out "faint_$share"
+    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 29
+    check "planes do not" bash -c '! grep -E "^  (plane|no_op|empty|lights).*(VOID|breaks)" stdout.txt'
+done
+
+# --- an edit against the run before it: a filter that is a texel off fails no case, and differs ---
+mkdir edited
+cp -r -- "$checkout/effects" "$checkout/configs" edited
+sed -i 's/uv \* vec2(size) - 0.5;/uv * vec2(size) + 0.5;/' edited/effects/filter/shaders/upsample.frag
+samples=(stress mobile --case samples --quick --size 128x72)
+"$crevice" "${samples[@]}" --out before >stdout.txt 2>stderr.txt || true
+expect 0 '^0 steps differ from before' "${samples[@]}" --out before --against before
+expect 5 'mobile, samples, 16: rmse .*, was |[1-9] steps differ from before' "${samples[@]}" --effects edited \
+    --out after --against before
+expect 1 "no results can be read from 'nowhere/stress.jsonl'" "${samples[@]}" --out before --against nowhere
+finish

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Linked programs in a folder: what --program-cache names.
+#include "tools/render/device/program_folder.h"
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace crevice;
+
+TEST_CASE("A folder of programs gives back what was stored, in another run too")
+{
+    const TemporaryFolder folder("programs");
+    const std::string path = (folder.path / "made" / "new").string();
+    const std::vector<std::uint8_t> bytes = {0, 1, '\r', '\n', 255}, other = {7};
+    {
+        const auto programs = need(ProgramFolder::open(path));
+        const ProgramCache cache = programs->cache();
+        CHECK(cache.load("0123456789abcdef").empty());
+        cache.store("0123456789abcdef", bytes);
+        CHECK(programs->asked() == 1);
+        CHECK(programs->found() == 0);
+    }
+    const auto programs = need(ProgramFolder::open(path));
+    const ProgramCache cache = programs->cache();
+    CHECK(cache.load("0123456789abcdef") == bytes);
+    CHECK(programs->found() == 1);
+    cache.store("0123456789abcdef", other);
+    CHECK(cache.load("0123456789abcdef") == other);
+    CHECK(programs->warnings().empty());
+    for (const auto& entry : std::filesystem::directory_iterator(path))
+        CHECK(entry.path().filename() == "0123456789abcdef");
+}
+
+TEST_CASE("A folder of programs that cannot be made is an error, one that goes is one warning")
+{
+    const TemporaryFolder folder("programs");
+    const std::string file = folder.write("file", "no folder");
+    for (const std::string& path : {file, file + "/below"}) {
+        const auto none = ProgramFolder::open(path);
+        REQUIRE(none.diagnostics().size() == 1);
+        CHECK(none.diagnostics()[0].code == Code::cannot_write);
+    }
+    const auto programs = need(ProgramFolder::open((folder.path / "goes").string()));
+    std::filesystem::remove_all(folder.path / "goes");
+    const ProgramCache cache = programs->cache();
+    for (const char* key : {"a", "b"}) cache.store(key, {1});
+    REQUIRE(programs->warnings().size() == 1);
+    CHECK(programs->warnings()[0].code == Code::cannot_write);
+    CHECK(programs->warnings()[0].severity == Severity::warning);
+    CHECK(cache.load("a").empty());
+}

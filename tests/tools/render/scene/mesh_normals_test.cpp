@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Normals, shared vertices and open edges of imported meshes.
+#include "tools/render/scene/mesh_normals.h"
+
+#include "tests/support/catch.h"
+#include "tools/render/scene/mesh_shapes.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <utility>
+
+using namespace crevice;
+
+namespace {
+
+glm::vec3 normalOf(const Vertex& vertex)
+{
+    return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
+}
+
+MeshDesc joined(MeshDesc mesh, const MeshDesc& other)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const std::uint32_t index : other.indices) mesh.indices.push_back(index + first);
+    return mesh;
+}
+
+// Two unit squares that share the edge x = 0, the right one turned up by `height` per unit.
+MeshDesc roof(float height)
+{
+    MeshDesc mesh = joined(makeQuad({-1, 0, 1}, {1, 0, 0}, {0, 0, -2}),
+                           makeQuad({0, 0, 1}, {1, height, 0}, {0, 0, -2}));
+    for (Vertex& vertex : mesh.vertices) {
+        std::fill_n(vertex.normal, 3, 0.0f);
+        std::fill_n(vertex.uv, 2, 0.0f);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("faces that meet at less than the crease share a normal, others do not")
+{
+    MeshDesc gentle = roof(0.5f), sharp = roof(3.0f);
+    for (MeshDesc* mesh : {&gentle, &sharp}) {
+        smoothNormals(*mesh, 60);
+        joinVertices(*mesh);
+        for (const Vertex& vertex : mesh->vertices)
+            CHECK(glm::length(normalOf(vertex)) == Approx(1));
+    }
+    CHECK(gentle.vertices.size() == 6);
+    CHECK(sharp.vertices.size() == 8);
+}
+
+TEST_CASE("A mesh is wound as its normals face")
+{
+    const MeshDesc box = makeBox({0, 0, 0}, {1, 2, 3});
+    MeshDesc reversed = box;
+    for (std::size_t i = 0; i < reversed.indices.size(); i += 3)
+        std::swap(reversed.indices[i + 1], reversed.indices[i + 2]);
+    windByNormals(reversed);
+    CHECK(reversed.indices == box.indices);
+    MeshDesc same = box;
+    windByNormals(same);
+    CHECK(same.indices == box.indices);
+}
+
+TEST_CASE("faces that merely touch at a point keep their own normals")
+{
+    MeshDesc mesh;
+    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}},     {{0, 1, 0}},
+                     {{0, 0, 0}}, {{-1, 0, 0.3f}}, {{0, -1, 0}}};
+    mesh.indices = {0, 1, 2, 3, 4, 5};
+    smoothNormals(mesh, 60);
+    CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
+    CHECK(normalOf(mesh.vertices[3]) != glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("a vertex counts a face by its angle there, not by how it was cut")
+{
+    // One corner of a box whose top is cut into two triangles and whose sides are not seen as flat.
+    MeshDesc mesh;
+    mesh.vertices = {{{0, 0, 0}},  {{1, 0, 0}},  {{1, 1, 0}}, {{0, 1, 0}},
+                     {{0, 0, -1}}, {{1, 0, -1}}, {{0, 1, -1}}};
+    mesh.indices = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 0, 3, 6, 0, 6, 4};
+    smoothNormals(mesh, 120);
+    const glm::vec3 expected = glm::normalize(glm::vec3(-1, -1, 1));
+    CHECK(glm::length(normalOf(mesh.vertices[0]) - expected) < 1e-6);
+}
+
+TEST_CASE("joining drops vertices that are unused and keeps those that differ")
+{
+    MeshDesc mesh = makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    mesh.vertices.push_back(mesh.vertices[0]);
+    mesh.vertices.push_back({{9, 9, 9}});
+    mesh.indices[0] = 4;
+    joinVertices(mesh);
+    CHECK(mesh.vertices.size() == 4);
+    CHECK(mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+    mesh.vertices[0].uv[0] = 0.5f;
+    joinVertices(mesh);
+    CHECK(mesh.vertices.size() == 4);
+}
+
+TEST_CASE("missing normals become those of the face, beside one that is there")
+{
+    const MeshDesc quad = [] {
+        MeshDesc mesh = makeQuad({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
+        for (Vertex& vertex : mesh.vertices) std::fill_n(vertex.normal, 3, 0.0f);
+        return mesh;
+    }();
+    MeshDesc mesh = quad;
+    fillNormals(mesh);
+    for (const Vertex& vertex : mesh.vertices) CHECK(normalOf(vertex) == glm::vec3(-1, 0, 0));
+    mesh = quad;
+    mesh.vertices[mesh.indices[0]].normal[1] = 1;
+    fillNormals(mesh);
+    CHECK(normalOf(mesh.vertices[mesh.indices[0]]) == glm::vec3(0, 1, 0));
+    CHECK(normalOf(mesh.vertices[mesh.indices[1]]) == glm::vec3(-1, 0, 0));
+    mesh = quad;
+    mesh.indices = {0, 0, 0};  // a face without an area
+    fillNormals(mesh);
+    CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("a surface with a long outline is open, a body with seams and small holes is not")
+{
+    const MeshDesc box = makeBox({-1, -1, -1}, {1, 2, 3});
+    MeshDesc without_face = box;
+    without_face.indices.resize(box.indices.size() - 6);
+    MeshDesc sphere = makeSphere(2.0f, 24);  // its two sides meet at a seam, where they round apart
+    for (Vertex& vertex : sphere.vertices) vertex.position[0] += 7.0f;
+    MeshDesc holed = sphere;
+    holed.indices.erase(holed.indices.begin() + 600, holed.indices.begin() + 606);
+    MeshDesc half = sphere;
+    half.indices.resize(half.indices.size() / 2);
+    MeshDesc far_away = half;
+    for (Vertex& vertex : far_away.vertices) vertex.position[1] += 1e6f;
+    for (const MeshDesc& mesh : {box, sphere, holed, MeshDesc()}) CHECK_FALSE(isOpen(mesh));
+    for (const MeshDesc& mesh :
+         {makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), without_face, half, far_away})
+        CHECK(isOpen(mesh));
+}
+
+TEST_CASE("of several surfaces in one mesh those with most of the area decide")
+{
+    for (const auto& [size, open] : {std::pair(2.0f, false), {3.0f, true}})
+        CHECK(isOpen(joined(makeBox({0, 0, 0}, {1, 1, 1}),
+                            makeQuad({3, 0, 0}, {size, 0, 0}, {0, size, 0}))) == open);
+}

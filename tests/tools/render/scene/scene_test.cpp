@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// Scenes: bounds, projections, files that are fine and files that are not.
+#include "tools/render/scene/scene.h"
+
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+using namespace crevice;
+
+namespace {
+
+const Diagnostic& onlyError(const Result<Scene>& scene)
+{
+    REQUIRE_FALSE(scene.ok());
+    REQUIRE(scene.diagnostics().size() == 1);
+    return scene.diagnostics()[0];
+}
+
+Result<Scene> importText(const std::string& name, const std::string& text)
+{
+    const TemporaryFolder folder("scene_test");
+    return importScene(folder.write(name, text));
+}
+
+glm::vec3 normalOf(const Vertex& vertex)
+{
+    return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
+}
+
+// Twelve corners that share eight positions, as cubes without normals come.
+const char* const kCube =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+
+std::string vertexLine(double x, const char* y, double z)
+{
+    return "v " + std::to_string(x) + y + std::to_string(z) + "\n";
+}
+
+double depthAt(const glm::mat4& clip_from_view, double distance)
+{
+    const glm::vec4 clip = clip_from_view * glm::vec4(0, 0, -distance, 1);
+    return clip.z / clip.w;
+}
+
+Bounds boundsBetween(double near_distance, double far_distance)
+{
+    Bounds bounds;
+    bounds.add({-0.01, -0.01, -near_distance});
+    bounds.add({0.01, 0.01, -far_distance});
+    return bounds;
+}
+
+}  // namespace
+
+TEST_CASE("bounds hold every instance and ignore vertices that no triangle uses")
+{
+    Scene scene;
+    MeshDesc mesh;
+    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{99, 99, 99}}};
+    mesh.indices = {0, 1, 2};
+    scene.meshes = {mesh};
+    scene.instances = {{0}, {0, glm::translate(glm::mat4(1), {0, 0, -5}), 0}};
+    CHECK(scene.bounds().min == glm::dvec3(0, 0, -5));
+    CHECK(scene.bounds().max == glm::dvec3(1, 1, 0));
+    CHECK(Scene().bounds().empty());
+}
+
+TEST_CASE("depth planes that are left open hold the whole scene, and little more")
+{
+    SceneCamera camera;
+    for (const bool orthographic : {false, true}) {
+        camera.orthographic = orthographic;
+        const glm::mat4 clip = clipFromView(camera, {16, 9}, boundsBetween(4, 9));
+        CHECK(depthAt(clip, 4) > -1);
+        CHECK(depthAt(clip, 9) < 1);
+        CHECK(depthAt(clip, 3.7) < -1);
+        CHECK(depthAt(clip, 9.3) > 1);
+    }
+    // Inside of the scene the near plane is one that depth can bear.
+    const glm::mat4 inside = clipFromView(SceneCamera(), {16, 9}, boundsBetween(-10, 10));
+    CHECK(depthAt(inside, 0.02) > -1);
+    CHECK(depthAt(inside, 0.005) < -1);
+    CHECK(std::isfinite(depthAt(inside, 10)));
+}
+
+TEST_CASE("planes that a camera names are used to the digit, and the far one is found alone")
+{
+    SceneCamera camera;
+    camera.near_distance = 0.001;
+    camera.far_distance = 1000;
+    const glm::mat4 clip = clipFromView(camera, {16, 9}, boundsBetween(4, 9));
+    CHECK(depthAt(clip, 0.001) == Approx(-1).margin(1e-3));
+    CHECK(depthAt(clip, 1000) == Approx(1).margin(1e-3));
+    camera.near_distance = 0.1;
+    camera.far_distance = 0;
+    CHECK(depthAt(clipFromView(camera, {10, 10}, boundsBetween(4000, 5000)), 5000) < 1);
+}
+
+TEST_CASE("every projection is finite, whatever the bounds")
+{
+    for (const Bounds& bounds : {Bounds(), boundsBetween(5, 5), boundsBetween(-9, -4),
+                                 boundsBetween(1e-9, 2e-9), boundsBetween(1e9, 2e9)}) {
+        for (const bool orthographic : {false, true}) {
+            SceneCamera camera;
+            camera.orthographic = orthographic;
+            const glm::mat4 clip = clipFromView(camera, {16, 9}, bounds);
+            CHECK(std::isfinite(glm::determinant(glm::dmat4(clip))));
+            CHECK(glm::determinant(glm::dmat4(clip)) != 0);
+        }
+    }
+}
+
+TEST_CASE("a missing scene suggests what was meant")
+{
+    const TemporaryFolder folder("scene_suggest");
+    folder.write("teapot.obj", kCube);
+    for (const auto& [name, meant] : {std::pair<std::string, const char*>("rom", "'room'"),
+                                      {(folder.path / "teepot.obj").string(), "teapot.obj'"},
+                                      {"/no/such/folder/teapot.obj", ""}}) {
+        const auto scene = loadScene(name);
+        CHECK(onlyError(scene).code == Code::scene_missing);
+        CHECK(onlyError(scene).help.find(meant) != std::string::npos);
+    }
+}
+
+TEST_CASE("what is no scene is broken, and what has no surface is empty")
+{
+    struct Row {
+        Code code;
+        const char* name;
+        std::string text;
+    };
+    const Row rows[] = {
+        {Code::scene_broken, "empty.obj", ""},
+        {Code::scene_broken, "cut.gltf", "{\"asset\""},
+        {Code::scene_broken, "cut.glb", std::string("glTF\x02\0\0\0\xff\0\0\0", 12)},
+        {Code::scene_broken, "index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
+        {Code::scene_broken, "scene.unheard_of", "What is this?\n"},
+        {Code::scene_empty, "noise.obj", "\x01\x02 what is this\n"},
+        {Code::scene_empty, "line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"},
+        {Code::scene_empty, "none.obj", "v nan 0 0\nv 1 nan 0\nv 0 1 nan\nf 1 2 3\n"}};
+    for (const Row& row : rows) {
+        INFO(row.name);
+        CHECK(onlyError(importText(row.name, row.text)).code == row.code);
+    }
+    const TemporaryFolder folder("scene_is_folder");
+    CHECK(onlyError(importScene(folder.path.string())).code == Code::scene_broken);
+}
+
+TEST_CASE("triangles with broken vertices are left out with a warning")
+{
+    const auto scene = importText(
+        "some.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 0 inf 0\nf 1 2 3\nf 1 2 4\nf 2 3 5\n");
+    REQUIRE(scene.ok());
+    CHECK(scene->meshes[0].indices.size() == 3);
+    CHECK(scene->bounds().max == glm::dvec3(1, 1, 0));
+    REQUIRE(scene.diagnostics().size() == 1);
+    CHECK(scene.diagnostics()[0].code == Code::not_finite);
+    CHECK(scene.diagnostics()[0].message.find("2 faces") != std::string::npos);
+}
+
+TEST_CASE("triangles without an area stay and have normals of length one")
+{
+    const Scene scene = need(
+        importText("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\nf 1 2 4\n"));
+    CHECK(scene.meshes[0].indices.size() == 9);
+    for (const Vertex& vertex : scene.meshes[0].vertices)
+        CHECK(glm::length(normalOf(vertex)) == Approx(1));
+}
+
+TEST_CASE("a mesh without normals keeps the edges of a cube and becomes smooth where it is round")
+{
+    const Scene cube = need(importText("cube.obj", kCube));
+    CHECK(cube.meshes[0].indices.size() == 36);
+    CHECK(cube.meshes[0].vertices.size() == 24);
+    for (const Vertex& vertex : cube.meshes[0].vertices) {
+        const glm::vec3 normal = glm::abs(normalOf(vertex));
+        CHECK(std::max({normal.x, normal.y, normal.z}) == Approx(1));
+    }
+
+    std::string text;  // half a cylinder of 18 strips
+    for (int k = 0; k <= 18; ++k) {
+        const double angle = k * 3.14159265358979 / 18;
+        for (const char* y : {" 0 ", " 1 "})
+            text += vertexLine(std::cos(angle), y, std::sin(angle));
+    }
+    for (int k = 0; k < 18; ++k) {
+        const int a = 2 * k + 1;
+        text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " +
+                std::to_string(a + 3) + " " + std::to_string(a + 2) + "\n";
+    }
+    const Scene round = need(importText("round.obj", text));
+    CHECK(round.meshes[0].vertices.size() == 38);
+    for (const Vertex& vertex : round.meshes[0].vertices) {
+        const glm::vec3 outwards = {vertex.position[0], 0, vertex.position[2]};
+        CHECK(std::abs(glm::dot(normalOf(vertex), outwards)) > 0.99);
+    }
+}
+
+TEST_CASE("OBJ materials bring their colour and highlight, and a lost .mtl does no harm")
+{
+    const TemporaryFolder folder("scene_mtl");
+    folder.write("shiny.mtl", "newmtl shiny\nKd .1 .2 .3\nKs .4 .5 .6\nNs 50\n");
+    const std::string body = std::string("usemtl shiny\n") + kCube;
+    const Scene scene = need(importScene(folder.write("a.obj", "mtllib shiny.mtl\n" + body)));
+    const SceneMaterial& material = scene.materials[scene.instances[0].material];
+    CHECK(material.base_color == glm::vec4(0.1f, 0.2f, 0.3f, 1));
+    CHECK(material.specular == glm::vec3(0.4f, 0.5f, 0.6f));
+    CHECK(material.shininess == 50);
+    CHECK(importScene(folder.write("b.obj", "mtllib lost.mtl\n" + body)).ok());
+}
+
+TEST_CASE("a file without lights can be seen, and importing it adds none")
+{
+    const TemporaryFolder folder("scene_lights");
+    const std::string path = folder.write("cube.obj", kCube);
+    REQUIRE(loadScene(path).ok());
+    CHECK(loadScene(path)->lights.size() == 1);
+    CHECK(importScene(path)->lights.empty());
+}
+
+TEST_CASE("a fan around one vertex does not cost its square")
+{
+    constexpr int kBlades = 30000;  // a quadratic import took a minute for these
+    std::string text = "v 0 1 0\n";
+    for (int k = 0; k < kBlades; ++k)
+        text +=
+            vertexLine(std::cos(k * 6.2831853 / kBlades), " 0 ", std::sin(k * 6.2831853 / kBlades));
+    for (int k = 0; k < kBlades; ++k)
+        text += "f 1 " + std::to_string((k + 1) % kBlades + 2) + " " + std::to_string(k + 2) + "\n";
+    const auto begin = std::chrono::steady_clock::now();
+    const Scene scene = need(importText("fan.obj", text));
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    CHECK(scene.meshes[0].indices.size() == 3 * kBlades);
+    CHECK(taken.count() < 30);
+}

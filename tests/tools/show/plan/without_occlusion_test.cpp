@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Which geometry is drawn for the occlusion alone.
+#include "tools/show/plan/without_occlusion.h"
+
+#include "tests/support/catch.h"
+#include "tests/support/need.h"
+
+#include <crevice/shipped.h>
+
+#include "tools/commands/cli/config_options.h"
+#include "tools/show/plan/planning.h"
+
+using namespace crevice;
+
+namespace {
+
+/// The names of the passes that draw geometry for the output `ao` alone.
+std::vector<std::string> ownPasses(const ConfigOptions& request, const std::string& output = "ao")
+{
+    const Description description = need(loadDescription(request, shippedSources()));
+    const CompileOptions options{{960, 540}, {output}};
+    const Plan plan = need(compile(description, usualTraits(), usualCaps(), options));
+    const std::vector<bool> own =
+        need(ownGeometry(plan, description, usualTraits(), usualCaps(), options));
+    REQUIRE(own.size() == plan.passes.size());
+    std::vector<std::string> names;
+    for (std::size_t pass = 0; pass < own.size(); ++pass)
+        if (own[pass]) names.push_back(plan.passes[pass].name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE(
+    "Deferred light shares the G-buffer: back faces and further layers are the occlusion's own")
+{
+    CHECK(ownPasses({"gtao", "", {}, ""}).empty());
+    CHECK(ownPasses({"balanced", "", {}, ""}) == Names{"back_faces"});
+    CHECK(ownPasses({"high", "", {}, ""}) == Names{"back_faces", "second_layer", "second_back"});
+}
+
+TEST_CASE("Forward light needs no depth before it, and draws what it does itself")
+{
+    CHECK(ownPasses({"mobile", "", {}, ""}) == Names{"geometry"});
+    CHECK(ownPasses({"mobile", "", {}, ""}, "color") == Names{"geometry"});
+}
+
+TEST_CASE("A host's own depth is nobody's geometry")
+{
+    CHECK(ownPasses({"balanced+geometry/host_depth", "", {}, ""}).empty());
+}
+
+TEST_CASE("Occlusion that is off already has no geometry of its own")
+{
+    CHECK(ownPasses({"high", "", {"intensity=0"}, ""}, "color").empty());
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// The files of a config: which they are, what is saved, and what is told of them.
+#include "tools/show/view/user_files.h"
+
+#include <crevice/source.h>
+
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+
+#include <algorithm>
+
+using namespace crevice;
+
+namespace {
+
+const char* const kMine =
+    R"({"format": 1, "name": "mine", "extends": ["learnopengl", "./more/radius.json"]})";
+const char* const kRadius = R"({"format": 1, "params": {"radius": 0.8}})";
+
+struct Config {
+    explicit Config(const std::string& text = kMine)
+        : radius(folder.write("more/radius.json", kRadius)),
+          mine(folder.write("mine.json", text))
+    {
+    }
+
+    UserFiles files(const std::string& behind = "") const
+    {
+        return UserFiles({mine + behind, "", {}, ""}, shippedSources());
+    }
+
+    const TemporaryFolder folder{"user_files"};
+    const std::string radius, mine;
+};
+
+std::string textOf(const std::string& path) { return readFile(path)->text; }
+
+std::vector<std::string> pathsOf(const std::vector<UserFile>& files)
+{
+    std::vector<std::string> paths;
+    for (const UserFile& file : files) paths.push_back(file.path);
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::string versionOf(UserFiles& files, const std::string& path)
+{
+    for (const UserFile& file : files.all())
+        if (file.path == path) return file.version;
+    return "none";
+}
+
+using Paths = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a page gets the files on disk that a config is made of, and no others")
+{
+    const Config config;
+    config.folder.write("other.json", kRadius);
+    UserFiles files = config.files();
+    CHECK(files.editable());
+    CHECK(files.configName() == "mine");
+    CHECK(pathsOf(files.all()) == Paths{"configs/mine.json", "configs/more/radius.json"});
+    CHECK(files.check().empty());
+    CHECK(config.files("+geometry/host_depth").configName() == "mine+geometry/host_depth");
+
+    config.folder.write(
+        "mine.json",
+        R"({"format": 1, "extends": ["learnopengl"], "shaders": {"ssao": {"fragment": "./a.frag"}}})");
+    config.folder.write("a.frag", "#version 300 es\n#include \"./b.glsl\"\nvoid main() {}\n");
+    config.folder.write("b.glsl", "// b\n");
+    CHECK(pathsOf(config.files().all()) ==
+          Paths{"configs/a.frag", "configs/b.glsl", "configs/mine.json"});
+}
+
+TEST_CASE("a shipped config has no files, whatever lies in the current folder")
+{
+    UserFiles files({"learnopengl", "", {}, ""}, shippedSources());
+    CHECK_FALSE(files.editable());
+    CHECK(files.configName() == "learnopengl");
+    CHECK(files.all().empty());
+    CHECK(files.changes().empty());
+    CHECK(files.save("configs/learnopengl.json", "", "{}").end == Save::End::unknown);
+}
+
+TEST_CASE("a file of the current folder that is named like a shipped module is not the config's")
+{
+    const Config config;
+    const std::string name = shippedSources().find("ssao/hemisphere.json")->name;
+    config.folder.write(name, "mine");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(config.folder.path);
+    UserFiles files({"mine.json", "", {}, ""}, shippedSources());
+    CHECK(pathsOf(files.all()) == Paths{"configs/mine.json", "configs/more/radius.json"});
+    std::filesystem::current_path(before);
+}
+
+TEST_CASE("a config that does not load has its files all the same")
+{
+    const Config broken(R"({"format": 1, "extends": ["./more/radius.json", "nowhere"]})");
+    UserFiles files = broken.files();
+    CHECK(files.editable());
+    CHECK(hasErrors(files.check()));
+    CHECK(versionOf(files, "configs/mine.json") != "none");
+}
+
+TEST_CASE("a save replaces the version that it names, and tells nobody")
+{
+    const Config config;
+    UserFiles files = config.files();
+    const std::string path = "configs/more/radius.json";
+    const std::string text = R"({"format": 1, "params": {"radius": 0.5}})";
+    const std::string before = versionOf(files, path);
+
+    const Save save = files.save(path, before, text);
+    CHECK(save.end == Save::End::done);
+    CHECK(save.file.version != before);
+    CHECK(textOf(config.radius) == text);
+    CHECK(files.changes().empty());
+
+    const Save late = files.save(path, before, "{}");
+    CHECK(late.end == Save::End::changed);
+    CHECK(late.file.text == text);
+    CHECK(late.file.version == save.file.version);
+    CHECK(textOf(config.radius) == text);
+    CHECK(files.save(path, save.file.version, kRadius).end == Save::End::done);
+}
+
+TEST_CASE("no other file is written")
+{
+    const Config config;
+    const std::string other = config.folder.write("other.json", "other");
+    UserFiles files = config.files();
+    const std::string version = versionOf(files, "configs/mine.json");
+    for (const std::string& path :
+         {std::string("configs/other.json"), other, std::string("other.json"), std::string(),
+          std::string("configs/../configs/mine.json"), std::string("configs/more/../mine.json"),
+          std::string("../mine.json"), config.mine, std::string("configs/mine.json/")})
+        CHECK(files.save(path, version, "x").end == Save::End::unknown);
+    CHECK(textOf(other) == "other");
+    CHECK(textOf(config.mine) == kMine);
+}
+
+TEST_CASE("an edit by others is told once, by whatever way it was saved")
+{
+    const Config config;
+    UserFiles files = config.files();
+    CHECK(files.changes().empty());
+    config.folder.write("more/radius.json", "{}");
+    const std::vector<UserFile> changed = files.changes();
+    REQUIRE(pathsOf(changed) == Paths{"configs/more/radius.json"});
+    CHECK(changed[0].text == "{}");
+    CHECK(files.changes().empty());
+
+    const std::string renamed = config.folder.write("new", kRadius);
+    std::filesystem::rename(renamed, config.radius);
+    CHECK(pathsOf(files.changes()) == Paths{"configs/more/radius.json"});
+    CHECK(files.changes().empty());
+}
+
+TEST_CASE("a file is told once the config names it, and once it exists")
+{
+    const char* const text = R"({"format": 1, "extends": ["learnopengl", "./new.json"]})";
+    {
+        const Config config;
+        UserFiles files = config.files();
+        config.folder.write("new.json", kRadius);
+        const std::string version = versionOf(files, "configs/mine.json");
+        CHECK(files.save("configs/mine.json", version, text).end == Save::End::done);
+        CHECK(pathsOf(files.changes()) == Paths{"configs/new.json"});
+    }
+    const Config early(text);
+    UserFiles files = early.files();
+    early.folder.write("new.json", kRadius);
+    std::vector<UserFile> told;
+    for (int poll = 0; poll < 20 && told.empty(); ++poll) told = files.changes();
+    CHECK(pathsOf(told) == Paths{"configs/new.json"});
+}
+
+TEST_CASE("a file that is not UTF-8 is shown and not written")
+{
+    const Config config;
+    const std::string text = std::string(kRadius) + "// \xe9\n";
+    config.folder.write("more/radius.json", text);
+    UserFiles files = config.files();
+    const std::string path = "configs/more/radius.json";
+    const Save save = files.save(path, versionOf(files, path), kRadius);
+    REQUIRE(save.end == Save::End::failed);
+    CHECK(save.why[0].code == Code::bad_utf8);
+    CHECK(textOf(config.radius) == text);
+}
+
+TEST_CASE("what the command can load and the page cannot is a warning")
+{
+    const Config config;
+    const std::string odd = config.folder.write("my+own.json", kMine);  // "own" laid over "my"
+    const Diagnostics found = UserFiles({odd, "", {}, ""}, shippedSources()).check();
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].severity == Severity::warning);
+    CHECK(found[0].code == Code::module_escape);
+}
+
+TEST_CASE("a config below its root, and one that is named like a shipped one, load in the page")
+{
+    const TemporaryFolder folder("user_files_root");
+    folder.write("shared/radius.json", kRadius);
+    const std::string file = folder.write(
+        "looks/mobile.json", R"({"format": 1, "extends": ["mobile", "../shared/radius.json"]})");
+    ConfigOptions options = {file, "", {}, "", {folder.path.string()}};
+    UserFiles files(options, shippedSources());
+    CHECK(files.check().empty());
+    CHECK(files.configName() == "looks/mobile");
+    CHECK(pathsOf(files.all()) == Paths{"configs/looks/mobile.json", "configs/shared/radius.json"});
+
+    const std::string alone =
+        folder.write("alone/mobile.json", R"({"format": 1, "extends": ["mobile"]})");
+    UserFiles same({alone, "", {}, ""}, shippedSources());
+    CHECK(same.check().empty());
+    CHECK(same.configName() == "mine/mobile");
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// The arguments that say which config a command works on.
+#include "tools/commands/cli/config_options.h"
+
+#include <crevice/compile.h>
+
+#include "core/base/content_hash.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <map>
+
+namespace crevice {
+namespace {
+
+/// What a host may have of a surface, and the module that reads it.
+constexpr struct HostSurface {
+    const char* word;
+    const char* module;
+} kHostSurfaces[] = {
+    {"depth", "geometry/host_depth"},
+    {"normals", "geometry/host_depth_normal"},
+    {"linear", "geometry/host_linear_depth"},
+    {"linear_normals", "geometry/host_linear_depth_normal"},
+    {"log", "geometry/host_log_depth"},
+    {"log_normals", "geometry/host_log_depth_normal"},
+    {"positions", "geometry/host_position_normal"},
+};
+
+void addNode(ContentHash& hash, const Node& node)
+{
+    hash.add(static_cast<int>(node.kind));
+    hash.add(node.boolean);
+    hash.add(node.number);
+    hash.addText(node.kind == Node::Kind::string ? node.text : std::string());
+    for (const Node& item : node.items) addNode(hash, item);
+    for (const Member& member : node.members) {
+        hash.addText(member.key);
+        addNode(hash, member.value);
+    }
+}
+
+/// CLI11's kind of check: "" is fine, anything else is what is wrong.
+std::string isCheckout(const std::string& folder)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder + "/effects", ignored)) return {};
+    if (std::filesystem::is_directory(folder + "/configs", ignored)) return {};
+    return "the folder '" + folder +
+           "' has neither effects/ nor configs/: name the one that has them";
+}
+
+}  // namespace
+
+void addConfigOptions(CLI::App& app, ConfigOptions& options)
+{
+    addVariantOption(app, options.variant);
+    app.add_option("--set", options.overrides,
+                   "Set a param or feature (radius=0.8), or any value by its JSON pointer "
+                   "(/passes/blur/when=null); may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    addHostDepthOption(app, options.overrides);
+    addCheckoutOption(app, options.checkout);
+    addRootOption(app, options.roots);
+}
+
+void addVariantOption(CLI::App& app, std::string& variant)
+{
+    app.add_option("--variant", variant, "Name of a variant that the config declares");
+}
+
+void addHostDepthOption(CLI::App& app, std::vector<std::string>& overrides)
+{
+    std::string words;
+    std::map<std::string, std::string> modules;
+    for (const HostSurface& each : kHostSurfaces) {
+        words += std::string(words.empty() ? "" : ", ") + each.word;
+        modules[each.word] = std::string("+") + each.module;
+    }
+    const std::string about =
+        "Run the config on textures that a host would hand over, drawn by the command: " + words +
+        ", as --host-depth=normals; alone: depth";
+    app.add_flag("--host-depth{depth}", about)
+        ->check(CLI::IsMember(modules))
+        ->each([&overrides, modules](const std::string& word) {
+            overrides.push_back(modules.at(word));
+        });
+}
+
+LoadRequest requestOf(const ConfigOptions& options)
+{
+    return {options.config, options.variant, options.overrides, options.roots};
+}
+
+void addCheckoutOption(CLI::App& app, std::string& checkout)
+{
+    app.add_option("--effects", checkout,
+                   "Folder whose effects/ and configs/ are read before the embedded ones")
+        ->type_name("FOLDER")
+        ->check(isCheckout);
+}
+
+void addRootOption(CLI::App& app, std::vector<std::string>& roots)
+{
+    if (CLI::Option* known = app.get_option_no_throw("--root")) {
+        known->each([&roots](const std::string& folder) { roots.push_back(folder); });
+        return;
+    }
+    app.add_option("--root", roots,
+                   "Let configs and scenes read files below this folder too, beside those below "
+                   "their own; may be "
+                   "repeated")
+        ->type_name("FOLDER")
+        ->allow_extra_args(false)
+        ->check(CLI::ExistingDirectory);
+}
+
+void addDisableOption(CLI::App& app, std::vector<std::string>& disable)
+{
+    std::vector<std::string> names;
+    std::string listed;
+    for (const Optimization& optimization : kOptimizations) {
+        names.push_back(optimization.name);
+        listed += std::string(optimization.name) + ", ";
+    }
+    names.push_back("all");
+    app.add_option("--disable", disable,
+                   "Switch off an optimization: " + listed + "or all; may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember(names));
+}
+
+Result<Description> loadDescription(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Node> document = loadConfig(sources, requestOf(options));
+    if (!document) return document.diagnostics();
+    return decode(*document, sources);
+}
+
+Result<LoadedConfig> loadWithContent(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Node> document = loadConfig(sources, requestOf(options));
+    if (!document) return document.diagnostics();
+    Result<Description> description = decode(*document, sources);
+    if (!description) return description.diagnostics();
+    ContentHash hash;
+    addNode(hash, *document);
+    for (const auto& [path, source] : description->files) {
+        hash.addText(path);
+        hash.addText(source->text);
+    }
+    return LoadedConfig{std::move(*description), hash.hex()};
+}
+
+}  // namespace crevice

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Diagnostics, exit codes and progress of the crevice command.
+#include "tools/commands/cli/output.h"
+
+#include "core/base/text.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+
+namespace crevice {
+
+namespace {
+
+int output_failure = 0;  // the errno of the first write to stdout that failed
+
+std::string formatted(const char* format, std::va_list values)
+{
+    std::va_list again;
+    va_copy(again, values);
+    std::string text(
+        static_cast<std::size_t>(std::max(std::vsnprintf(nullptr, 0, format, again), 0)), '\0');
+    va_end(again);
+    std::vsnprintf(text.data(), text.size() + 1, format, values);
+    return text;
+}
+
+void note(bool written)
+{
+    if (!written && output_failure == 0) output_failure = errno;
+}
+
+/// What was printed before a message is seen before it.
+void put(std::FILE* stream, const std::string& text)
+{
+    if (stream == stderr) note(std::fflush(stdout) == 0);
+    const bool written = std::fputs(printable(text).c_str(), stream) >= 0;
+    if (stream == stdout) note(written);
+}
+
+}  // namespace
+
+int exitCodeOf(const Diagnostics& diagnostics)
+{
+    const auto error =
+        std::find_if(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::error; });
+    if (error == diagnostics.end()) return kExitOk;
+    switch (error->code) {
+    case Code::usage: return kExitUsage;
+    case Code::cannot_write: return kExitOutput;
+    case Code::no_egl:
+    case Code::no_osmesa:
+    case Code::gl_function:
+    case Code::gl_version:
+    case Code::gl_error:
+    case Code::no_format:
+    case Code::too_many:
+    case Code::out_of_memory:
+    case Code::context_lost:
+    case Code::no_compilers:
+    case Code::cannot_serve:
+    case Code::page_missing:
+    case Code::no_backend: return kExitMachine;
+    default: return kExitBadInput;
+    }
+}
+
+void print(const char* format, ...)
+{
+    std::va_list values;
+    va_start(values, format);
+    put(stdout, formatted(format, values));
+    va_end(values);
+}
+
+void printLines(const std::string& text) { put(stdout, text); }
+
+void printAsJson(const nlohmann::json& json)
+{
+    put(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+}
+
+void printMessage(const char* format, ...)
+{
+    std::va_list values;
+    va_start(values, format);
+    put(stderr, formatted(format, values));
+    va_end(values);
+}
+
+void reserveStreams()
+{
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file)
+        if (fcntl(file, F_GETFD) < 0)
+            open("/dev/null", O_RDONLY);  // the lowest free number: this one
+}
+
+int finishOutput(int exit_code)
+{
+    note(std::fflush(stdout) == 0);
+    if (output_failure == 0 && std::ferror(stdout) == 0) return exit_code;
+    if (output_failure == EPIPE) return kExitOutput;
+    std::string message =
+        "the output cannot be written";  // CLI11 prints help by itself and keeps no reason
+    if (output_failure != 0) message += std::string(": ") + std::strerror(output_failure);
+    report({{Code::cannot_write, message, "make room, or write to another place"}}, false);
+    return kExitOutput;
+}
+
+int report(const Diagnostics& diagnostics, bool json)
+{
+    if (diagnostics.empty()) return kExitOk;
+    if (json)
+        printLines("{\"diagnostics\": " + toJson(diagnostics) + "}\n");
+    else
+        put(stderr, toText(diagnostics));
+    return exitCodeOf(diagnostics);
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() { wipe(); }
+
+void Progress::begin(std::string what)
+{
+    what_ = printableLine(what);
+    percent_ = 0;
+    wipe();
+    if (terminal_) std::fprintf(stderr, "%s ...", what_.c_str());
+}
+
+void Progress::update(double done)
+{
+    const int percent = static_cast<int>(done * 100.0);
+    if (!terminal_ || percent == percent_) return;
+    percent_ = percent;
+    wipe();
+    std::fprintf(stderr, "%s ... %d %%", what_.c_str(), percent);
+}
+
+void Progress::wipe()
+{
+    if (terminal_) std::fputs("\r\033[K", stderr);
+}
+
+}  // namespace crevice

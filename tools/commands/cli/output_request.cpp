@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Reading and resolving what `crevice render` shall write.
+#include "tools/commands/cli/output_request.h"
+
+#include "tools/render/image/image_file.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace crevice {
+namespace {
+
+Diagnostic usageError(std::string message, std::string help)
+{
+    Diagnostic error{Code::usage, std::move(message)};
+    error.help = std::move(help);
+    return error;
+}
+
+Diagnostic unwritable(const std::string& file, const std::string& reason, std::string help)
+{
+    Diagnostic error{Code::cannot_write, "'" + file + "' cannot be written: " + reason};
+    error.help = std::move(help);
+    return error;
+}
+
+/// Where a pattern has the frame's number.
+struct FramePlace {
+    std::size_t at = 0;
+    std::size_t size = 0;  ///< Of what the number takes the place of; 0: there is no such place.
+    std::size_t digits = 0;
+};
+
+/// The first '%', where it begins %d or %0Nd with N of 1 to 9.
+FramePlace framePlaceOf(const std::string& pattern)
+{
+    const std::size_t at = pattern.find('%');
+    if (at == std::string::npos) return {};
+    if (pattern.compare(at, 2, "%d") == 0) return {at, 2, 1};
+    const bool padded = pattern.size() >= at + 4 && pattern[at + 1] == '0' &&
+                        pattern[at + 2] >= '1' && pattern[at + 2] <= '9' && pattern[at + 3] == 'd';
+    if (!padded) return {};
+    return {at, 4, static_cast<std::size_t>(pattern[at + 2] - '0')};
+}
+
+}  // namespace
+
+Result<OutputRequest> parseOutputRequest(const std::string& text)
+{
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        return usageError("--out '" + text + "' is not NAME=FILE",
+                          "write --out color=lit.png or --out ao=ao.pfm");
+    OutputRequest request{text.substr(0, equals), text.substr(equals + 1)};
+    const std::string extension = lowerExtension(request.file);
+    if (extension != ".png" && extension != ".pfm")
+        return usageError("the file '" + request.file + "' of --out is neither .png nor .pfm",
+                          "PNG holds 8 bits a channel for looking at, PFM 32-bit floats");
+    return request;
+}
+
+std::string frameFile(const std::string& pattern, int frame)
+{
+    const FramePlace place = framePlaceOf(pattern);
+    std::string number = std::to_string(frame);
+    if (number.size() < place.digits) number.insert(0, place.digits - number.size(), '0');
+    return pattern.substr(0, place.at) + number + pattern.substr(place.at + place.size);
+}
+
+Status checkFramePattern(const std::string& file)
+{
+    const FramePlace place = framePlaceOf(file);
+    if (place.size > 0 && file.find('%', place.at + 1) == std::string::npos) return {};
+    return usageError("the file '" + file + "' of --out has not one place for the frame's number",
+                      "with --path write a file as 'frame_%03d.png', with one %d or %03d");
+}
+
+Status checkWritable(const std::string& file)
+{
+    const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored))
+        return unwritable(file, "there is no folder '" + folder.string() + "'",
+                          "mkdir -p '" + folder.string() + "'");
+    if (fs::is_directory(file, ignored))
+        return unwritable(file, "it is a folder", "give a file's name");
+    if (access(folder.c_str(), W_OK) != 0)
+        return unwritable(file, "the folder '" + folder.string() + "' cannot be written",
+                          "choose another folder");
+    return {};
+}
+
+}  // namespace crevice

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// The choice between measured configs.
+#include "tools/measure/bench/choice.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace crevice {
+namespace {
+
+Diagnostic scopeError(std::string message, std::string help)
+{
+    Diagnostic error{Code::usage, std::move(message)};
+    error.help = std::move(help);
+    return error;
+}
+
+Result<std::string> chooseDevice(const std::vector<BenchSample>& samples, const std::string& part)
+{
+    std::vector<std::string> devices = benchDevices(samples);
+    if (devices.empty())
+        return Diagnostic{Code::results_broken, "no bench sample of these results has figures"};
+    const std::string all = "the results hold: " + joined(devices, "; ");
+    devices.erase(std::remove_if(devices.begin(), devices.end(),
+                                 [&part](const std::string& device) {
+                                     return device.find(part) == std::string::npos;
+                                 }),
+                  devices.end());
+    if (devices.size() == 1) return devices.front();
+    if (devices.empty()) return scopeError("no device has '" + part + "' in its name", all);
+    return scopeError("the results come from " + std::to_string(devices.size()) +
+                          " devices, whose times do not compare",
+                      "give --device with a part of one name; " + all);
+}
+
+std::string missingScope(const std::vector<ResultView>& views)
+{
+    std::vector<std::string> names;
+    for (const ResultView& view : views) {
+        const std::string name = view.scene + " at " + extentName(view.extent);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return "the results hold: " + joined(names);
+}
+
+/// A candidate while its views are gathered.
+struct Gathered {
+    Candidate candidate;
+    std::vector<std::string> views;
+    bool harmful = false;
+};
+
+class Gatherer {
+public:
+    explicit Gatherer(const std::vector<BenchSample>& samples) : samples_(samples) {}
+
+    void add(const ResultView& view)
+    {
+        for (const std::size_t i : view.samples) {
+            without_ao_ = std::max(without_ao_, samples_[i].error_without_ao);
+            if (samples_[i].peer) continue;  // nobody could take it
+            addSample(view.name, i, samples_[i]);
+        }
+    }
+
+    void finish(Candidates& candidates)
+    {
+        for (Gathered& gathered : gathered_) {
+            const std::string& label = gathered.candidate.label;
+            std::string lacking;
+            for (const ResultView& view : candidates.views) {
+                const auto& have = gathered.views;
+                if (std::find(have.begin(), have.end(), view.name) == have.end())
+                    lacking += (lacking.empty() ? "" : ", ") + view.name;
+            }
+            if (gathered.harmful)
+                candidates.harmful.push_back(label);
+            else if (!lacking.empty())
+                candidates.elided.push_back(label + ": no figures for " + lacking);
+            else
+                candidates.list.push_back(std::move(gathered.candidate));
+        }
+        candidates.error_without_ao = without_ao_;
+    }
+
+private:
+    void addSample(const std::string& view, std::size_t index, const BenchSample& sample)
+    {
+        const auto [place, is_new] = places_.emplace(sampleLabel(sample), gathered_.size());
+        if (is_new) {
+            Gathered gathered;
+            gathered.candidate.label = place->first;
+            gathered.candidate.sample = index;
+            gathered_.push_back(std::move(gathered));
+        }
+        Gathered& gathered = gathered_[place->second];
+        Candidate& candidate = gathered.candidate;
+        if (gathered.views.empty() || sample.cost.median > candidate.ms) {
+            candidate.ms = sample.cost.median;
+            candidate.slowest_view = view;
+        }
+        if (gathered.views.empty() || sample.error.rmse > candidate.error) {
+            candidate.error = sample.error.rmse;
+            candidate.worst_view = view;
+        }
+        candidate.ratio = std::max(candidate.ratio, sample.ratio_copy);
+        gathered.harmful = gathered.harmful || sample.error.rmse >= sample.error_without_ao;
+        gathered.views.push_back(view);
+    }
+
+    const std::vector<BenchSample>& samples_;
+    std::vector<Gathered> gathered_;
+    std::map<std::string, std::size_t> places_;
+    double without_ao_ = 0;
+};
+
+/// Notes what was measured in the scope, but with another radius or size than the rest.
+void addOtherwiseMeasured(const std::vector<BenchSample>& samples,
+                          const std::vector<ResultView>& in_scope, Candidates& candidates)
+{
+    std::set<std::string> known;
+    for (const ResultView& view : candidates.views)
+        for (const std::size_t i : view.samples) known.insert(sampleLabel(samples[i]));
+    for (const ResultView& view : in_scope)
+        for (const std::size_t i : view.samples) {
+            const std::string label = sampleLabel(samples[i]);
+            if (known.insert(label).second)
+                candidates.elided.push_back(label + ": measured at " + extentName(view.extent) +
+                                            " and radius " + significant(view.radius, 6) +
+                                            " alone");
+        }
+}
+
+/// The other figure: what is to be small once the limit is kept.
+double meritOf(const Candidate& candidate, ChoiceLimit::Kind kind)
+{
+    return kind == ChoiceLimit::Kind::error ? candidate.ms : candidate.error;
+}
+
+}  // namespace
+
+Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const ChoiceScope& scope)
+{
+    const Result<std::string> device = chooseDevice(samples, scope.device);
+    if (!device) return device.diagnostics();
+    const std::vector<ResultView> all = benchViews(samples);
+    std::vector<ResultView> in_scope;
+    for (const ResultView& view : all)
+        if (view.device == *device && (scope.scene.empty() || view.scene == scope.scene))
+            in_scope.push_back(view);
+
+    Candidates candidates;
+    candidates.device = *device;
+    candidates.views = mainViews(in_scope, *device, scope.extent);
+    if (candidates.views.empty()) {
+        const std::string scene = scope.scene.empty() ? "" : " of '" + scope.scene + "'";
+        const std::string size = scope.extent == Extent{} ? "" : " at " + extentName(scope.extent);
+        return scopeError("there are no results" + scene + size, missingScope(all));
+    }
+    Gatherer gatherer(samples);
+    for (const ResultView& view : candidates.views) gatherer.add(view);
+    gatherer.finish(candidates);
+    addOtherwiseMeasured(samples, in_scope, candidates);
+    return candidates;
+}
+
+Result<ChoiceLimit> parseBudget(const std::string& text)
+{
+    std::string_view unit = text;
+    const double number = takeNumber(unit).value_or(0.0);
+    if (number > 0.0 && std::isfinite(number)) {
+        if (unit.empty() || unit == "ms") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number};
+        if (unit == "us") return ChoiceLimit{ChoiceLimit::Kind::time_ms, number / 1000.0};
+        if (unit == "x") return ChoiceLimit{ChoiceLimit::Kind::copy_ratio, number};
+    }
+    return scopeError("'" + text + "' is not a time above 0",
+                      "write --budget 2ms, 500us, or 10x for ten times a depth copy");
+}
+
+double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
+{
+    switch (kind) {
+    case ChoiceLimit::Kind::time_ms: return candidate.ms;
+    case ChoiceLimit::Kind::copy_ratio: return candidate.ratio;
+    case ChoiceLimit::Kind::error: break;
+    }
+    return candidate.error;
+}
+
+std::string limitText(ChoiceLimit limit)
+{
+    const std::string most = significant(limit.most, 6);
+    switch (limit.kind) {
+    case ChoiceLimit::Kind::time_ms: return "at most " + most + " ms";
+    case ChoiceLimit::Kind::copy_ratio: return "at most " + most + " times the copy cost";
+    case ChoiceLimit::Kind::error: break;
+    }
+    return "an error of at most " + most;
+}
+
+Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
+{
+    const std::vector<Candidate>& list = candidates.list;
+    std::vector<std::size_t> within, beyond;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        (spentOf(list[i], limit.kind) <= limit.most ? within : beyond).push_back(i);
+    const auto spends = [&](std::size_t i) { return spentOf(list[i], limit.kind); };
+    const auto merit = [&](std::size_t i) { return meritOf(list[i], limit.kind); };
+    std::sort(beyond.begin(), beyond.end(), [&](std::size_t a, std::size_t b) {
+        return std::make_pair(spends(a), merit(a)) < std::make_pair(spends(b), merit(b));
+    });
+    std::sort(within.begin(), within.end(), [&](std::size_t a, std::size_t b) {
+        return std::make_pair(merit(a), spends(a)) < std::make_pair(merit(b), spends(b));
+    });
+    if (within.empty()) {
+        Diagnostic error{Code::out_of_range,
+                         "none of " + std::to_string(list.size() + candidates.harmful.size()) +
+                             " configs is better than no ambient occlusion and has " +
+                             limitText(limit)};
+        if (!beyond.empty())
+            error.help = "the nearest is " + list[beyond[0]].label + ": " +
+                         significant(list[beyond[0]].ms, 3) + " ms, " +
+                         significant(list[beyond[0]].ratio, 3) + " times the copy cost, error " +
+                         fixed(list[beyond[0]].error, 4);
+        return error;
+    }
+    return Choice{within.front(), {within.begin() + 1, within.end()}, std::move(beyond)};
+}
+
+}  // namespace crevice

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: MIT
+// One sample of a bench, from its description to its figures.
+#include "tools/measure/bench/measure.h"
+
+#include "tools/measure/bench/times.h"
+#include "tools/measure/motion/measure.h"
+#include "tools/measure/reference/reference_cache.h"
+#include "tools/render/image/image_file.h"
+#include "tools/render/image/image_metrics.h"
+#include "tools/render/read_output.h"
+#include "tools/render/scene_upload.h"
+#include "tools/render/view_diagnosis.h"
+#include "tools/show/plan/costs.h"
+#include "tools/show/plan/without_occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace fs = std::filesystem;
+
+namespace crevice {
+namespace {
+
+const char* const kCopyModule = "bench/depth_copy.json";
+
+/// Turns end at so many times the least, settled or not.
+constexpr int kMostPatience = 4;
+
+const char* const kYardstick = "learnopengl";
+
+Image withOpenBackground(Image ground_truth)
+{
+    for (float& value : ground_truth.pixels)
+        if (std::isnan(value)) value = 1.0f;
+    return ground_truth;
+}
+
+/// Puts the frames' times into the sample, in all and pass by pass.
+void describeFrames(const std::vector<FrameTimes>& frames, const Plan& plan, BenchSample& sample)
+{
+    sample.clock = clockName(frames[0].method);
+    sample.repeats = static_cast<int>(frames.size());
+    std::vector<double> times(frames.size());
+    const auto figuresOf = [&frames, &times](auto time) {
+        std::transform(frames.begin(), frames.end(), times.begin(), time);
+        return timeFigures(times);
+    };
+    sample.total = figuresOf([](const FrameTimes& frame) { return frame.total_ms; });
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        sample.passes.push_back({plan.passes[pass].name, figuresOf([pass](const FrameTimes& frame) {
+                                     return frame.pass_ms[pass];
+                                 })});
+}
+
+}  // namespace
+
+/// What tasks of one view and one ground truth share.
+struct BenchMeter::Setting {
+    Setting(const BenchView& seen, UploadedScene uploaded)
+        : view(seen),
+          scene(std::move(uploaded)),
+          frame(makeFrame(scene, seen.camera, seen.extent))
+    {
+    }
+
+    /// Draws the depth, and sets up what every sample needs from it: the copy pass and the radius
+    /// on screen.
+    Status makeCopy(Device& device, const SourceSet& sources, double radius);
+
+    void makeYardstick(Device& device, const SourceSet& sources, double radius);
+
+    /// Warms up, then so many turns, for the first sample to have something to go by.
+    Status beginTurns(int count);
+
+    /// For `frame`, or a frame of it that a host hands over.
+    Result<std::unique_ptr<Renderer>> makeRenderer(Device& device, Description description,
+                                                   std::vector<std::string> outputs,
+                                                   const std::vector<std::string>& disable = {},
+                                                   const Frame* hosted = nullptr) const
+    {
+        return Renderer::create(device, std::move(description),
+                                {view.extent, std::move(outputs), disable},
+                                traitsOf(hosted ? *hosted : frame));
+    }
+
+    /// Times the copy pass once, and the yardstick once.
+    Status takeTurns();
+
+    /// The costs that a ratio is taken against turn by turn: the yardstick's, else the copy's.
+    const std::vector<double>& unitCosts() const
+    {
+        return (yardstick_turns ? yardstick_turns : copy_turns)->costs();
+    }
+    double unitOverCopy() const { return quickest(unitCosts()) / quickest(copy_turns->costs()); }
+
+    const BenchView& view;
+    std::string reference;
+    UploadedScene scene;
+    Frame frame;
+    Result<Image> ground_truth = Image();              ///< Or why there is none.
+    std::optional<double> distance;                    ///< Median, in view.
+    std::optional<MotionView> motion;                  ///< None until it is asked for.
+    Result<MotionTruth> motion_truth = MotionTruth();  ///< Of `motion`, or why there is none.
+    double radius_px = 0;
+    std::unique_ptr<Renderer> depth;
+    std::unique_ptr<Renderer> copy;
+    Frame copy_frame;
+    std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
+    std::optional<TurnTaker> copy_turns;
+    std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
+    /// Of a family with all taps and perhaps more made ideal.
+    std::map<std::pair<std::string, unsigned>, Result<double>> converged;
+};
+
+Status BenchMeter::Setting::makeCopy(Device& device, const SourceSet& sources, double radius)
+{
+    const Result<Description> drawn = loadDescription({kDepthModule, {}, {}, {}}, sources);
+    if (!drawn) return drawn.diagnostics();
+    auto depth_renderer = makeRenderer(device, *drawn, {"depth"});
+    if (!depth_renderer) return depth_renderer.diagnostics();
+    depth = std::move(*depth_renderer);
+    if (const Status done = depth->render(frame); !done) return done;
+    const Result<Image> image = readOutput(device, *depth, "depth");
+    if (!image) return image.diagnostics();
+    distance = medianDistance(*image, frame.camera);
+    if (distance) radius_px = pixelsOf(radius, *distance, frame.camera, view.extent);
+
+    const Result<Description> copied = loadDescription({kCopyModule, {}, {}, {}}, sources);
+    if (!copied) return copied.diagnostics();
+    copy_frame.textures = {{"depth", depth->output("depth")}};
+    auto made = Renderer::create(device, *copied, {view.extent, {}, {}}, traitsOf(copy_frame));
+    if (!made) return made.diagnostics();
+    copy = std::move(*made);
+    copy_turns.emplace(*copy, copy_frame);
+    return {};
+}
+
+/// Leaves it null where the device cannot draw it.
+void BenchMeter::Setting::makeYardstick(Device& device, const SourceSet& sources, double radius)
+{
+    const Result<Description> described = loadDescription({kYardstick, {}, {}, {}}, sources);
+    if (!described) return;
+    auto renderer = makeRenderer(device, *described, {"ao"});
+    if (!renderer || !(*renderer)->setParam("radius", static_cast<float>(radius))) return;
+    yardstick = std::move(*renderer);
+    yardstick_turns.emplace(*yardstick, frame);
+}
+
+Status BenchMeter::Setting::beginTurns(int count)
+{
+    if (const Status warm = takeTurns(); !warm) return warm;
+    copy_turns->restart();
+    if (yardstick_turns) yardstick_turns->restart();
+    for (int turn = 0; turn < count; ++turn)
+        if (const Status drawn = takeTurns(); !drawn) return drawn;
+    return {};
+}
+
+Status BenchMeter::Setting::takeTurns()
+{
+    if (const Status drawn = copy_turns->takeTurn(); !drawn) return drawn;
+    return yardstick_turns ? yardstick_turns->takeTurn() : Status();
+}
+
+BenchMeter::BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
+                       MeasureOptions options)
+    : device_(device),
+      plan_(plan),
+      sources_(sources),
+      options_(std::move(options))
+{
+}
+
+BenchMeter::~BenchMeter() = default;
+
+/// Makes the setting of the task, unless it is the one of the task before.
+Status BenchMeter::enter(const BenchTask& task)
+{
+    const BenchView& view = plan_.views[task.view];
+    if (setting_ && setting_->reference == task.reference && &setting_->view == &view)
+        return setting_->ground_truth.ok() ? Status()
+                                           : Status(setting_->ground_truth.diagnostics());
+    setting_.reset();
+    Result<UploadedScene> scene = UploadedScene::upload(device_, *view.scene);
+    if (!scene) return scene.diagnostics();
+    auto setting = std::make_unique<Setting>(view, std::move(*scene));
+    setting->reference = task.reference;
+
+    TraceOptions trace;
+    trace.radius = task.sample.radius;
+    trace.rays = options_.rays;
+    trace.progress = options_.tracing;
+    setting->ground_truth =
+        cachedReference(*view.scene, view.matrices(), view.extent, trace, options_.cache_folder);
+
+    if (const Status made = setting->makeCopy(device_, sources_, task.sample.radius); !made)
+        return made;
+
+    setting->makeYardstick(device_, sources_, task.sample.radius);
+    if (const Status timed = setting->beginTurns(options_.repeats); !timed) return timed;
+    setting_ = std::move(setting);
+    return setting_->ground_truth.ok() ? Status() : Status(setting_->ground_truth.diagnostics());
+}
+
+Result<BenchSample> BenchMeter::measure(const BenchTask& task)
+{
+    if (const Status ready = enter(task); !ready) return ready.diagnostics();
+    BenchSample sample = task.sample;
+    sample.radius_px = setting_->radius_px;
+    sample.device = device_.caps().name;
+    sample.software = device_.caps().software;
+
+    Result<HostTextures> host =
+        HostTextures::make(device_, task.description, sample.extent, setting_->frame);
+    if (!host) return host.diagnostics();
+    Result<Frame> frame = host->frameOf(setting_->frame);
+    if (!frame) return frame.diagnostics();
+    const auto makeRenderer = [&](const std::string& output) {
+        return setting_->makeRenderer(device_, task.description, {output}, sample.disable, &*frame);
+    };
+    auto renderer = makeRenderer(kOcclusionOutput);
+    if (!renderer) return renderer.diagnostics();
+    const Result<Image> ao = drawSettled(device_, **renderer, *frame, kOcclusionOutput);
+    if (!ao) return ao.diagnostics();
+    if (options_.motion) measureMotion(task, **renderer, *host, sample);
+    if (options_.motion) frame = host->frameOf(setting_->frame);  // as before the camera moved
+    if (!frame) return frame.diagnostics();
+    if (sample.output != kOcclusionOutput) renderer = makeRenderer(sample.output);
+    if (!renderer) return renderer.diagnostics();
+    if (const Status timed = measureTimes(task, **renderer, *frame, sample); !timed)
+        return timed.diagnostics();
+    if (const Status known = measureErrors(task, *ao, sample); !known) return known.diagnostics();
+    if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();
+
+    const MovedBytes bytes = movedBytes((*renderer)->plan());
+    sample.texture_bytes = (*renderer)->plan().texture_bytes;
+    sample.bytes_read = bytes.read;
+    sample.bytes_written = bytes.written;
+    return sample;
+}
+
+Status BenchMeter::measureTimes(const BenchTask& task, Renderer& renderer, const Frame& frame,
+                                BenchSample& sample)
+{
+    const auto own = ownGeometry(renderer.plan(), task.description, traitsOf(frame), device_.caps(),
+                                 {sample.extent});
+    if (!own) return own.diagnostics();
+    TurnTaker taker(renderer, frame, *own);
+    if (const Status warm = taker.takeTurn(); !warm) return warm;
+    taker.restart();
+    TimeFigures ratio;
+    for (int turn = 1; turn <= kMostPatience * options_.repeats; ++turn) {
+        if (options_.interrupted()) return {};
+        if (const Status drawn = taker.takeTurn(); !drawn) return drawn;
+        if (const Status drawn = setting_->takeTurns(); !drawn) return drawn;
+        ratio = ratioFigures(taker.costs(), setting_->unitCosts());
+        if (turn >= options_.repeats && isSettled(ratio, taker.costs().size())) break;
+    }
+    if (setting_->yardstick) {
+        sample.ratio_learnopengl = ratio.median;
+        sample.ratio_with_geometry =
+            ratioFigures(taker.costsWithGeometry(), setting_->unitCosts()).median;
+    }
+    sample.ratio_copy = ratio.median * setting_->unitOverCopy();
+    sample.cost = timeFigures(taker.costs());
+    sample.cost_with_geometry = timeFigures(taker.costsWithGeometry());
+    describeFrames(taker.frames(), renderer.plan(), sample);
+    return {};
+}
+
+Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample)
+{
+    const Result<ImageDifference> figures = compareImages(ao, *setting_->ground_truth);
+    if (!figures) return figures.diagnostics();
+    if (figures->non_finite > 0)
+        return Diagnostic{Code::not_finite, "the occlusion is not a number in " +
+                                                std::to_string(figures->non_finite) + " pixels"};
+    sample.error = {figures->rmse,     figures->bias,      figures->p99,
+                    figures->rmse_fit, figures->power_fit, figures->pixels};
+    const Image open(ao.extent, 1, 1.0f);
+    if (const auto without = compareImages(open, *setting_->ground_truth))
+        sample.error_without_ao = without->rmse;
+    if (options_.budget)
+        sample.budget = budgetOf(
+            figures->rmse, [&](unsigned ideal) { return idealError(task, ideal); },
+            sample.budget_failure);
+    return {};
+}
+
+/// Whatever keeps it from being measured goes to the sample, whose other figures stay.
+void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
+                               BenchSample& sample)
+{
+    Setting& setting = *setting_;
+    const BenchView& view = setting.view;
+    if (!setting.motion) {
+        const PathView end = {view.camera, view.extent, setting.distance.value_or(1.0)};
+        setting.motion.emplace(
+            MotionView{*view.scene, view.bounds, end, task.sample.radius, options_.cache_folder});
+        setting.motion_truth = traceMotion(*setting.motion, options_.interrupted, options_.tracing);
+    }
+    const Result<MotionTruth>& truth = setting.motion_truth;
+    const auto figures = [&]() -> Result<MotionFigures> {
+        if (!truth) return truth.diagnostics();
+        const MotionStage stage = {device_, renderer, host, setting.frame};
+        return crevice::measureMotion(stage, *setting.motion, *truth, options_.interrupted);
+    }();
+    if (figures)
+        sample.motion = *figures;
+    else
+        sample.motion_failure = failureText(figures.diagnostics());
+}
+
+/// Kept with all taps, since the other sample counts of a config share it.
+Result<double> BenchMeter::idealError(const BenchTask& task, unsigned ideal)
+{
+    const auto measured = [&]() -> Result<double> {
+        const Stage stage = {device_, setting_->frame, setting_->view.extent, sources_};
+        const auto image = idealOcclusion(stage, task.description, ideal, options_.interrupted);
+        if (!image) return image.diagnostics();
+        const auto figures = compareImages(*image, *setting_->ground_truth);
+        if (!figures) return figures.diagnostics();
+        return figures->rmse;
+    };
+    if (!(ideal & kIdealTaps)) return measured();
+    const std::pair key(task.sample.family, ideal);
+    const auto known = setting_->converged.find(key);
+    if (known != setting_->converged.end()) return known->second;
+    return setting_->converged.emplace(key, measured()).first->second;
+}
+
+Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchSample& sample)
+{
+    if (options_.out_folder.empty()) return {};
+    const Result<Image> difference = differencePicture(ao, *setting_->ground_truth);
+    if (!difference) return difference.diagnostics();
+    std::error_code ignored;  // the first file reports it
+    fs::create_directories(options_.out_folder + "/pictures", ignored);
+    const std::string key = keyOnDevice(task.sample.key, device_.caps().name);
+    const auto write = [this](std::string& name, const std::string& file, const Image& image) {
+        name = "pictures/" + file + ".png";
+        return writePng(options_.out_folder + "/" + name, image);
+    };
+    if (const Status s = write(sample.ao_picture, key + "_ao", ao); !s) return s;
+    if (const Status s = write(sample.difference_picture, key + "_difference", *difference); !s)
+        return s;
+    return write(sample.ground_truth_picture, "ground_truth_" + task.reference,
+                 withOpenBackground(*setting_->ground_truth));
+}
+
+}  // namespace crevice

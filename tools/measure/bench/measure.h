@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Measuring one sample of a bench on a device: its error, the parts of it, its time, its pictures.
+//
+// What is timed are the passes that the sample's output needs, by default `ao`. The config, a plain
+// copy of the depth texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius
+// take turns (see tools/measure/bench/times.h) until both ratios are known to a few per cent. The
+// cost of a config is the sum over its passes other than draw passes: for `ao`, what it adds to a
+// host that has a G-buffer. Beside it stands the cost with the geometry that the occlusion alone
+// needs.
+#pragma once
+
+#include "tools/measure/bench/bench.h"
+#include "tools/measure/bench/errors.h"
+#include "tools/render/host_textures.h"
+
+#include <map>
+
+namespace crevice {
+
+struct MeasureOptions {
+    int rays = 256;  ///< Per pixel of the ground truth.
+    /// Timed turns, at least; up to four times as many where ratios do not settle.
+    int repeats = 7;
+    bool budget = true;        ///< Measure the error budget.
+    bool motion = false;       ///< Measure what changes along camera paths.
+    std::string cache_folder;  ///< For ground truths; empty for none.
+    std::string out_folder;    ///< Pictures go to its pictures/; empty for none.
+    std::function<bool()> interrupted = [] { return false; };
+    std::function<void(double done)> tracing = {};  ///< How far a ground truth is.
+};
+
+/// The device, the plan and the sources must outlive it.
+class BenchMeter {
+public:
+    BenchMeter(Device& device, const BenchPlan& plan, const SourceSet& sources,
+               MeasureOptions options);
+    ~BenchMeter();
+
+    /// The task's sample with its figures. What the next task shares with this one is kept.
+    ///
+    /// Errors: CV7007 for pictures; whatever keeps the ground truth or the config from being drawn,
+    /// CV4003 for an occlusion that is not a number somewhere.
+    Result<BenchSample> measure(const BenchTask& task);
+
+private:
+    struct Setting;
+
+    Status enter(const BenchTask& task);
+    Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
+    void measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
+                       BenchSample& sample);
+    Status measureTimes(const BenchTask& task, Renderer& renderer, const Frame& frame,
+                        BenchSample& sample);
+    Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
+    Result<double> idealError(const BenchTask& task, unsigned ideal);
+
+    Device& device_;
+    const BenchPlan& plan_;
+    const SourceSet& sources_;
+    const MeasureOptions options_;
+    std::unique_ptr<Setting> setting_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+// Which samples a bench measures: the product of its lists, their keys and their shards.
+#include "tools/measure/bench/bench.h"
+
+#include "tools/measure/bench/views.h"
+#include "tools/measure/reference/reference_cache.h"
+#include "tools/measure/taps.h"
+#include "tools/render/scene/camera_framing.h"
+#include "tools/render/scene/options.h"
+
+#include <crevice/config.h>
+
+#include "core/base/content_hash.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace crevice {
+namespace {
+
+/// Whose figures say most about what to take; docs/which_config.md. `reference` takes too long
+/// to be first.
+constexpr std::string_view kPresets[] = {"mobile_low", "mobile", "balanced", "high"};
+
+/// How software renderers are timed. Part of each key, so that samples by another clock are
+/// measured again and never stand beside these.
+constexpr const char* kClock = "processor time";
+
+bool isPreset(const BenchTask& task)
+{
+    return std::find(std::begin(kPresets), std::end(kPresets), task.sample.config) !=
+           std::end(kPresets);
+}
+
+/// What was asked for, whichever share of it is this machine's.
+std::string commandHash(const BenchOptions& options)
+{
+    ContentHash hash;
+    const auto add = [&hash](const auto& list, auto&& addOne) {
+        hash.add(list.size());
+        for (const auto& item : list) addOne(item);
+    };
+    for (const auto* texts : {&options.configs, &options.peers, &options.scenes, &options.sizes,
+                              &options.overrides, &options.disable})
+        add(*texts, [&hash](const std::string& text) { hash.addText(text); });
+    add(options.radii, [&hash](double radius) { hash.add(radius); });
+    add(options.samples, [&hash](int count) { hash.add(count); });
+    hash.addText(options.camera);
+    hash.add(options.rays);
+    if (options.output != kOcclusionOutput) hash.addText(options.output);
+    return hash.hex();
+}
+
+/// Over all that decides a sample's figures on a device.
+ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
+                  const std::string& content, bool motion)
+{
+    const BenchSample& sample = task.sample;
+    ContentHash hash;
+    hash.addText(sample.version);
+    hash.addText(sample.config);
+    for (const std::string& text : overrides) hash.addText(text);
+    hash.addText(sample.scene);
+    hash.addText(sample.camera);
+    hash.add(sample.extent.width);
+    hash.add(sample.extent.height);
+    hash.add(radius);
+    hash.addText(task.reference);
+    hash.addText(content);
+    hash.addText(kClock);
+    if (sample.output != kOcclusionOutput) hash.addText(sample.output);
+    for (const std::string& name : sample.disable) hash.addText(name);
+    if (motion) hash.addText("motion");
+    return hash;
+}
+
+class Planner {
+public:
+    Planner(const BenchOptions& options, const SourceSet& sources)
+        : options_(options),
+          sources_(sources)
+    {
+    }
+
+    void addScene(const std::string& name, const std::vector<Extent>& extents);
+
+    BenchPlan plan;
+
+private:
+    struct Place {
+        std::string scene;
+        Extent extent;
+        std::string failure;  ///< Why there is no view; empty where the newest one is meant.
+        double radius = 0;    ///< 0: the config's own.
+    };
+
+    void addView(const std::shared_ptr<const Scene>& scene, Place& place);
+    void addConfigs(Place place);
+    void addConfig(const Place& place, const std::string& config);
+    void markPeers(std::size_t first);
+    std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
+                                                          const Description& description);
+    void addTask(const Place& place, const std::string& config, std::vector<std::string> overrides);
+    Status describe(const Place& place, const LoadedConfig& loaded, BenchTask& task);
+    const std::string& referenceOf(double radius);
+    void note(const std::string& message);
+    void collect(const Diagnostics& diagnostics);
+
+    const BenchOptions& options_;
+    const SourceSet& sources_;
+    std::set<std::string> told_;
+    std::set<std::string> keys_;
+    std::map<std::pair<std::size_t, double>, std::string> references_;
+};
+
+void Planner::note(const std::string& message)
+{
+    Diagnostic warning{Code::out_of_range, message};
+    warning.severity = Severity::warning;
+    collect({warning});
+}
+
+/// Once each.
+void Planner::collect(const Diagnostics& diagnostics)
+{
+    for (const Diagnostic& each : diagnostics)
+        if (told_.insert(toText(each)).second) plan.diagnostics.push_back(each);
+}
+
+void Planner::addScene(const std::string& name, const std::vector<Extent>& extents)
+{
+    Result<Scene> loaded = loadScene(name, options_.import);
+    collect(loaded.diagnostics());
+    std::shared_ptr<const Scene> scene;
+    if (loaded) scene = std::make_shared<const Scene>(std::move(*loaded));
+    for (const Extent extent : extents) {
+        Place place = {name, extent, {}};
+        if (scene)
+            addView(scene, place);
+        else
+            place.failure = failureText(loaded.diagnostics());
+        addConfigs(std::move(place));
+    }
+}
+
+void Planner::addView(const std::shared_ptr<const Scene>& scene, Place& place)
+{
+    const Bounds bounds = scene->bounds();
+    const double aspect = static_cast<double>(place.extent.width) / place.extent.height;
+    const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options_.camera, aspect);
+    collect(camera.diagnostics());
+    if (camera)
+        plan.views.push_back({scene, bounds, *camera, place.extent});
+    else
+        place.failure = failureText(camera.diagnostics());
+}
+
+void Planner::addConfigs(Place place)
+{
+    const std::vector<double> radii =
+        options_.radii.empty() ? std::vector<double>{0.0} : options_.radii;
+    const std::vector<std::string> configs =
+        options_.configs.empty() ? configNames(sources_) : options_.configs;
+    for (const double radius : radii) {
+        place.radius = radius;
+        for (const std::string& config : configs) addConfig(place, config);
+        const std::size_t first = plan.tasks.size();
+        for (const std::string& peer : options_.peers) addConfig(place, peer);
+        markPeers(first);
+    }
+}
+
+/// The tasks from `first` on. A peer's family is its file's name.
+void Planner::markPeers(std::size_t first)
+{
+    for (std::size_t task = first; task < plan.tasks.size(); ++task) {
+        BenchSample& sample = plan.tasks[task].sample;
+        sample.peer = true;
+        sample.family = sampleLabel(sample);
+    }
+}
+
+void Planner::addConfig(const Place& place, const std::string& config)
+{
+    std::vector<std::string> overrides = options_.overrides;
+    const Result<LoadedConfig> loaded =
+        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+    if (!loaded) return addTask(place, config, overrides);
+    const Description& description = loaded->description;
+    if (place.radius > 0.0) {
+        if (findNamed(description.params, "radius"))
+            overrides.push_back("radius=" + shortest(place.radius));
+        else
+            note("'" + config +
+                 "' has no param 'radius': --radius sets that of the ground truth alone");
+    }
+    for (const std::vector<std::string>& samples : sampleOverrides(config, description)) {
+        std::vector<std::string> all = overrides;
+        all.insert(all.end(), samples.begin(), samples.end());
+        addTask(place, config, std::move(all));
+    }
+}
+
+/// What to set for each count of the sweep that the config can take; nothing for its own.
+std::vector<std::vector<std::string>> Planner::sampleOverrides(const std::string& config,
+                                                               const Description& description)
+{
+    if (options_.samples.empty()) return {{}};
+    if (samplesOf(description) == 0) {
+        note("'" + config +
+             "' has no param 'samples', nor 'slices' and 'steps': it is measured once");
+        return {{}};
+    }
+    std::vector<std::vector<std::string>> all;
+    for (const int count : options_.samples) {
+        std::vector<std::string> overrides = overridesFor(description, count);
+        if (!overrides.empty())
+            all.push_back(std::move(overrides));
+        else
+            note(std::to_string(count) + " samples are outside the ranges of '" + config +
+                 "' and left out");
+    }
+    return all;
+}
+
+/// The ground truth's key for the newest view. Hashing a large scene is slow, so once a radius must
+/// do.
+const std::string& Planner::referenceOf(double radius)
+{
+    std::string& key = references_[{plan.views.size(), radius}];
+    if (!key.empty()) return key;
+    const BenchView& view = plan.views.back();
+    TraceOptions trace;
+    trace.radius = radius;
+    trace.rays = options_.rays;
+    return key = referenceKey(*view.scene, view.matrices(), view.extent, trace);
+}
+
+/// What the loaded config says about the sample.
+Status Planner::describe(const Place& place, const LoadedConfig& loaded, BenchTask& task)
+{
+    const std::vector<OutputDesc>& outputs = loaded.description.outputs;
+    if (!outputs.empty() && !findNamed(outputs, options_.output))
+        return Diagnostic{Code::output_missing, "'" + task.sample.config + "' exports no output '" +
+                                                    options_.output + "': give --output " +
+                                                    joined(namesOf(outputs), " or ")};
+    const ParamDesc* radius = findNamed(loaded.description.params, "radius");
+    task.sample.samples = samplesOf(loaded.description);
+    task.sample.radius = place.radius > 0.0 ? place.radius : radius ? radius->value[0] : 0.0;
+    if (place.radius <= 0.0 && !radius)
+        return Diagnostic{
+            Code::unknown_param,
+            "the config has no param 'radius', so --radius must give the ground truth's"};
+    if (place.failure.empty()) task.reference = referenceOf(task.sample.radius);
+    task.description = loaded.description;
+    return {};
+}
+
+void Planner::addTask(const Place& place, const std::string& config,
+                      std::vector<std::string> overrides)
+{
+    BenchTask task;
+    BenchSample& sample = task.sample;
+    sample.config = config;
+    sample.output = options_.output;
+    sample.disable = options_.disable;
+    sample.family = config;
+    for (const std::string& text : options_.overrides) sample.family += " " + text;
+    sample.family += nameSuffix(sample);
+    sample.scene = place.scene;
+    sample.camera = options_.camera;
+    sample.extent = place.extent;
+    sample.rays = options_.rays;
+    sample.version = options_.version;
+    sample.failure = place.failure;
+    if (place.failure.empty()) {
+        const BenchView& view = plan.views.back();
+        task.view = plan.views.size() - 1;
+        if (sample.camera.empty()) sample.camera = view.camera.name;
+        sample.triangles = triangleCount(*view.scene);
+    }
+
+    const Result<LoadedConfig> loaded =
+        loadWithContent({config, {}, overrides, {}, options_.roots}, sources_);
+    const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
+    if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
+
+    const ContentHash hash = keyOf(task, place.radius, overrides,
+                                   loaded ? loaded->content : std::string(), options_.motion);
+    sample.key = hash.hex();
+    sample.overrides = std::move(overrides);
+    if (!keys_.insert(sample.key).second) return;
+    plan.planned.bench_samples.push_back(plannedId(sample));
+    if (options_.shard.has(hash.value())) plan.tasks.push_back(std::move(task));
+}
+
+}  // namespace
+
+Camera BenchView::matrices() const
+{
+    return {camera.view_from_world, clipFromView(camera, extent, bounds)};
+}
+
+Result<std::vector<std::string>> peersOf(const std::string& folder)
+{
+    std::vector<std::string> files;
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+    if (files.empty()) {
+        Diagnostic error{Code::usage, "no configs of peers are in '" + folder + "'"};
+        error.help = "tools/scripts/peers.sh FOLDER makes them";
+        return error;
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string sampleTitle(const BenchSample& sample)
+{
+    std::string title = sample.config;
+    for (const std::string& text : sample.overrides) title += " " + text;
+    return title + nameSuffix(sample) + ", " + sample.scene + ", " +
+           std::to_string(sample.extent.width) + "x" + std::to_string(sample.extent.height);
+}
+
+Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)
+{
+    std::vector<Extent> extents;
+    for (const std::string& size : options.sizes) {
+        const Result<Extent> extent = parseSize(size);
+        if (!extent) return extent.diagnostics();
+        extents.push_back(*extent);
+    }
+    Planner planner(options, sources);
+    for (const std::string& scene : options.scenes) planner.addScene(scene, extents);
+    planner.plan.planned.command = commandHash(options);
+    if (options.configs.empty())
+        std::stable_partition(planner.plan.tasks.begin(), planner.plan.tasks.end(), isPreset);
+    return std::move(planner.plan);
+}
+
+}  // namespace crevice

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Medians, costs, valid frames and turns.
+#include "tools/measure/bench/times.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+constexpr int kTimingAttempts = 10;
+
+/// About as long as the scheduler lets another process run. Shorter turns make ratios of cheap
+/// passes restless, longer ones only cost time.
+constexpr double kTurnMs = 40.0;
+constexpr std::size_t kTurnFrames = 64;
+
+/// The half width of a median's interval of 95 % confidence is this times the interquartile range
+/// over the root of the count (McGill 1978, its factor 1.57).
+constexpr double kNotch = 1.57;
+constexpr double kSettled = 0.03;
+
+/// Of values in rising order, interpolated between neighbours.
+double quantile(const std::vector<double>& sorted, double share)
+{
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, sorted.size() - 1);
+    return sorted[low] + (sorted[high] - sorted[low]) * (place - static_cast<double>(low));
+}
+
+}  // namespace
+
+Result<FrameTimes> timeFrame(Renderer& renderer, const Frame& frame)
+{
+    for (int attempt = 0; attempt < kTimingAttempts; ++attempt) {
+        Result<FrameTimes> times = renderer.renderTimed(frame);
+        if (!times || times->total_ms >= 0.0) return times;
+    }
+    return Diagnostic{Code::gl_error, "the GPU's timer gave no valid result in " +
+                                          std::to_string(kTimingAttempts) + " frames"};
+}
+
+double occlusionCost(const Plan& plan, const FrameTimes& times)
+{
+    double sum = 0;
+    for (std::size_t pass = 0; pass < plan.passes.size(); ++pass)
+        if (plan.passes[pass].type != PassType::draw) sum += times.pass_ms[pass];
+    return sum;
+}
+
+double costWithGeometry(const Plan& plan, const FrameTimes& times, const std::vector<bool>& own)
+{
+    double sum = occlusionCost(plan, times);
+    for (std::size_t pass = 0; pass < own.size(); ++pass)
+        if (own[pass]) sum += times.pass_ms[pass];
+    return sum;
+}
+
+const char* clockName(TimingMethod method)
+{
+    switch (method) {
+    case TimingMethod::gpu_timer: return "query";
+    case TimingMethod::processor_time: return "cpu";
+    case TimingMethod::wall_clock: break;
+    }
+    return "wall";
+}
+
+TimeFigures timeFigures(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
+}
+
+double quickest(std::vector<double> costs)
+{
+    std::sort(costs.begin(), costs.end());
+    return quantile(costs, 0.1);
+}
+
+TimeFigures ratioFigures(const std::vector<double>& costs, const std::vector<double>& units)
+{
+    std::vector<double> ratios;
+    for (auto cost = costs.rbegin(), unit = units.rbegin();
+         cost != costs.rend() && unit != units.rend(); ++cost, ++unit)
+        if (*unit > 0.0) ratios.push_back(*cost / *unit);
+    return ratios.empty() ? TimeFigures() : timeFigures(std::move(ratios));
+}
+
+bool isSettled(const TimeFigures& figures, std::size_t count)
+{
+    const double spread = kNotch * (figures.q3 - figures.q1);
+    return spread <= kSettled * figures.median * std::sqrt(static_cast<double>(count));
+}
+
+Status TurnTaker::takeTurn()
+{
+    std::vector<double> costs, with_geometry;
+    for (double elapsed_ms = 0;
+         costs.empty() || (elapsed_ms < kTurnMs && costs.size() < kTurnFrames);) {
+        Result<FrameTimes> times = timeFrame(*renderer_, *frame_);
+        if (!times) return times.diagnostics();
+        costs.push_back(occlusionCost(renderer_->plan(), *times));
+        with_geometry.push_back(costWithGeometry(renderer_->plan(), *times, own_geometry_));
+        elapsed_ms += times->total_ms;
+        frames_.push_back(std::move(*times));
+    }
+    costs_.push_back(timeFigures(std::move(costs)).median);
+    costs_with_geometry_.push_back(timeFigures(std::move(with_geometry)).median);
+    return {};
+}
+
+void TurnTaker::restart()
+{
+    frames_.clear();
+    costs_.clear();
+    costs_with_geometry_.clear();
+}
+
+}  // namespace crevice

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "tools/measure/cost/counting_device.h"
+
+#include "core/run/uniform_values.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace crevice {
+
+namespace {
+
+/// Sums what countedFragment's output says over all pixels.
+double sumOf(const Image& image)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < image.pixels.size(); i += image.channels)
+        sum += std::round(image.pixels[i] * 255.0) + 256 * std::round(image.pixels[i + 1] * 255.0);
+    return sum;
+}
+
+}  // namespace
+
+CountingDevice::~CountingDevice()
+{
+    for (const auto& [framebuffer, counts] : counts_) {
+        device_.destroy(counts.plain);
+        device_.destroy(counts.masked);
+        device_.destroy(counts.texture);
+    }
+    for (const auto& [program, twin] : twins_) device_.destroy(twin.program);
+}
+
+Result<std::map<std::string, double>> CountingDevice::fetches()
+{
+    std::map<std::string, double> all;
+    for (const auto& [pass, texture] : counted_) {
+        const Result<Image> image = device_.readTexture(texture);
+        if (!image) return image.diagnostics();
+        all[pass] = sumOf(*image);
+    }
+    return all;
+}
+
+Result<TextureId> CountingDevice::createTexture(const TextureDesc& desc)
+{
+    Result<TextureId> id = device_.createTexture(desc);
+    if (id && desc.samples == 1) extents_[id->value] = desc.extent;
+    return id;
+}
+
+Result<FramebufferId> CountingDevice::createFramebuffer(const FramebufferDesc& desc)
+{
+    Result<FramebufferId> id = device_.createFramebuffer(desc);
+    if (!id) return id;
+    TextureId sized = desc.depth;
+    for (const TextureId color : desc.color)
+        if (color) sized = color;
+    const auto extent = extents_.find(sized.value);
+    if (extent == extents_.end()) return id;  // several samples: not counted
+    Counts& counts = counts_[id->value];
+    const Result<TextureId> texture =
+        device_.createTexture({desc.label + " fetches", Format::rgba8, extent->second});
+    if (!texture) return texture.diagnostics();
+    counts.texture = *texture;
+    const Result<FramebufferId> plain = device_.createFramebuffer({desc.label, {*texture}});
+    if (!plain) return plain.diagnostics();
+    counts.plain = *plain;
+    const auto depth = extents_.find(desc.depth.value);
+    if (depth == extents_.end() || depth->second != extent->second) return id;
+    const Result<FramebufferId> masked =
+        device_.createFramebuffer({desc.label, {*texture}, desc.depth});
+    if (!masked) return masked.diagnostics();
+    counts.masked = *masked;
+    return id;
+}
+
+Result<ProgramId> CountingDevice::createProgram(const ProgramDesc& desc)
+{
+    Result<ProgramId> id = device_.createProgram(desc);
+    if (!id) return id;
+    if (const Status added = addTwin(desc, *id); !added) return added.diagnostics();
+    return id;
+}
+
+Status CountingDevice::addTwin(const ProgramDesc& desc, ProgramId program)
+{
+    ProgramDesc counting = desc;
+    const std::optional<std::string> text = countedFragment(desc.fragment.text);
+    if (!text) return {};
+    counting.label += " fetches";
+    counting.fragment.text = *text;
+    const Result<ProgramId> made = device_.createProgram(counting);
+    if (!made) return made.diagnostics();
+    Twin& twin = twins_[program.value];
+    twin.program = *made;
+    for (const UniformInfo& mine : device_.uniforms(program))
+        for (const UniformInfo& other : device_.uniforms(*made))
+            if (mine.name == other.name) twin.locations[mine.location] = other.location;
+    return {};
+}
+
+void CountingDevice::destroy(ObjectId id)
+{
+    if (id.kind == ObjectId::Kind::framebuffer) {
+        if (const auto found = counts_.find(id.value); found != counts_.end()) {
+            for (const ObjectId mine :
+                 {ObjectId(found->second.plain), ObjectId(found->second.masked),
+                  ObjectId(found->second.texture)})
+                device_.destroy(mine);
+            counts_.erase(found);
+            counted_.clear();
+        }
+    }
+    if (id.kind == ObjectId::Kind::program) {
+        if (const auto found = twins_.find(id.value); found != twins_.end()) {
+            device_.destroy(found->second.program);
+            twins_.erase(found);
+        }
+    }
+    if (id.kind == ObjectId::Kind::texture) extents_.erase(id.value);
+    device_.destroy(id);
+}
+
+Status CountingDevice::beginFrame()
+{
+    counted_.clear();
+    return device_.beginFrame();
+}
+
+void CountingDevice::beginPass(const PassInfo& pass)
+{
+    pass_ = pass;
+    bindings_.clear();
+    fullscreen_ = false;
+    device_.beginPass(pass);
+}
+
+void CountingDevice::setProgram(ProgramId id, const StateDesc& state)
+{
+    program_ = id;
+    state_ = state;
+    device_.setProgram(id, state);
+}
+
+void CountingDevice::setTexture(int location, int unit, TextureId id, const SamplerDesc& sampler)
+{
+    bindings_.push_back({location, unit, id, sampler});
+    device_.setTexture(location, unit, id, sampler);
+}
+
+void CountingDevice::setUniform(int location, GlslType type, int count, const void* data)
+{
+    Uniform& uniform = twins_[program_.value].uniforms[location];
+    uniform.type = type;
+    uniform.count = count;
+    uniform.words.resize(wordsOf(type, count));
+    std::memcpy(uniform.words.data(), data, uniform.words.size() * sizeof uniform.words[0]);
+    device_.setUniform(location, type, count, data);
+}
+
+void CountingDevice::drawFullscreen()
+{
+    fullscreen_ = true;
+    device_.drawFullscreen();
+}
+
+void CountingDevice::endPass()
+{
+    device_.endPass();
+    if (counting_ && fullscreen_) drawTwin();
+}
+
+void CountingDevice::drawTwin()
+{
+    const auto counts = counts_.find(pass_.framebuffer.value);
+    const Twin& twin = twins_[program_.value];
+    if (counts == counts_.end() || !twin.program) return;
+    const bool masked = pass_.has_depth && pass_.depth_load == LoadOp::load;
+    PassInfo pass = pass_;
+    pass.framebuffer = masked ? counts->second.masked : counts->second.plain;
+    if (!pass.framebuffer) return;
+    pass.color_count = 1;
+    pass.color_load[0] = LoadOp::clear;
+    pass.color_store[0] = StoreOp::store;
+    for (float& channel : pass.clear_color[0]) channel = 0;
+    pass.has_depth = masked;
+    device_.beginPass(pass);
+    device_.setProgram(twin.program, state_);
+    const auto locationOf = [&](int location) {
+        const auto found = twin.locations.find(location);
+        return found == twin.locations.end() ? -1 : found->second;
+    };
+    for (const Binding& each : bindings_)
+        if (const int location = locationOf(each.location); location >= 0)
+            device_.setTexture(location, each.unit, each.texture, each.sampler);
+    for (const auto& [mine, uniform] : twin.uniforms)
+        if (const int location = locationOf(mine); location >= 0)
+            device_.setUniform(location, uniform.type, uniform.count, uniform.words.data());
+    device_.drawFullscreen();
+    device_.endPass();
+    counted_[pass_.label] = counts->second.texture;
+}
+
+}  // namespace crevice

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "tools/measure/motion/measure.h"
+
+#include "tools/render/read_output.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+const char* const kOcclusion = "ao";
+
+/// Frames since a surface was uncovered after which its error is measured.
+constexpr int kUncoveredFor[] = {1, 2, 4, 8, kFramesAfterJump};
+
+bool isFinite(const Image& image)
+{
+    return std::all_of(image.pixels.begin(), image.pixels.end(),
+                       [](float value) { return std::isfinite(value); });
+}
+
+class MotionMeter {
+public:
+    MotionMeter(const MotionStage& stage, const MotionView& view, const MotionTruth& truth)
+        : stage_(stage),
+          view_(view),
+          truth_(truth),
+          remembers_(remembers(stage.renderer.plan()))
+    {
+    }
+
+    /// Draws a frame of a path, the first one after a cut.
+    Result<Image> draw(const CameraPath& path, int frame, bool first)
+    {
+        stage_.frame.camera = view_.camera(path, frame);
+        stage_.frame.camera_cut = first;
+        const Result<Frame> hosted = stage_.host.frameOf(stage_.frame);
+        if (!hosted) return hosted.diagnostics();
+        if (const Status drawn = stage_.renderer.render(*hosted); !drawn)
+            return drawn.diagnostics();
+        Result<Image> image = readOutput(stage_.device, stage_.renderer, kOcclusion);
+        if (image && !isFinite(*image))
+            return Diagnostic{Code::not_finite,
+                              "the occlusion is not a number somewhere in frame " +
+                                  std::to_string(frame) + " of the path '" + path.name + "'"};
+        return image;
+    }
+
+    Status measurePath(const CameraPath& path)
+    {
+        const bool is_still = std::string(path.name) == kCameraPaths[0].name;
+        const int measured = kMotionFrames - kMeasuredFrames;
+        const int first = remembers_ || is_still ? 0 : measured;
+        std::vector<Image> frames;
+        Settling settling;
+        for (int frame = first; frame < kMotionFrames; ++frame) {
+            Result<Image> image = draw(path, frame, frame == first);
+            if (!image) return image.diagnostics();
+            if (is_still) settling.add(*image);
+            if (frame >= measured) frames.push_back(std::move(*image));
+        }
+        figures.paths[path.name] = changeFigures(frames, truth_.paths.at(path.name));
+        if (is_still) {
+            figures.settled_after = settling.frames();
+            rest_ = frames.back();
+        }
+        return {};
+    }
+
+    /// Requires that the still path was measured.
+    Status measureUncovered(const CameraPath& path)
+    {
+        const Image& mask = truth_.uncovered;
+        figures.uncovered_pixels = std::count(mask.pixels.begin(), mask.pixels.end(), 1.0f);
+        figures.uncovered_rest = errorOver(rest_, truth_.rest, &mask);
+        std::vector<Image> frames;
+        for (int frame = 0; frame < kMotionFrames; ++frame) {
+            Result<Image> image = draw(path, frame, frame == 0);
+            if (!image) return image.diagnostics();
+            const int since = frame + 1 - (kMotionFrames - kFramesAfterJump);
+            if (std::count(std::begin(kUncoveredFor), std::end(kUncoveredFor), since) > 0)
+                figures.uncovered.push_back({since, errorOver(*image, truth_.rest, &mask)});
+            if (since >= 1 && since <= kMeasuredFrames) frames.push_back(std::move(*image));
+        }
+        // The camera has stopped: the truth is that of a still one.
+        figures.paths[path.name] = changeFigures(frames, truth_.paths.at(kCameraPaths[0].name));
+        return {};
+    }
+
+    MotionFigures figures;
+
+private:
+    MotionStage stage_;
+    const MotionView& view_;
+    const MotionTruth& truth_;
+    const bool remembers_;
+    Image rest_;  ///< Drawn, after kMotionFrames.
+};
+
+}  // namespace
+
+Result<MotionFigures> measureMotion(const MotionStage& stage, const MotionView& view,
+                                    const MotionTruth& truth,
+                                    const std::function<bool()>& interrupted)
+{
+    MotionMeter meter(stage, view, truth);
+    for (const CameraPath& path : kCameraPaths) {
+        if (interrupted()) break;
+        const Status measured =
+            path.aside_px != 0.0 ? meter.measureUncovered(path) : meter.measurePath(path);
+        if (!measured) return measured.diagnostics();
+    }
+    return std::move(meter.figures);
+}
+
+}  // namespace crevice

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Rays through pixels, and rays about surfaces.
+#include "tools/measure/reference/pixel_tracer.h"
+
+#include "core/base/numbers.h"
+#include "core/frame/frame_math.h"
+
+#include <glm/gtc/constants.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace crevice {
+
+namespace {
+
+constexpr int kMaxTraceSide = 1 << 15;
+
+// PCG: Jarzynski, Olano 2020, "Hash Functions for GPU Rendering".
+std::uint32_t hashed(std::uint32_t value)
+{
+    const std::uint32_t state = value * 747796405u + 2891336453u;
+    const std::uint32_t word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
+    return (word >> 22) ^ word;
+}
+
+// Uniform in [0, 1).
+float fraction(std::uint32_t hash) { return static_cast<float>(hash >> 8) / 16777216.0f; }
+
+struct Basis {
+    glm::vec3 tangent, bitangent, normal;
+};
+
+// Duff et al. 2017.
+Basis makeBasis(const glm::vec3& n)
+{
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    return {
+        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+// Turns probes about a normal, and about their disc [Cranley, Patterson 1976].
+struct Turn {
+    Basis basis;
+    float shift, cosine, sine;
+
+    Turn(const glm::vec3& normal, std::uint32_t seed) : basis(makeBasis(normal))
+    {
+        shift = fraction(hashed(seed));
+        const double angle = 2.0 * glm::pi<double>() * fraction(hashed(seed + 0x9e3779b9u));
+        cosine = static_cast<float>(std::cos(angle));
+        sine = static_cast<float>(std::sin(angle));
+    }
+
+    glm::vec3 direction(const Probe& probe) const
+    {
+        const float shifted = probe.radius_squared + shift;
+        const float squared = shifted < 1.0f ? shifted : shifted - 1.0f;
+        const float length = std::sqrt(squared);
+        const float x = length * (probe.cosine * cosine - probe.sine * sine);
+        const float y = length * (probe.cosine * sine + probe.sine * cosine);
+        const float z = std::sqrt(1.0f - squared);
+        return basis.tangent * x + basis.bitangent * y + basis.normal * z;
+    }
+};
+
+bool invertible(const glm::dmat4& matrix)
+{
+    const double determinant = glm::determinant(matrix);
+    return std::isfinite(determinant) && determinant != 0.0;
+}
+
+}  // namespace
+
+Status checkTrace(const Camera& camera, Extent extent, const TraceOptions& options)
+{
+    if (!(options.radius >= 0.0) || !std::isfinite(options.radius))
+        return Diagnostic{Code::out_of_range, "the radius " + significant(options.radius, 6) +
+                                                  " is not a finite length of at least 0"};
+    if (options.rays < 1 || options.rays > kMaxTraceRays)
+        return Diagnostic{Code::out_of_range, std::to_string(options.rays) +
+                                                  " rays are outside [1, " +
+                                                  std::to_string(kMaxTraceRays) + "]"};
+    if (extent.width < 1 || extent.height < 1 || extent.width > kMaxTraceSide ||
+        extent.height > kMaxTraceSide)
+        return Diagnostic{Code::bad_size, "the size " + std::to_string(extent.width) + "x" +
+                                              std::to_string(extent.height) + " is outside [1, " +
+                                              std::to_string(kMaxTraceSide) + "]"};
+    if (!invertible(camera.clip_from_view) || !invertible(camera.view_from_world))
+        return Diagnostic{Code::bad_input, "the camera's matrices have no inverse"};
+    return {};
+}
+
+PixelTracer::PixelTracer(const RayScene& scene, const Camera& camera, Extent extent,
+                         const TraceOptions& options, int passes)
+    : scene_(scene),
+      view_from_clip_(cameraMatrices(camera).view_from_clip),
+      world_from_view_(cameraMatrices(camera).world_from_view),
+      orthographic_(camera.orthographic()),
+      extent_(extent),
+      radius_(options.radius),
+      passes_(makeProbes(options.rays, passes))
+{
+}
+
+// Grows with the distance from the eye, also of points at infinity (w = 0).
+double PixelTracer::depthOrder(const glm::dvec4& view) const
+{
+    return orthographic_ ? -view.z / view.w : view.w / view.z;
+}
+
+// From the near plane to the far one. Reversed depth and a far plane at infinity are fine.
+TraceRay PixelTracer::primaryRay(int x, int y) const
+{
+    const double clip_x = 2.0 * (x + 0.5) / extent_.width - 1.0;
+    const double clip_y = 2.0 * (y + 0.5) / extent_.height - 1.0;
+    glm::dvec4 from = view_from_clip_ * glm::dvec4(clip_x, clip_y, -1.0, 1.0);
+    glm::dvec4 to = view_from_clip_ * glm::dvec4(clip_x, clip_y, 1.0, 1.0);
+    if (depthOrder(from) > depthOrder(to)) std::swap(from, to);
+    const glm::dvec3 origin = glm::dvec3(from) / from.w;
+    const glm::dvec3 along = glm::dvec3(to) * from.w - glm::dvec3(from) * to.w;
+    const glm::dvec3 direction = glm::normalize(along.z > 0.0 ? -along : along);
+    const double limit = std::abs(to.w) > 1e-12 * std::abs(from.w)
+                             ? glm::length(glm::dvec3(to) / to.w - origin)
+                             : std::numeric_limits<double>::infinity();
+    const glm::dvec3 world = glm::dmat3(world_from_view_) * direction;  // longer if that scales
+    return {glm::dvec3(world_from_view_ * glm::dvec4(origin, 1.0)), glm::normalize(world),
+            limit * glm::length(world)};
+}
+
+bool PixelTracer::surface(int x, int y, TraceHit& hit) const
+{
+    return scene_.intersect(primaryRay(x, y), hit);
+}
+
+bool PixelTracer::probed(int x, int y, ProbedPoint& point) const
+{
+    TraceHit hit;
+    if (!surface(x, y, hit)) return false;
+    point = {hit.position + hit.geometric_normal * hit.rounding, hit.geometric_normal, hit.normal};
+    return true;
+}
+
+int PixelTracer::countOpen(const ProbedPoint& point, int x, int y, int pass) const
+{
+    if (radius_ <= 0.0) return probes(pass);
+    const Turn turn(point.normal, hashed(static_cast<std::uint32_t>(x) + hashed(y)));
+    int open = 0;
+    TraceBatch batch;
+    for (int first = passes_.begins[pass]; first < passes_.begins[pass + 1]; first += 8) {
+        for (int k = 0; k < 8; ++k) {
+            const int last = passes_.begins[pass + 1] - 1;
+            const glm::vec3 direction = turn.direction(passes_.probes[std::min(first + k, last)]);
+            const bool above = glm::dot(direction, point.geometric) > 0.0f;
+            batch.valid[k] = first + k <= last && above ? -1 : 0;
+            batch.directions[k] = direction;
+        }
+        open += scene_.countOpen(point.origin, batch, radius_);
+    }
+    return open;
+}
+
+}  // namespace crevice

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The rays of one pixel: the one that finds its surface, and those that probe what is open there.
+#pragma once
+
+#include "tools/measure/reference/probes.h"
+#include "tools/measure/reference/ray_scene.h"
+#include "tools/measure/reference/tracer.h"
+
+namespace crevice {
+
+/// Errors: CV4001 for options outside their ranges, CV4005 for an empty extent, CV6011 for a
+/// projection that has no inverse.
+Status checkTrace(const Camera& camera, Extent extent, const TraceOptions& options);
+
+/// Where the probes of a pixel begin.
+struct ProbedPoint {
+    glm::dvec3 origin;    ///< Relative to RayScene::center().
+    glm::vec3 geometric;  ///< The triangle's normal.
+    glm::vec3 normal;     ///< What the probes are spread about.
+};
+
+/// Requires what checkTrace() checks. The scene must outlive it. Safe to use from any number of
+/// threads.
+class PixelTracer {
+public:
+    PixelTracer(const RayScene& scene, const Camera& camera, Extent extent,
+                const TraceOptions& options, int passes);
+
+    /// What the centre of a pixel sees; false for the background.
+    bool surface(int x, int y, TraceHit& hit) const;
+
+    /// The same for its probes.
+    bool probed(int x, int y, ProbedPoint& point) const;
+
+    /// How many probes of a pass are open at the pixel's surface.
+    int countOpen(const ProbedPoint& point, int x, int y, int pass) const;
+
+    int passes() const { return static_cast<int>(passes_.begins.size()) - 1; }
+    int probes(int pass) const { return passes_.begins[pass + 1] - passes_.begins[pass]; }
+    Extent extent() const { return extent_; }
+
+private:
+    double depthOrder(const glm::dvec4& view) const;
+    TraceRay primaryRay(int x, int y) const;
+
+    const RayScene& scene_;
+    const glm::dmat4 view_from_clip_;
+    const glm::dmat4 world_from_view_;
+    const bool orthographic_;
+    const Extent extent_;
+    const double radius_;
+    const ProbePasses passes_;
+};
+
+}  // namespace crevice

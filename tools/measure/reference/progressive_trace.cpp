@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Open probes, counted pass by pass.
+#include "tools/measure/reference/progressive_trace.h"
+
+#include <limits>
+
+namespace crevice {
+
+namespace {
+
+constexpr int kLeastPassRays = 8;  // of a TraceBatch
+
+int passesFor(int rays, int max_passes)
+{
+    int passes = 1;
+    while (passes * 2 <= max_passes && passes * 2 * kLeastPassRays <= rays) passes *= 2;
+    return passes;
+}
+
+}  // namespace
+
+Result<ProgressiveTrace> ProgressiveTrace::begin(const RayScene& scene, const Camera& camera,
+                                                 Extent extent, const TraceOptions& options,
+                                                 int max_passes)
+{
+    if (const Status status = checkTrace(camera, extent, options); !status)
+        return status.diagnostics();
+    return ProgressiveTrace(
+        PixelTracer(scene, camera, extent, options, passesFor(options.rays, max_passes)));
+}
+
+ProgressiveTrace::ProgressiveTrace(const PixelTracer& tracer)
+    : tracer_(tracer),
+      rows_(static_cast<std::size_t>(tracer.extent().height))
+{
+}
+
+void ProgressiveTrace::findSurfaces(Row& row, int y) const
+{
+    const auto width = static_cast<std::size_t>(extent().width);
+    row.open.assign(width, 0);
+    row.points.resize(width);
+    for (int x = 0; x < extent().width; ++x)
+        if (!tracer_.probed(x, y, row.points[x])) row.open[x] = -1;
+}
+
+void ProgressiveTrace::traceRow(int pass, int y)
+{
+    Row& row = rows_[y];
+    if (row.passes == 0) findSurfaces(row, y);
+    for (int x = 0; x < extent().width; ++x)
+        if (row.open[x] >= 0) row.open[x] += tracer_.countOpen(row.points[x], x, y, pass);
+    row.probes += tracer_.probes(pass);
+    if (++row.passes == passes()) row.points = {};
+}
+
+void ProgressiveTrace::readRow(int y, float* visibility) const
+{
+    const Row& row = rows_[y];
+    for (int x = 0; x < extent().width; ++x)
+        visibility[x] = row.probes > 0 && row.open[x] >= 0
+                            ? static_cast<float>(row.open[x]) / static_cast<float>(row.probes)
+                            : std::numeric_limits<float>::quiet_NaN();
+}
+
+Image ProgressiveTrace::image() const
+{
+    Image image(extent(), 1);
+    for (int y = 0; y < extent().height; ++y) readRow(y, &image.at(0, y));
+    return image;
+}
+
+}  // namespace crevice

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// Stress cases of extreme radii, sizes and counts, of broken meshes and of lights.
+#include "tools/measure/stress/cases/all.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace crevice {
+namespace {
+
+StressShot sceneRadius(double radius, Extent size)
+{
+    StressShot shot = sceneShot(testView(), size);
+    shot.radius = radius;
+    return shot;
+}
+
+/// On screen where the room's middle is.
+StressShot sceneRadiusGrowing(double radius, Extent size)
+{
+    StressShot shot = sceneRadius(radius, size);
+    shot.middle = testView().eye.z;
+    return shot;
+}
+
+StressShot cornerRadius(double radius, Extent size)
+{
+    StressView view = testView();
+    view.eye = {0, 1, 4};
+    StressShot shot = sceneShot(view, size, cornerScene());
+    shot.radius = radius;
+    shot.middle = view.eye.z;
+    return shot;
+}
+
+StressShot sceneSamples(double samples, Extent size)
+{
+    StressShot shot = sceneShot(testView(), sizeForTaps(samples, size));
+    shot.samples = static_cast<int>(samples);
+    return shot;
+}
+
+// Identities, sizes, what is empty
+
+StressShot noOp(double kind, Extent size)
+{
+    StressShot shot = sceneShot(testView(), size);
+    const bool no_radius = kind >= 2;
+    if (no_radius)
+        shot.radius = 0;
+    else
+        shot.settings = {"intensity=0"};
+    shot.keep_no_ops = kind == 1 || kind == 3;
+    return shot;
+}
+
+StressShot sceneShape(double kind, Extent) { return sceneShot(testView(), shapeOf(kind)); }
+
+StressShot emptyShape(double kind, Extent)
+{
+    Scene nothing = testScene();
+    nothing.instances.clear();
+    nothing.meshes.clear();
+    return sceneShot(testView(), shapeOf(kind), nothing);
+}
+
+// Meshes
+
+/// A mesh of the test scene, the sphere, which stands free.
+MeshDesc& ball(Scene& scene) { return scene.meshes.back(); }
+
+void setNormals(MeshDesc& mesh, float value)
+{
+    for (Vertex& vertex : mesh.vertices)
+        for (float& part : vertex.normal) part = value;
+}
+
+/// Every other triangle becomes a point or a line.
+void flattenTriangles(MeshDesc& mesh)
+{
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 6)
+        mesh.indices[i + 1] = mesh.indices[i + (i % 4 == 0 ? 0 : 2)];
+}
+
+const char* const kMeshKinds[] = {"ordinary",          "normals of no length",
+                                  "normals of NaN",    "triangles of no area",
+                                  "no triangles",      "flattened",
+                                  "shrunk to a point", "mirrored",
+                                  "stretched 1e6:1",   "texture coordinates of NaN",
+                                  "normal maps of NaN"};
+
+/// A normal map on everything.
+void mapNormals(Scene& scene, float value)
+{
+    scene.textures.push_back({"normals", Image({4, 4}, 4, value)});
+    for (SceneMaterial& material : scene.materials) material.normal_texture = 0;
+}
+
+void setCoordinates(Scene& scene, float value)
+{
+    for (MeshDesc& mesh : scene.meshes)
+        for (Vertex& vertex : mesh.vertices)
+            for (float& part : vertex.uv) part = value;
+}
+
+StressShot sceneMeshes(double kind, Extent size)
+{
+    Scene scene = testScene();
+    glm::dmat4& placed_at = scene.instances.back().world_from_model;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto scaled = [](double x, double y, double z) {
+        return glm::scale(glm::dmat4(1.0), {x, y, z});
+    };
+    switch (static_cast<int>(kind)) {
+    case 1: setNormals(ball(scene), 0); break;
+    case 2: setNormals(ball(scene), nan); break;
+    case 3: flattenTriangles(ball(scene)); break;
+    case 4: ball(scene).indices.clear(); break;
+    case 5: placed_at = scaled(1, 0, 1); break;
+    case 6: placed_at = scaled(0, 0, 0); break;
+    case 7: placed_at = scaled(-1, 1, 1); break;
+    case 8: placed_at = scaled(1e3, 1, 1e-3); break;
+    case 9:
+        mapNormals(scene, 0.5f);
+        setCoordinates(scene, nan);
+        break;
+    case 10: mapNormals(scene, nan); break;
+    default: break;
+    }
+    StressShot shot = sceneShot(testView(), size, std::move(scene));
+    shot.radius = 1;
+    shot.draws = true;
+    return shot;
+}
+
+const char* const kNearKinds[] = {"ordinary", "the floor within the radius", "objects behind",
+                                  "the camera in a box"};
+
+StressShot nearCamera(double kind, Extent size)
+{
+    const glm::dvec3 eyes[] = {testView().eye, {0, 0.125, 3}, {0, 1, 0}, {-1.5, 0.5, -1.5}};
+    StressView view = testView();
+    view.eye = eyes[static_cast<int>(kind)];
+    StressShot shot = sceneShot(view, size);
+    shot.radius = 1;
+    shot.traceable = kind != 3;  // normals there point away from the eye
+    return shot;
+}
+
+// Lights
+
+/// Lights that lie on the surface itself, at the middles of pixels.
+void putOnSurface(StressShot& shot, double distance)
+{
+    const SceneLight scene_light = shot.scene.lights.front();
+    shot.scene.lights.clear();
+    const glm::dmat4 view_from_clip = glm::inverse(glm::dmat4(shot.camera.clip_from_view));
+    for (int i = 1; i <= 8; ++i) {
+        const double x = (i * shot.extent.width / 9 + 0.5) / shot.extent.width * 2 - 1;
+        const double y = (i * shot.extent.height / 9 + 0.5) / shot.extent.height * 2 - 1;
+        const glm::dvec4 ray = view_from_clip * glm::dvec4(x, y, 1, 1);
+        shot.scene.lights.push_back(scene_light);
+        shot.scene.lights.back().light.position = glm::dvec3(ray) * (distance / -ray.z);
+    }
+}
+
+const char* const kLightKinds[] = {"ordinary",      "on the surface", "no attenuation",
+                                   "shininess 0",   "shininess 1e6",  "intensity 1e6",
+                                   "at the camera", "no direction",   "all of it"};
+
+StressShot planeLights(double value, Extent size)
+{
+    constexpr double kDistance = 4;
+    StressShot shot = planeShot({}, size, kDistance, 0);
+    const int kind = static_cast<int>(value);
+    const bool all = kind == 8;
+    SceneMaterial& material = shot.scene.materials[0];
+    material.shininess = kind == 3 ? 0.0f : kind == 4 || all ? 1e6f : 16.0f;
+    if (kind == 1 || all) putOnSurface(shot, kDistance);
+    for (SceneLight& scene_light : shot.scene.lights) {
+        if (kind == 2 || all) scene_light.light.attenuation = glm::vec3(0);
+        if (kind == 5 || all) scene_light.light.color = glm::vec3(1e6f);
+        if (kind == 6) scene_light.light.position = glm::dvec3(0);
+        if (kind == 7) scene_light.light.direction = glm::vec3(0);
+    }
+    return shot;
+}
+
+/// 0: lit, without occlusion; 1: with it; 2: the occlusion's ambient light alone.
+StressShot lightsAdded(double kind, Extent size)
+{
+    StressShot shot = sceneShot(testView(), size);
+    shot.output = "color";
+    if (kind == 0) shot.settings = {"intensity=0"};
+    if (kind == 2)
+        for (SceneLight& scene_light : shot.scene.lights) scene_light.light.color = glm::vec3(0);
+    return shot;
+}
+
+template <std::size_t count>
+std::vector<StressStep> named(const char* const (&labels)[count])
+{
+    std::vector<StressStep> all;
+    for (const char* label : labels) all.push_back({static_cast<double>(all.size()), label});
+    return all;
+}
+
+}  // namespace
+
+std::vector<StressCase> extremeCases()
+{
+    using E = Expectation;
+    using L = Likelihood;
+    return {
+        told({"radius_to_zero",
+              "The test scene under ever smaller radii.",
+              "scene units",
+              {{1e-9, "1e-9"},
+               {1e-6, "1e-6"},
+               {1e-4, "1e-4"},
+               {1e-3, "1e-3"},
+               {1e-2, "0.01"},
+               {0.05, "0.05"},
+               {0.1, "0.1"},
+               {0.25, "0.25"},
+               {0.5, "0.5"}},
+              8,
+              E::opens,
+              kSameChange,
+              false,
+              sceneRadius},
+             {L::every, "the same radius has few pixels far away", "", {}, kSmallRadius}),
+        told({"radius_growing", "The test scene under ever larger radii.", "scene units",
+              steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, sceneRadiusGrowing},
+             {L::few, "radii larger than the scene are mistakes", "", kTallRadius}),
+        told({"corner_radius", "An inner corner under larger radii.", "scene units",
+              steps({0.001, 0.01, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 6,
+              E::darkens, kSameChange, false, cornerRadius},
+             {L::many, "a radius of the size of a room is a usual setting", "a corner of a room",
+              kTallRadius, kSmallRadius}),
+        told({"samples", "The test scene by few and many depth taps a pixel; -1 is the most.",
+              "taps", taps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, sceneSamples},
+             {L::many, "low levels of quality take few taps", "", kManyTaps, kFewTaps}),
+        told({"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
+              kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0,
+              E::one, 0, false, noOp},
+             {L::many, "players turn occlusion off", "", {"with {}"}}),
+        told({"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound, 0,
+              false, sceneShape},
+             {L::few, "windows are rarely that small", "", kPictureSize}),
+        told({"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0,
+              E::one, 0, false, emptyShape},
+             {L::few, "windows are rarely that small", "only background", kPictureSize}),
+        told({"meshes", "Broken meshes and maps, and singular matrices.", "", named(kMeshKinds), 0,
+              E::sound, 0, false, sceneMeshes},
+             {L::broken, "exporters and physics make such meshes", "", {"with {}"}}),
+        told({"near_camera", "The camera near the floor, between objects and in a box.", "",
+              named(kNearKinds), 0, E::sound, 0, false, nearCamera},
+             {L::many, "cameras get close to things", "", {"with {}"}}),
+        told({"lights",
+              "Lights on the surface, without attenuation, too bright; extreme highlights.", "",
+              named(kLightKinds), 0, E::sound, 0, false, planeLights},
+             {L::few, "editors let lights be placed anywhere", "a plane", {"under lights ({})"}}),
+        told({"light_taken", "The test scene's colour as light is taken away: it gets darker.", "",
+              kinds({"no occlusion", "occlusion", "occlusion and no lights"}), 1, E::darkens,
+              kSameChange, false, lightsAdded},
+             {L::every,
+              "lights are dimmed",
+              "",
+              {"in the lit picture with {}"},
+              {"in the lit picture with {}"}}),
+    };
+}
+
+}  // namespace crevice

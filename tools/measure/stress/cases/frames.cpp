@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Stress cases of several pictures: what was drawn in the frames before, further views, tiles.
+#include "tools/measure/stress/cases/all.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+constexpr int kFrames = 16;
+
+/// After a cut that nobody told as many of what is seen then: their mean has half of the noise of
+/// one, and wrong history would still have three quarters of the weight.
+constexpr int kFramesAfterCut = 4;
+
+/// Takes the test scene's ball, at (0.3, 0.59, -1.1), to a unit before the camera: it hides all.
+constexpr glm::dvec3 kBeforeCamera = {-0.3, 0.41, 5.1};
+
+StressShot framesShot(Extent size)
+{
+    StressShot shot = sceneShot(testView(), size);
+    shot.radius = 0.5;
+    shot.block_px = noiseBlock(size);
+    return shot;
+}
+
+/// From where the wall covers nearly all that is seen otherwise.
+Camera elsewhere(Extent size)
+{
+    StressView view = testView();
+    view.eye = {-1, 3, 0};
+    return cameraOf(view, size);
+}
+
+/// Part 0 to 1 of a pixel: base 2 and base 3 [Halton 1964].
+glm::dvec2 jitterOf(int frame)
+{
+    glm::dvec2 at(0.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        const int base = 2 + axis;
+        double digit = 1.0 / base;
+        for (int rest = frame + 1; rest > 0; rest /= base, digit /= base)
+            at[axis] += (rest % base) * digit;
+    }
+    return at;
+}
+
+/// How the camera stood, or what was moved, `left` frames before the last.
+StressFrame frameBefore(int kind, int left, const StressShot& shot)
+{
+    StressFrame frame;
+    frame.camera = shot.camera;
+    glm::dmat4& view = frame.camera.view_from_world;
+    glm::mat4& clip = frame.camera.clip_from_view;
+    const double pixel = 2.0 / shot.extent.height / clip[1][1];  // at distance 1
+    switch (kind) {
+    case 1: frame.camera = elsewhere(shot.extent); break;
+    case 2:
+        for (int axis = 0; axis < 2; ++axis)
+            clip[2][axis] +=
+                static_cast<float>((jitterOf(left)[axis] - 0.5) * 2.0 /
+                                   (axis == 0 ? shot.extent.width : shot.extent.height));
+        break;
+    case 3: view = glm::rotate(glm::dmat4(1.0), 5 * pixel * left, {0, 1, 0}) * view; break;
+    case 4: view = glm::translate(view, glm::dvec3(0.05, 0, 0) * double(left)); break;
+    case 5:
+        for (int axis = 0; axis < 2; ++axis)
+            clip[axis][axis] *= static_cast<float>(1 - 0.01 * left);
+        break;
+    case 6: frame.origin = {1000, 0, 0}; break;
+    case 7: frame.moved = glm::dvec3(0.1, 0, 0.05) * double(left); break;
+    case 8: frame.moved = kBeforeCamera; break;
+    default: break;
+    }
+    return frame;
+}
+
+StressShot afterFrames(double value, Extent size)
+{
+    const int kind = static_cast<int>(value);
+    StressShot shot = framesShot(size);
+    const bool at_once = kind == 1 || kind == 6 || kind == 8;
+    for (int left = kFrames; left > 0; --left)
+        shot.before.push_back(
+            frameBefore(at_once && left < kFramesAfterCut ? 0 : kind, left, shot));
+    return shot;
+}
+
+/// The ordinary step is the first frame of all. Sixteen frames are whole cycles of the noise
+/// (effects/common/noise_cycle.glsl), so the frame after them has the noise of that one.
+StressShot afterCut(double kind, Extent size)
+{
+    StressShot shot = framesShot(size);
+    shot.block_px = 1;
+    shot.cut = true;
+    for (int left = kFrames; left > 0 && kind > 0; --left) {
+        shot.before.push_back(frameBefore(kind == 2 ? 1 : 0, left, shot));
+        if (kind == 3) shot.before.back().moved = {0, 0, 2};
+    }
+    return shot;
+}
+
+StressShot stillFrames(double frames, Extent size)
+{
+    StressShot shot = framesShot(size);
+    StressFrame same;
+    same.camera = shot.camera;
+    same.times = static_cast<int>(frames) - 1;
+    shot.before = {same};
+    return shot;
+}
+
+StressShot twoViews(double kind, Extent size)
+{
+    StressShot shot = sceneShot(testView(), size);
+    if (kind == 0) return shot;
+    StressView eye = testView();
+    eye.eye.x += 0.5;
+    shot.other_view = cameraOf(eye, size);
+    shot.view = kind == 2 ? 1 : 0;
+    return shot;
+}
+
+/// 0: the whole picture; else one of four quarters of it, drawn by itself.
+StressShot tile(double kind, Extent size)
+{
+    StressShot shot = framesShot(size);
+    // As wide again as the view, which is more than the radius.
+    shot.settings = {"guard_band=2"};
+    if (kind == 0) return shot;
+    const int index = static_cast<int>(kind) - 1;
+    const glm::dvec2 middle = {index % 2 == 0 ? -0.5 : 0.5, index / 2 == 0 ? -0.5 : 0.5};
+    shot.extent = {size.width / 2, size.height / 2};
+    shot.turned = glm::dmat2(2.0);
+    shot.moved = -2.0 * middle;
+    glm::mat4& clip = shot.camera.clip_from_view;
+    for (int column = 0; column < 4; ++column)
+        for (int axis = 0; axis < 2; ++axis)
+            clip[column][axis] =
+                static_cast<float>(2.0 * clip[column][axis] + shot.moved[axis] * clip[column][3]);
+    return shot;
+}
+
+}  // namespace
+
+std::vector<StressCase> frameCases()
+{
+    using E = Expectation;
+    using L = Likelihood;
+    return {
+        told({"history",
+              "The test scene after sixteen frames of something else: means over blocks, since "
+              "noise differs from frame to frame.",
+              "",
+              kinds({"the same", "a cut that nobody told", "jitter", "a pan", "a walk", "a zoom",
+                     "another origin", "an object moved", "an object before the camera"}),
+              0, E::same, kSameChange, false, afterFrames},
+             {L::every, "cameras and objects move", "", {"after frames with {}"}}),
+        told({"cut", "The first frame after a cut that is told is that of a fresh start.", "",
+              kinds({"nothing", "the same", "another place", "an object elsewhere"}), 0, E::same,
+              kSameChange, false, afterCut},
+             {L::many, "films and games cut", "", {"after a cut from {}"}}),
+        told({"still", "A camera that stands still: a history must settle.", "frames",
+              steps({32, 64}), 0, E::settles, kRestlessShare, false, stillFrames},
+             {L::every,
+              "cameras stand still",
+              "a camera that stands still",
+              {"in front of a still camera after {} frames"}}),
+        told({"views", "The test scene as one of two views of a frame.", "",
+              kinds({"one view", "the first of two", "the second of two"}), 0, E::same, kSameChange,
+              false, twoViews},
+             {L::few, "headsets draw two views a frame", "", {"where it is {} views of a frame"}}),
+        told({"tiles",
+              "Quarters of the picture, each drawn by itself with a guard band: means over "
+              "blocks, since noise stays with pixels.",
+              "", kinds({"whole", "lower left", "lower right", "upper left", "upper right"}), 0,
+              E::same, kSameChange, false, tile},
+             {L::few,
+              "posters and large screenshots are drawn in tiles",
+              "",
+              {"in the {} tile of four"}}),
+    };
+}
+
+}  // namespace crevice

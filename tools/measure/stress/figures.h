@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a picture of a stress case shows, in figures.
+#pragma once
+
+#include "tools/measure/stress/record.h"
+
+namespace crevice {
+
+/// Mean, least and most of the finite pixels; adds those outside [0, 1] to what is out of range.
+void describeOcclusion(const Image& ao, StressRecord& record);
+
+/// What the format makes of the surface, and the pixels of the middle where that is fine enough.
+void describeSurface(const Image& ao, const StressShot& shot, Format format, StressRecord& record);
+
+/// Over what both pictures show.
+struct PictureChange {
+    /// The mean absolute change; where it is not a number in one picture, 1. Where pixels are
+    /// spoiled, the largest change farther away.
+    double change = 1;
+    double ordinary = 0;  ///< Mean of the ordinary picture.
+    double mean = 0;      ///< Of the other.
+};
+PictureChange changeBetween(const Image& ordinary, const Image& image, const StressShot& shot);
+
+/// Share of the pixels that differ by more than `limit`.
+double shareChanged(const Image& before, const Image& after, double limit);
+
+/// Error and occlusion against the ground truth, over the pixels that it has.
+void describeError(const Image& ao, const Image& ground_truth, StressRecord& record);
+
+/// Of the shot's radius, at what is seen in the middle.
+double radiusInPixels(const StressShot& shot);
+
+}  // namespace crevice

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// What a step of a stress case showed, and what follows from that: pure figures, no GL.
+#pragma once
+
+#include "tools/measure/stress/case.h"
+
+#include <crevice/result.h>
+
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+/// One step of one series, as one line of stress.jsonl.
+struct StressRecord {
+    std::string key;  ///< 16 hex digits over all that decides the figures.
+    std::string config;
+    std::string variant;
+    std::vector<std::string> overrides;
+    std::string case_name;
+    std::string format;  ///< "depth=depth16": what was set; empty: the config's own.
+    int step = 0;        ///< Into StressCase::steps.
+    std::string label;
+    double value = 0;
+    std::string device;
+    std::string version;
+
+    std::string refusal;  ///< The error that came instead of a first frame.
+    std::string absent;   ///< What the config lacks for this step; then there are no figures.
+
+    /// The first, by passes, that holds what is not finite or out of range, drawn in 32-bit floats.
+    std::string bad_target;
+    std::string bad_pass;
+    long long bad_pixels = 0;    ///< Not finite.
+    long long out_of_range = 0;  ///< Past what the format holds; of occlusion outside [0, 1].
+    int bad_x = 0, bad_y = 0;    ///< The uppermost, from the upper left.
+    double bad_value = 0;        ///< There, where it is finite.
+    double mean = 0;             ///< Of the occlusion's finite pixels, as are the next two.
+    double least = 0;
+    double most = 0;
+
+    std::string stored;  ///< The format that the surface is read from.
+    /// That format's step over the radius, at what is seen in the middle.
+    double step_share = 0;
+    double resolved = 1;   ///< Share of the surface where that is at most a tenth.
+    long long judged = 0;  ///< Pixels of the middle that show it so.
+    double judged_mean = 0;
+    double judged_least = 0;
+    double judged_below = 0;  ///< Share of them below 0.95.
+    /// Mean against the ordinary picture; of what must settle, the share of pixels that the next
+    /// frame changes.
+    double change = 0;
+
+    /// Mean occlusion of the exact answer, and of the picture over the same pixels. That is the
+    /// ray-traced ground truth or, of what must be the same, the ordinary picture. -1: not known.
+    double exact = -1;
+    double occlusion = -1;
+    double rmse = -1;        ///< Against the ground truth; -1: not traced.
+    double rmse_white = -1;  ///< That of a white picture.
+
+    /// The first whose occlusion departs from the exact answer as the picture does.
+    std::string departing_pass;
+
+    double radius_px = 0;  ///< On screen, in the middle.
+    int height_px = 0;     ///< Of the picture.
+    double ms = 0;
+    std::string picture;  ///< Of a failure, relative to the file.
+};
+
+/// One line, without the line feed.
+std::string toJsonLine(const StressRecord& record);
+
+/// The records of a file; of two with one key the later holds. Errors: CV7009.
+Result<std::vector<StressRecord>> readStressRecords(const std::string& path);
+
+enum class Outcome {
+    holds,
+    breaks,
+    /// Sound, but more than the format can resolve; `why` says what came of it.
+    beyond,
+    refused,  ///< Reported before the first frame.
+    absent,   ///< The config has no part of it.
+    /// The ordinary picture is not ambient occlusion as the ground truth has it, so that what
+    /// follows from it says nothing. A failure.
+    invalid,
+};
+
+struct Verdict {
+    Outcome outcome = Outcome::holds;
+    std::string why;
+    /// What becomes of the occlusion, as a sentence about it goes on: "is lost". Empty where it
+    /// holds, or what is beyond the format does no harm.
+    std::string effect = {};
+    std::string pass = {};  ///< The first in which a failure shows, where that is known.
+
+    /// Why, "first in pass 'ssao'".
+    std::string reason() const;
+};
+
+/// Judges one step. `series` are the case's records of one config and format by step, with null for
+/// those that are missing; that of `step` must be there.
+Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& series,
+              std::size_t step);
+
+/// How far a series holds on one side of its ordinary step.
+struct Reach {
+    int holds_to = -1;   ///< The last step of that side that holds; -1: not even the ordinary one.
+    int breaks_at = -1;  ///< The first one that fails; -1: none does.
+    std::string why;
+};
+
+struct Breakdown {
+    Reach down, up;  ///< Towards the first and the last step; both begin at the ordinary one.
+    int failures = 0;
+    int refused = 0;
+    bool absent = false;     ///< There is no figure at all.
+    std::string why_absent;  ///< Of the first step.
+    std::string invalid;     ///< Why the ordinary picture, and with it the case, is not valid.
+    std::string beyond;      ///< "depth16: 100 % of the occlusion lost at 1e-3:3e5"
+};
+
+Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series);
+
+/// "holds from 1e-6 to 1e6", "holds to 0.1:316, breaks at 0.01:1e4: the mean is 0.93".
+std::string describe(const StressCase& stress, const Breakdown& breakdown);
+
+}  // namespace crevice

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A device that stores every colour target in 32-bit floats, so that what 8 and 16 bits round,
+// clamp or lose on the way in shows.
+#pragma once
+
+#include "tools/render/device/forwarding_device.h"
+
+namespace crevice {
+
+/// Not a number becomes 0 in a format of 8 bits, and 1.7 becomes 1: here both stay as the shader
+/// wrote them. Depth keeps its format. What the plan knows of formats, such as the macros of their
+/// steps, stays that of the formats asked for.
+class FloatDevice : public ForwardingDevice {
+public:
+    using ForwardingDevice::ForwardingDevice;
+
+    Result<TextureId> createTexture(const TextureDesc& desc) override;
+};
+
+/// The 32-bit float format with at least the channels of `format`; `format` itself where it is one
+/// of depth.
+Format floatFormat(Format format);
+
+}  // namespace crevice

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// GLSL to SPIR-V and back.
+#include "tools/render/device/mediump_device.h"
+
+#include "tools/render/device/forwarding_device.h"
+#include "tools/render/device/mediump_words.h"
+
+#include <glslang/Include/glslang_c_interface.h>
+#include <glslang/Public/resource_limits_c.h>
+#include <spirv_cross_c.h>
+
+#include <string>
+#include <string_view>
+
+namespace crevice {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+constexpr std::string_view kOldVersion = "#version 300";
+constexpr std::string_view kNewVersion = "#version 310";
+
+/// Once a process.
+struct Glslang {
+    Glslang() { glslang_initialize_process(); }
+    ~Glslang() { glslang_finalize_process(); }
+};
+
+template <class T, void (*destroy)(T*)>
+struct Destroyer {
+    void operator()(T* object) const { destroy(object); }
+};
+using Shader =
+    std::unique_ptr<glslang_shader_t, Destroyer<glslang_shader_t, glslang_shader_delete>>;
+using Program =
+    std::unique_ptr<glslang_program_t, Destroyer<glslang_program_t, glslang_program_delete>>;
+
+Diagnostics explain(const GlslStage& stage, const std::string& log)
+{
+    return explainLog(stage, Code::shader_compile, log);
+}
+
+bool isOld(const GlslStage& stage)
+{
+    return stage.text.compare(0, kOldVersion.size(), kOldVersion) == 0;
+}
+
+/// The text as glslang takes it: it writes SPIR-V of OpenGL ES 3.1 and later alone.
+std::string newerText(const GlslStage& stage)
+{
+    std::string text = stage.text;
+    return isOld(stage) ? text.replace(0, kOldVersion.size(), kNewVersion) : text;
+}
+
+glslang_input_t inputOf(const std::string& text, glslang_stage_t kind)
+{
+    glslang_input_t input = {};
+    input.language = GLSLANG_SOURCE_GLSL;
+    input.stage = kind;
+    input.client = GLSLANG_CLIENT_OPENGL;
+    input.client_version = GLSLANG_TARGET_OPENGL_450;
+    input.target_language = GLSLANG_TARGET_SPV;
+    input.target_language_version = GLSLANG_TARGET_SPV_1_0;
+    input.code = text.c_str();
+    input.default_version = 310;
+    input.default_profile = GLSLANG_ES_PROFILE;
+    input.messages = GLSLANG_MSG_DEFAULT_BIT;
+    input.resource = glslang_default_resource();
+    return input;
+}
+
+Result<Words> spirvOf(const GlslStage& stage, glslang_stage_t kind)
+{
+    static const Glslang glslang;
+    const std::string text = newerText(stage);
+    const glslang_input_t input = inputOf(text, kind);
+    const Shader shader(glslang_shader_create(&input));
+    // SPIR-V wants numbers for all that GLSL finds by name.
+    glslang_shader_set_options(
+        shader.get(), GLSLANG_SHADER_AUTO_MAP_BINDINGS | GLSLANG_SHADER_AUTO_MAP_LOCATIONS);
+    if (!glslang_shader_preprocess(shader.get(), &input) ||
+        !glslang_shader_parse(shader.get(), &input))
+        return explain(stage, glslang_shader_get_info_log(shader.get()));
+    const Program program(glslang_program_create());
+    glslang_program_add_shader(program.get(), shader.get());
+    if (!glslang_program_link(program.get(), input.messages) ||
+        !glslang_program_map_io(program.get()))
+        return explain(stage, glslang_program_get_info_log(program.get()));
+    glslang_program_SPIRV_generate(program.get(), kind);
+    Words words(glslang_program_SPIRV_get_size(program.get()));
+    glslang_program_SPIRV_get(program.get(), words.data());
+    return words;
+}
+
+struct Context {
+    spvc_context context = nullptr;
+
+    Context() { spvc_context_create(&context); }
+    ~Context() { spvc_context_destroy(context); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+};
+
+/// False where SPIRV-Cross fails; the context then says why.
+bool writeGlsl(spvc_context context, const Words& words, unsigned version, std::string& text)
+{
+    spvc_parsed_ir parsed = nullptr;
+    spvc_compiler compiler = nullptr;
+    spvc_compiler_options options = nullptr;
+    const char* source = nullptr;
+    const bool ready =
+        spvc_context_parse_spirv(context, words.data(), words.size(), &parsed) == SPVC_SUCCESS &&
+        spvc_context_create_compiler(context, SPVC_BACKEND_GLSL, parsed,
+                                     SPVC_CAPTURE_MODE_TAKE_OWNERSHIP, &compiler) == SPVC_SUCCESS &&
+        spvc_compiler_create_compiler_options(compiler, &options) == SPVC_SUCCESS;
+    if (!ready) return false;
+    spvc_compiler_options_set_uint(options, SPVC_COMPILER_OPTION_GLSL_VERSION, version);
+    for (const spvc_compiler_option option :
+         {SPVC_COMPILER_OPTION_GLSL_ES, SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_FLOAT_PRECISION_HIGHP,
+          SPVC_COMPILER_OPTION_GLSL_ES_DEFAULT_INT_PRECISION_HIGHP})
+        spvc_compiler_options_set_bool(options, option, SPVC_TRUE);
+    spvc_compiler_install_compiler_options(compiler, options);
+    if (spvc_compiler_compile(compiler, &source) != SPVC_SUCCESS) return false;
+    text = source;
+    return true;
+}
+
+/// The stage rewritten; its lines are no longer those of its files.
+Result<GlslStage> rewrite(const GlslStage& stage, glslang_stage_t kind, Mediump mediump)
+{
+    const Result<Words> words = spirvOf(stage, kind);
+    if (!words) return words.diagnostics();
+    const Context cross;
+    GlslStage rewritten = stage;
+    if (!writeGlsl(cross.context, rewriteMediump(*words, mediump), isOld(stage) ? 300 : 310,
+                   rewritten.text))
+        return explain(stage, spvc_context_get_last_error_string(cross.context));
+    const std::string name = stage.files.front()->name + ", rewritten";
+    rewritten.files = {std::make_shared<SourceText>(SourceText{name, rewritten.text})};
+    return rewritten;
+}
+
+class MediumpDevice : public ForwardingDevice {
+public:
+    MediumpDevice(std::unique_ptr<Device> device, Mediump mediump)
+        : ForwardingDevice(*device),
+          owned_(std::move(device)),
+          mediump_(mediump),
+          caps_(device_.caps())
+    {
+        caps_.name += mediump == Mediump::half ? ", mediump half" : ", mediump full";
+    }
+
+    const DeviceCaps& caps() const override { return caps_; }
+
+    Result<ProgramId> createProgram(const ProgramDesc& desc) override;
+
+private:
+    std::unique_ptr<Device> owned_;
+    Mediump mediump_;
+    DeviceCaps caps_;
+};
+
+Result<ProgramId> MediumpDevice::createProgram(const ProgramDesc& desc)
+{
+    Result<GlslStage> vertex = rewrite(desc.vertex, GLSLANG_STAGE_VERTEX, mediump_);
+    if (!vertex) return vertex.diagnostics();
+    Result<GlslStage> fragment = rewrite(desc.fragment, GLSLANG_STAGE_FRAGMENT, mediump_);
+    if (!fragment) return fragment.diagnostics();
+    return device_.createProgram({desc.label, std::move(*vertex), std::move(*fragment)});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Device>> makeMediumpDevice(std::unique_ptr<Device> device, Mediump mediump)
+{
+    return std::unique_ptr<Device>(std::make_unique<MediumpDevice>(std::move(device), mediump));
+}
+
+bool canRewriteMediump() { return true; }
+
+}  // namespace crevice

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Choosing a context and making the device in it.
+#include "tools/render/device/open_device.h"
+
+#include <crevice/gl_device.h>
+
+#include "tools/render/device/mediump_device.h"
+
+#include <CLI/CLI.hpp>
+
+namespace crevice {
+namespace {
+
+Result<OpenDevice> openNamed(std::string_view backend, const GlDeviceOptions& options)
+{
+    Result<std::unique_ptr<Context>> context = makeContext(backend);
+    if (!context) return context.diagnostics();
+    Result<std::unique_ptr<Device>> device = makeGlDevice((*context)->loader(), options);
+    if (!device) return device.diagnostics();
+    Diagnostics warnings = device.diagnostics();
+    return {OpenDevice{std::move(*context), nullptr, std::move(*device)}, std::move(warnings)};
+}
+
+/// Both failed: EGL's error, with OSMesa's after it.
+Diagnostics neither(const Diagnostics& egl, const Diagnostics& osmesa)
+{
+    Diagnostics errors = egl;
+    errors.insert(errors.end(), osmesa.begin(), osmesa.end());
+    return errors;
+}
+
+Result<OpenDevice> openFirst(const GlDeviceOptions& options)
+{
+    Result<OpenDevice> egl = openNamed("egl", options);
+    if (egl) return egl;
+    Result<OpenDevice> osmesa = openNamed("osmesa", options);
+    if (!osmesa) return neither(egl.diagnostics(), osmesa.diagnostics());
+    Diagnostic warning{Code::no_egl, "EGL cannot be used (" + egl.diagnostics().front().message +
+                                         "); drawing with OSMesa instead"};
+    warning.severity = Severity::warning;
+    warning.help = "write --backend osmesa to choose it without this warning";
+    Diagnostics warnings = osmesa.diagnostics();
+    warnings.push_back(std::move(warning));
+    return {std::move(*osmesa), std::move(warnings)};
+}
+
+}  // namespace
+
+void addBackendOption(CLI::App& app, std::string& backend)
+{
+    app.add_option("--backend", backend,
+                   "egl or osmesa; default: EGL, and OSMesa where there is no EGL")
+        ->type_name("BACKEND")
+        ->check(CLI::IsMember({"egl", "osmesa"}));
+}
+
+void addPrecisionOption(CLI::App& app, std::string& precision)
+{
+    app.add_option("--precision", precision,
+                   "Precision of mediump in shaders: full (32 bits) or half (16 bits, as on "
+                   "phones). Default: the driver's")
+        ->type_name("PRECISION")
+        ->check(CLI::IsMember({"full", "half"}));
+}
+
+void addProgramCacheOption(CLI::App& app, std::string& folder)
+{
+    app.add_option("--program-cache", folder,
+                   "Folder that keeps linked programs, so that the next run compiles none of them. "
+                   "Default: none")
+        ->type_name("FOLDER");
+}
+
+Result<OpenDevice> openDevice(const std::string& backend, const std::string& precision,
+                              const std::string& program_folder)
+{
+    GlDeviceOptions options;
+    std::unique_ptr<ProgramFolder> programs;
+    if (!program_folder.empty()) {
+        Result<std::unique_ptr<ProgramFolder>> folder = ProgramFolder::open(program_folder);
+        if (!folder) return folder.diagnostics();
+        programs = std::move(*folder);
+        options.program_cache = programs->cache();
+    }
+    Result<OpenDevice> open = backend.empty() ? openFirst(options) : openNamed(backend, options);
+    if (open) open->programs = std::move(programs);
+    if (!open || precision.empty()) return open;
+    const Mediump mediump = precision == "half" ? Mediump::half : Mediump::full;
+    Result<std::unique_ptr<Device>> device = makeMediumpDevice(std::move(open->device), mediump);
+    if (!device) return device.diagnostics();
+    open->device = std::move(*device);
+    return open;
+}
+
+}  // namespace crevice

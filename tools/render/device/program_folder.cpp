@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "tools/render/device/program_folder.h"
+
+#include "core/base/files.h"
+#include "tools/render/image/image_file.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string_view>
+
+namespace fs = std::filesystem;
+
+namespace crevice {
+
+namespace {
+
+constexpr std::size_t kMaxProgramBytes = 64u
+                                         << 20;  // a driver's largest have a few hundred thousand
+
+}  // namespace
+
+Result<std::unique_ptr<ProgramFolder>> ProgramFolder::open(const std::string& path)
+{
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (fs::is_directory(path, error) && access(path.c_str(), W_OK | X_OK) == 0)
+        return std::unique_ptr<ProgramFolder>(new ProgramFolder(path));
+    Diagnostic failure{Code::cannot_write, "'" + path + "' is no folder that can be written"};
+    failure.help = "name another folder with --program-cache";
+    return failure;
+}
+
+ProgramCache ProgramFolder::cache()
+{
+    return {[this](const std::string& key) { return load(key); },
+            [this](const std::string& key, const std::vector<std::uint8_t>& bytes) {
+                store(key, bytes);
+            }};
+}
+
+std::vector<std::uint8_t> ProgramFolder::load(const std::string& key)
+{
+    ++asked_;
+    const FileBytes file = readBytes((fs::path(path_) / key).string(), kMaxProgramBytes);
+    return {file.bytes.begin(), file.bytes.end()};
+}
+
+void ProgramFolder::store(const std::string& key, const std::vector<std::uint8_t>& bytes)
+{
+    ++stored_;
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const Status written = writeFile((fs::path(path_) / key).string(), text);
+    if (written || !warnings_.empty()) return;
+    warnings_ = written.diagnostics();
+    for (Diagnostic& warning : warnings_) {
+        warning.severity = Severity::warning;
+        warning.help = "what is not written is compiled again next time";
+    }
+}
+
+}  // namespace crevice

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// PNG through stb, PFM by hand, and writing that never leaves half a file.
+#include "tools/render/image/image_file.h"
+
+#include "core/base/files.h"
+#include "core/base/numbers.h"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS (1 << 15)  // no device holds more, and a broken header often says more
+#include <stb/stb_image.h>
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace crevice {
+
+namespace {
+
+Diagnostic cannotWrite(const std::string& path, const std::string& reason)
+{
+    Diagnostic error = {Code::cannot_write, "cannot write '" + path + "': " + reason};
+    error.help = "name a file in a folder that exists and that you may write to";
+    return error;
+}
+
+/// Most values, over all channels, that an image may have: 16384x8192 pixels of four. A file of a
+/// few bytes can say that it has more than there is memory.
+constexpr double kMaxImageValues = 1 << 29;
+constexpr std::size_t kMaxImageBytes = (std::size_t(1) << 31) + 128;  // as floats, behind a header
+
+Diagnostic brokenImage(const std::string& name, const std::string& reason)
+{
+    return {Code::image_broken, "the image '" + name + "' cannot be read: " + reason};
+}
+
+// Where the bytes end up: a link is followed, so that renaming replaces the file behind it.
+std::filesystem::path resolvedTarget(const std::string& path)
+{
+    std::error_code error;
+    const auto resolved = std::filesystem::canonical(path, error);
+    return error ? std::filesystem::path(path) : resolved;
+}
+
+// A new file in the folder, or null. Names are tried until one is free: process ids come again, and
+// what was killed leaves its file behind. They are short, since the target's own may be as long as
+// names can be.
+std::FILE* openTemporary(const std::filesystem::path& folder, std::string& path)
+{
+    constexpr int kTries = 1000;
+    static std::atomic<unsigned> count{0};
+    for (int i = 0; i < kTries; ++i) {
+        const std::string name =
+            ".crevice-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".tmp";
+        path = (folder / name).string();
+        std::FILE* file = std::fopen(path.c_str(), "wbx");
+        if (file || errno != EEXIST) return file;
+    }
+    return nullptr;
+}
+
+// Zero, or the errno of what failed.
+int writeWhole(std::FILE* file, std::string_view bytes)
+{
+    int failure = 0;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) failure = errno;
+    if (std::fclose(file) != 0 && failure == 0) failure = errno;
+    return failure;
+}
+
+Status checkPixels(const std::string& path, const Image& image)
+{
+    const std::size_t wanted = static_cast<std::size_t>(std::max(image.extent.width, 0)) *
+                               std::max(image.extent.height, 0) * std::max(image.channels, 0);
+    if (wanted > 0 && image.pixels.size() == wanted && image.channels <= 4) return {};
+    return Diagnostic{Code::image_broken, "there is no image to write to '" + path +
+                                              "': " + std::to_string(image.extent.width) + "x" +
+                                              std::to_string(image.extent.height) + " pixels of " +
+                                              std::to_string(image.channels) + " channels"};
+}
+
+float channelOr(const Image& image, int x, int y, int channel, float otherwise)
+{
+    return channel < image.channels ? image.at(x, y, channel) : otherwise;
+}
+
+void appendBytes(void* context, void* data, int size)
+{
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data), size);
+}
+
+// PFM is written with its low byte first, whatever the machine's order.
+void appendFloat(std::string& out, float value)
+{
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(bits >> shift & 255);
+}
+
+float floatAt(std::string_view bytes, std::size_t at, bool low_byte_first)
+{
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto byte = static_cast<unsigned char>(bytes[at + (low_byte_first ? k : 3 - k)]);
+        bits |= static_cast<std::uint32_t>(byte) << (8 * k);
+    }
+    float value = 0;
+    std::memcpy(&value, &bits, sizeof(value));
+    return value;
+}
+
+// "PF 640 480 -1.0" and one white space; then the floats.
+struct PfmHeader {
+    int channels = 0;
+    int width = 0;
+    int height = 0;
+    double scale = 0;
+    int size = 0;
+};
+
+bool isPfm(std::string_view bytes)
+{
+    return bytes.size() > 2 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f') &&
+           std::isspace(static_cast<unsigned char>(bytes[2]));
+}
+
+bool readHeader(std::string_view bytes, PfmHeader& header)
+{
+    std::string_view rest = bytes.substr(2, 126);
+    double numbers[3] = {};
+    for (double& number : numbers) number = takeNumber(rest).value_or(0.0);
+    const auto isSide = [](double n) { return n >= 1 && n <= 1e9 && n == std::floor(n); };
+    if (!isSide(numbers[0]) || !isSide(numbers[1]) || !std::isfinite(numbers[2])) return false;
+    header.width = static_cast<int>(numbers[0]);
+    header.height = static_cast<int>(numbers[1]);
+    header.scale = numbers[2];
+    header.channels = bytes[1] == 'F' ? 3 : 1;
+    header.size = static_cast<int>(rest.data() - bytes.data()) + 1;  // white space after the scale
+    return header.scale != 0.0;
+}
+
+Result<Image> decodePfm(std::string_view bytes, const std::string& name)
+{
+    PfmHeader header;
+    if (!readHeader(bytes, header))
+        return brokenImage(name, "its PFM header is not 'PF WIDTH HEIGHT SCALE'");
+    const std::size_t begin = std::min<std::size_t>(header.size, bytes.size());
+    const std::size_t floats = (bytes.size() - begin) / 4;
+    const double wanted = static_cast<double>(header.width) * header.height * header.channels;
+    if (static_cast<double>(floats) < wanted)
+        return brokenImage(name, "it ends after " + std::to_string(floats) + " of " +
+                                     std::to_string(static_cast<long long>(wanted)) + " values");
+    Image image({header.width, header.height}, header.channels);
+    for (std::size_t k = 0; k < image.pixels.size(); ++k)
+        image.pixels[k] = floatAt(bytes, begin + 4 * k, header.scale < 0.0);
+    return image;
+}
+
+// stb gives rows from the top down.
+template <class T>
+Image imageFromRows(const T* rows, Extent extent, int channels, float full)
+{
+    Image image(extent, channels);
+    const std::size_t row_size = static_cast<std::size_t>(extent.width) * channels;
+    for (int y = 0; y < extent.height; ++y) {
+        const T* from = rows + (extent.height - 1 - y) * row_size;
+        float* to = &image.pixels[y * row_size];
+        for (std::size_t k = 0; k < row_size; ++k) to[k] = from[k] / full;
+    }
+    return image;
+}
+
+struct StbFree {
+    void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+Status checkImageSize(const std::string& name, Extent extent, int channels)
+{
+    if (static_cast<double>(extent.width) * extent.height * channels <= kMaxImageValues) return {};
+    return brokenImage(name, "it is " + std::to_string(extent.width) + "x" +
+                                 std::to_string(extent.height) + " pixels, more than are read");
+}
+
+Result<Image> decodeByStb(std::string_view bytes, const std::string& name)
+{
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT32_MAX));
+    Extent extent;
+    int channels = 0;
+    if (stbi_info_from_memory(data, size, &extent.width, &extent.height, &channels))
+        if (const Status fits = checkImageSize(name, extent, channels); !fits)
+            return fits.diagnostics();
+    if (stbi_is_16_bit_from_memory(data, size)) {
+        const std::unique_ptr<stbi_us, StbFree> rows(
+            stbi_load_16_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
+        if (rows) return imageFromRows(rows.get(), extent, channels, 65535.0f);
+    } else {
+        const std::unique_ptr<stbi_uc, StbFree> rows(
+            stbi_load_from_memory(data, size, &extent.width, &extent.height, &channels, 0));
+        if (rows) return imageFromRows(rows.get(), extent, channels, 255.0f);
+    }
+    return brokenImage(name, stbi_failure_reason());
+}
+
+}  // namespace
+
+std::string lowerExtension(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+Status writeFile(const std::string& path, std::string_view bytes)
+{
+    std::error_code error;
+    const auto target = resolvedTarget(path);
+    if (std::filesystem::is_directory(target, error)) return cannotWrite(path, "it is a folder");
+    if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error))
+        return cannotWrite(path, "it is not a regular file");
+    std::string temporary;
+    std::FILE* file = openTemporary(target.parent_path(), temporary);
+    if (!file) return cannotWrite(path, std::strerror(errno));
+    int failure = writeWhole(file, bytes);
+    if (failure == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
+    if (failure == 0) return {};
+    std::remove(temporary.c_str());
+    return cannotWrite(path, std::strerror(failure));
+}
+
+Status writePng(const std::string& path, const Image& image)
+{
+    if (Status status = checkPixels(path, image); !status) return status;
+    const int channels = image.channels == 2 ? 3 : image.channels;
+    std::vector<unsigned char> rows;
+    rows.reserve(static_cast<std::size_t>(image.extent.width) * image.extent.height * channels);
+    bool undefined = false;
+    for (int y = image.extent.height - 1; y >= 0; --y)
+        for (int x = 0; x < image.extent.width; ++x)
+            for (int channel = 0; channel < channels; ++channel) {
+                const float value = channelOr(image, x, y, channel, 0.0f);
+                undefined |= std::isnan(value);
+                const float shown = std::isnan(value) ? 0.0f : std::clamp(value, 0.0f, 1.0f);
+                rows.push_back(static_cast<unsigned char>(std::lround(shown * 255.0f)));
+            }
+    std::string bytes;
+    if (!stbi_write_png_to_func(appendBytes, &bytes, image.extent.width, image.extent.height,
+                                channels, rows.data(), image.extent.width * channels))
+        return cannotWrite(path, "there is not enough memory");
+    Status status = writeFile(path, bytes);
+    if (!status || !undefined) return status;
+    Diagnostic warning = {Code::not_finite, "'" + path + "' has pixels that are not a number"};
+    warning.help = "they are written as 0; PFM keeps them";
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+Status writePfm(const std::string& path, const Image& image)
+{
+    if (Status status = checkPixels(path, image); !status) return status;
+    const int channels = image.channels == 1 ? 1 : 3;
+    std::string bytes = channels == 1 ? "Pf\n" : "PF\n";
+    bytes += std::to_string(image.extent.width) + " " + std::to_string(image.extent.height);
+    bytes += "\n-1.0\n";
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = 0; x < image.extent.width; ++x)
+            for (int channel = 0; channel < channels; ++channel)
+                appendFloat(bytes, channelOr(image, x, y, channel, 0.0f));
+    return writeFile(path, bytes);
+}
+
+Status writeImage(const std::string& path, const Image& image)
+{
+    const std::string extension = lowerExtension(path);
+    if (extension == ".png") return writePng(path, image);
+    if (extension == ".pfm") return writePfm(path, image);
+    Diagnostic error = {Code::usage, "'" + path + "' names no kind of image that can be written"};
+    error.help = "end the name in .png for a picture, in .pfm for floats";
+    return error;
+}
+
+Result<Image> readImage(const std::string& path)
+{
+    const FileBytes file = readBytes(path, kMaxImageBytes);
+    if (!file) return brokenImage(path, file.failure);
+    return decodeImage(file.bytes, path);
+}
+
+Result<Image> decodeImage(std::string_view bytes, const std::string& name)
+{
+    if (bytes.empty()) return brokenImage(name, "it is empty");
+    return isPfm(bytes) ? decodePfm(bytes, name) : decodeByStb(bytes, name);
+}
+
+}  // namespace crevice

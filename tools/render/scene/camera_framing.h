@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Choosing a camera: the scene's own, one that frames the scene, or one from the command line.
+#pragma once
+
+#include "tools/render/scene/scene.h"
+
+namespace crevice {
+
+/// A three-quarter view from above that holds all of the scene at `aspect` (width over height, > 0)
+/// with a small margin; its name is "framing".
+SceneCamera frameScene(const Scene& scene, double aspect);
+
+/// What `--camera TEXT` asks for:
+///   ""      the scene's first camera, or `frameScene` when it has none
+///   "NAME"  the scene's camera of that name
+///   "eye=4,2,6;at=0,1,0;up=0,1,0;fov=50;near=0.1;far=100"
+///           a view of one's own: `fov` is vertical and in degrees (default 50), or `ortho=3` is
+///           the height of an orthographic view in scene units; only `eye` must be there; `at` is
+///           the centre of the scene, `up` is +y, near and far follow the bounds unless given;
+///           `shift=0.5,0` looks off-centre, at what lies half a picture further to the right.
+///
+/// Errors: CV7004 for a name that the scene does not have; CV8001 for text that cannot be read,
+/// CV4001 and CV4003 for values that no camera can have.
+Result<SceneCamera> chooseCamera(const Scene& scene, const Bounds& bounds, const std::string& text,
+                                 double aspect);
+
+}  // namespace crevice

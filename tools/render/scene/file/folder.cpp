@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The folders of a scene.
+#include "tools/render/scene/file/folder.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+namespace fs = std::filesystem;
+
+SceneFolder::SceneFolder(const std::string& scene, const std::vector<std::string>& roots)
+    : scene_(scene)
+{
+    std::vector<fs::path> folders = {fs::path(scene).parent_path()};
+    folders.insert(folders.end(), roots.begin(), roots.end());
+    for (const fs::path& folder : folders) {
+        std::error_code error;
+        const fs::path root = fs::canonical(folder.empty() ? "." : folder, error);
+        if (!error) roots_.push_back(root);
+    }
+}
+
+bool SceneFolder::isBelow(const fs::path& file) const
+{
+    std::error_code error;
+    const fs::path real = fs::canonical(file, error);
+    return !error && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
+        return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first ==
+               root.end();
+    });
+}
+
+bool SceneFolder::allows(const fs::path& file) const
+{
+    std::error_code error;
+    return fs::is_regular_file(file, error) && (file == scene_ || isBelow(file));
+}
+
+bool SceneFolder::refuses(const fs::path& file)
+{
+    std::error_code error;
+    if (file == scene_ || !fs::exists(file, error) || isBelow(file)) return false;
+    refused_.insert(file.string());
+    return true;
+}
+
+Diagnostic SceneFolder::warning() const
+{
+    const std::vector<std::string> files(refused_.begin(), refused_.end());
+    Diagnostic warning = {Code::module_escape, "the scene '" + scene_ +
+                                                   "' names files outside its "
+                                                   "folder, which are not read: " +
+                                                   joined(files)};
+    warning.help = "move them below the scene's folder, or allow theirs with --root FOLDER";
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+}  // namespace crevice

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Versions and extensions of glTF, by what Assimp 5.2 and the import of materials read.
+#include "tools/render/scene/file/gltf_check.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <set>
+
+namespace crevice {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFloat = 5126;  // GL_FLOAT, a componentType
+
+enum class Support {
+    read,    // drawn as the file says
+    elided,  // the surfaces are right without it, though not their look: required or not, a warning
+    missing,  // wrong surfaces or textures: an error where it is required
+};
+
+struct Extension {
+    const char* name;  // all that begin so, with a '*' at its end
+    Support support;
+    const char* way_out;
+};
+
+constexpr const char* kToPng = "convert the textures: 'gltf-transform png in.glb out.glb'";
+
+// Whatever is not here is missing. Assimp 5.2 knows more names than it reads, and looks at none
+// that is required.
+constexpr Extension kExtensions[] = {
+    {"EXT_meshopt_compression", Support::missing, "compress with 'gltfpack -noq' and no -c"},
+    {"EXT_texture_avif", Support::missing, kToPng},
+    {"EXT_texture_webp", Support::missing, kToPng},
+    {"KHR_animation_pointer", Support::elided, ""},
+    {"KHR_draco_mesh_compression", Support::read, ""},
+    {"KHR_lights_punctual", Support::read, ""},
+    {"KHR_materials_*", Support::elided, ""},
+    {"KHR_mesh_quantization", Support::missing,
+     "write floats: 'gltfpack -noq', or 'gltf-transform dequantize in.glb out.glb'"},
+    {"KHR_texture_basisu", Support::missing,
+     "convert the textures: 'gltf-transform ktxdecompress in.glb out.glb'"},
+    {"KHR_texture_transform", Support::elided, ""},
+    {"KHR_xmp*", Support::elided, ""},
+    {"MSFT_texture_dds", Support::missing, "convert the textures to PNG"},
+};
+
+constexpr Extension kUnheardOf = {"", Support::missing, "export the scene without it"};
+
+const Extension& extensionNamed(const std::string& name)
+{
+    const auto matches = [&](const Extension& each) {
+        const std::string_view pattern = each.name;
+        return pattern.back() == '*' ? startsWith(name, pattern.substr(0, pattern.size() - 1))
+                                     : name == pattern;
+    };
+    const auto found = std::find_if(std::begin(kExtensions), std::end(kExtensions), matches);
+    return found == std::end(kExtensions) ? kUnheardOf : *found;
+}
+
+// The JSON chunk of a .glb file, or the whole of a .gltf file.
+std::string jsonText(const std::string& path)
+{
+    constexpr std::size_t kHead = 20;  // of the file, and of its first chunk
+    const std::string head = readStart(path, kHead).bytes;
+    if (head.size() < kHead || !startsWith(head, "glTF"))
+        return readStart(path, std::numeric_limits<std::uint32_t>::max()).bytes;
+    std::size_t length = 0;
+    for (int k = 3; k >= 0; --k) length = length << 8 | static_cast<unsigned char>(head[12 + k]);
+    return readStart(path, kHead + length).bytes.substr(kHead);
+}
+
+// The member of that name; null where there is none, or nothing has members.
+const json& member(const json& object, const char* name)
+{
+    static const json kNull;
+    if (!object.is_object()) return kNull;
+    const auto found = object.find(name);
+    return found == object.end() ? kNull : *found;
+}
+
+std::set<std::string> names(const json& list)
+{
+    std::set<std::string> all;
+    if (list.is_array())
+        for (const json& entry : list)
+            if (entry.is_string()) all.insert(entry.get<std::string>());
+    return all;
+}
+
+// Whether some primitive takes an attribute whose name begins so from numbers that are not floats,
+// which Assimp copies as if they were.
+bool takesIntegers(const json& gltf, std::string_view attribute)
+{
+    const json& accessors = member(gltf, "accessors");
+    const auto not_float = [&](const json& index) {
+        if (!index.is_number_unsigned() || !accessors.is_array()) return false;
+        if (index.get<std::size_t>() >= accessors.size()) return false;
+        const json& type = member(accessors[index.get<std::size_t>()], "componentType");
+        return type.is_number() && type != kFloat;
+    };
+    for (const json& mesh : member(gltf, "meshes"))
+        for (const json& primitive : member(mesh, "primitives"))
+            for (const auto& [name, index] : member(primitive, "attributes").items())
+                if (startsWith(name, attribute) && not_float(index)) return true;
+    return false;
+}
+
+// Whether some material takes a texture at the second set of coordinates: all are drawn at the
+// first.
+bool takesSecondCoordinates(const json& gltf)
+{
+    const auto second = [](const json& texture) {
+        const json& set = member(texture, "texCoord");
+        return set.is_number() && set != 0;
+    };
+    for (const json& material : member(gltf, "materials"))
+        if (second(member(member(material, "pbrMetallicRoughness"), "baseColorTexture")) ||
+            second(member(material, "normalTexture")) ||
+            second(member(material, "occlusionTexture")))
+            return true;
+    return false;
+}
+
+Status required(const std::string& path, const std::set<std::string>& extensions)
+{
+    std::vector<std::string> missing, ways_out;
+    for (const std::string& name : extensions) {
+        const Extension& extension = extensionNamed(name);
+        if (extension.support != Support::missing) continue;
+        missing.push_back(name);
+        if (std::find(ways_out.begin(), ways_out.end(), extension.way_out) == ways_out.end())
+            ways_out.push_back(extension.way_out);
+    }
+    if (missing.empty()) return {};
+    Diagnostic error = {Code::scene_broken,
+                        "the scene '" + path + "' needs " + joined(missing, " and ") +
+                            (missing.size() == 1 ? ", which is not read" : ", which are not read")};
+    error.help = joined(ways_out, "; ");
+    return error;
+}
+
+}  // namespace
+
+Status checkGltf(const std::string& path, bool any_version)
+{
+    const json gltf = json::parse(jsonText(path), nullptr, false);
+    if (!gltf.is_object()) return {};
+    const json& version = member(member(gltf, "asset"), "version");
+    if (!any_version && version.is_string() && !startsWith(version.get<std::string>(), "2.")) {
+        Diagnostic error = {Code::scene_broken, "the scene '" + path + "' is of glTF " +
+                                                    version.get<std::string>() + ", not 2.0"};
+        error.help = "convert it to glTF 2.0, or try --any-format";
+        return error;
+    }
+    std::set<std::string> needed = names(member(gltf, "extensionsRequired"));
+    if (takesIntegers(gltf, "POSITION") || takesIntegers(gltf, "NORMAL"))
+        needed.insert("KHR_mesh_quantization");
+    if (Status status = required(path, needed); !status) return status;
+
+    std::set<std::string> used = names(member(gltf, "extensionsUsed"));
+    used.insert(needed.begin(), needed.end());
+    std::vector<std::string> elided;
+    for (const std::string& name : used)
+        if (extensionNamed(name).support != Support::read) elided.push_back(name);
+    if (takesIntegers(gltf, "TEXCOORD"))
+        elided.push_back("texture coordinates that are not floats");
+    if (takesSecondCoordinates(gltf)) elided.push_back("the second set of texture coordinates");
+    if (elided.empty()) return {};
+    Diagnostic warning = {Code::scene_features,
+                          "the scene '" + path + "' is drawn without " + joined(elided)};
+    warning.help =
+        "ambient occlusion needs none of it where surfaces and holes in them are right; compare "
+        "the picture with another viewer's";
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+}  // namespace crevice

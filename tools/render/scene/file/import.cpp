@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+// Scenes from files, by Assimp, whose texture coordinates begin at the lower left as ours do.
+#include "tools/render/scene/file/import.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "tools/render/image/image_file.h"
+#include "tools/render/scene/file/folder.h"
+#include "tools/render/scene/file/gltf_check.h"
+#include "tools/render/scene/file/materials.h"
+#include "tools/render/scene/mesh_normals.h"
+#include "tools/render/scene/views.h"
+
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <new>
+
+namespace crevice {
+
+namespace {
+
+// Faces that meet at a sharper angle get an edge where a file has no normals: boxes stay boxes.
+constexpr double kCreaseDegrees = 60.0;
+
+// Coordinates beyond it overflow a float when squared.
+constexpr float kMaxCoordinate = 1e18f;
+
+// Normals and shared vertices are our own work: Assimp's takes minutes for a million triangles.
+constexpr unsigned kPostProcess =
+    aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent;
+
+// Without the dot, as Assimp writes them. Its readers of other formats are older and less tried.
+constexpr std::string_view kDefaultFormats[] = {"gltf", "glb", "obj", "ply", "stl", "3ds"};
+
+// What Assimp says of a file may quote all of it.
+constexpr std::size_t kLongestReason = 300;  // bytes
+
+bool isDefaultExtension(std::string_view extension)
+{
+    return std::find(std::begin(kDefaultFormats), std::end(kDefaultFormats), extension) !=
+           std::end(kDefaultFormats);
+}
+
+glm::dmat4 matrixFrom(const aiMatrix4x4& m)  // Assimp's has rows, ours columns
+{
+    return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4,
+                      m.b4, m.c4, m.d4);
+}
+
+bool usable(const aiVector3D& v)
+{
+    return std::abs(v.x) <= kMaxCoordinate && std::abs(v.y) <= kMaxCoordinate &&
+           std::abs(v.z) <= kMaxCoordinate;  // false for NaN
+}
+
+bool usable(const aiMesh& mesh, const aiFace& face)
+{
+    return std::all_of(face.mIndices, face.mIndices + face.mNumIndices, [&](unsigned index) {
+        return index < mesh.mNumVertices && usable(mesh.mVertices[index]);
+    });
+}
+
+// Removes the faces that no later step could bear; returns how many. Assimp cuts polygons where a
+// mesh says that it has some, and asserts that it does.
+unsigned dropBrokenFaces(aiMesh& mesh)
+{
+    unsigned kept = 0;
+    for (unsigned index = 0; index < mesh.mNumFaces; ++index) {
+        if (!usable(mesh, mesh.mFaces[index])) continue;
+        if (kept != index) std::swap(mesh.mFaces[kept], mesh.mFaces[index]);
+        ++kept;
+    }
+    const unsigned dropped = mesh.mNumFaces - kept;
+    mesh.mNumFaces = kept;
+    mesh.mPrimitiveTypes =
+        kept == 0 ? aiPrimitiveType_TRIANGLE : 0;  // Assimp refuses a mesh of none
+    for (unsigned index = 0; index < kept; ++index)
+        mesh.mPrimitiveTypes |= AI_PRIMITIVE_TYPE_FOR_N_INDICES(mesh.mFaces[index].mNumIndices);
+    return dropped;
+}
+
+// Adding zero makes -0 to 0, so that equal vertices are equal in all their bits.
+Vertex vertexFrom(const aiMesh& mesh, unsigned index)
+{
+    Vertex vertex;
+    const aiVector3D& position = mesh.mVertices[index];
+    const aiVector3D from = mesh.HasNormals() ? mesh.mNormals[index] : aiVector3D(0, 0, 0);
+    const glm::dvec3 normal(from.x, from.y, from.z);
+    const double length = glm::length(normal);
+    const bool usable_normal = length > 0.0 && std::isfinite(length);
+    for (int axis = 0; axis < 3; ++axis) {
+        vertex.position[axis] = position[axis] + 0.0f;
+        vertex.normal[axis] =
+            usable_normal ? static_cast<float>(normal[axis] / length) + 0.0f : 0.0f;
+    }
+    if (mesh.HasTextureCoords(0) && usable(mesh.mTextureCoords[0][index])) {
+        vertex.uv[0] = mesh.mTextureCoords[0][index].x + 0.0f;
+        vertex.uv[1] = mesh.mTextureCoords[0][index].y + 0.0f;
+    }
+    return vertex;
+}
+
+MeshDesc meshFrom(const aiMesh& from, double crease_degrees)
+{
+    MeshDesc mesh;
+    mesh.label = from.mName.C_Str();
+    mesh.vertices.reserve(from.mNumVertices);
+    for (unsigned index = 0; index < from.mNumVertices; ++index)
+        mesh.vertices.push_back(vertexFrom(from, index));
+    mesh.indices.reserve(static_cast<std::size_t>(from.mNumFaces) * 3);
+    for (unsigned index = 0; index < from.mNumFaces; ++index) {
+        const aiFace& face = from.mFaces[index];
+        if (face.mNumIndices == 3)
+            mesh.indices.insert(mesh.indices.end(), face.mIndices, face.mIndices + 3);
+    }
+    finishMesh(mesh, from.HasNormals(), crease_degrees);
+    return mesh;
+}
+
+bool finite(const glm::dmat4& matrix)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    return true;
+}
+
+// Flattens the hierarchy. A stack of its own: a file may nest deeper than the program's.
+NodePlaces importNodes(const aiScene& from, Scene& scene)
+{
+    NodePlaces places;
+    std::vector<std::pair<const aiNode*, glm::dmat4>> open = {{from.mRootNode, glm::dmat4(1.0)}};
+    while (!open.empty()) {
+        const auto [node, world_from_parent] = open.back();
+        open.pop_back();
+        const glm::dmat4 world_from_node = world_from_parent * matrixFrom(node->mTransformation);
+        places.emplace(node->mName.C_Str(), world_from_node);
+        for (unsigned k = 0; k < node->mNumMeshes; ++k) {
+            const unsigned mesh = node->mMeshes[k];
+            if (mesh >= from.mNumMeshes || !finite(world_from_node)) continue;
+            const std::size_t material = from.mMeshes[mesh]->mMaterialIndex;
+            scene.instances.push_back(
+                {static_cast<int>(mesh), world_from_node,
+                 static_cast<int>(std::min(material, scene.materials.size() - 1))});
+        }
+        for (unsigned k = node->mNumChildren; k > 0; --k)
+            open.emplace_back(node->mChildren[k - 1], world_from_node);
+    }
+    return places;
+}
+
+Diagnostic noTriangle(const std::string& path, unsigned dropped)
+{
+    Diagnostic error = {Code::scene_empty, "the scene '" + path + "' has no triangle with an area"};
+    if (dropped > 0) error.message += " and finite vertices";
+    error.help = "points and lines cast no occlusion; export the scene with its faces";
+    return error;
+}
+
+// Faces that enclose an area.
+bool hasSurface(const aiScene& scene)
+{
+    for (unsigned mesh = 0; mesh < scene.mNumMeshes; ++mesh)
+        for (unsigned face = 0; face < scene.mMeshes[mesh]->mNumFaces; ++face)
+            if (scene.mMeshes[mesh]->mFaces[face].mNumIndices >= 3) return true;
+    return false;
+}
+
+// Whether some triangle has an area where it is drawn: a scale of 0 takes it away.
+bool hasArea(const Scene& scene)
+{
+    for (const SceneInstance& instance : scene.instances) {
+        const MeshDesc& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const auto placed = [&](std::uint32_t index) {
+            const float* p = mesh.vertices[index].position;
+            return glm::dvec3(instance.world_from_model * glm::dvec4(p[0], p[1], p[2], 1));
+        };
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 corner = placed(mesh.indices[i]);
+            const glm::dvec3 normal = glm::cross(placed(mesh.indices[i + 1]) - corner,
+                                                 placed(mesh.indices[i + 2]) - corner);
+            if (normal != glm::dvec3(0)) return true;
+        }
+    }
+    return false;
+}
+
+Scene sceneFrom(const aiScene& from, const std::string& path, SceneFolder& folder,
+                Diagnostics& warnings)
+{
+    Scene scene;
+    scene.name = std::filesystem::path(path).stem().string();
+    importMaterials(from, path, folder, scene, warnings);
+    const double crease = isGltf(path) ? kGltfCreaseDegrees : kCreaseDegrees;
+    for (unsigned index = 0; index < from.mNumMeshes; ++index)
+        scene.meshes.push_back(meshFrom(*from.mMeshes[index], crease));
+    const NodePlaces places = importNodes(from, scene);
+    importCameras(from, path, places, scene);
+    importLights(from, places, scene);
+    return scene;
+}
+
+// Opens what the scene's folder allows, and nothing for writing.
+class SceneFiles : public Assimp::DefaultIOSystem {
+public:
+    explicit SceneFiles(SceneFolder& folder) : folder_(folder) {}
+
+    bool Exists(const char* file) const override { return folder_.allows(file); }
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        const bool reads = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
+        const bool opens = reads && !folder_.refuses(file) && folder_.allows(file);
+        return opens ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+
+private:
+    SceneFolder& folder_;
+};
+
+// A file is otherwise read by whichever reader knows its first bytes, whatever its name.
+void keepDefaultFormats(Assimp::Importer& importer)
+{
+    for (std::size_t index = importer.GetImporterCount(); index-- > 0;) {
+        const std::string extensions = importer.GetImporterInfo(index)->mFileExtensions;
+        if (!isDefaultExtension(extensions.substr(0, extensions.find(' '))))
+            importer.UnregisterLoader(importer.GetImporter(index));
+    }
+}
+
+void configure(Assimp::Importer& importer, const ImportOptions& options, SceneFolder& folder)
+{
+    if (!options.any_format) keepDefaultFormats(importer);
+    importer.SetIOHandler(new SceneFiles(folder));  // which it deletes
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                                aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                    aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS);
+}
+
+// Why there is no scene; throws where that is for want of memory.
+Diagnostic failureOf(const Assimp::Importer& importer, const std::string& path,
+                     const SceneFolder& folder)
+{
+    try {
+        if (importer.GetException()) std::rethrow_exception(importer.GetException());
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (...) {  // its text is the importer's
+    }
+    Diagnostic error = brokenScene(path, importer.GetErrorString());
+    if (folder.refusedAny()) {
+        error.notes.push_back({{}, folder.warning().message});
+        error.help = folder.warning().help;
+    }
+    return error;
+}
+
+Diagnostic elidedFaces(const std::string& path, unsigned dropped)
+{
+    Diagnostic warning = {Code::not_finite, "the scene '" + path + "' has " +
+                                                std::to_string(dropped) +
+                                                " faces with vertices that are not finite"};
+    warning.help = "they are left out";
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+Result<Scene> readByAssimp(const std::string& path, const ImportOptions& options,
+                           Diagnostics warnings)
+{
+    SceneFolder folder(path, options.roots);
+    Assimp::Importer importer;
+    configure(importer, options, folder);
+    if (!importer.ReadFile(path, 0)) return failureOf(importer, path, folder);
+
+    // Before Assimp cuts polygons, since it compares coordinates.
+    unsigned dropped = 0;
+    const aiScene* const read = importer.GetScene();
+    for (unsigned index = 0; index < read->mNumMeshes; ++index)
+        dropped += dropBrokenFaces(*read->mMeshes[index]);
+    if (!hasSurface(*read)) return noTriangle(path, dropped);
+    const aiScene* const scene = importer.ApplyPostProcessing(kPostProcess);
+    if (!scene) return failureOf(importer, path, folder);
+
+    if (dropped > 0) warnings.push_back(elidedFaces(path, dropped));
+    Scene result = sceneFrom(*scene, path, folder, warnings);
+    if (folder.refusedAny()) warnings.push_back(folder.warning());
+    if (!hasArea(result)) return noTriangle(path, dropped);
+    return {std::move(result), std::move(warnings)};
+}
+
+// Whether a PLY file was cut off before the end of its header, for which Assimp looks for ever.
+bool endsInHeader(const std::string& path)
+{
+    constexpr std::size_t kLongestHeader =
+        1 << 20;  // a line an element or property takes some thirty bytes
+    const std::string start = readStart(path, kLongestHeader).bytes;
+    return startsWith(start, "ply") && start.find("end_header") == start.npos;
+}
+
+}  // namespace
+
+const char* const kSceneFormats = "scenes are glTF 2.0 (.gltf, .glb), OBJ, PLY, STL or 3DS";
+
+bool isDefaultFormat(const std::string& path)
+{
+    const std::string extension = lowerExtension(path);
+    return !extension.empty() && isDefaultExtension(std::string_view(extension).substr(1));
+}
+
+Diagnostic brokenScene(const std::string& path, const std::string& reason)
+{
+    Diagnostic error = {Code::scene_broken, "the scene '" + path + "' cannot be read: " +
+                                                std::string(utf8Prefix(reason, kLongestReason))};
+    while (!error.message.empty() && (error.message.back() == '.' || error.message.back() == '\n'))
+        error.message.pop_back();
+    error.help = kSceneFormats;
+    return error;
+}
+
+Result<Scene> readScene(const std::string& path, const ImportOptions& options)
+{
+    if (endsInHeader(path)) return brokenScene(path, "it ends within its header");
+    if (!isGltf(path)) return readByAssimp(path, options, {});
+    const Status checked = checkGltf(path, options.any_format);
+    if (!checked) return checked.diagnostics();
+    return readByAssimp(path, options, checked.diagnostics());
+}
+
+}  // namespace crevice

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Finding the scene that is meant: a built-in one or a file.
+#include "tools/render/scene/builtin_scenes.h"
+#include "tools/render/scene/lights.h"
+#include "tools/render/scene/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace crevice {
+
+namespace {
+
+bool looksLikeFile(const std::string& name)
+{
+    return name.find_first_of("/\\.") != std::string::npos;
+}
+
+// Files beside the missing one that have its extension.
+std::vector<std::string> filesNearby(const std::filesystem::path& path)
+{
+    std::vector<std::string> names;
+    std::error_code error;
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    std::filesystem::directory_iterator entries(folder, error);
+    for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error))
+        if (entries->path().extension() == path.extension())
+            names.push_back((path.parent_path() / entries->path().filename()).string());
+    return names;
+}
+
+Diagnostic sceneMissing(const std::string& name)
+{
+    Diagnostic error = {Code::scene_missing, "there is no scene '" + name + "'"};
+    if (looksLikeFile(name)) error.message = "the scene file '" + name + "' does not exist";
+    const auto files = looksLikeFile(name) ? filesNearby(name) : std::vector<std::string>();
+    error.help = files.empty() ? suggestName(name, builtinSceneNames(), "built-in scenes")
+                               : suggestName(name, files, "files");
+    return error;
+}
+
+}  // namespace
+
+Result<Scene> loadScene(const std::string& name_or_file, const ImportOptions& options)
+{
+    const auto& names = builtinSceneNames();
+    if (std::find(names.begin(), names.end(), name_or_file) != names.end())
+        return builtinScene(name_or_file);
+    std::error_code error;
+    if (!std::filesystem::exists(name_or_file, error)) return sceneMissing(name_or_file);
+    Result<Scene> scene = importScene(name_or_file, options);
+    if (scene) addDefaultLight(*scene);
+    return scene;
+}
+
+}  // namespace crevice

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The arguments that say which scene is seen and from where.
+#include "tools/render/scene/options.h"
+
+#include "core/base/text.h"
+#include "tools/commands/cli/config_options.h"
+#include "tools/render/scene/builtin_scenes.h"
+#include "tools/render/scene/camera_framing.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace crevice {
+
+void addImportOptions(CLI::App& app, ImportOptions& options)
+{
+    app.add_flag(
+        "--any-format", options.any_format,
+        "Read a scene in any format that Assimp supports; most of its readers are little tested");
+    app.add_option("--import-time", options.time_s,
+                   "Time limit for reading the scene, in seconds. Default: 10, plus 1 for each MiB "
+                   "of the file")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(1, 86400));
+    addRootOption(app, options.roots);
+}
+
+void addSceneOption(CLI::App& app, std::string& scene)
+{
+    app.add_option("--scene", scene,
+                   "A file (glTF 2.0, OBJ, PLY, STL, 3DS) or a built-in scene: " +
+                       joined(builtinSceneNames()))
+        ->type_name("FILE|NAME")
+        ->capture_default_str();
+}
+
+void addCameraOption(CLI::App& app, std::string& camera)
+{
+    app.add_option("--camera", camera,
+                   "The name of one of the scene's cameras, or eye=X,Y,Z and, as wanted, ;at=X,Y,Z "
+                   ";up=X,Y,Z ;fov=DEGREES or ;ortho=HEIGHT ;shift=X,Y (off-centre, in pictures) "
+                   ";near=D ;far=D. Default: the scene's first camera, or one that frames it")
+        ->type_name("CAMERA");
+}
+
+void addSceneOptions(CLI::App& app, SceneOptions& options)
+{
+    addSceneOption(app, options.scene);
+    app.add_option("--size", options.size, "Pixels of the picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    addCameraOption(app, options.camera);
+    addImportOptions(app, options.import);
+}
+
+Result<Extent> parseSize(const std::string& text)
+{
+    Extent extent;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, extent.width);
+    const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height =
+        separated ? std::from_chars(width.ptr + 1, end, extent.height) : std::from_chars_result{};
+    const bool whole = separated && height.ec == std::errc() && height.ptr == end;
+    if (whole && extent.width > 0 && extent.height > 0) return extent;
+    Diagnostic error{Code::bad_size,
+                     whole ? "the size '" + text + "' is not positive in both directions"
+                           : "the size '" + text + "' is not two whole numbers, WIDTHxHEIGHT"};
+    error.help = "write --size 960x540";
+    return error;
+}
+
+Result<SceneView> loadSceneView(const SceneOptions& options)
+{
+    const Result<Extent> extent = parseSize(options.size);
+    if (!extent) return extent.diagnostics();
+    Result<Scene> scene = loadScene(options.scene, options.import);
+    if (!scene) return scene.diagnostics();
+    const Bounds bounds = scene->bounds();
+    const double aspect = static_cast<double>(extent->width) / extent->height;
+    const Result<SceneCamera> camera = chooseCamera(*scene, bounds, options.camera, aspect);
+    if (!camera) return camera.diagnostics();
+    return {SceneView{std::move(*scene), bounds, *camera, *extent}, scene.diagnostics()};
+}
+
+long long triangleCount(const Scene& scene)
+{
+    long long count = 0;
+    for (const SceneInstance& instance : scene.instances)
+        count += static_cast<long long>(scene.meshes[instance.mesh].indices.size() / 3);
+    return count;
+}
+
+}  // namespace crevice

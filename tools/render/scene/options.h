@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Which scene is seen, from where and how large: the arguments that render, explain and reference
+// share.
+#pragma once
+
+#include "tools/render/scene/scene.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace crevice {
+
+struct SceneOptions {
+    std::string scene = "room";    ///< --scene: a built-in name or a file.
+    std::string size = "960x540";  ///< --size
+    std::string camera;            ///< --camera, as tools/render/scene/camera_framing.h reads it.
+    ImportOptions import = {};     ///< --any-format, --import-time, --root
+};
+
+/// What reading a scene's file may do.
+void addImportOptions(CLI::App& app, ImportOptions& options);
+
+/// Adds --scene alone.
+void addSceneOption(CLI::App& app, std::string& scene);
+
+/// Adds --camera alone.
+void addCameraOption(CLI::App& app, std::string& camera);
+
+/// Adds --scene, --size, --camera and what reading a file may do.
+void addSceneOptions(CLI::App& app, SceneOptions& options);
+
+/// Reads "960x540". Errors: CV4005 for anything but two whole numbers of at least 1.
+Result<Extent> parseSize(const std::string& text);
+
+/// A scene and the view of it.
+struct SceneView {
+    Scene scene;
+    Bounds bounds;
+    SceneCamera camera;
+    Extent extent;
+};
+
+/// Errors: those of parseSize, loadScene and chooseCamera; a scene's warnings come with the view.
+Result<SceneView> loadSceneView(const SceneOptions& options);
+
+/// Triangles of all instances.
+long long triangleCount(const Scene& scene);
+
+}  // namespace crevice

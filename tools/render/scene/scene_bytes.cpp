@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Writing into a string, and reading one that nobody vouches for.
+#include "tools/render/scene/scene_bytes.h"
+
+#include "tools/render/scene/transfer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace crevice {
+namespace {
+
+// "crvs" and a version, which goes up with every change of what is sent. As numbers, so that
+// another order of bytes is seen.
+constexpr std::uint32_t kMagic = 0x73767263;
+constexpr std::uint32_t kVersion = 1;
+
+class BytesWriter {
+public:
+    void bytes(const void* data, std::size_t size)
+    {
+        if (size > 0) written_.append(static_cast<const char*>(data), size);
+    }
+    bool holds(std::uint64_t) const { return true; }
+    std::string take() { return std::move(written_); }
+
+private:
+    std::string written_;
+};
+
+// After a failure every further byte is 0.
+class BytesReader {
+public:
+    explicit BytesReader(std::string_view bytes) : left_(bytes) {}
+
+    void bytes(void* data, std::size_t size)
+    {
+        if (size == 0) return;
+        if (!holds(size)) {
+            std::memset(data, 0, size);
+            return;
+        }
+        std::memcpy(data, left_.data(), size);
+        left_.remove_prefix(size);
+    }
+
+    bool holds(std::uint64_t size)
+    {
+        failed_ = failed_ || size > left_.size();
+        return !failed_;
+    }
+
+    bool whole() const { return !failed_ && left_.empty(); }
+
+private:
+    std::string_view left_;
+    bool failed_ = false;
+};
+
+Diagnostic broken(const std::string& reason)
+{
+    Diagnostic error = {Code::scene_broken, "the bytes of a scene cannot be read: " + reason};
+    error.help = "write and read them with the same version of crevice";
+    return error;
+}
+
+template <class List>
+bool isIndex(const List& list, int index)
+{
+    return index >= 0 && static_cast<std::size_t>(index) < list.size();
+}
+
+template <class List>
+bool isIndexOrNone(const List& list, int index)
+{
+    return index == -1 || isIndex(list, index);
+}
+
+bool isSound(const MeshDesc& mesh)
+{
+    return mesh.indices.size() % 3 == 0 &&
+           std::all_of(mesh.indices.begin(), mesh.indices.end(),
+                       [&](std::uint32_t index) { return index < mesh.vertices.size(); });
+}
+
+bool isSound(const Image& image)
+{
+    constexpr int kMaxSide = 1 << 15;  // as of images that are read
+    const Extent& extent = image.extent;
+    if (std::min({extent.width, extent.height, image.channels}) < 1) return false;
+    if (std::max(extent.width, extent.height) > kMaxSide || image.channels > 4) return false;
+    return image.pixels.size() ==
+           static_cast<std::uint64_t>(extent.width) * extent.height * image.channels;
+}
+
+// Whether all that it refers to is there.
+bool isSound(const Scene& scene)
+{
+    for (const MeshDesc& mesh : scene.meshes)
+        if (!isSound(mesh)) return false;
+    for (const SceneTexture& texture : scene.textures)
+        if (!isSound(texture.image)) return false;
+    for (const SceneInstance& instance : scene.instances)
+        if (!isIndex(scene.meshes, instance.mesh) || !isIndex(scene.materials, instance.material))
+            return false;
+    for (const SceneMaterial& material : scene.materials)
+        for (const int texture :
+             {material.base_color_texture, material.normal_texture, material.occlusion_texture})
+            if (!isIndexOrNone(scene.textures, texture)) return false;
+    return true;
+}
+
+}  // namespace
+
+std::string sceneBytes(const Scene& scene)
+{
+    std::uint32_t magic = kMagic, version = kVersion;
+    BytesWriter writer;
+    transferAll(writer, magic, version, const_cast<Scene&>(scene));  // which a writer only reads
+    return writer.take();
+}
+
+Result<Scene> sceneFromBytes(std::string_view bytes)
+{
+    std::uint32_t magic = 0, version = 0;
+    BytesReader reader(bytes);
+    transferAll(reader, magic, version);
+    if (magic != kMagic) return broken("they do not begin as a scene does");
+    if (version != kVersion)
+        return broken("they have version " + std::to_string(version) + ", and " +
+                      std::to_string(kVersion) + " was wanted");
+    Scene scene;
+    transfer(reader, scene);
+    if (!reader.whole()) return broken("they are cut, or changed");
+    if (!isSound(scene)) return broken("they refer to what is not in them");
+    const bool drawn = std::any_of(
+        scene.instances.begin(), scene.instances.end(),
+        [&](const SceneInstance& each) { return !scene.meshes[each.mesh].indices.empty(); });
+    if (!drawn) return Diagnostic{Code::scene_empty, "the scene has no triangle"};
+    return scene;
+}
+
+}  // namespace crevice

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Cameras and lights of an Assimp scene.
+#include "tools/render/scene/views.h"
+
+#include "tools/render/image/image_file.h"
+#include "tools/render/scene/lights.h"
+
+#include <assimp/scene.h>
+#include <assimp/version.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice {
+
+namespace {
+
+// Assimp's glTF reader gives this where the file leaves the far plane out.
+constexpr float kAssimpDefaultFar = 100.0f;
+
+glm::dvec3 vectorFrom(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+glm::dmat4 placeOf(const NodePlaces& places, const aiString& name)
+{
+    const auto place = places.find(name.C_Str());
+    return place == places.end() ? glm::dmat4(1.0) : place->second;
+}
+
+// `fallback` where the direction has no length.
+glm::dvec3 turned(const glm::dmat4& place, const aiVector3D& direction, const glm::dvec3& fallback)
+{
+    const glm::dvec3 world = glm::dmat3(place) * vectorFrom(direction);
+    const double length = glm::length(world);
+    return length > 0.0 && std::isfinite(length) ? world / length : fallback;
+}
+
+// Assimp keeps the horizontal angle. Before 5.3 its glTF reader multiplied glTF's vertical angle by
+// the aspect ratio; since then, and in all other formats, the tangents are in that proportion.
+double verticalAngle(const aiCamera& camera, bool gltf)
+{
+    const double aspect = camera.mAspect > 0.0f ? camera.mAspect : 1.0;
+    const bool linear = gltf && aiGetVersionMajor() * 100 + aiGetVersionMinor() < 503;
+    const double angle = linear ? camera.mHorizontalFOV / aspect
+                                : 2.0 * std::atan(std::tan(camera.mHorizontalFOV * 0.5) / aspect);
+    return angle > 0.0 && angle < 3.14 ? angle : SceneCamera().fov_y_rad;
+}
+
+SceneCamera cameraFrom(const aiCamera& from, const NodePlaces& places, bool gltf)
+{
+    SceneCamera camera;
+    camera.name = from.mName.C_Str();
+    const glm::dmat4 place = placeOf(places, from.mName);
+    // Assimp 5.2 moves glTF's cameras twice: by their node and by a copy of its translation.
+    const glm::dvec3 offset = gltf ? glm::dvec3(0.0) : vectorFrom(from.mPosition);
+    const glm::dvec3 eye = place * glm::dvec4(offset, 1.0);
+    const glm::dvec3 forward = turned(place, from.mLookAt, {0, 0, -1});
+    glm::dvec3 up = turned(place, from.mUp, {0, 1, 0});
+    if (glm::length(glm::cross(forward, up)) < 1e-6) up = {forward.y, forward.z, forward.x};
+    camera.view_from_world = glm::lookAt(eye, eye + forward, up);
+    camera.orthographic = from.mOrthographicWidth > 0.0f;
+    if (camera.orthographic)
+        camera.half_height = from.mOrthographicWidth / (from.mAspect > 0.0f ? from.mAspect : 1.0f);
+    else
+        camera.fov_y_rad = verticalAngle(from, gltf);
+    camera.near_distance = std::max(from.mClipPlaneNear, 0.0f);
+    if (!gltf || from.mClipPlaneFar != kAssimpDefaultFar) camera.far_distance = from.mClipPlaneFar;
+    return camera;
+}
+
+bool isSupported(const aiLight& light)
+{
+    return light.mType == aiLightSource_POINT || light.mType == aiLightSource_SPOT ||
+           light.mType == aiLightSource_DIRECTIONAL;
+}
+
+SceneLight lightFrom(const aiLight& from, const NodePlaces& places)
+{
+    const glm::dmat4 place = placeOf(places, from.mName);
+    SceneLight light;
+    light.name = from.mName.C_Str();
+    light.light.directional = from.mType == aiLightSource_DIRECTIONAL;
+    light.light.position = place * glm::dvec4(vectorFrom(from.mPosition), 1.0);
+    light.light.direction = turned(place, from.mDirection, {0, 0, -1});
+    light.light.spot = from.mType == aiLightSource_SPOT;
+    if (light.light.spot) {
+        // A file that says nothing gives two pi.
+        light.light.inner_angle_rad = std::min(from.mAngleInnerCone, glm::pi<float>());
+        light.light.outer_angle_rad = std::min(from.mAngleOuterCone, glm::pi<float>());
+    }
+    light.light.color = {from.mColorDiffuse.r, from.mColorDiffuse.g, from.mColorDiffuse.b};
+    light.light.attenuation = {from.mAttenuationConstant, from.mAttenuationLinear,
+                               from.mAttenuationQuadratic};
+    return light;
+}
+
+}  // namespace
+
+bool isGltf(const std::string& path)
+{
+    const std::string extension = lowerExtension(path);
+    return extension == ".gltf" || extension == ".glb";
+}
+
+void importCameras(const aiScene& from, const std::string& path, const NodePlaces& places,
+                   Scene& scene)
+{
+    const bool gltf = isGltf(path);
+    for (unsigned index = 0; index < from.mNumCameras; ++index)
+        scene.cameras.push_back(cameraFrom(*from.mCameras[index], places, gltf));
+}
+
+void importLights(const aiScene& from, const NodePlaces& places, Scene& scene)
+{
+    for (unsigned index = 0; index < from.mNumLights; ++index)
+        if (isSupported(*from.mLights[index]))
+            scene.lights.push_back(lightFrom(*from.mLights[index], places));
+    normalizeLights(scene);
+}
+
+}  // namespace crevice

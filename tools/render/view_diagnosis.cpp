@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Distances in view, and the warnings that follow.
+#include "tools/render/view_diagnosis.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/compile/depth_precision.h"
+#include "tools/render/scene/camera_framing.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crevice {
+namespace {
+
+// The radius to take: this part of the view's height, or of the scene's size where that is less,
+// since the rest of the view is empty then. About what radius 0.5 is in the scene 'room'.
+constexpr double kShownShare = 0.08;
+
+std::string figure(double value) { return shortest(static_cast<float>(value)); }
+
+// To two digits.
+double rounded(double value)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::round(value / unit) * unit;
+}
+
+Diagnostic warningOf(Code code, std::string message, std::string help)
+{
+    Diagnostic warning = {code, std::move(message)};
+    warning.help = std::move(help);
+    warning.severity = Severity::warning;
+    return warning;
+}
+
+// What the plan itself knows to be constant.
+std::optional<Diagnostic> constantByPlan(const Plan& plan)
+{
+    const PlanOutput* output = findNamed(plan.outputs, "ao");
+    if (!output || output->constant < 0) return std::nullopt;
+    std::string why;
+    for (const Elided& each : plan.elided)
+        if (each.optimization == "no_op" || each.optimization == "condition")
+            why += (why.empty() ? "" : "; ") + each.what + " does not run: " + each.reason;
+    const float value = plan.constants[output->constant].value;
+    return warningOf(Code::output_constant,
+                     "the ambient occlusion is " + shortest(value) + " everywhere", why);
+}
+
+bool isConstant(const Image& image)
+{
+    for (std::size_t i = image.channels; i < image.pixels.size(); i += image.channels)
+        if (image.pixels[i] != image.pixels[0]) return false;
+    return !image.pixels.empty();
+}
+
+// Flat scenes are open everywhere.
+bool isFlat(const Bounds& bounds)
+{
+    const glm::dvec3 size = bounds.max - bounds.min;
+    return std::min({size.x, size.y, size.z}) <= 1e-6 * bounds.diagonal();
+}
+
+// What shows: a share of the view, or of the scene where that is smaller, but some pixels in any
+// case.
+double shownRadius(const ParamDesc& radius, const Bounds& bounds, double unit_px, Extent extent)
+{
+    const double share_of_view = kShownShare * extent.height / unit_px;
+    const double least = 2 * kLeastRadiusPixels / unit_px;
+    const double value = std::max(std::min(share_of_view, kShownShare * bounds.diagonal()), least);
+    return std::clamp(rounded(value), double{radius.min}, double{radius.max});
+}
+
+Diagnostic nothingSeen(const Scene& scene, Extent extent)
+{
+    const SceneCamera framing = frameScene(scene, double(extent.width) / extent.height);
+    const glm::dvec3 eye = glm::inverse(framing.view_from_world)[3];
+    return warningOf(Code::nothing_seen,
+                     "the camera sees no surface of the scene '" + scene.name + "'",
+                     "try --camera 'eye=" + figure(eye.x) + "," + figure(eye.y) + "," +
+                         figure(eye.z) + "', from where all of it is seen");
+}
+
+}  // namespace
+
+double pixelsOf(double length, double distance, const Camera& camera, Extent extent)
+{
+    const double scale = 0.5 * extent.height * rangeOf(camera).zoom;
+    return length * scale / (camera.orthographic() ? 1.0 : distance);
+}
+
+Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
+                      const Camera& camera, std::optional<double> distance, const Image* ao)
+{
+    if (!distance) return {nothingSeen(scene, plan.extent)};
+    if (std::optional<Diagnostic> constant = constantByPlan(plan)) return {*constant};
+    const ParamDesc* radius = resolvedLength(description);
+    const Bounds bounds = scene.bounds();
+    if (!radius || !findNamed(plan.params, radius->name)) return {};
+
+    const double now = radius->value[0];
+    const double unit_px = pixelsOf(1, *distance, camera, plan.extent);
+    const std::string size = radius->name + " " + figure(now) + " is " +
+                             figure(rounded(now * unit_px)) + " pixels at the median depth " +
+                             figure(rounded(*distance));
+    const double shown = shownRadius(*radius, bounds, unit_px, plan.extent);
+    const std::string help = "try --set " + radius->name + "=" + figure(shown);
+    const bool constant = ao && isConstant(*ao);
+    if (constant && !isFlat(bounds))
+        return {warningOf(
+            Code::output_constant,
+            "the ambient occlusion is " + shortest(ao->pixels[0]) + " everywhere: " + size, help)};
+    if (now * unit_px < kLeastRadiusPixels)
+        return {warningOf(Code::out_of_range, size + ", where no ambient occlusion shows", help)};
+    if (now * unit_px > plan.extent.height)
+        return {warningOf(Code::out_of_range, size + ", more than the view is high", help)};
+    return {};
+}
+
+}  // namespace crevice

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Whether a view shows ambient occlusion at all: how far away its surfaces are, and how large a
+// radius is there.
+#pragma once
+
+#include <crevice/compile.h>
+#include <crevice/renderer.h>
+
+#include "tools/render/scene/scene.h"
+#include "tools/render/view_depth.h"
+
+#include <optional>
+
+namespace crevice {
+
+/// Pixels that a length covers at a distance.
+double pixelsOf(double length, double distance, const Camera& camera, Extent extent);
+
+/// Why a frame of the plan shows no ambient occlusion, or none that can be distinguished from a
+/// change of brightness: one warning with the value to take, or nothing. `distance` is the median
+/// one in view, `ao` the picture of occlusion, null where nobody asked for one.
+///
+/// CV7008 nothing is in view; CV9003 what the plan or the picture has is the same everywhere;
+/// CV4001 the radius covers less than two pixels at the median distance, or more than the view.
+Diagnostics checkView(const Description& description, const Plan& plan, const Scene& scene,
+                      const Camera& camera, std::optional<double> distance, const Image* ao);
+
+}  // namespace crevice

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Scenes and cameras of the page.
+#include "tools/show/page/engine/stage.h"
+
+#include "tools/render/scene/camera_framing.h"
+#include "tools/render/view_depth.h"
+
+#include <nlohmann/json.hpp>
+
+#include <glm/gtc/constants.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace crevice::page {
+
+using Json = nlohmann::json;
+
+namespace {
+
+Json listOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+double aspectOf(Extent extent) { return double(extent.width) / extent.height; }
+
+}  // namespace
+
+Status Stage::show(Scene scene)
+{
+    const bool any = std::any_of(scene.instances.begin(), scene.instances.end(), [&](auto& each) {
+        return !scene.meshes[each.mesh].indices.empty();
+    });
+    if (!any)
+        return Diagnostic{Code::scene_empty, "the scene '" + scene.name + "' has no triangle",
+                          "points and lines cast no occlusion; export the scene with its faces"};
+    Result<UploadedScene> uploaded = UploadedScene::upload(*device_, scene);
+    if (!uploaded) return uploaded.diagnostics();
+    scene_ = std::move(scene);
+    uploaded_ = std::move(*uploaded);
+    return {};
+}
+
+Json Stage::state() const
+{
+    auto cameras = Json::array();
+    for (const SceneCamera& camera : scene_.cameras) cameras.push_back(camera.name);
+    return {
+        {"name", scene_.name}, {"diagonal", uploaded_->bounds().diagonal()}, {"cameras", cameras}};
+}
+
+Result<SceneCamera> Stage::camera(const std::string& text, Extent extent) const
+{
+    return chooseCamera(scene_, uploaded_->bounds(), text, aspectOf(extent));
+}
+
+Frame Stage::frameOf(const SceneCamera& camera, Extent extent) const
+{
+    return makeFrame(*uploaded_, camera, extent);
+}
+
+Result<Json> Stage::resolve(const std::string& text, Extent extent) const
+{
+    const Result<SceneCamera> camera = this->camera(text, extent);
+    if (!camera) return camera.diagnostics();
+    const Extent small = {64, 64 * extent.height / extent.width + 1};
+    const Frame frame = frameOf(*camera, small);
+    const Result<Image> depth = drawDepth(*device_, frame, small);
+    if (!depth) return depth.diagnostics();
+    const double unseen = std::max(uploaded_->bounds().diagonal(), 1e-6);
+    const double distance = medianDistance(*depth, frame.camera).value_or(unseen);
+    const glm::dmat4 world_from_view = glm::inverse(camera->view_from_world);
+    const glm::dvec3 eye(world_from_view[3]);
+    Json json = {{"eye", listOf(eye)},
+                 {"at", listOf(eye - glm::dvec3(world_from_view[2]) * distance)},
+                 {"up", listOf(glm::dvec3(world_from_view[1]))}};
+    if (camera->orthographic)
+        json["ortho_height"] = 2 * camera->half_height;
+    else
+        json["fov_deg"] = camera->fov_y_rad * 180.0 / glm::pi<double>();
+    return json;
+}
+
+}  // namespace crevice::page

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "tools/show/plan/costs.h"
+
+#include "tools/show/plan/names.h"
+
+namespace crevice {
+
+namespace {
+
+// Bytes assumed of a texel that the plan does not know: noise, materials, imports.
+constexpr double kUnknownTexelBytes = 4;
+
+// "ssao, filter_x and filter_y": the passes of which something holds; empty where of none.
+template <class Test>
+std::string passesThat(const Plan& plan, Test&& holds)
+{
+    std::vector<std::string> names;
+    for (const PlanPass& pass : plan.passes)
+        if (holds(pass)) names.push_back(pass.name);
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
+}
+
+// What targets would take beyond the plan's textures if each had its own.
+double sharedBytes(const Plan& plan)
+{
+    double own = 0;
+    for (const PlanTarget& target : plan.targets) {
+        const auto add = [&](int index) {
+            if (index < 0) return;
+            PlanTexture alone = plan.textures[index];
+            alone.extent = plan.passes[target.first_pass].extent;  // it may have a part of a larger
+            own += textureBytes(alone);
+        };
+        add(target.texture);
+        add(target.history_texture);
+        if (target.drawn_texture != target.texture) add(target.drawn_texture);
+    }
+    return own - plan.texture_bytes;
+}
+
+}  // namespace
+
+MovedBytes movedBytes(const Plan& plan, const PlanPass& pass)
+{
+    MovedBytes bytes;
+    const double count = double(pass.extent.width) * pass.extent.height * plan.views;
+    const auto texels = [&](int target) {
+        return count * formatInfo(textureOf(plan, target).format).bytes;
+    };
+    for (const PlanInput& input : pass.inputs) {
+        if (input.kind == InputKind::constant) continue;
+        const bool known = input.kind == InputKind::target || input.kind == InputKind::history;
+        const double read = known ? texels(input.index) : count * kUnknownTexelBytes;
+        bytes.read += read;
+        if (input.sampler.empty()) bytes.loaded += read;
+    }
+    const auto write = [&](const PlanAttachment& attachment) {
+        if (attachment.store != StoreOp::store) return;
+        bytes.written += texels(attachment.target);
+        if (pass.samples == 1) return;
+        bytes.written += texels(attachment.target) * pass.samples;  // and resolving reads them all
+        bytes.read += texels(attachment.target) * pass.samples;
+    };
+    for (const PlanAttachment& color : pass.color) write(color);
+    if (pass.has_depth && !isMasked(pass)) write(pass.depth);
+    return bytes;
+}
+
+MovedBytes movedBytes(const Plan& plan)
+{
+    MovedBytes total;
+    for (const PlanPass& pass : plan.passes) {
+        const MovedBytes bytes = movedBytes(plan, pass);
+        total.read += bytes.read;
+        total.loaded += bytes.loaded;
+        total.written += bytes.written;
+    }
+    return total;
+}
+
+std::size_t textureCount(const Plan& plan)
+{
+    std::size_t count = 0;
+    for (const PlanTexture& texture : plan.textures) count += texture.copies;
+    return count;
+}
+
+std::vector<Elided> allElided(const Plan& plan)
+{
+    std::vector<Elided> elided = plan.elided;
+    const auto add = [&](const std::string& what, const std::string& passes,
+                         const char* optimization, const char* reason) {
+        if (!passes.empty()) elided.push_back({what + passes, optimization, reason});
+    };
+    if (const double bytes = sharedBytes(plan); bytes > 0)
+        elided.push_back({"textures", "aliasing",
+                          std::to_string(plan.targets.size()) + " targets share " +
+                              std::to_string(plan.textures.size()) + ", which saves " +
+                              bytesText(bytes)});
+    add("pixels of ", passesThat(plan, isMasked), "depth_mask",
+        "per frame, those that the mask excludes");
+    add("pixels of ", passesThat(plan, [](const PlanPass& pass) { return pass.scissor; }),
+        "scissor", "per frame, those outside the bounds of all draws");
+    add("draws of ", passesThat(plan, [](const PlanPass& pass) { return pass.frustum_scale > 0; }),
+        "frustum_culling", "per frame, those whose bounds are outside the view");
+    if (!plan.reruns) add("", "passes", "cached", "per frame, those whose inputs have not changed");
+    return elided;
+}
+
+}  // namespace crevice

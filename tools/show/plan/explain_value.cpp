@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+// Finding a value in a merged document and telling which files set it.
+#include "tools/show/plan/explain_value.h"
+
+#include "core/base/text.h"
+#include "core/config/field_types.h"
+#include "core/json/override.h"
+#include "tools/show/plan/names.h"
+#include "tools/show/schema/schema.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace crevice {
+namespace {
+
+/// The keys of a pointer, or of a dotted path.
+std::vector<std::string> partsOf(const std::string& path)
+{
+    if (startsWith(path, "/")) return pointerKeys(path);
+    std::vector<std::string> parts(1);
+    for (const char c : path) {
+        if (c == '.')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+/// The initial word of a feature.
+std::string initialWord(const Node& feature)
+{
+    const Node* value = feature.find("default");
+    const Node* words = feature.find("values");
+    if (!value && words && !words->items.empty()) value = &words->items.front();
+    return !value ? "false" : value->kind == Node::Kind::boolean ? brief(*value) : value->text;
+}
+
+bool isBareName(const Node& document, const std::vector<std::string>& parts)
+{
+    return parts.size() == 1 && !document.find(parts[0]);
+}
+
+/// The default of the param or feature of that name; empty where there is none.
+std::vector<std::string> defaultPath(const Node& document, const std::string& name)
+{
+    for (const char* group : {"params", "features"}) {
+        const Node* values = document.find(group);
+        if (values && values->find(name)) return {group, name, "default"};
+    }
+    return {};
+}
+
+/// "radius" stands for the default of the param or feature of that name, or for the value at the
+/// initial level that sets it.
+std::vector<std::string> expandBareName(const Node& document, std::vector<std::string> parts)
+{
+    if (!isBareName(document, parts)) return parts;
+    for (const std::vector<std::string>& path : levelPaths(document, parts[0]))
+        if (initialWord(*document.find("features")->find(path[1])) == path[3]) return path;
+    const std::vector<std::string> path = defaultPath(document, parts[0]);
+    return path.empty() ? parts : path;
+}
+
+/// "imports.velocity" for "velocity": what has that name in some section of the document.
+std::vector<std::string> pathsTo(const Node& document, const std::string& name)
+{
+    std::vector<std::string> paths;
+    for (const Member& section : document.members)
+        if (section.value.find(name)) paths.push_back("'" + section.key + "." + name + "'");
+    return paths;
+}
+
+const Node* child(const Node& node, const std::string& part)
+{
+    if (node.kind != Node::Kind::array) return node.find(part);
+    const bool number =
+        !part.empty() && part.size() < 9 &&
+        std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const std::size_t index = number ? std::stoul(part) : node.items.size();
+    return index < node.items.size() ? &node.items[index] : nullptr;
+}
+
+/// The null of a patch that took the member away, or null.
+const Member* deletedFrom(const Node& node, const std::string& part)
+{
+    for (auto gone = node.deleted.rbegin(); gone != node.deleted.rend(); ++gone)
+        if (gone->key == part) return &*gone;
+    return nullptr;
+}
+
+std::vector<std::string> childNames(const Node& node)
+{
+    std::vector<std::string> names;
+    for (const Member& member : node.members) names.push_back(member.key);
+    for (std::size_t i = 0; i < node.items.size(); ++i) names.push_back(std::to_string(i));
+    return names;
+}
+
+std::string pointerOf(const std::vector<std::string>& parts)
+{
+    std::string pointer;
+    for (const std::string& part : parts) pointer = memberPointer(pointer, part);
+    return pointer;
+}
+
+/// The value that the path leads to, or null.
+const Node* nodeAt(const Node& document, const std::vector<std::string>& path)
+{
+    const Node* node = &document;
+    for (const std::string& part : path) node = node ? child(*node, part) : nullptr;
+    return node;
+}
+
+/// What a bare name finds where a level sets it: the default, unless that is the same value.
+std::vector<FoundValue> overruledBy(const Node& document, const std::string& name,
+                                    const FoundValue& found)
+{
+    const std::vector<std::string> path = defaultPath(document, name);
+    const Node* node = path.empty() ? nullptr : nodeAt(document, path);
+    if (!node || brief(*node) == brief(*found.node)) return {};
+    return {{pointerOf(path), node}};
+}
+
+/// The text at a place, or "" where the place is nowhere.
+std::string textAt(const Place& place)
+{
+    if (!place.source || place.line < 1) return {};
+    const std::string_view line = lineOf(place.source->text, place.line);
+    const std::size_t begin = std::min(line.size(), static_cast<std::size_t>(place.column) - 1);
+    return std::string(line.substr(begin, static_cast<std::size_t>(place.length)));
+}
+
+/// Where the value stands now, then what it replaced, the newest first.
+std::vector<Place> placesOf(const Node& node)
+{
+    std::vector<Place> places = {node.place};
+    places.insert(places.end(), node.origins.rbegin(), node.origins.rend());
+    return places;
+}
+
+nlohmann::json jsonOf(const FoundValue& value)
+{
+    nlohmann::json places = nlohmann::json::array(), members = nlohmann::json::array();
+    nlohmann::json overruled = nlohmann::json::array();
+    for (const Place& place : placesOf(*value.node))
+        places.push_back({{"file", place.source ? place.source->name : ""},
+                          {"line", place.line},
+                          {"column", place.column},
+                          {"text", textAt(place)}});
+    for (const Member& member : value.node->members)
+        members.push_back(jsonOf({memberPointer(value.pointer, member.key), &member.value}));
+    for (const FoundValue& each : value.overruled) overruled.push_back(jsonOf(each));
+    nlohmann::json json = {
+        {"pointer", value.pointer}, {"value", brief(*value.node)}, {"places", places}};
+    if (!overruled.empty()) json["overruled"] = overruled;
+    if (!members.empty()) json["members"] = members;
+    return json;
+}
+
+std::string dumped(const nlohmann::json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+/// The declaration of that name in either stage, or null.
+const GlslUniform* declarationOf(const PlanProgram& program, const std::string& name)
+{
+    for (const GlslStage* stage : {&program.vertex, &program.fragment})
+        for (const GlslUniform& uniform : stage->uniforms)
+            if (uniform.name == name) return &uniform;
+    return nullptr;
+}
+
+/// The word for a key of a pass's `inputs.NAME`; empty where there is no such key.
+std::string samplingWord(const SamplerDesc& sampling, const std::string& key)
+{
+    if (key == "filter") return table::word(sampling.filter);
+    return key == "wrap" ? table::word(sampling.wrap) : "";
+}
+
+/// The same for a pass's `state`.
+std::string stateWord(const StateDesc& state, const std::string& key)
+{
+    if (key == "depth_test") return table::word(state.depth_test);
+    if (key == "depth_write") return state.depth_write ? "true" : "false";
+    return key == "cull" ? table::word(state.cull) : "";
+}
+
+/// What a sampler or uniform of a pass in the plan is bound to, and its fixed-function state.
+std::optional<UnsetValue> findBound(const Plan& plan, const std::vector<std::string>& parts)
+{
+    const bool input = parts.size() > 3 && parts[0] == "passes" && parts[2] == "inputs";
+    const bool uniform = parts.size() == 4 && parts[0] == "passes" && parts[2] == "uniforms";
+    const bool state = parts.size() == 4 && parts[0] == "passes" && parts[2] == "state";
+    const PlanPass* pass = input || uniform || state ? findNamed(plan.passes, parts[1]) : nullptr;
+    if (!pass) return std::nullopt;
+    if (const std::string found = state ? stateWord(pass->state, parts[3]) : ""; !found.empty())
+        return UnsetValue{pointerOf(parts), found,
+                          "by default for such a pass, since no file sets it"};
+    const GlslUniform* declared = declarationOf(plan.programs[pass->program], parts[3]);
+    if (!declared || isSampler(declared->type) != input) return std::nullopt;
+    const std::string where = placeName(declared->place);
+    UnsetValue bound{pointerOf(parts), "", "by name, since no file sets it: declared at " + where};
+    if (const PlanUniform* fed = findNamed(pass->uniforms, parts[3]); fed && uniform) {
+        bound.value = nameOf(fed->source) + (" " + fed->name);
+        return bound;
+    }
+    for (const PlanInput& each : pass->inputs) {
+        if (each.sampler != parts[3]) continue;
+        bound.value = nameOf(each.kind) + (" " + sourceName(plan, each));
+        if (parts.size() == 4 || (parts.size() == 5 && parts[4] == "from")) return bound;
+        bound.value = samplingWord(each.sampling, parts[4]);
+        bound.reason = "by default, since no file sets it: the sampler is declared at " + where;
+        return parts.size() == 5 && !bound.value.empty() ? std::optional(bound) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<FoundValue> findValue(const Node& document, const std::string& path)
+{
+    FoundValue found{{}, &document};
+    const std::vector<std::string> parts = partsOf(path);
+    for (const std::string& part : expandBareName(document, parts)) {
+        const Node* next = child(*found.node, part);
+        if (!next) {
+            Diagnostic error{Code::reference_missing,
+                             "there is no '" + part + "' in " +
+                                 (found.pointer.empty() ? "the config" : found.pointer)};
+            error.pointer = found.pointer;
+            if (const Member* gone = deletedFrom(*found.node, part))
+                error.notes.push_back({gone->key_place, "it was deleted here"});
+            std::vector<std::string> names = childNames(*found.node);
+            if (found.node == &document)
+                for (const char* section : {"params", "features"})
+                    if (const Node* all = document.find(section))
+                        for (const Member& each : all->members) names.push_back(each.key);
+            error.help = suggestName(part, std::move(names), "keys");
+            if (const auto paths = pathsTo(document, part); !paths.empty() && parts.size() == 1)
+                error.help = "did you mean " + joined(paths, " or ") + "?";
+            return error;
+        }
+        found = {memberPointer(found.pointer, part), next};
+    }
+    if (isBareName(document, parts)) found.overruled = overruledBy(document, parts[0], found);
+    return found;
+}
+
+std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan)
+{
+    const std::vector<std::string> parts = expandBareName(document, partsOf(path));
+    if (const auto bound = plan ? findBound(*plan, parts) : std::nullopt) return bound;
+    const Node* node = &document;
+    std::vector<std::string> reached;
+    std::string since = "no file sets it";
+    for (const std::string& part : parts) {
+        reached.push_back(part);
+        const Node* parent = std::exchange(node, node ? child(*node, part) : nullptr);
+        const Member* gone = parent && !node ? deletedFrom(*parent, part) : nullptr;
+        if (gone) since = placeName(gone->key_place) + " deletes it";
+        const auto key = findFormatKey(reached);
+        if (!key || (!node && key->named)) return std::nullopt;
+    }
+    const FormatKey key = *findFormatKey(parts);
+    return UnsetValue{pointerOf(parts), key.value,
+                      (key.value.empty() ? since + ", and the format has no default: "
+                                         : "by default, since " + since + ": ") +
+                          key.meaning};
+}
+
+std::string explainText(const FoundValue& value)
+{
+    std::string text;
+    for (const Member& member : value.node->members)
+        text += explainText(FoundValue{memberPointer(value.pointer, member.key), &member.value});
+    if (!text.empty()) return text;
+    text = value.pointer + " is " + brief(*value.node) + '\n';
+    const char* verb = "set";
+    for (const Place& place : placesOf(*value.node)) {
+        const std::string where = placeName(place);
+        const std::string what = textAt(place);
+        text += std::string("  ") + verb + " by " + (where.empty() ? "the command line" : where);
+        text += (what.empty() ? "" : ": " + what) + '\n';
+        verb = "before that";
+    }
+    for (const FoundValue& each : value.overruled) text += "and not " + explainText(each);
+    return text;
+}
+
+std::string explainText(const UnsetValue& value)
+{
+    return value.pointer + (value.value.empty() ? " has no value" : " is " + value.value) + "\n  " +
+           value.reason + '\n';
+}
+
+std::string explainJson(const FoundValue& value) { return dumped(jsonOf(value)); }
+
+std::string explainJson(const UnsetValue& value)
+{
+    return dumped({{"pointer", value.pointer},
+                   {"value", value.value},
+                   {"places", nlohmann::json::array()},
+                   {"reason", value.reason}});
+}
+
+}  // namespace crevice

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Planning without a device.
+#include "tools/show/plan/planning.h"
+
+#include "core/base/text.h"
+#include "core/frame/frame_values.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+DeviceCaps usualCaps()
+{
+    DeviceCaps caps = minimumCaps();
+    caps.name = "OpenGL ES 3.0 with float targets";
+    caps.max_texture_size =
+        8192;  // as GPUs with float targets have at least; the standard's 2048 is below 1080p
+    for (const FormatInfo& info : allFormats()) {
+        caps.renderable[static_cast<int>(info.format)] = true;
+        caps.sample_counts[static_cast<int>(info.format)] = 1u << 1 | 1u << 3;
+    }
+    return caps;
+}
+
+SceneTraits usualTraits()
+{
+    SceneTraits traits;
+    traits.lights = 1;
+    traits.alpha_tested = true;
+    traits.specular = true;
+    traits.textured = true;
+    return traits;
+}
+
+namespace {
+
+struct Setting {
+    std::string what;  // "scene.lights 0"
+    SceneTraits traits;
+};
+
+std::vector<Setting> otherSettings()
+{
+    std::vector<Setting> settings;
+    Setting full = {"everything that a scene can have", usualTraits()};
+    for (const TraitInfo& trait : kTraits) {
+        const int usual = trait.value(usualTraits());
+        if (startsWith(trait.name, "scene.")) trait.set(full.traits, 1);
+        for (const int value : {0, 1, 2}) {
+            if (value == usual || value > trait.most) continue;
+            settings.push_back(
+                {std::string(trait.name) + " " + std::to_string(value), usualTraits()});
+            trait.set(settings.back().traits, value);
+        }
+    }
+    settings.push_back(full);
+    return settings;
+}
+
+Result<Plan> planFor(const Description& description, const SceneTraits& traits)
+{
+    CompileOptions options;
+    options.extent = {960, 540};
+    return compile(description, traits, usualCaps(), options);
+}
+
+bool isSame(const Diagnostic& a, const Diagnostic& b)
+{
+    return a.code == b.code && a.pointer == b.pointer && a.message == b.message;
+}
+
+}  // namespace
+
+Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Description> description = loadDescription(options, sources);
+    if (!description) return description.diagnostics();
+    Result<Plan> plan = planFor(*description, usualTraits());
+    Diagnostics errors = plan ? Diagnostics() : plan.diagnostics();
+    for (const Setting& setting : otherSettings()) {
+        const Result<Plan> other = planFor(*description, setting.traits);
+        if (other) continue;
+        for (Diagnostic error : other.diagnostics()) {
+            const auto same = [&](const Diagnostic& each) { return isSame(each, error); };
+            if (error.severity != Severity::error ||
+                std::any_of(errors.begin(), errors.end(), same))
+                continue;
+            error.notes.push_back({{}, "found with " + setting.what});
+            errors.push_back(std::move(error));
+        }
+    }
+    if (!errors.empty()) return errors;
+    return plan;
+}
+
+Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources)
+{
+    const Result<Description> description = loadDescription(options, sources);
+    if (!description) return description.diagnostics();
+    return planFor(*description, usualTraits());
+}
+
+}  // namespace crevice

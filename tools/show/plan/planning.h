@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Planning a config where there is no graphics device: what validate and explain work on.
+#pragma once
+
+#include <crevice/compile.h>
+
+#include "tools/commands/cli/config_options.h"
+
+namespace crevice {
+
+/// What every OpenGL ES 3.0 device has, and float targets.
+DeviceCaps usualCaps();
+
+/// What a scene usually has: a light, textures, alpha tests, highlights.
+SceneTraits usualTraits();
+
+/// Loads a config and plans it at 960x540 on `usualCaps` for `usualTraits`.
+/// Errors: those of loadDescription and compile; warnings come with the plan.
+Result<Plan> planWithoutDevice(const ConfigOptions& options, const SourceSet& sources);
+
+/// The same plan, once the config plans for every other scene and camera too: with each trait
+/// changed from `usualTraits`, and with all that a scene can have. Errors: also those of the other
+/// plans, each with a note that says where it was found.
+Result<Plan> planForEveryScene(const ConfigOptions& options, const SourceSet& sources);
+
+}  // namespace crevice

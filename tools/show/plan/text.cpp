@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Plans as text for people. Nothing in it changes with the wording of a shader, so that tests can
+// keep it.
+#include "tools/show/plan/costs.h"
+#include "tools/show/plan/names.h"
+#include "tools/show/plan/print.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/config/field_types.h"
+
+#include <cmath>
+
+namespace crevice {
+
+const char* nameOf(LoadOp load)
+{
+    switch (load) {
+    case LoadOp::load: return "load";
+    case LoadOp::clear: return "clear";
+    case LoadOp::discard: break;
+    }
+    return "discard";
+}
+
+const char* nameOf(StoreOp store) { return store == StoreOp::store ? "store" : "discard"; }
+
+const char* nameOf(InputKind kind)
+{
+    switch (kind) {
+    case InputKind::target: return "target";
+    case InputKind::history: return "history";
+    case InputKind::generated: return "generated";
+    case InputKind::imported: return "import";
+    case InputKind::material: return "material";
+    case InputKind::constant: break;
+    }
+    return "constant";
+}
+
+const char* nameOf(UniformSource source)
+{
+    const char* const names[] = {"param", "frame value", "draw value", "kernel"};
+    return names[static_cast<int>(source)];
+}
+
+std::string sourceName(const Plan& plan, const PlanInput& input)
+{
+    switch (input.kind) {
+    case InputKind::target:
+    case InputKind::history: return plan.targets[input.index].name;
+    case InputKind::generated: return plan.generated[input.index].name;
+    case InputKind::imported: return plan.imports[input.index].name;
+    case InputKind::constant: return shortest(plan.constants[input.index].value);
+    case InputKind::material: break;
+    }
+    return input.sampler;
+}
+
+std::string sizeText(const Extent& extent)
+{
+    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
+}
+
+std::string samplesText(int samples)
+{
+    return samples == 1 ? "" : ", " + std::to_string(samples) + " samples";
+}
+
+std::string bytesText(double bytes)
+{
+    const char* const units[] = {" KiB", " MiB", " GiB", " TiB"};
+    if (bytes < 1024) return std::to_string(std::llround(bytes)) + " bytes";
+    int unit = 0;
+    for (bytes /= 1024; bytes >= 1024 && unit < 3; bytes /= 1024) ++unit;
+    const long long tenths = std::llround(bytes * 10);
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + units[unit];
+}
+
+std::string boundsText(const Plan& plan, const PlanPass& pass)
+{
+    if (!pass.scissor) return "everything";
+    if (pass.cull_below_pixel < 0) return "the bounds of all draws";
+    return "the bounds of draws at which " + plan.params[pass.cull_below_pixel].name +
+           " is a pixel or more";
+}
+
+const PlanTexture& textureOf(const Plan& plan, int target)
+{
+    return plan.textures[plan.targets[target].texture];
+}
+
+namespace {
+
+std::string counted(std::size_t count, const std::string& what)
+{
+    return std::to_string(count) + " " + what + (count == 1 ? "" : what == "pass" ? "es" : "s");
+}
+
+std::string samplingText(const SamplerDesc& sampling)
+{
+    return table::word(sampling.filter) + ", " + table::word(sampling.wrap);
+}
+
+std::string readText(const Plan& plan, const PlanInput& input)
+{
+    const std::string source = sourceName(plan, input);
+    if (input.sampler.empty()) return "    drawn   where " + source + " is more than 0\n";
+    std::string text = "    reads   " + input.sampler;
+    if (input.kind == InputKind::material) return text + " of the material\n";
+    text += input.kind == InputKind::target && source == input.sampler
+                ? ""
+                : std::string(" from ") + nameOf(input.kind) + " " + source;
+    if (input.kind == InputKind::constant) return text + "\n";
+    return text + " (" + samplingText(input.sampling) + ")\n";
+}
+
+std::string clearText(const PlanAttachment& attachment, bool depth)
+{
+    const auto& c = attachment.clear;
+    std::string text = "clear to " + shortest(c[0]);
+    if (depth || (c[0] == c[1] && c[0] == c[2] && c[0] == c[3])) return text;
+    for (int i = 1; i < 4; ++i) text += " " + shortest(c[i]);
+    return text;
+}
+
+std::string writeText(const Plan& plan, const PlanAttachment& attachment, bool depth)
+{
+    std::string text = "    writes  " + attachment.name;
+    if (attachment.target < 0) return text + ": no texture, no pass reads it\n";
+    const PlanTarget& target = plan.targets[attachment.target];
+    text += ": " + std::string(formatInfo(textureOf(plan, attachment.target).format).name) +
+            " texture " + std::to_string(target.texture);
+    if (target.drawn_texture != target.texture)
+        text += " resolved from " + std::to_string(target.drawn_texture);
+    const std::string load =
+        attachment.load == LoadOp::clear ? clearText(attachment, depth) : nameOf(attachment.load);
+    return text + ", " + load + ", " + nameOf(attachment.store) + "\n";
+}
+
+std::string passText(const Plan& plan, const PlanPass& pass)
+{
+    const MovedBytes bytes = movedBytes(plan, pass);
+    std::string text = "  " + pass.name + ": " + table::word(pass.type) + " " +
+                       sizeText(pass.extent) + samplesText(pass.samples) + ", program " +
+                       plan.programs[pass.program].label + ", " + bytesText(bytes.read) +
+                       " read, " + bytesText(bytes.written) + " written\n";
+    for (const PlanInput& input : pass.inputs) text += readText(plan, input);
+    if (pass.scissor) text += "    drawn   within " + boundsText(plan, pass) + "\n";
+    for (const PlanAttachment& color : pass.color) text += writeText(plan, color, false);
+    if (pass.has_depth && !isMasked(pass)) text += writeText(plan, pass.depth, true);
+    return text;
+}
+
+std::string textureText(const Plan& plan, std::size_t index)
+{
+    const PlanTexture& texture = plan.textures[index];
+    std::string text = "  " + std::to_string(index) + ": " + formatInfo(texture.format).name + " " +
+                       sizeText(texture.extent) + samplesText(texture.samples);
+    if (texture.copies > 1) text += ", one a view";
+    text += ", " + bytesText(textureBytes(texture)) + ":";
+    const char* separator = " ";
+    for (const std::string& target : texture.targets) {
+        text += separator + target;
+        separator = ", then ";
+    }
+    return text + "\n";
+}
+
+std::string outputText(const Plan& plan, const PlanOutput& output)
+{
+    const bool constant = output.constant >= 0;
+    return "  " + output.name + ": " +
+           (constant ? "constant " + shortest(plan.constants[output.constant].value)
+                     : "target " + plan.targets[output.target].name) +
+           "\n";
+}
+
+}  // namespace
+
+std::string toText(const Plan& plan)
+{
+    std::string text = "plan " + printableLine(plan.config) + " " + sizeText(plan.extent) + ": " +
+                       counted(plan.passes.size(), "pass") +
+                       (plan.views > 1 ? " for each of " + counted(plan.views, "view") : "") +
+                       ", " + counted(textureCount(plan), "texture") + ", " +
+                       bytesText(plan.texture_bytes) + "\npasses\n";
+    for (const PlanPass& pass : plan.passes) text += passText(plan, pass);
+    text += "textures\n";
+    for (std::size_t i = 0; i < plan.textures.size(); ++i) text += textureText(plan, i);
+    text += "outputs\n";
+    for (const PlanOutput& output : plan.outputs) text += outputText(plan, output);
+    if (!plan.generated.empty()) text += "generated\n";
+    for (const GeneratorDesc& each : plan.generated)
+        text += "  " + each.name + ": " + each.generator + " " + std::to_string(each.count) + "\n";
+    if (!plan.imports.empty()) text += "imports\n";
+    for (const ImportDesc& each : plan.imports)
+        text += "  " + each.name + ": " + table::word(each.type) +
+                (each.optional ? ", optional\n" : "\n");
+    const std::vector<Elided> elided = allElided(plan);
+    if (!elided.empty()) text += "left out\n";
+    for (const Elided& each : elided)
+        text += "  " + each.what + " (" + each.optimization + "): " + each.reason + "\n";
+    return text;
+}
+
+}  // namespace crevice

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Writes the report's page, JSON and CSV.
+#include "tools/show/report/bench_report.h"
+
+#include "core/base/text.h"
+#include "tools/show/report/bench_model.h"
+#include "tools/show/report/page.h"
+#include "tools/show/report/page_data.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+
+namespace crevice {
+namespace {
+
+using nlohmann::json;
+
+/// Reads each picture once, however many samples share it.
+class Pictures {
+public:
+    void add(const std::string& path, const std::string& folder)
+    {
+        if (path.empty() || found_.contains(path)) return;
+        const std::string uri = pictureUri(path, folder);
+        if (uri.empty()) {
+            Diagnostic warning{Code::image_broken, "the picture '" + path +
+                                                       "' is no PNG below the folder "
+                                                       "of its results file"};
+            warning.help =
+                "the report leaves it out; keep pictures in the folder of their results file";
+            warning.severity = Severity::warning;
+            warnings.push_back(std::move(warning));
+        }
+        found_[path] = uri;
+    }
+
+    json take() { return std::move(found_); }
+
+    Diagnostics warnings;
+
+private:
+    json found_ = json::object();
+};
+
+std::string dump(const json& value, int indent)
+{
+    return printable(value.dump(indent, ' ', false, json::error_handler_t::replace));
+}
+
+json modelOf(const std::vector<BenchSample>& samples, const BenchCoverage& coverage)
+{
+    json model = reportModel(samples);
+    model["coverage"] = {{"measured", coverage.measured}, {"failed", coverage.failed},
+                         {"planned", coverage.planned},   {"configs", coverage.configs},
+                         {"whole", coverage.whole()},     {"text", coverageText(coverage)}};
+    return model;
+}
+
+std::string quoted(const json& value)
+{
+    if (!value.is_string()) return dump(value, -1);
+    const std::string text = printable(value.get<std::string>());
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string safe = "\"";
+    for (const char c : text) safe += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return safe + '"';
+}
+
+/// The columns of the CSV: what they are called, and JSON pointers into a sample; what it does not
+/// have stays empty. The config comes first and free of commas, so that awk can distinguish the
+/// rows.
+constexpr const char* kColumns[][2] = {
+    {"config", "/config"},
+    {"overrides", "/overrides"},
+    {"family", "/family"},
+    {"samples", "/samples"},
+    {"scene", "/scene"},
+    {"camera", "/camera"},
+    {"width", "/extent/width"},
+    {"height", "/extent/height"},
+    {"radius", "/radius"},
+    {"rays", "/rays"},
+    {"radius_px", "/radius_px"},
+    {"triangles", "/triangles"},
+    {"rmse", "/error/rmse"},
+    {"bias", "/error/bias"},
+    {"p99", "/error/p99"},
+    {"rmse_fit", "/error/rmse_fit"},
+    {"power_fit", "/error/power_fit"},
+    {"rmse_without_ao", "/error_without_ao"},
+    {"taps", "/budget/taps"},
+    {"filter", "/budget/filter"},
+    {"half_size", "/budget/half_size"},
+    {"off_screen", "/budget/off_screen"},
+    {"hidden_layers", "/budget/hidden_layers"},
+    {"precision", "/budget/precision"},
+    {"model", "/budget/model"},
+    {"still_rms", "/motion/paths/still/rms"},
+    {"sub_pixel_rms", "/motion/paths/sub-pixel/rms"},
+    {"pan_rms", "/motion/paths/pan/rms"},
+    {"strafe_rms", "/motion/paths/strafe/rms"},
+    {"disocclusion_rms", "/motion/paths/disocclusion/rms"},
+    {"pan_rmse", "/motion/paths/pan/rmse"},
+    {"settled_after", "/motion/settled_after"},
+    {"clock", "/clock"},
+    {"repeats", "/repeats"},
+    {"cost_ms", "/cost/median"},
+    {"cost_ms_q1", "/cost/q1"},
+    {"cost_ms_q3", "/cost/q3"},
+    {"cost_with_geometry_ms", "/cost_with_geometry/median"},
+    {"total_ms", "/total/median"},
+    {"passes_ms", "/passes"},
+    {"ratio_copy", "/ratio_copy"},
+    {"ratio_learnopengl", "/ratio_learnopengl"},
+    {"ratio_with_geometry", "/ratio_with_geometry"},
+    {"texture_bytes", "/texture_bytes"},
+    {"bytes_read", "/bytes_read"},
+    {"bytes_written", "/bytes_written"},
+    {"failure", "/failure"},
+    {"device", "/device"},
+    {"version", "/version"},
+    {"key", "/key"},
+};
+
+/// Lists become words: "samples=16 bias=0.1", "geometry=1.2 ao=3.4".
+json flat(const json& value)
+{
+    if (!value.is_array()) return value;
+    std::string text;
+    for (const json& item : value) {
+        if (!text.empty()) text += ' ';
+        if (item.is_string())
+            text += item.get<std::string>();
+        else
+            text += item["name"].get<std::string>() + "=" + dump(item["ms"]["median"], -1);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string reportJson(const std::vector<BenchSample>& samples, const BenchCoverage& coverage)
+{
+    return dump(modelOf(samples, coverage), 1) + "\n";
+}
+
+std::string reportCsv(const std::vector<BenchSample>& samples)
+{
+    std::string csv;
+    for (const auto& [name, pointer] : kColumns)
+        csv += (csv.empty() ? "" : ",") + std::string(name);
+    csv += "\r\n";
+    for (const BenchSample& sample : samples) {
+        const json row = json::parse(toJsonLine(sample));
+        std::string line;
+        for (const auto& [name, pointer] : kColumns) {
+            const json::json_pointer place(pointer);
+            line += (row.contains(place) ? quoted(flat(row[place])) : "") + ",";
+        }
+        line.pop_back();
+        csv += line + "\r\n";
+    }
+    return csv;
+}
+
+Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures,
+                               const BenchCoverage& coverage)
+{
+    Pictures pictures;
+    if (with_pictures) {
+        for (const BenchSample& sample : samples)
+            for (const std::string& path :
+                 {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
+                pictures.add(path, sample.folder);
+    }
+    json model = modelOf(samples, coverage);
+    model["pictures"] = pictures.take();
+
+    return {pageWith(benchPage(), model), std::move(pictures.warnings)};
+}
+
+}  // namespace crevice

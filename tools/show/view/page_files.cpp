@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "tools/show/view/page_files.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+
+#include <filesystem>
+
+namespace crevice {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 1000;  // of a folder that is no page, such as one's home
+
+constexpr struct {
+    const char* extension;
+    const char* type;
+} kTypes[] = {
+    {".css", "text/css; charset=utf-8"},
+    {".glb", "model/gltf-binary"},
+    {".html", "text/html; charset=utf-8"},
+    {".ico", "image/x-icon"},
+    {".js", "text/javascript; charset=utf-8"},
+    {".json", "application/json"},
+    {".map", "application/json"},
+    {".mjs", "text/javascript; charset=utf-8"},
+    {".png", "image/png"},
+    {".svg", "image/svg+xml"},
+    {".txt", "text/plain; charset=utf-8"},
+    {".wasm", "application/wasm"},
+    {".woff2", "font/woff2"},
+};
+
+bool isPage(const fs::path& folder)
+{
+    std::error_code error;
+    return fs::is_regular_file(folder / "index.html", error);
+}
+
+}  // namespace
+
+Result<PageFiles> PageFiles::list(const std::string& folder)
+{
+    if (folder.empty() || !isPage(folder)) {
+        Diagnostic error = {Code::page_missing,
+                            folder.empty() ? "the page is not built"
+                                           : "the folder '" + folder + "' has no index.html"};
+        error.help = "build the page with tools/page.sh, or name its folder with --page";
+        return error;
+    }
+    PageFiles files;
+    std::error_code error;
+    fs::recursive_directory_iterator entries(folder, error);
+    for (const fs::recursive_directory_iterator end; !error && entries != end;
+         entries.increment(error)) {
+        const fs::path& path = entries->path();
+        std::error_code unreadable;
+        if (startsWith(path.filename().string(), ".")) {
+            entries.disable_recursion_pending();
+            continue;
+        }
+        if (!entries->is_regular_file(unreadable) || !isBelow(path.string(), {folder})) continue;
+        files.paths_[path.lexically_relative(folder).generic_string()] = path.string();
+        if (files.paths_.size() == kMostFiles) break;
+    }
+    const fs::path index = fs::path(folder) / "index.html";
+    files.paths_["index.html"] = index.string();
+    return files;
+}
+
+const std::string* PageFiles::find(const std::string& name) const
+{
+    const auto at = paths_.find(name);
+    return at == paths_.end() ? nullptr : &at->second;
+}
+
+std::string builtPageFolder()
+{
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path installed = program.parent_path().parent_path() / "share/crevice/page";
+    if (!error && isPage(installed)) return installed.string();
+    return isPage(CREVICE_PAGE_FOLDER) ? CREVICE_PAGE_FOLDER : "";
+}
+
+const char* mimeType(const std::string& name)
+{
+    const std::string extension = fs::path(name).extension().string();
+    for (const auto& each : kTypes)
+        if (extension == each.extension) return each.type;
+    return "application/octet-stream";
+}
+
+}  // namespace crevice

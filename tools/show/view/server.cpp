@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The one file that includes cpp-httplib, which is large.
+#include "tools/show/view/server.h"
+
+#include "core/base/text.h"
+
+#include <httplib.h>
+
+#include <sys/socket.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <thread>
+
+namespace crevice {
+namespace {
+
+constexpr int kThreads = 32;      // a stream of events holds one
+constexpr int kMostStreams = 16;  // open pages
+constexpr std::size_t kLongestTarget = 2048;
+
+std::vector<std::string> headersOf(const httplib::Request& request, const char* name)
+{
+    std::vector<std::string> values;
+    const auto found = request.headers.equal_range(name);
+    for (auto at = found.first; at != found.second; ++at) values.push_back(at->second);
+    return values;
+}
+
+SiteRequest siteRequest(const httplib::Request& request)
+{
+    return {request.method,
+            request.path,
+            headersOf(request, "Host"),
+            headersOf(request, "Origin"),
+            request.get_header_value("If-Match"),
+            request.has_header("If-Match")};
+}
+
+// All of it, however large, so that the answer is read; of which no more than the limit is kept.
+void readBody(const httplib::ContentReader& read, SiteRequest& request)
+{
+    constexpr std::size_t kMostRead = 64u << 20;
+    std::size_t size = 0;
+    const bool whole = read([&](const char* data, std::size_t count) {
+        size += count;
+        if (size <= kMaxDocumentBytes) request.body.append(data, count);
+        return size <= kMostRead;
+    });
+    request.too_large = !whole || size > kMaxDocumentBytes;
+}
+
+// Counted as long as its response is there.
+class OpenStream {
+public:
+    explicit OpenStream(std::atomic<int>& open) : open_(open), order_(++open) {}
+    ~OpenStream() { --open_; }
+    OpenStream(const OpenStream&) = delete;
+    OpenStream& operator=(const OpenStream&) = delete;
+
+    bool tooMany() const { return order_ > kMostStreams; }
+
+private:
+    std::atomic<int>& open_;
+    const int order_;
+};
+
+}  // namespace
+
+struct Server::Impl {
+    explicit Impl(std::chrono::milliseconds beat) : heartbeat(beat) {}
+
+    void fill(httplib::Response& response, const SiteAnswer& answer);
+    void stream(httplib::Response& response);
+
+    httplib::Server http;
+    std::thread thread;
+    const Site* site = nullptr;
+    Events* events = nullptr;
+    std::atomic<int> streams{0};
+    const std::chrono::milliseconds heartbeat;
+};
+
+void Server::Impl::stream(httplib::Response& response)
+{
+    const auto open = std::make_shared<OpenStream>(streams);
+    if (open->tooMany()) {
+        response.status = 503;
+        return;
+    }
+    const auto send = [this, open, seen = events->count(), begun = false](
+                          std::size_t, httplib::DataSink& sink) mutable {
+        const std::optional<std::string> event =
+            begun ? events->next(seen, heartbeat) : std::optional<std::string>("");
+        begun = true;
+        if (!event) return false;
+        const std::string text = event->empty() ? ": here\n\n" : *event;
+        return sink.write(text.data(), text.size());
+    };
+    response.set_chunked_content_provider("text/event-stream", send);
+}
+
+void Server::Impl::fill(httplib::Response& response, const SiteAnswer& answer)
+{
+    response.status = answer.status;
+    if (!answer.allow.empty()) response.set_header("Allow", answer.allow);
+    if (answer.events) return stream(response);
+    if (!answer.body || answer.body->empty()) return;
+    response.set_content_provider(
+        answer.body->size(), answer.type,
+        [body = answer.body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+            return sink.write(body->data() + offset, length);
+        });
+}
+
+Server::Server(std::chrono::milliseconds heartbeat) : impl_(std::make_unique<Impl>(heartbeat))
+{
+    httplib::Server& http = impl_->http;
+    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    // Not SO_REUSEPORT, by which another process could take the port, too.
+    http.set_socket_options([](socket_t socket) {
+        const int yes = 1;
+        setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    });
+    httplib::Headers headers;
+    for (const auto& [name, value] : kSiteHeaders) headers.emplace(name, value);
+    http.set_default_headers(headers);
+    // One request a connection: what is left of a refused one is never read as another, and a
+    // browser's idle connections hold no thread.
+    http.set_keep_alive_max_count(1);
+    http.set_keep_alive_timeout(1);
+    http.set_exception_handler([](const httplib::Request&, httplib::Response& response,
+                                  std::exception_ptr) { response.status = 500; });
+    // All but PUT, whose body is read first. Before anything else looks at the target.
+    http.set_pre_routing_handler([this](const httplib::Request& request,
+                                        httplib::Response& response) {
+        const bool fits = request.target.size() <= kLongestTarget;
+        if (fits && request.method == "PUT") return httplib::Server::HandlerResponse::Unhandled;
+        impl_->fill(response, fits ? impl_->site->answer(siteRequest(request)) : SiteAnswer{404});
+        return httplib::Server::HandlerResponse::Handled;
+    });
+    http.Put("[^]*", [this](const httplib::Request& request, httplib::Response& response,
+                            const httplib::ContentReader& read) {
+        SiteRequest asked = siteRequest(request);
+        readBody(read, asked);
+        impl_->fill(response, impl_->site->answer(asked));
+    });
+}
+
+Server::~Server() { stop(); }
+
+Result<int> Server::bind(int port)
+{
+    constexpr const char* kAddress = "127.0.0.1";
+    errno = 0;
+    const bool bound = port == 0 || impl_->http.bind_to_port(kAddress, port);
+    const int taken = port == 0 ? impl_->http.bind_to_any_port(kAddress) : port;
+    if (bound && taken > 0) return taken;
+    std::string message = "port " + std::to_string(port) + " of this machine cannot be served on";
+    if (errno != 0) message += std::string(": ") + std::strerror(errno);
+    return Diagnostic{Code::cannot_serve, message, "leave --port out for any that is free"};
+}
+
+void Server::start(const Site& site, Events& events)
+{
+    impl_->site = &site;
+    impl_->events = &events;
+    impl_->thread = std::thread([this] { impl_->http.listen_after_bind(); });
+    while (!impl_->http.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+void Server::stop()
+{
+    if (!impl_->thread.joinable()) return;
+    impl_->events->close();
+    impl_->http.stop();
+    impl_->thread.join();
+}
+
+}  // namespace crevice

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "tools/show/view/site.h"
+
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "tools/show/view/token.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace crevice {
+
+// The page gets nothing from elsewhere, and nobody learns its address or shows it in a frame. Its
+// WebAssembly needs 'wasm-unsafe-eval', its editor writes styles of its own, and what is dropped on
+// it becomes blobs, as workers may be.
+const std::vector<std::pair<std::string, std::string>> kSiteHeaders = {
+    {"Content-Security-Policy",
+     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; "
+     "style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; connect-src 'self' blob: "
+     "data:; "
+     "font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+    {"Cache-Control", "no-store"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Referrer-Policy", "no-referrer"},
+    {"X-Content-Type-Options", "nosniff"},
+};
+
+namespace {
+
+constexpr const char* kJson = "application/json";
+constexpr std::size_t kMostPageBytes = 64u << 20;  // of one file
+
+std::string textOf(const nlohmann::json& json)
+{
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+SiteAnswer jsonAnswer(int status, const nlohmann::json& json)
+{
+    return {status, kJson, std::make_shared<const std::string>(textOf(json))};
+}
+
+SiteAnswer refused(int status, const std::string& message)
+{
+    return jsonAnswer(status, {{"message", message}});
+}
+
+SiteAnswer pageFile(const std::string& name, const std::string& path)
+{
+    FileBytes file = readBytes(path, kMostPageBytes);
+    if (!file) return {404};
+    return {200, mimeType(name), std::make_shared<const std::string>(std::move(file.bytes))};
+}
+
+// An If-Match may have its quotes, or not.
+std::string unquoted(const std::string& version)
+{
+    const bool quoted = version.size() >= 2 && version.front() == '"' && version.back() == '"';
+    return quoted ? version.substr(1, version.size() - 2) : version;
+}
+
+}  // namespace
+
+Site::Site(std::string token, int port, PageFiles page, UserFiles& files, SiteView view)
+    : token_(std::move(token)),
+      port_(std::to_string(port)),
+      page_(std::move(page)),
+      files_(files),
+      view_(std::move(view))
+{
+}
+
+std::string Site::address() const { return "http://127.0.0.1:" + port_ + "/" + token_ + "/"; }
+
+// Another name would be that of a page elsewhere that had its name lead here (DNS rebinding).
+bool Site::isOurs(const std::string& host) const
+{
+    return host == "127.0.0.1:" + port_ || host == "localhost:" + port_;
+}
+
+SiteAnswer Site::answer(const SiteRequest& request) const
+{
+    constexpr std::string_view kOrigin = "http://", kFiles = "files/";
+    if (request.hosts.size() != 1 || !isOurs(request.hosts.front())) return {403};
+    const std::size_t end = 1 + token_.size();
+    if (request.path.size() <= end || request.path[0] != '/' || request.path[end] != '/' ||
+        !sameSecret(std::string_view(request.path).substr(1, token_.size()), token_))
+        return {404};
+    const std::string name = request.path.substr(end + 1);
+    const bool gets = request.method == "GET" || request.method == "HEAD";
+    if (!startsWith(name, kFiles)) return gets ? get(name) : SiteAnswer{405, "", {}, "GET, HEAD"};
+    if (request.method != "PUT") return {405, "", {}, "PUT"};
+    const bool ours =
+        std::all_of(request.origins.begin(), request.origins.end(), [&](const std::string& origin) {
+            return startsWith(origin, kOrigin) && isOurs(origin.substr(kOrigin.size()));
+        });
+    return ours ? put(name.substr(kFiles.size()), request) : SiteAnswer{403};
+}
+
+SiteAnswer Site::get(const std::string& name) const
+{
+    if (name == "events") return {200, "text/event-stream", {}, "", true};
+    if (name == "view.json") return {200, kJson, std::make_shared<const std::string>(viewJson())};
+    if (name == "scene") {
+        if (!view_.scene_bytes) return {404};
+        return {200, "application/octet-stream", view_.scene_bytes};
+    }
+    const std::string file = name.empty() ? "index.html" : name;
+    const std::string* path = page_.find(file);
+    return path ? pageFile(file, *path) : SiteAnswer{404};
+}
+
+SiteAnswer Site::put(const std::string& path, const SiteRequest& request) const
+{
+    if (request.too_large) return refused(413, "a config or GLSL file has at most 1 MiB");
+    if (!request.has_if_match)
+        return refused(428, "If-Match has to name the version that is replaced");
+    const Save save = files_.save(path, unquoted(request.if_match), request.body);
+    switch (save.end) {
+    case Save::End::done: return jsonAnswer(200, {{"version", save.file.version}});
+    case Save::End::changed:
+        return jsonAnswer(409, {{"version", save.file.version}, {"text", save.file.text}});
+    case Save::End::failed: return refused(403, save.why.front().message);
+    case Save::End::unknown: break;
+    }
+    return refused(404, "the config has no file of that name");
+}
+
+std::string Site::viewJson() const
+{
+    nlohmann::json files = nlohmann::json::object();
+    for (const UserFile& file : files_.all())
+        files[file.path] = {{"text", file.text}, {"version", file.version}};
+    nlohmann::json scene;
+    if (view_.scene_bytes)
+        scene = {{"name", view_.scene}, {"bytes", true}};
+    else if (!view_.scene.empty())
+        scene = {{"builtin", view_.scene}};
+    return textOf({{"config", files_.configName()},
+                   {"variant", view_.variant},
+                   {"editable", files_.editable()},
+                   {"files", std::move(files)},
+                   {"scene", std::move(scene)},
+                   {"camera", view_.camera}});
+}
+
+std::string fileEvent(const UserFile& file)
+{
+    return textOf({{"path", file.path}, {"text", file.text}, {"version", file.version}});
+}
+
+}  // namespace crevice

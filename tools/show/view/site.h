@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What `crevice view` answers to each request, as values: no sockets.
+//
+//   GET  /TOKEN/              the page; /TOKEN/NAME one of its files
+//   GET  /TOKEN/view.json     what to show, and the user's files
+//   GET  /TOKEN/scene         the user's scene, as tools/render/scene/scene_bytes.h reads it
+//   GET  /TOKEN/events        Server-Sent Events: `file`, where one was changed by others
+//   PUT  /TOKEN/files/PATH    saves one of the files; If-Match names the version that it replaces
+#pragma once
+
+#include "tools/show/view/page_files.h"
+#include "tools/show/view/user_files.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+struct SiteRequest {
+    std::string method;
+    std::string path;                  ///< Without a query, and with %xx as what it stands for.
+    std::vector<std::string> hosts;    ///< Each Host that was sent.
+    std::vector<std::string> origins;  ///< Each Origin.
+    std::string if_match = {};
+    bool has_if_match = false;
+    std::string body = {};
+    bool too_large = false;  ///< The body was cut: it has more than kMaxDocumentBytes.
+};
+
+struct SiteAnswer {
+    int status = 200;
+    std::string type = {};
+    std::shared_ptr<const std::string> body = {};  ///< Null for none.
+    std::string allow = {};                        ///< With 405: the methods that there are.
+    bool events = false;                           ///< The body is the stream of events.
+};
+
+/// Headers of every answer.
+extern const std::vector<std::pair<std::string, std::string>> kSiteHeaders;
+
+/// What is shown beside the config.
+struct SiteView {
+    std::string variant = {};
+    std::string camera = {};
+    std::string scene = {};  ///< As --scene takes it; empty: what the page begins with.
+    std::shared_ptr<const std::string> scene_bytes = {};  ///< Null for a built-in scene.
+};
+
+class Site {
+public:
+    /// `files` must outlive this.
+    Site(std::string token, int port, PageFiles page, UserFiles& files, SiteView view);
+
+    /// "http://127.0.0.1:PORT/TOKEN/"
+    std::string address() const;
+
+    /// From any thread.
+    SiteAnswer answer(const SiteRequest& request) const;
+
+private:
+    bool isOurs(const std::string& host) const;
+    SiteAnswer get(const std::string& name) const;
+    SiteAnswer put(const std::string& path, const SiteRequest& request) const;
+    std::string viewJson() const;
+
+    std::string token_, port_;
+    PageFiles page_;
+    UserFiles& files_;
+    SiteView view_;
+};
+
+/// The data of an event that tells of the file.
+std::string fileEvent(const UserFile& file);
+
+}  // namespace crevice

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "tools/show/view/user_files.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/files.h"
+#include "core/base/text.h"
+#include "core/config/joined_name.h"
+#include "tools/render/image/image_file.h"
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+std::string versionOf(const std::string& text)
+{
+    ContentHash hash;
+    hash.addText(text);
+    return hash.hex();
+}
+
+bool isUtf8(const std::string& text)
+{
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = utf8Length(text, at);
+        if (length == 0) return false;
+        at += length;
+    }
+    return true;
+}
+
+// What keeps the file from being written, or nothing.
+Diagnostics refusal(const std::string& file, const FileBytes& present)
+{
+    if (!present && !present.missing)
+        return {{Code::cannot_write, "cannot write '" + file + "': " + present.failure}};
+    if (isUtf8(present.bytes)) return {};
+    return {{Code::bad_utf8,
+             "'" + file + "' is not UTF-8: the page would save another text than it has",
+             "convert it, as with iconv"}};
+}
+
+Diagnostics diagnosticsOf(const ConfigOptions& options, const SourceSet& sources)
+{
+    return loadDescription(options, sources).diagnostics();
+}
+
+}  // namespace
+
+UserFiles::UserFiles(ConfigOptions options, const SourceSet& shipped)
+    : options_(std::move(options)),
+      shipped_(shipped),
+      config_name_(options_.config)
+{
+    const std::string file = splitName(options_.config).front();
+    if (!endsWith(file, ".json") || !readFile(file)) return;
+    paths_.emplace(file, options_.roots, shipped_);
+    config_name_ = paths_->configName() + options_.config.substr(file.size());
+    watched_.add(file);
+    addNamed();
+}
+
+// Adds what the config, whole or broken, is made of just now. Returns what is new.
+std::vector<std::string> UserFiles::addNamed()
+{
+    const std::map<std::string, std::string> before = watched_.texts();
+    const Result<Node> document = loadConfig(shipped_, requestOf(options_));
+    const Result<Description> description =
+        document ? decode(*document, shipped_) : Result<Description>(document.diagnostics());
+    if (document) watched_.add(*document);
+    if (description) watched_.add(*description);
+    watched_.add(description.diagnostics());
+    broken_ = !description;
+    std::vector<std::string> added;
+    for (const auto& each : watched_.texts())
+        if (before.count(each.first) == 0) added.push_back(each.first);
+    return added;
+}
+
+// None of a file that the page cannot have.
+std::optional<UserFile> UserFiles::fileOf(const std::string& file, const std::string& text) const
+{
+    const std::string path = paths_->of(file);
+    if (path.empty() || text.size() > kMaxDocumentBytes) return std::nullopt;
+    return UserFile{path, text, versionOf(text)};
+}
+
+// One, by all the names that it is known by.
+std::vector<std::string> UserFiles::filesAt(const std::string& path) const
+{
+    std::vector<std::string> files;
+    for (const auto& each : watched_.texts())
+        if (!path.empty() && paths_->of(each.first) == path) files.push_back(each.first);
+    return files;
+}
+
+std::vector<UserFile> UserFiles::all()
+{
+    std::vector<UserFile> files;
+    if (!paths_) return files;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const auto& [file, text] : watched_.texts()) {
+        const SourceRef now = readFile(file);
+        if (auto each = fileOf(file, now ? now->text : text)) files.push_back(std::move(*each));
+    }
+    return files;
+}
+
+Save UserFiles::save(const std::string& path, const std::string& version, const std::string& text)
+{
+    if (!paths_) return {Save::End::unknown};
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::vector<std::string> files = filesAt(path);
+    if (files.empty()) return {Save::End::unknown};
+    const FileBytes present = readStart(files.front(), kMaxDocumentBytes + 1);
+    if (const Diagnostics why = refusal(files.front(), present); !why.empty())
+        return {Save::End::failed, {}, why};
+    if (present && versionOf(present.bytes) != version)
+        return {Save::End::changed, {path, present.bytes, versionOf(present.bytes)}};
+    const Status written = writeFile(files.front(), text);
+    if (!written) return {Save::End::failed, {}, written.diagnostics()};
+    for (const std::string& file : files) watched_.wrote(file, text);
+    saved_ = true;
+    return {Save::End::done, {path, text, versionOf(text)}};
+}
+
+std::vector<UserFile> UserFiles::changes()
+{
+    constexpr int kPollsOfBroken = 10;
+    std::vector<UserFile> files;
+    if (!paths_) return files;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<std::string> changed = watched_.changes();
+    const bool mended = broken_ && ++polls_ % kPollsOfBroken == 0;
+    if (!changed.empty() || saved_ || mended)
+        for (const std::string& file : addNamed()) changed.push_back(file);
+    saved_ = false;
+    for (const std::string& file : changed)
+        if (auto each = fileOf(file, watched_.texts().at(file))) files.push_back(std::move(*each));
+    return files;
+}
+
+Diagnostics UserFiles::check() const
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Diagnostics found = diagnosticsOf(options_, shipped_);
+    if (!paths_ || hasErrors(found)) return found;
+    MemorySources mine;
+    for (const auto& [file, text] : watched_.texts())
+        if (const std::string path = paths_->of(file); !path.empty()) mine.add(path, text, file);
+    ConfigOptions in_page = options_;
+    in_page.config = config_name_;
+    const Diagnostics there = diagnosticsOf(in_page, LayeredSources({&mine, &shipped_}));
+    if (hasErrors(there))
+        found.push_back(
+            {Code::module_escape,
+             "the page cannot load '" + options_.config + "': " + there.front().message,
+             "give it a name without a plus, and name files below its folder or a --root",
+             there.front().place,
+             there.front().pointer,
+             {},
+             Severity::warning});
+    return found;
+}
+
+}  // namespace crevice
