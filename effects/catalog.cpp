@@ -45,7 +45,7 @@ SourceRef CheckoutSources::find(std::string_view path) const
     if (used_) {
         if (!isConfig(path)) {
             if (SourceRef module = effects_.find(path)) return module;
-        } else if (const SourceRef found = configs_.find(path.substr(kConfigs.size()))) {
+        } else if (const SourceRef found = configs_.find(fileOf(path.substr(kConfigs.size())))) {
             SourceText config = *found;
             config.path = path;  // by which configs are told from modules
             return std::make_shared<const SourceText>(std::move(config));
@@ -54,12 +54,21 @@ SourceRef CheckoutSources::find(std::string_view path) const
     return shippedSources().find(path);
 }
 
+// A config may lie in any folder of configs/; its name is its file's.
+std::string CheckoutSources::fileOf(std::string_view name) const
+{
+    for (const std::string& path : configs_.list())
+        if (path.substr(path.rfind('/') + 1) == name) return path;
+    return std::string(name);
+}
+
 std::vector<std::string> CheckoutSources::list() const
 {
     std::vector<std::string> paths = shippedSources().list();
     if (used_) {
         for (std::string& path : effects_.list()) paths.push_back(std::move(path));
-        for (const std::string& path : configs_.list()) paths.push_back(kConfigs.data() + path);
+        for (const std::string& path : configs_.list())
+            paths.push_back(kConfigs.data() + path.substr(path.rfind('/') + 1));
     }
     std::sort(paths.begin(), paths.end());
     paths.erase(std::unique(paths.begin(), paths.end()), paths.end());

@@ -8,6 +8,7 @@ set(index 0)
 foreach(file IN LISTS FILES)
   file(RELATIVE_PATH name "${ROOT}" "${file}")
   string(REGEX REPLACE "^effects/" "" path "${name}")
+  string(REGEX REPLACE "^configs/.*/" "configs/" path "${path}")  # whose name is its file's, in any folder
   file(READ "${file}" hex HEX)
   string(REGEX REPLACE "(................................................................)" "\\1\n" hex "${hex}")
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" hex "${hex}")

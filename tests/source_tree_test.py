@@ -55,7 +55,7 @@ headers = {'<crevice/' + path.rsplit('/', 1)[1]: path for path in tree if '/incl
 # A source's own header comes first.
 homes = {(each.folders[0], each.includes[0]): each for each in tree.values()
          if each.path.endswith('.cpp') and each.includes}
-configs = [path[8:-5] for path in tree if re.match('configs/.*json', path)]
+configs = [os.path.basename(path)[:-5] for path in tree if re.match('configs/.*json', path)]
 
 
 def target(include):

@@ -18,7 +18,7 @@ drawn() {
     fi
     check "$1 is drawn on $2" test "$got" -eq 0
 }
-for config in "$configs"/*.json; do
+for config in "$configs"/*.json "$configs"/*/*.json; do
     config=$(basename -- "$config" .json)
     drawn "$config" egl
     drawn "$config" osmesa

@@ -22,7 +22,7 @@ out=build/asan
 seeds=$out/seeds
 rm -rf -- "$seeds"
 mkdir -p "$seeds"
-for file in configs/*.json effects/*/*.json tests/fuzz/{seeds,found}/*; do
+for file in configs/*.json configs/*/*.json effects/*/*.json tests/fuzz/{seeds,found}/*; do
     if [[ -f $file ]]; then cp -- "$file" "$seeds/${file//\//_}"; fi
 done
 # The malformed configs, as tests/support/bad_corpus.h describes their files.

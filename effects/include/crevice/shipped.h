@@ -11,7 +11,8 @@
 namespace crevice {
 
 /// All of effects/ by path ("ssao/hemisphere.json", "ssao/shaders/hemisphere.frag") and all of
-/// configs/ under "configs/" ("configs/learnopengl.json"). To edit one while a program runs, layer
+/// configs/ and its folders under "configs/" ("configs/learnopengl.json", whose file is
+/// configs/ports/learnopengl.json). To edit one while a program runs, layer
 /// MemorySources with your text of it over this set.
 const SourceSet& shippedSources();
 
@@ -27,6 +28,8 @@ public:
     std::vector<std::string> list() const override;
 
 private:
+    std::string fileOf(std::string_view name) const;
+
     bool used_;
     DirectorySources effects_;
     DirectorySources configs_;

@@ -72,7 +72,7 @@ expect 0 'checkout/configs/learnopengl.json:' explain learnopengl --why radius -
 expect 0 'effects/ssao/hemisphere.json:' explain learnopengl --why bias --effects checkout
 cp mine.json checkout/configs/another.json
 expect 0 'another: ok' validate --all --effects checkout
-cp "$(dirname -- "$readme")/configs/thesis.json" checkout/configs
+cp "$(dirname -- "$readme")/configs/ports/thesis.json" checkout/configs
 expect 0 'thesis.*: ok' validate thesis --effects checkout --set filter/bilateral=filter/box
 
 # --- on a host's depth: a forward config, a deferred one with layers, one with a history ---
@@ -99,7 +99,7 @@ expect 0 'geometry' explain learnopengl
 expect 0 'digraph' explain learnopengl --format dot
 expect 0 '' explain learnopengl --format json
 expect_json
-expect 0 'configs/learnopengl.json:[0-9]+:[0-9]+: 0.5' explain learnopengl --why radius
+expect 0 'configs/ports/learnopengl.json:[0-9]+:[0-9]+: 0.5' explain learnopengl --why radius
 expect 0 'command line|--set' explain learnopengl --why radius --set radius=2
 expect 0 'before that by' explain learnopengl --why /params/radius/default
 expect 1 'CV2102' explain learnopengl --why params.radus

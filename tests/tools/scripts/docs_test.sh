@@ -36,7 +36,7 @@ for page in docs/*.md docs/*/*.md; do
     [[ -e $index ]] || index=README.md
     [[ $page == "$index" ]] || grep -q "$(basename -- "$page"))" "$index" || fail "$page: $index has no link to it"
 done
-for config in configs/*.json; do
+for config in configs/*.json configs/*/*.json; do
     name=$(basename -- "$config" .json)
     grep -q "^| \`$name[\`=]" docs/which_config.md docs/reference/methods.md || fail "$config: no table has a row for it"
 done

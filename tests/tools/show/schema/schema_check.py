@@ -20,7 +20,7 @@ def fail(text):
     print("FAILED:", text)
 
 
-shipped = sorted(source.glob("configs/*.json")) + sorted(source.glob("effects/*/*.json"))
+shipped = sorted(source.glob("configs/**/*.json")) + sorted(source.glob("effects/*/*.json"))
 for path in shipped:
     for error in validator.iter_errors(json.loads(path.read_text())):
         fail(f"{path}: {error.json_path}: {error.message}")
