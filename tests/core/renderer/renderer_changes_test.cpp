@@ -68,18 +68,6 @@ TEST_CASE("A feature that comes back costs no compiling, and neither does a pass
     CHECK_FALSE(compiles(rig, rig.renderer->setFeature("look", "lit")));
 }
 
-TEST_CASE("A pass that never ran compiles as it comes, and that is reported")
-{
-    Rig rig;
-    Description description = rigDescription();
-    for (ParamDesc& param : description.params)
-        if (param.name == "intensity") param.value[0] = 0.0f;
-    rig.use(description);
-    CHECK(setCompiles(rig, "intensity", 1.0f));
-    CHECK_FALSE(setCompiles(rig, "intensity", 0.0f));
-    CHECK_FALSE(setCompiles(rig, "intensity", 2.0f));
-}
-
 TEST_CASE("Programs that nobody needs are kept only so long")
 {
     Rig rig;

@@ -127,16 +127,6 @@ TEST_CASE("An active uniform that the text does not declare, or of another type,
     }
 }
 
-TEST_CASE("What the driver reports at the end of a frame reaches the caller, and frames go on")
-{
-    Rig rig;
-    const std::string before = rig.draw();
-    rig.device.failFrame();
-    CHECK(codeOf(rig.renderer->render(rig.frame)) == Code::gl_error);
-    CHECK(rig.draw() == before);
-    CHECK(rig.device.misuse().empty());
-}
-
 TEST_CASE(
     "A lost context is one error a call and changes nothing, and a new renderer draws the same")
 {

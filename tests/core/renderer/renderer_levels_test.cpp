@@ -68,22 +68,6 @@ TEST_CASE("A level sets its values over what was set by hand, and leaves all els
     CHECK(rig.value("radius") == 2);
 }
 
-TEST_CASE("Levels are ready again in a scene of other traits, and after a reload")
-{
-    LevelRig rig;
-    rig.draw();
-    rig.frame.lights.resize(2);
-    rig.frame.materials[0].specular = glm::vec3(1);
-    rig.draw();
-    CHECK(rig.renderer->setFeature("quality", "high").diagnostics().empty());
-    const Status reloaded = rig.renderer->reload(
-        LevelRig::description(R"({"samples": 32, "edge": 0.75})"), {rig.renderer->plan().extent});
-    CHECK(reloaded.diagnostics().empty());
-    CHECK(rig.value("samples") == 32);  // the level was set at run time, its values were not
-    CHECK(rig.value("edge") == 0.75f);
-    CHECK(rig.renderer->setFeature("quality", "low").diagnostics().empty());
-}
-
 TEST_CASE("What was set by hand after a level stands over it, after a reload too")
 {
     LevelRig rig;

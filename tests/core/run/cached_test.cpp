@@ -22,13 +22,6 @@ const char* const kAll = "geometry occlusion filter lighting";
 
 }  // namespace
 
-TEST_CASE("A still frame asks the device for errors and no more")
-{
-    Rig rig;
-    CHECK(passesOf(rig) == kAll);
-    CHECK(rig.draw() == "beginFrame\nendFrame\n");
-}
-
 TEST_CASE("A moving light runs the lighting alone")
 {
     Rig rig;
@@ -60,29 +53,6 @@ TEST_CASE("Another camera, draw or material, or other contents of them, runs all
     CHECK(after([](Frame& frame) { frame.materials[0].ambient = 0.25f; }) == kAll);
     CHECK(after([](Frame& frame) { ++frame.revision; }) == kAll);
     CHECK(after([](Frame&) {}).empty());
-}
-
-TEST_CASE("Another lens or place draws the scene again where its textures are its own")
-{
-    Rig rig;
-    rig.renderer = need(Renderer::create(rig.device, rigDescription(), {{64, 32}, {}, {"aliasing"}},
-                                         traitsOf(rig.frame)));
-    rig.draw();
-    rig.frame.camera.clip_from_view[0][0] = 2;
-    CHECK(passesOf(rig) == kAll);
-    rig.frame.camera.view_from_world[3][0] = 1;
-    CHECK(passesOf(rig) == kAll);
-    CHECK(passesOf(rig).empty());
-}
-
-TEST_CASE("A param runs what reads it and what comes after")
-{
-    Rig rig;
-    rig.draw();
-    REQUIRE(rig.renderer->setParam("taps", 5));
-    CHECK(passesOf(rig) == "filter lighting");
-    REQUIRE(rig.renderer->setParam("radius", 0.25f));
-    CHECK(passesOf(rig) == kAll);  // the picture lies where the normals were
 }
 
 TEST_CASE(
@@ -139,11 +109,4 @@ TEST_CASE("Timed frames and those of a plan that keeps the optimization off run 
     rig.renderer = std::move(*kept);
     CHECK(passesOf(rig) == kAll);
     CHECK(passesOf(rig) == kAll);
-}
-
-TEST_CASE("What remembers runs in a still frame and what it does not read stays")
-{
-    Rig rig(true);
-    rig.draw();
-    CHECK(passesOf(rig) == "filter lighting");
 }

@@ -253,25 +253,3 @@ TEST_CASE("A pass sends a value of the material, and binds its textures, once fo
     CHECK(log.find(bound) != std::string::npos);
     CHECK(log.find(bound) == log.rfind(bound));
 }
-
-TEST_CASE("Frames in which draws and views move allocate nothing, with bounds and without")
-{
-    RecordingDevice device;
-    Scene scene(device);
-    scene.frame.draws.erase(scene.frame.draws.begin() + 5);
-    scene.frame.other_views.resize(1, {scene.frame.camera, {}});
-    const auto renderer = need(
-        Renderer::create(device, descriptionOf({"high", ""}), {{64, 40}}, traitsOf(scene.frame)));
-    bool ok = true;
-    long count = 0;
-    for (int frame = 0; frame < 10; ++frame) {
-        scene.move();
-        scene.frame.other_views[0].camera.view_from_world[3].x += 0.1;
-        const long before = allocationCount();
-        ok = renderer->render(scene.frame).ok() && ok;
-        if (frame > 0) count += allocationCount() - before;
-        device.clearLog();
-    }
-    CHECK(ok);
-    CHECK(count == 0);
-}

@@ -56,17 +56,6 @@ TEST_CASE("Of a mesh without normals a pass that reads them is warned of, once f
     CHECK(rig.warnings().size() == 1);
 }
 
-TEST_CASE("Of a mesh without normals nothing is said where no pass reads them, or the host draws")
-{
-    HostRig depth_alone("");
-    depth_alone.host.normal = {};
-    CHECK(depth_alone.warnings().empty());
-    HostRig drawing;
-    drawing.host.normal = {};
-    drawing.frame.draws[0].callback = drawNothing;
-    CHECK(drawing.warnings().empty());
-}
-
 TEST_CASE("Of a mesh without uv only a texture that a pass reads is warned of")
 {
     HostRig rig;

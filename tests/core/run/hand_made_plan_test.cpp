@@ -95,14 +95,4 @@ TEST_CASE("A plan that binds nothing to a uniform, or a value of another type, i
     CHECK(device.live() == 0);
 }
 
-TEST_CASE("A plan with a kernel that cannot be made is refused")
-{
-    Plan plan = handMade();
-    plan.generated[0].shape = "lumpy";
-    RecordingDevice device;
-    const auto none = Execution::create(device, std::move(plan));
-    REQUIRE(none.diagnostics().size() == 1);
-    CHECK(none.diagnostics()[0].code == Code::bad_enum);
-}
-
 }  // namespace crevice

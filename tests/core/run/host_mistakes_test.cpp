@@ -129,28 +129,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A renderer's first frame may have a draw that cannot be drawn")
-{
-    Rig rig;
-    rig.frame.draws[0].mesh = {kPoison};
-    const Drawn drawn(rig);
-    CHECK(drawn.draws == 0);
-    CHECK(rig.ranPass("geometry"));
-    CHECK(rig.ranPass("lighting"));
-}
-
-TEST_CASE("Many draws that cannot be drawn are few warnings and a count")
-{
-    Rig rig;
-    rig.frame.draws.resize(1000, rig.frame.draws[0]);
-    for (std::size_t i = 1; i < 1000; ++i) rig.frame.draws[i].world_from_model[0][0] = kNan;
-    const Status status = rig.renderer->render(rig.frame);
-    REQUIRE(status.ok());
-    REQUIRE(status.diagnostics().size() == 8);
-    CHECK(status.diagnostics()[7].notes.at(0).text == "991 more draws are left out");
-    CHECK(occurrences(rig.device.log(), "draw mesh") == 1);
-}
-
 TEST_CASE("A strict renderer draws no frame of which something would be left out")
 {
     Rig rig;
@@ -203,15 +181,6 @@ TEST_CASE("A light that is not finite is left out with a warning, and the pictur
         CHECK(rig.device.lastUniform("light_color")[0] == 1);
         CHECK(rig.device.lastUniform("ambient_light")[0] == 1);
     }
-}
-
-TEST_CASE("Timed frames leave out the same")
-{
-    Scene scene;
-    scene.item().mesh = {kPoison};
-    const auto times = scene.rig.renderer->renderTimed(scene.rig.frame);
-    REQUIRE(times.ok());
-    CHECK(onlyCode(times.diagnostics()) == Code::bad_input);
 }
 
 TEST_CASE("A frame's texture that the device does not have is refused, and the last picture stays")
@@ -276,21 +245,4 @@ TEST_CASE("Without the device's context a renderer is neither made nor changed")
     CHECK(valuesOf(rig.renderer->description()).features == before.features);
     rig.draw();
     CHECK(rig.device.misuse().empty());
-}
-
-TEST_CASE("A device knows its objects, and what is none of them")
-{
-    Rig rig;
-    CHECK(rig.device.info(rig.mesh).exists);
-    CHECK(rig.device.info(rig.mesh).index_count == 6);
-    CHECK_FALSE(rig.device.info(TextureId{rig.mesh.value}).exists);
-    CHECK_FALSE(rig.device.info(MeshId{}).exists);
-    CHECK_FALSE(rig.device.info(MeshId{kPoison}).exists);
-    const TextureId adopted = need(rig.device.adoptTexture({77, "host", Format::r8, {4, 4}}));
-    CHECK(rig.device.nativeName(adopted) == 77);
-    CHECK(rig.device.nativeName(rig.renderer->output("ao")) != 0);
-    CHECK(rig.device.nativeName({}) == 0);
-    CHECK(rig.device.nativeName({kPoison}) == 0);
-    rig.device.destroy(adopted);
-    CHECK(rig.device.nativeName(adopted) == 0);
 }

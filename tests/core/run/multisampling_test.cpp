@@ -78,13 +78,6 @@ left out
     CHECK(toDot(plan).find("64x32, 4 samples") != std::string::npos);
 }
 
-TEST_CASE("One sample is the plan without samples, byte for byte")
-{
-    Sketch plain = sketched("1");
-    plain.targets = {{"color", R"({"format": ["rgba8"]})"}, {"d", R"({"format": ["depth24"]})"}};
-    CHECK(toJson(planOf(describe(sketched("1")))) == toJson(planOf(describe(plain))));
-}
-
 TEST_CASE("Samples are drawn into one texture by passes that follow each other")
 {
     const std::string keys = target("r8", R"("samples": 4)");
@@ -106,20 +99,6 @@ TEST_CASE("A device draws the samples, resolves what is stored, and nobody sampl
           "createFramebuffer 'paint' color 'color' depth 'd' resolve 'color'\n",
           "beginPass paint 64x32 color0 clear 0 0 0 0 store depth clear 1 discard\n"})
         CHECK_THAT(device.log(), Catch::Contains(line));
-    CHECK(device.misuse().empty());
-}
-
-TEST_CASE("A param gives the samples, and another value plans again")
-{
-    const std::string msaa =
-        R"("params": {"msaa": {"type": "int", "default": 1, "min": 1, "max": 16}})";
-    RecordingDevice device;
-    const auto renderer =
-        need(Renderer::create(device, describe(sketched("\"msaa\"", msaa)), sized(), {}));
-    CHECK(renderer->plan().passes[0].samples == 1);
-    REQUIRE(renderer->setParam("msaa", 8).ok());
-    CHECK(renderer->plan().passes[0].samples == 8);
-    need(renderer->render({}));
     CHECK(device.misuse().empty());
 }
 
@@ -145,45 +124,6 @@ TEST_CASE(
     CHECK(warning.code == Code::no_samples);
     CHECK(warning.severity == Severity::warning);
     CHECK(warning.pointer == "/passes/paint");
-}
-
-TEST_CASE("Attachments of one pass have as many samples")
-{
-    Sketch sketch = sketched("4");
-    sketch.targets["d"] = R"({"format": ["depth24"]})";
-    const Diagnostic error = onlyError(describe(sketch));
-    CHECK(error.code == Code::attachment_samples);
-    CHECK(error.pointer == "/passes/paint/depth");
-    CHECK(error.message.find("'color' has 4 samples a pixel, 'd' has 1") != std::string::npos);
-    CHECK_FALSE(error.help.empty());
-}
-
-TEST_CASE("Samples go with no history, and end somewhere")
-{
-    CHECK(refusal(R"("samples": 4, "history": true)").pointer == "/targets/x/history");
-    CHECK(refusal(R"("samples": 33)").code == Code::out_of_range);
-    CHECK(refusal(R"("samples": 0)").code == Code::out_of_range);
-    CHECK(refusal(R"("samples": "many")").code == Code::reference_missing);
-}
-
-TEST_CASE("A recording device blames what no device can do with samples")
-{
-    RecordingDevice device;
-    const auto texture = [&](const char* label, int samples) {
-        return *device.createTexture({label, Format::rgba8, {4, 4}, samples});
-    };
-    const TextureId four = texture("four", 4);
-    const TextureId eight = texture("eight", 8);
-    const TextureId one = texture("one", 1);
-    const auto blamed = [&](const FramebufferDesc& desc) {
-        const std::size_t before = device.misuse().size();
-        (void)device.createFramebuffer(desc);
-        return device.misuse().size() > before;
-    };
-    CHECK_FALSE(blamed({"resolved", {four}, {}, {one}}));
-    CHECK(blamed({"mixed", {four, eight}}));
-    CHECK(blamed({"into samples", {four}, {}, {eight}}));
-    CHECK(blamed({"nothing to resolve", {one}, {}, {one}}));
 }
 
 namespace {

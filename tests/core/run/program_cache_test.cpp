@@ -153,36 +153,6 @@ TEST_CASE("Bytes of another key never reach the driver")
     CHECK(run.gl.compiles() == 2 * kOwn);
 }
 
-TEST_CASE("Programs that a driver refuses are compiled in silence, and stored again")
-{
-    KeptPrograms kept;
-    compiledBy(kept);
-    FakeDriver newer;
-    newer.build = 'b';
-    newer.silent = GENERATE(false, true);
-    const Run run(kept.options(), newer);
-    CHECK(run.gl.binaries() == kOwn + 1);
-    CHECK(run.gl.compiles() == 2 * (kOwn + 1));
-    CHECK(compiledBy(kept, newer) == 0);
-}
-
-TEST_CASE("A host may load without storing, and store without loading")
-{
-    KeptPrograms kept;
-    GlDeviceOptions stores = kept.options();
-    stores.program_cache.load = nullptr;
-    for (int run = 1; run <= 2; ++run) {
-        CHECK(Run(stores).gl.compiles() == 2 * (kOwn + 1));
-        CHECK(kept.stores == run * (kOwn + 1));
-    }
-    GlDeviceOptions loads = kept.options();
-    loads.program_cache.store = nullptr;
-    CHECK(Run(loads).gl.compiles() == 0);
-    kept.entries.clear();
-    CHECK(Run(loads).gl.compiles() == 2 * (kOwn + 1));
-    CHECK(kept.entries.empty());
-}
-
 TEST_CASE("Memory that runs out over a binary costs no more than a compilation")
 {
     KeptPrograms kept;

@@ -86,20 +86,6 @@ TEST_CASE("Two estimators in one config are refused, whichever they are")
     });
 }
 
-TEST_CASE("Two filters in one config are refused, whichever they are")
-{
-    forPairs(shippedFilters(), [](const Module& one, const Module& other) {
-        if (related(one, other, shippedFilters())) return;
-        const Diagnostics reported =
-            refusal({"geometry/depth_normal", "ssao/ssdo", one.name, other.name});
-        INFO(one.name << " " << other.name << "\n" << toText(reported));
-        REQUIRE(hasErrors(reported));
-        CHECK((reported[0].code == Code::module_clash || reported[0].code == Code::two_writers));
-        CHECK(reported[0].place.line > 0);
-        CHECK_FALSE(reported[0].help.empty());
-    });
-}
-
 TEST_CASE("Two inputs in one config are refused, unless the second takes the place of the first")
 {
     forPairs(shippedInputs(), [](const Module& one, const Module& other) {
@@ -119,17 +105,6 @@ TEST_CASE("Two ways of lighting in one config are refused")
     checkRefused({"geometry/depth_normal", "ssao/gtao", "filter/box", "lighting/deferred",
                   "lighting/forward"},
                  Code::module_clash, "shader 'lighting'");
-}
-
-TEST_CASE("Lighting needs the colours that a host's depth does not have")
-{
-    for (const Module& input : shippedInputs()) {
-        const Names modules = {input.name, "ssao/gtao", "filter/box", "lighting/deferred"};
-        if (input.targets.count("albedo") > 0)
-            CHECK(refusal(modules).empty());
-        else
-            checkRefused(modules, Code::uniform_unbound, "'albedo'");
-    }
 }
 
 TEST_CASE("Bent normals are refused on an estimator that has none")
@@ -153,17 +128,4 @@ TEST_CASE("Layers behind the first one need a depth to follow, drawn or of a hos
     for (const char* layers : {"geometry/back_faces", "geometry/second_layer"})
         checkRefused({"geometry/host_position_normal", "ssao/bitmask", layers, "filter/box"},
                      Code::target_missing, "'depth'");
-}
-
-TEST_CASE("What a module lacks is named: a surface, an estimator, a filter, a bounce, normals")
-{
-    checkRefused({"ssao/gtao", "filter/box"}, Code::include_missing, "<surface>");
-    checkRefused({"geometry/depth_normal", "filter/box"}, Code::target_missing, "'ao'");
-    checkRefused({"geometry/depth_normal", "ssao/gtao", "lighting/deferred"}, Code::target_missing,
-                 "'ao_filtered'");
-    checkRefused({"geometry/depth_normal", "ssao/gtao", "filter/indirect"}, Code::target_missing,
-                 "'indirect'");
-    checkRefused({"geometry/depth_only", "ssao/gtao", "filter/box", "lighting/blinn_phong",
-                  "lighting/baked"},
-                 Code::target_missing, "'normal'");
 }
