@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The renderer keeps its plan in step with params, features, size and scene.
+#include <crevice/config.h>
 #include <crevice/renderer.h>
+#include <crevice/shipped.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/renderer_rig.h"
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <limits>
 #include <tuple>
@@ -163,6 +167,26 @@ TEST_CASE("A frame with other traits is planned again, once")
     rig.draw();
     CHECK(rig.device.attempts() == after);
     CHECK(rig.device.misuse().empty());
+}
+
+TEST_CASE("A camera whose range needs more bits has positions stored in wider formats")
+{
+    const SourceSet& sources = shippedSources();
+    const Description description =
+        need(decode(need(loadConfig(sources, {"learnopengl"})), sources));
+    Frame frame;
+    frame.camera.clip_from_view = glm::perspective(1.0f, 1.5f, 0.1f, 10.0f);
+    RecordingDevice device;
+    const auto renderer =
+        need(Renderer::create(device, description, {{1920, 1080}}, traitsOf(frame)));
+    const auto positions = [&] {
+        REQUIRE(renderer->render(frame).ok());
+        const Plan& plan = renderer->plan();
+        return plan.textures[findNamed(plan.targets, "position")->texture].format;
+    };
+    CHECK(positions() == Format::rgba16f);
+    frame.camera.clip_from_view = glm::perspective(1.0f, 1.5f, 0.1f, 10000.0f);
+    CHECK(positions() == Format::rgba32f);
 }
 
 TEST_CASE("The warnings of a plan that a frame asks for come back with that frame alone")

@@ -40,16 +40,6 @@ DeviceCaps capsWith(const std::vector<int>& counts)
     return caps;
 }
 
-/// What decoding says against a target with those keys.
-Diagnostic refusal(const std::string& keys)
-{
-    const Result<Node> document = parseDocument(std::make_shared<const SourceText>(
-        SourceText{"test.json", R"({"format": 1, "targets": {"x": )" + target("r8", keys) + "}}"}));
-    const Result<Description> description = decode(*document, MemorySources{});
-    REQUIRE(description.diagnostics().size() == 1);
-    return description.diagnostics().front();
-}
-
 }  // namespace
 
 TEST_CASE("A plan draws several samples into a texture apart and resolves what is read")

@@ -46,21 +46,6 @@ std::vector<glm::vec3> manyOffsets(bool hemisphere, const Kernel& of)
             all.push_back(offset);
     return all;
 }
-
-glm::dvec3 mean(const std::vector<glm::vec3>& offsets)
-{
-    glm::dvec3 sum(0.0);
-    for (const glm::vec3& offset : offsets) sum += glm::dvec3(offset);
-    return sum / double(offsets.size());
-}
-
-/// The share of the offsets that are shorter than `length`.
-double shareWithin(const std::vector<glm::vec3>& offsets, float length)
-{
-    const auto inside = [&](const glm::vec3& offset) { return glm::length(offset) < length; };
-    return double(std::count_if(offsets.begin(), offsets.end(), inside)) / double(offsets.size());
-}
-
 double angleInTurns(const Image& noise, int pixel)
 {
     const double x = noise.pixels[std::size_t(pixel) * 4];
