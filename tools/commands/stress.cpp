@@ -5,8 +5,6 @@
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/run_options.h"
 #include "tools/measure/stress/breakdown.h"
-#include "tools/measure/stress/differences.h"
-#include "tools/measure/stress/pictures.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
@@ -39,13 +37,11 @@ struct StressCommand {
 int listCases(const std::vector<StressTask>& tasks)
 {
     const StressCase* last = nullptr;
-    std::string last_config;
     std::size_t cases = 0;
     for (const StressTask& task : tasks) {
-        if (task.stress == last && task.config.config == last_config) continue;
-        if (!last_config.empty() && task.config.config != last_config) break;
+        if (task.config.config != tasks.front().config.config) break;
+        if (task.stress == last) continue;
         last = task.stress;
-        last_config = task.config.config;
         ++cases;
         std::string steps;
         for (const StressStep& step : last->steps)
@@ -82,7 +78,7 @@ void printPoints(const std::vector<BreakdownPoint>& points, const std::string& c
     for (const BreakdownPoint& point : points) {
         if (point.config != config) continue;
         any = true;
-        print("  %s %s\n", sentenceOf(point).c_str(), likelihoodOf(point).c_str());
+        print("  %s\n", sentenceOf(point).c_str());
     }
     if (!any) print("  Nothing breaks.\n");
     print("\n");
@@ -99,7 +95,7 @@ void printTable(const std::vector<StressSeries>& all)
             printPoints(points, config);
         }
         const Breakdown found = findBreakdown(*series.stress, series.steps);
-        print("  %-34s %s\n", seriesName(series).c_str(), describe(*series.stress, found).c_str());
+        print("  %-34s %s\n", series.stress->name.c_str(), describe(*series.stress, found).c_str());
     }
     const Totals totals = totalsOf(all);
     print(
@@ -115,14 +111,10 @@ nlohmann::json pointsJson(const std::vector<StressSeries>& all)
     for (const BreakdownPoint& point : breakdownPoints(all))
         points.push_back({{"config", point.config},
                           {"case", point.stress->name},
-                          {"format", point.format},
-                          {"likelihood", nameOf(point.likelihood)},
-                          {"because", point.because},
                           {"effect", point.effect},
                           {"condition", point.condition},
                           {"holds_at", point.held},
                           {"breaks_at", point.broke},
-                          {"others", point.others},
                           {"text", sentenceOf(point)}});
     return points;
 }
@@ -137,7 +129,6 @@ nlohmann::json casesJson(const std::vector<StressSeries>& all)
         };
         cases.push_back({{"config", series.config},
                          {"case", series.stress->name},
-                         {"format", series.format},
                          {"holds_from", label(found.down.holds_to)},
                          {"holds_to", label(found.up.holds_to)},
                          {"breaks_below", label(found.down.breaks_at)},
@@ -151,43 +142,26 @@ nlohmann::json casesJson(const std::vector<StressSeries>& all)
     return cases;
 }
 
-/// What the run differs in from that of --against.
-struct Against {
-    std::vector<StressDifference> differences = {};
-    std::size_t missing = 0;
-};
-
-Result<Against> compareRuns(const StressCommand& command, const std::vector<StressSeries>& all)
+/// What the run differs in from that of --against; nothing without that option.
+Result<std::vector<std::string>> compareRuns(const StressCommand& command,
+                                             const std::vector<StressSeries>& all)
 {
-    Against against;
+    if (command.against.empty()) return std::vector<std::string>();
     const Result<std::vector<StressRecord>> before =
         readStressRecords(command.against + "/stress.jsonl");
     if (!before) return before.diagnostics();
-    against.differences = differencesSince(seriesOf(*before), all, against.missing);
-    return against;
-}
-
-void printAgainst(const StressCommand& command, const Against& against)
-{
-    for (const StressDifference& each : against.differences)
-        print("  %s: %s\n", each.step.c_str(), each.what.c_str());
-    print("%zu steps differ from %s", against.differences.size(), command.against.c_str());
-    if (against.missing > 0) print(", which lacks %zu more", against.missing);
-    print("\n");
+    return differencesSince(seriesOf(*before), all);
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device,
-               const Against& against)
+               const std::vector<std::string>& differences)
 {
     const Totals totals = totalsOf(all);
-    nlohmann::json differs = nlohmann::json::array();
-    for (const StressDifference& each : against.differences)
-        differs.push_back({{"step", each.step}, {"what", each.what}});
     const nlohmann::json json = {{"device", device},          {"breakdown_points", pointsJson(all)},
                                  {"cases", casesJson(all)},   {"series", totals.series},
                                  {"failing", totals.failing}, {"failures", totals.failures},
                                  {"void", totals.invalid},    {"beyond", totals.beyond},
-                                 {"refused", totals.refused}, {"differs", differs}};
+                                 {"refused", totals.refused}, {"differs", differences}};
     printAsJson(json);
 }
 
@@ -196,20 +170,23 @@ int showAll(const StressCommand& command, const std::vector<StressRecord>& recor
             const std::string& device, int code)
 {
     const std::vector<StressSeries> all = seriesOf(records);
-    const Result<Against> against = command.against.empty() ? Against() : compareRuns(command, all);
-    if (!against) return report(against.diagnostics(), command.json);
+    const Result<std::vector<std::string>> differences = compareRuns(command, all);
+    if (!differences) return report(differences.diagnostics(), command.json);
     if (command.json)
-        printJson(all, device, *against);
+        printJson(all, device, *differences);
     else
         printTable(all);
-    if (!command.json && !command.against.empty()) printAgainst(command, *against);
+    if (!command.json && !command.against.empty()) {
+        for (const std::string& each : *differences) print("  %s\n", each.c_str());
+        print("%zu steps differ from %s\n", differences->size(), command.against.c_str());
+    }
     const Status page =
         writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
     report(page.diagnostics(), false);
     if (code != kExitOk) return code;
     if (!page) return kExitOutput;
     const bool differs =
-        command.against.empty() ? totalsOf(all).failing > 0 : !against->differences.empty();
+        command.against.empty() ? totalsOf(all).failing > 0 : !differences->empty();
     return differs ? kExitDiffers : kExitOk;
 }
 
@@ -239,15 +216,7 @@ int measureSteps(const StressCommand& command, const std::vector<StressTask>& ta
     const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
     const Result<std::vector<StressRecord>> records = recordsOf(job, file->path());
     if (!records) return report(records.diagnostics(), command.json);
-    int code = exitCodeOf(summary);
-    if (summary.missing.empty()) {
-        const MeasureJob pictures =
-            pictureJob(tasks, job, breakdownPoints(seriesOf(*records)), command.run.out,
-                       [&](const StressTask& task) { return meter.measure(task, size); });
-        if (!pictures.tasks.empty())
-            code = std::max(code, exitCodeOf(measureOnConsole(pictures, *file, 0, progress)));
-    }
-    return showAll(command, *records, device, code);
+    return showAll(command, *records, device, exitCodeOf(summary));
 }
 
 int stress(StressCommand command)
@@ -282,8 +251,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_option("--size", options->size, "Size of most pictures, in pixels")
         ->type_name("WxH")
         ->capture_default_str();
-    command->add_flag("--quick", options->stress.quick,
-                      "Two or three steps of each case, in the configs' own formats");
+    command->add_flag("--quick", options->stress.quick, "Two or three steps of each case");
     command
         ->add_option("--against", options->against,
                      "Folder of a run before: exit code 5 where a step differs from it, and not "

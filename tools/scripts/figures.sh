@@ -110,9 +110,9 @@ methods() {
 }
 
 stress() {
-    # What most users meet; other cases hold, or show the same from farther away.
-    local got=0 table cases=(units offset near_far off_centre mirrored narrow orientation wall_walk zoom low_eye history
-        cut still tiles radius_growing corner_radius samples inputs host_projection host_encoding host_depth)
+    # What users meet most; other cases hold, or show the same from farther away.
+    local got=0 table cases=(units offset near_far off_centre mirrored narrow orientation wall_walk low_eye history
+        cut still tiles corner_radius samples inputs host_projection host_encoding host_depth)
     configs_of authors >"$work/ports"
     configs_of methods | grep -vxF -f "$work/ports" -e reference >"$work/methods"  # `reference` takes as long as the rest
     # shellcheck disable=SC2046

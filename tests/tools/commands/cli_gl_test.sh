@@ -109,7 +109,7 @@ expect 0 'rmse' bench --config high --host-depth=normals --scene corner --size 6
 expect 0 'high \+geometry/host_depth_normal, corner' bench --config high --host-depth=normals --scene corner --list
 for words in --host-depth --host-depth=log; do
     expect 0 'meshes +not in this config: it draws nothing: the host does' stress gtao "$words" --case meshes \
-        --case plane_sizes --quick --size 64x36 --no-cache --backend "$backend" --out "stress$words"
+        --case plane_fov --quick --size 64x36 --no-cache --backend "$backend" --out "stress$words"
 done
 
 # What was set is saved as a config of its own, which draws the same picture.

@@ -10,13 +10,12 @@
 
 namespace crevice {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, key, config, variant, overrides, case_name, format,
-                                   step, label, value, device, version, refusal, absent, bad_target,
-                                   bad_pass, bad_pixels, out_of_range, bad_x, bad_y, bad_value,
-                                   mean, least, most, stored, step_share, resolved, judged,
-                                   judged_mean, judged_least, judged_below, change, exact,
-                                   occlusion, rmse, rmse_white, departing_pass, radius_px,
-                                   height_px, ms, picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, key, config, case_name, step, device, version,
+                                   refusal, absent, bad_target, bad_pass, bad_pixels, out_of_range,
+                                   bad_x, bad_y, bad_value, mean, least, most, stored, step_share,
+                                   resolved, judged, judged_mean, judged_least, judged_below,
+                                   change, exact, occlusion, rmse, rmse_white, departing_pass,
+                                   radius_px, height_px, picture)
 
 std::string toJsonLine(const StressRecord& record) { return jsonLine(record); }
 

@@ -2,9 +2,12 @@
 // Planning and running the steps of stress cases.
 #include "tools/measure/stress/run.h"
 
+#include "tools/render/image/image_file.h"
+
 #include <crevice/config.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -41,7 +44,7 @@ bool isQuick(const StressCase& stress, std::size_t step)
 
 std::string seriesKey(const StressRecord& record)
 {
-    return record.config + "\n" + record.variant + "\n" + record.case_name + "\n" + record.format;
+    return record.config + "\n" + record.case_name;
 }
 
 /// Draws steps, and judges each by those of its series that are there already.
@@ -87,9 +90,7 @@ public:
             done.record.picture = "pictures/" + done.record.key + ".png";
             if (const Status kept = how_.keep(done); !kept) return kept.diagnostics();
         }
-        const char* const words[] = {"holds",   "BREAKS", "beyond the format",
-                                     "refused", "absent", "VOID"};
-        std::string outcome = words[static_cast<int>(verdict.outcome)];
+        std::string outcome = wordOf(verdict.outcome);
         if (!verdict.why.empty()) outcome += ": " + verdict.reason();
         return Measured{toJsonLine(done.record), std::move(outcome)};
     }
@@ -128,14 +129,11 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
             config, options.variant, options.overrides, {}, options.roots};
         const Result<Description> description = loadDescription(chosen, sources);
         if (!description) return description.diagnostics();
-        std::vector<std::string> formats = surfaceFormats(*description);
         for (const StressCase* stress : *cases) {
-            const bool all_formats = stress->formats && !options.quick;
             if (!options.shard.has(index++)) continue;
-            for (std::size_t f = 0; f < (all_formats ? formats.size() : 1); ++f)
-                for (std::size_t step = 0; step < stress->steps.size(); ++step)
-                    if (!options.quick || isQuick(*stress, step))
-                        tasks.push_back({chosen, stress, formats[f], static_cast<int>(step)});
+            for (std::size_t step = 0; step < stress->steps.size(); ++step)
+                if (!options.quick || isQuick(*stress, step))
+                    tasks.push_back({chosen, stress, static_cast<int>(step)});
         }
     }
     return tasks;
@@ -143,9 +141,7 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
 
 std::string stepTitle(const StressTask& task)
 {
-    const std::string variant = task.config.variant.empty() ? "" : " " + task.config.variant;
-    return task.config.config + variant + ", " + task.stress->name +
-           (task.format.empty() ? "" : " " + task.format) + ", " +
+    return nameOf(task.config) + ", " + task.stress->name + ", " +
            task.stress->steps[task.step].label;
 }
 
@@ -171,9 +167,21 @@ Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::st
     return records;
 }
 
-std::string seriesName(const StressSeries& series)
+std::string truthPictureOf(const StressRecord& record)
 {
-    return series.stress->name + (series.format.empty() ? "" : " " + series.format);
+    return "pictures/" + record.key + "_truth.png";
+}
+
+Status keepPictures(const std::string& folder, const StressDrawing& done)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder + "/pictures", error);
+    if (error) return Diagnostic{Code::cannot_write, "cannot write '" + folder + "/pictures'"};
+    if (!done.ground_truth.pixels.empty())
+        if (Status kept = writePng(folder + "/" + truthPictureOf(done.record), done.ground_truth);
+            !kept)
+            return kept;
+    return writePng(folder + "/" + done.record.picture, done.ao);
 }
 
 std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)
@@ -188,8 +196,7 @@ std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)
             continue;
         const auto [place, is_new] = places.emplace(seriesKey(record), all.size());
         if (is_new) {
-            const std::string variant = record.variant.empty() ? "" : " " + record.variant;
-            all.push_back({&*stress, record.config + variant, record.format, {}});
+            all.push_back({&*stress, record.config, {}});
             all.back().steps.resize(stress->steps.size());
         }
         all[place->second].steps[record.step] = &record;

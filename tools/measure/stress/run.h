@@ -16,17 +16,17 @@ struct StressOptions {
     std::vector<std::string> cases = {};    ///< Empty: all.
     std::string variant = {};
     std::vector<std::string> overrides = {};
-    bool quick = false;  ///< Two or three steps of each case, in the configs' own formats.
-    Shard shard = {};    ///< By config and case.
+    bool quick = false;                   ///< Two or three steps of each case.
+    Shard shard = {};                     ///< By config and case.
     std::vector<std::string> roots = {};  ///< As LoadRequest has them.
 };
 
-/// Config by config, case by case, format by format, each from the first step to the last.
+/// Config by config, case by case, each from the first step to the last.
 ///
 /// Errors: CV8001 for an unknown case, those of loadDescription for an unusable config.
 Result<std::vector<StressTask>> planStress(const StressOptions& options, const SourceSet& sources);
 
-/// "gtao, near_far depth=depth16, 0.01:1e4".
+/// "gtao, near_far, 0.01:1e4".
 std::string stepTitle(const StressTask& task);
 
 /// How steps are drawn; tests put in their own.
@@ -48,16 +48,18 @@ MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<Str
 /// those of readStressRecords.
 Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::string& file);
 
-/// The records of one config, case and format.
+/// The records of one config and case.
 struct StressSeries {
     const StressCase* stress = nullptr;
     std::string config;
-    std::string format;
     std::vector<const StressRecord*> steps;  ///< By step; null where there is none.
 };
 
-/// "near_far depth=depth16".
-std::string seriesName(const StressSeries& series);
+/// Where the ground truth's picture lies, below the run's folder.
+std::string truthPictureOf(const StressRecord& record);
+
+/// Writes that of a failure, and the ground truth's where there is one. Errors: CV7007.
+Status keepPictures(const std::string& folder, const StressDrawing& done);
 
 /// In the order in which they come. The records must outlive them; those of unknown cases are left
 /// out.

@@ -21,7 +21,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -32,13 +31,6 @@ constexpr float kPoison = 0.8713f;    // where a format holds no NaN
 constexpr int kGroundTruthRays = 64;  // a pixel: rmse of their noise is 0.04
 
 std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
-
-/// "depth=depth16" as an override.
-std::string formatOverride(const std::string& format)
-{
-    const std::string target = nameIn(format);
-    return "/targets/" + target + "/format=[\"" + format.substr(target.size() + 1) + "\"]";
-}
 
 bool isOrdinary(const StressTask& task)
 {
@@ -73,6 +65,14 @@ Format storedFormat(const Plan& plan)
         if (const PlanTarget* target = findNamed(plan.targets, name))
             return plan.textures[target->texture].format;
     return Format::depth24;
+}
+
+TraceOptions truthOptions(const StressShot& shot)
+{
+    TraceOptions trace;
+    trace.radius = shot.radius;
+    trace.rays = kGroundTruthRays;
+    return trace;
 }
 
 void addViews(const StressShot& shot, Frame& frame)
@@ -124,15 +124,9 @@ struct StressRunner::Drawn {
     TargetHealth bad;  ///< The first target that is not finite or out of range, if any.
 };
 
-std::vector<std::string> surfaceFormats(const Description& description)
+std::string nameOf(const ConfigOptions& config)
 {
-    if (findNamed(description.targets, "position"))
-        return {"", "position=rgba16f", "position=rgba32f"};
-    if (findNamed(description.targets, "linear_depth"))
-        return {"", "linear_depth=r16f", "linear_depth=r32f"};
-    if (findNamed(description.targets, "depth"))
-        return {"", "depth=depth16", "depth=depth24", "depth=depth32f"};
-    return {""};
+    return config.config + (config.variant.empty() ? "" : " " + config.variant);
 }
 
 StressRunner::StressRunner(Device& device, const SourceSet& sources, std::string cache_folder)
@@ -162,10 +156,12 @@ std::string StressRunner::contentOf(const StressTask& task, Extent size)
     hash.addText(task.config.config);
     hash.addText(shot.geometry);
     hash.addText(task.stress->name);
-    hash.addText(task.format);
     hash.add(task.step);
-    hash.addText(hashOf(shot));
-    hash.add(kTracerVersion);
+    hash.addText(referenceKey(shot.scene, shot.camera, shot.extent, truthOptions(shot)));
+    for (const std::string& setting : shot.settings) hash.addText(setting);
+    hash.add(shot.samples);
+    hash.addText(shot.output);
+    hash.add(shot.before.size());
     return hash.hex();
 }
 
@@ -190,7 +186,6 @@ Result<StressRunner::Ready> StressRunner::prepare(const StressTask& task, const 
             ready.absent = "no param '" + nameIn(setting) + "'";
         config.overrides.push_back(setting);
     }
-    if (!task.format.empty()) config.overrides.push_back(formatOverride(task.format));
     const std::vector<std::string> taps =
         shot.samples > 0 ? overridesFor(*base, shot.samples) : std::vector<std::string>();
     if (shot.samples > 0 && taps.empty())
@@ -299,7 +294,7 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
     const std::vector<Frame> frames = framesOf(shot, frame, remembers(*plan));
-    const std::string owner = task.config.config + " " + task.config.variant + shot.geometry;
+    const std::string owner = nameOf(task.config) + shot.geometry;
     for (Stage* stage : {&wide_, &plain_})
         if (const Status done = render(*stage, *ready, *host, frames, owner); !done)
             return done.diagnostics();
@@ -354,11 +349,8 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
     if (known || !shot.traceable || shot.output != "ao" ||
         std::min(shot.extent.width, shot.extent.height) < kLeastSide)
         return;
-    TraceOptions trace;
-    trace.radius = shot.radius;
-    trace.rays = kGroundTruthRays;
     Result<Image> ground_truth =
-        cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
+        cachedReference(shot.scene, shot.camera, shot.extent, truthOptions(shot), cache_folder_);
     if (!ground_truth) return;
     describeError(done.ao, *ground_truth, done.record);
     done.ground_truth = std::move(*ground_truth);
@@ -366,22 +358,13 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
 
 StressDrawing StressRunner::measure(const StressTask& task, Extent size)
 {
-    using Clock = std::chrono::steady_clock;
     StressDrawing done;
     StressRecord& record = done.record;
-    const StressStep& step = task.stress->steps[task.step];
-    record.config = task.config.config;
-    record.variant = task.config.variant;
-    record.overrides = task.config.overrides;
+    record.config = nameOf(task.config);
     record.case_name = task.stress->name;
-    record.format = task.format;
     record.step = task.step;
-    record.label = step.label;
-    record.value = step.value;
-    const StressShot shot = task.stress->shot(step.value, size);
-    const Clock::time_point start = Clock::now();
+    const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
     Result<Drawn> drawn = draw(task, shot);
-    record.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     if (!drawn) {
         record.refusal = failureText(drawn.diagnostics());
         return done;
@@ -396,7 +379,7 @@ StressDrawing StressRunner::measure(const StressTask& task, Extent size)
     record.bad_x = drawn->bad.first_bad.x;
     record.bad_y = drawn->bad.first_bad.y;
     record.bad_value = std::isfinite(drawn->bad.first_value) ? drawn->bad.first_value : 0;
-    record.stored = shot.coordinates > 0 ? "floats in vertices" : formatInfo(drawn->stored).name;
+    record.stored = formatInfo(drawn->stored).name;
     record.radius_px = radiusInPixels(shot);
     record.height_px = shot.extent.height;
     describeOcclusion(done.ao, record);

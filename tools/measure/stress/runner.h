@@ -17,11 +17,10 @@
 
 namespace crevice {
 
-/// One step of one config in one format.
+/// One step of one config.
 struct StressTask {
     ConfigOptions config;
     const StressCase* stress = nullptr;
-    std::string format;  ///< "depth=depth16"; empty: the config's own.
     int step = 0;
 };
 
@@ -32,8 +31,8 @@ struct StressDrawing {
     Image ground_truth = {};  ///< Where the step is compared with it.
 };
 
-/// The formats that a config's surface may be stored in, as StressTask::format; the first is empty.
-std::vector<std::string> surfaceFormats(const Description& description);
+/// "learnopengl sound": with its variant.
+std::string nameOf(const ConfigOptions& config);
 
 /// Keeps one renderer, so that a config's programs compile once. Tasks of one meter differ in no
 /// variant and no override. The device and the sources must outlive it.

@@ -59,7 +59,7 @@ cat >broken/nan.json <<'JSON'
 JSON
 expect 5 "plane_fov +breaks at 45: pass 'spoil' writes [0-9]+ pixels that are not finite into 'ao_filtered'" \
     stress broken/nan.json --case plane_fov "${small[@]}" --out nan
-check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 32
+check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 8
 check "the page shows it" grep -q 'data:image/png' nan/stress.html
 
 # --- occlusion that is lost beyond 20 of the world's units ---
@@ -77,37 +77,12 @@ void main()
     ao_filtered = mix(texture(ao, uv).r, 1.0, lost);
 }
 GLSL
-planted() # name, what it does: the module that a shader of that name spoils
-{
-    sed "s/nan/$1/; s/Writes NaN/$2/; s/hemisphere/gtao/" broken/nan.json | sed "s/nan.frag/$1.frag/" >"broken/$1.json"
-}
-planted absolute 'Loses occlusion with absolute distance'
+sed 's/nan/absolute/; s/hemisphere/gtao/' broken/nan.json >broken/absolute.json
 expect 5 '^  units +(VOID.*|holds from 1e-6 to 1e0); breaks at 1e1: mean change ' \
     stress broken/absolute.json --case units --case offset "${small[@]}" --out absolute
 check "that is told first, in words" bash -c \
-    'sed -n 2p stdout.txt | grep -qE "^  AO of .broken/absolute.json. .* where all lengths are more than 1 times as large: at 10, "'
-check "with pictures of before and after" test "$(grep -o '"caption":"[a-z]* at 10*"' absolute/stress.html | wc -l)" -eq 2
+    'sed -n 2p stdout.txt | grep -qE "^  AO of .broken/absolute.json. .* where all lengths are more than 1e0 times as large: at 1e1, "'
 check "an offset changes nothing of that" bash -c '! grep -E "^  offset .*breaks" stdout.txt'
-
-# --- occlusion of which half is gone; all of it nightly, which is found more easily ---
-for share in 0.5 ${CREVICE_NIGHTLY:+0.0}; do
-    cat >"broken/faint_$share.frag" <<GLSL
-#version 300 es
-precision highp float;
-uniform highp sampler2D ao;
-in vec2 uv;
-layout(location = 0) out float ao_filtered;
-void main()
-{
-    ao_filtered = mix(1.0, texture(ao, uv).r, $share);
-}
-GLSL
-    planted "faint_$share" 'A share of the occlusion'
-    expect 5 "^  units +VOID: the ordinary picture has (0|4[0-9]) % of the ground truth's occlusion" \
-        stress "broken/faint_$share.json" --quick "${small[@]}" --out "faint_$share"
-    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 29
-    check "planes do not" bash -c '! grep -E "^  (plane|no_op|empty|lights).*(VOID|breaks)" stdout.txt'
-done
 
 # --- an edit against the run before it: a filter that is a texel off fails no case, and differs ---
 mkdir edited
