@@ -7,7 +7,6 @@
 #include "tools/render/device/open_device.h"
 #include "tools/render/device/poison_device.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/missing_texture.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
@@ -189,7 +188,7 @@ int doctor(const DoctorOptions& options)
     if (!view) return report(view.diagnostics(), options.json);
     const Result<Checkup> checkup = checkUp(options, *view, *description, progress);
     progress.wipe();
-    if (!checkup) return report(withoutHost(checkup.diagnostics(), *description), options.json);
+    if (!checkup) return report(checkup.diagnostics(), options.json);
     const Diagnostics found =
         diagnose(*description, checkup->plan, checkup->health, checkup->facts);
     Diagnostics all = found;

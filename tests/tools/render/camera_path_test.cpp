@@ -94,12 +94,3 @@ TEST_CASE("the path that uncovers jumps once, sixteen frames before its end or h
             CHECK(at == Approx(frame < jump ? 132 : 100).margin(0.01));
         }
 }
-
-TEST_CASE("a camera path that is not there is an error that names those that are")
-{
-    const auto path = findCameraPath("pam");
-    REQUIRE_FALSE(path);
-    CHECK(path.diagnostics().front().code == Code::usage);
-    CHECK(path.diagnostics().front().help.find("'pan'") != std::string::npos);
-    CHECK(path.diagnostics().front().help.find("disocclusion") != std::string::npos);
-}
