@@ -111,8 +111,8 @@ void addCostCommand(CLI::App& app, int& exit_code)
     command
         ->add_option(
             "--check", options->check,
-            "Measure what that file of --out holds again, and fail (5) where a pass spills "
-            "or loses occupancy, or where a config's AO takes a tenth more")
+            "Measure what that file of --out holds again, and fail (5) where a config's AO "
+            "loses occupancy or takes a tenth more")
         ->type_name("FILE");
     command->footer(
         "Examples:\n"

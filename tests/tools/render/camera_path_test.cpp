@@ -55,18 +55,6 @@ void checkMoved(const glm::dvec2& moved, double right, double up)
 
 }  // namespace
 
-TEST_CASE("a camera path ends at the camera that it was made from")
-{
-    for (const CameraPath& path : kCameraPaths)
-        for (const bool orthographic : {false, true})
-            for (const int frames : {1, 2, 7, 100}) {
-                INFO(path.name << ", " << frames << " frames");
-                const PathView end = view(orthographic);
-                const SceneCamera camera = cameraAt(path, end, frames - 1, frames);
-                CHECK(camera.view_from_world == end.camera.view_from_world);
-            }
-}
-
 TEST_CASE("camera paths move the middle of the picture by their pixels a frame")
 {
     for (const bool orthographic : {false, true}) {

@@ -2,52 +2,12 @@
 #include "tools/measure/cost/check.h"
 
 #include "core/base/numbers.h"
-#include "tools/measure/cost/pass_roles.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace crevice {
 
 namespace {
-
-bool isForAo(const CostReport& pass)
-{
-    const CostReport& role = pass.at("for");
-    return role == nameOf(PassRole::ao) || role == nameOf(PassRole::geometry_for_ao);
-}
-
-int spillsOf(const CostReport& gpu)
-{
-    return gpu.at("spills").get<int>() + gpu.at("fills").get<int>();
-}
-
-/// What a pass of that name may do: what it did, or, of a new name, what any pass of the config
-/// did.
-struct Allowed {
-    bool spills = false;
-    bool refused = false;
-    int threads = 0;
-};
-
-Allowed allowedOf(const CostReport& passes, const CostReport& name, std::size_t gpu)
-{
-    const bool known = std::any_of(passes.begin(), passes.end(), [&](const CostReport& each) {
-        return isForAo(each) && each.at("pass") == name;
-    });
-    Allowed allowed;
-    for (const CostReport& each : passes) {
-        if (!isForAo(each) || (known && each.at("pass") != name)) continue;
-        const CostReport& figures = each.at("gpus").at(gpu);
-        if (figures.contains("refusal")) {
-            allowed.refused = true;
-            continue;
-        }
-        const int threads = figures.at("threads");
-        allowed.spills = allowed.spills || spillsOf(figures) > 0;
-        allowed.threads = allowed.threads == 0 ? threads : std::min(allowed.threads, threads);
-    }
-    return allowed;
-}
 
 class Comparison {
 public:
@@ -57,16 +17,13 @@ public:
     {
         const std::string name = after.at("config");
         const CostReport &was = before.at("ao_with_geometry"), &is = after.at("ao_with_geometry");
-        for (const CostReport& pass : after.at("passes"))
-            for (std::size_t gpu = 0; isForAo(pass) && gpu < pass.at("gpus").size(); ++gpu)
-                checkPass(name, before.at("passes"), pass, gpu);
         if (was.contains("fetches") && !is.contains("fetches"))
             result.worse.push_back(
                 name + ": fetches are not counted: " + after.at("uncounted").get<std::string>());
-        else if (was.contains("fetches"))
-            grown(name, "fetches a pixel", was["fetches"], is["fetches"]);
+        else
+            grown(name, "fetches a pixel", was.value("fetches", 0.0), is.value("fetches", 0.0));
         for (std::size_t gpu = 0; gpu < is.at("gpus").size(); ++gpu)
-            checkSum(name, was.at("gpus").at(gpu), is.at("gpus").at(gpu));
+            compareGpu(name, was.at("gpus").at(gpu), is.at("gpus").at(gpu));
     }
 
 private:
@@ -78,38 +35,22 @@ private:
         if (was > is * (1 + kCostGrowth)) result.better.push_back(text);
     }
 
-    void checkPass(const std::string& config, const CostReport& before, const CostReport& pass,
-                   std::size_t gpu)
+    void compareGpu(const std::string& config, const CostReport& was, const CostReport& is)
     {
-        const CostReport& is = pass.at("gpus").at(gpu);
-        const Allowed allowed = allowedOf(before, pass.at("pass"), gpu);
-        const std::string where = config + ", " + is.at("gpu").get<std::string>() + ", " +
-                                  pass.at("pass").get<std::string>();
-        if (is.contains("refusal")) {
-            if (!allowed.refused)
-                result.worse.push_back(where + ": refused: " + is["refusal"].get<std::string>());
+        const std::string where = config + ", " + is.at("gpu").get<std::string>();
+        if (is.contains("refused")) {  // and the sum lacks a pass
+            if (!was.contains("refused")) result.worse.push_back(where + ": a pass is refused");
             return;
         }
-        if (!allowed.spills && spillsOf(is) > 0)
-            result.worse.push_back(where + ": spills where nothing did, " + is["spills"].dump() +
-                                   ":" + is["fills"].dump());
-        if (is.at("threads") < allowed.threads)
-            result.worse.push_back(where + ": occupancy was " + std::to_string(allowed.threads) +
-                                   " and is " + is["threads"].dump() + " of " +
+        for (const auto& [key, what] : {std::pair("instructions", "instructions"),
+                                        {"cycles", "cycles a pixel"},
+                                        {"largest_spills", "spills"},
+                                        {"its_fills", "fills"}})
+            grown(where, what, was.value(key, 0.0), is.value(key, 0.0));
+        if (is.at("lowest_threads") < was.at("lowest_threads"))
+            result.worse.push_back(where + ": occupancy was " + was["lowest_threads"].dump() +
+                                   " and is " + is["lowest_threads"].dump() + " of " +
                                    is.at("most_threads").dump());
-    }
-
-    void checkSum(const std::string& config, const CostReport& was, const CostReport& is)
-    {
-        if (is.contains("refused")) return;  // the sum lacks a pass
-        const std::string where = config + ", " + is.at("gpu").get<std::string>();
-        grown(where, "instructions", was.at("instructions"), is.at("instructions"));
-        if (was.contains("cycles")) grown(where, "cycles a pixel", was["cycles"], is["cycles"]);
-        const auto spilled = [](const CostReport& sum) {
-            return sum.at("largest_spills").get<double>() + sum.at("its_fills").get<double>();
-        };
-        // Where none spilled, checkPass says which does.
-        if (spilled(was) > 0) grown(where, "spills and fills", spilled(was), spilled(is));
     }
 };
 

@@ -27,9 +27,8 @@ struct CostComparison {
     std::vector<std::string> better;  ///< Less than 1 / (1 + kCostGrowth).
 };
 
-/// Worse is, on any GPU: an AO pass that spills or is refused where it was not, or, of a new name,
-/// where no pass of its config was; lower occupancy likewise; and of the config's AO, with all that
-/// is drawn for it, more than kCostGrowth more instructions, cycles, spills and fills or fetches.
+/// Of each config's AO, with all that is drawn for it: worse is more than kCostGrowth more fetches
+/// or, on any GPU, instructions, cycles, spills or fills; lower occupancy; and a refused pass.
 /// Requires reports of the same configs and GPUs, as ApprovedCost::options gives them.
 Result<CostComparison> compareCosts(const CostReport& approved, const CostReport& now);
 

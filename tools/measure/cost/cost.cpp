@@ -194,7 +194,8 @@ Result<Json> costOf(const CostOptions& options, const std::string& name, const S
                 figuresJson(*gpu, compiled->figures[plan->passes[i].program]));
     }
     config["geometry_bytes_for_ao"] = std::llround(bytesForAo(*plan, roles));
-    config["ao"] = config["ao_with_geometry"] = nullptr;  // their places are before the passes
+    config["ao"] = nullptr;  // both sums have their places before the passes
+    config["ao_with_geometry"] = nullptr;
     config["passes"] = std::move(passes);
     addSums(config);
     return config;

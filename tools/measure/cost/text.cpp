@@ -93,9 +93,11 @@ std::string tableOf(const CostReport& report, const CostReport& config)
         rows[0].insert(rows[0].end(), {"|", "inst", "sp:fi", "occ", "cyc", "16b"});
     addPasses(config, PassRole::ao, rows);
     rows.push_back(rowOf("AO in all", config.at("ao"), kSumKeys));
-    rows.push_back({"drawn for AO alone"});
-    addPasses(config, PassRole::geometry_for_ao, rows);
-    rows.push_back(rowOf("AO with that", config.at("ao_with_geometry"), kSumKeys));
+    if (config.at("ao_with_geometry") != config.at("ao")) {
+        rows.push_back({"drawn for AO alone"});
+        addPasses(config, PassRole::geometry_for_ao, rows);
+        rows.push_back(rowOf("AO with that", config.at("ao_with_geometry"), kSumKeys));
+    }
     rows.push_back({"not for AO alone"});
     addPasses(config, PassRole::geometry, rows);
     addPasses(config, PassRole::picture, rows);

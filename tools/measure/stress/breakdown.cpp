@@ -11,29 +11,21 @@
 namespace crevice {
 namespace {
 
-/// A point, and by what it is the same as others.
-struct Found {
-    BreakdownPoint point;
-    std::string_view cause;
-    std::pair<double, double> figures;  ///< Of both steps; the smaller ones break first.
-};
-
-double figureOf(const StressCase& stress, const StressCondition& condition,
-                const StressRecord& record)
+double figureOf(const StressSeries& series, const StressCondition& condition, int step)
 {
+    const StressRecord& record = *series.steps[step];
     switch (condition.quantity) {
     case Quantity::screens: return record.radius_px / std::max(record.height_px, 1);
     case Quantity::pixels: return record.radius_px;
     case Quantity::label: break;
     }
-    return stress.steps[record.step].value;
+    return series.stress->steps[step].value;
 }
 
-std::string figureText(const StressCase& stress, const StressCondition& condition,
-                       const StressRecord& record)
+std::string figureText(const StressSeries& series, const StressCondition& condition, int step)
 {
-    if (condition.quantity == Quantity::label) return stress.steps[record.step].label;
-    const double figure = figureOf(stress, condition, record);
+    if (condition.quantity == Quantity::label) return series.stress->steps[step].label;
+    const double figure = figureOf(series, condition, step);
     return figure >= 100 && figure < 1e6 ? fixed(figure, 0) : significant(figure, 2);
 }
 
@@ -45,102 +37,98 @@ std::string filledIn(std::string_view text, const std::string& figure)
     return filled;
 }
 
-Found foundAt(const StressSeries& series, std::size_t step, const Verdict& verdict,
-              std::string_view cause)
+BreakdownPoint pointAt(const StressSeries& series, int step)
 {
-    Found found;
-    found.point.config = series.config;
-    found.point.stress = series.stress;
-    found.point.after = series.steps[step];
-    found.point.effect = verdict.effect;
-    found.point.why = verdict.why;
-    if (verdict.outcome == Outcome::beyond)
-        found.point.why += ", more than " + series.steps[step]->stored + " can resolve";
-    found.cause = cause;
-    return found;
+    const Verdict verdict = judge(*series.stress, series.steps, step);
+    BreakdownPoint point;
+    point.config = series.config;
+    point.stress = series.stress;
+    point.after = series.steps[step];
+    point.effect = verdict.effect;
+    point.why = verdict.why;
+    return point;
 }
 
-/// Whether the step does harm, and more than that of an ordinary picture that is wrong itself.
-bool harms(const Verdict& verdict)
-{
-    return !verdict.effect.empty() && verdict.outcome != Outcome::invalid;
-}
+/// Of those of one config, effect and cause the one whose figures are less is kept: it breaks
+/// first.
+class Points {
+public:
+    std::vector<BreakdownPoint> all;
 
-/// Keeps the one that breaks first of those that are the same.
-void add(Found found, std::vector<Found>& all)
-{
-    const auto same = std::find_if(all.begin(), all.end(), [&found](const Found& other) {
-        return found.point.config == other.point.config &&
-               found.point.effect == other.point.effect && found.cause == other.cause;
-    });
-    if (same == all.end())
-        all.push_back(std::move(found));
-    else if (found.figures < same->figures)
-        *same = std::move(found);
-}
-
-/// Returns whether the ordinary step fails by itself, so that there is no more to say.
-bool findOrdinary(const StressSeries& series, std::vector<Found>& all)
-{
-    const std::size_t ordinary = series.stress->ordinary;
-    if (!series.steps[ordinary]) return true;
-    const Verdict verdict = judge(*series.stress, series.steps, ordinary);
-    if (verdict.effect.empty()) return false;
-    Found found = foundAt(series, ordinary, verdict, "ordinary");
-    if (harms(verdict)) found.point.condition = "in the ordinary picture";
-    add(std::move(found), all);
-    return harms(verdict);
-}
-
-/// The first step of a side that breaks, on the way from the ordinary one.
-void findAmount(const StressSeries& series, int direction, std::vector<Found>& all)
-{
-    const StressCase& stress = *series.stress;
-    const StressCondition& condition = direction > 0 ? stress.up : stress.down;
-    const StressRecord* before = series.steps[stress.ordinary];
-    const int count = static_cast<int>(stress.steps.size());
-    for (int i = static_cast<int>(stress.ordinary) + direction; i >= 0 && i < count;
-         i += direction) {
-        if (!series.steps[i]) continue;
-        const Verdict verdict = judge(stress, series.steps, i);
-        const bool judged = series.steps[i]->absent.empty() && series.steps[i]->refusal.empty();
-        if (judged && !harms(verdict)) before = series.steps[i];
-        if (!harms(verdict)) continue;
-        Found found = foundAt(series, i, verdict, condition.where);
-        found.point.held = figureText(stress, condition, *before);
-        found.point.broke = figureText(stress, condition, *series.steps[i]);
-        found.point.condition = filledIn(condition.where, found.point.held);
-        const double held = figureOf(stress, condition, *before);
-        const double broke = figureOf(stress, condition, *series.steps[i]);
-        const double sign = broke > held ? 1 : -1;
-        found.figures = {sign * held, sign * broke};
-        add(std::move(found), all);
-        return;
+    void add(BreakdownPoint point, std::string_view cause, std::pair<double, double> figures = {})
+    {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].config != point.config || all[i].effect != point.effect ||
+                causes_[i] != cause)
+                continue;
+            if (!(figures < figures_[i])) return;
+            all[i] = std::move(point);
+            figures_[i] = figures;
+            return;
+        }
+        all.push_back(std::move(point));
+        causes_.push_back(cause);
+        figures_.push_back(figures);
     }
+
+private:
+    std::vector<std::string_view> causes_;
+    std::vector<std::pair<double, double>> figures_;
+};
+
+void addAmount(const StressSeries& series, const StressCondition& condition, const Reach& reach,
+               Points& points)
+{
+    if (reach.breaks_at < 0) return;
+    BreakdownPoint point = pointAt(series, reach.breaks_at);
+    const int last = reach.holds_to >= 0 ? reach.holds_to : int(series.stress->ordinary);
+    point.held = figureText(series, condition, last);
+    point.broke = figureText(series, condition, reach.breaks_at);
+    point.condition = filledIn(condition.where, point.held);
+    const double held = figureOf(series, condition, last);
+    const double broke = figureOf(series, condition, reach.breaks_at);
+    const double sign = broke > held ? 1 : -1;
+    points.add(std::move(point), condition.where, {sign * held, sign * broke});
 }
 
 /// All kinds that break, those of one effect together: there is no way from one to the next.
-void findKinds(const StressSeries& series, std::vector<Found>& all)
+void addKinds(const StressSeries& series, Points& points)
 {
     const StressCase& stress = *series.stress;
-    std::vector<Found> found;
+    std::vector<BreakdownPoint> found;
     for (std::size_t i = 0; i < stress.steps.size(); ++i) {
-        if (!series.steps[i] || i == stress.ordinary) continue;
-        const Verdict verdict = judge(stress, series.steps, i);
-        if (!harms(verdict)) continue;
-        const auto same = std::find_if(found.begin(), found.end(), [&](const Found& other) {
-            return other.point.effect == verdict.effect;
-        });
-        if (same == found.end()) {
-            found.push_back(foundAt(series, i, verdict, stress.name));
-            found.back().point.condition = stress.steps[i].label;
-        } else {
-            same->point.condition += ", " + stress.steps[i].label;
-        }
+        if (!series.steps[i] || judge(stress, series.steps, i).outcome != Outcome::breaks) continue;
+        BreakdownPoint point = pointAt(series, static_cast<int>(i));
+        point.condition = stress.steps[i].label;
+        const auto same = std::find_if(
+            found.begin(), found.end(),
+            [&point](const BreakdownPoint& other) { return other.effect == point.effect; });
+        if (same == found.end())
+            found.push_back(std::move(point));
+        else
+            same->condition += ", " + point.condition;
     }
-    for (Found& each : found) {
-        each.point.condition = filledIn(stress.up.where, each.point.condition);
-        all.push_back(std::move(each));
+    for (BreakdownPoint& point : found) {
+        point.condition = filledIn(stress.up.where, point.condition);
+        points.add(std::move(point), stress.name);
+    }
+}
+
+void addPoints(const StressSeries& series, Points& points)
+{
+    const StressCase& stress = *series.stress;
+    const int ordinary = static_cast<int>(stress.ordinary);
+    const Breakdown found = findBreakdown(stress, series.steps);
+    if (!found.invalid.empty()) points.add(pointAt(series, ordinary), "invalid");
+    if (found.up.breaks_at == ordinary) {
+        BreakdownPoint point = pointAt(series, ordinary);
+        point.condition = "in the ordinary picture";
+        points.add(std::move(point), "ordinary");
+    } else if (stress.unit.empty()) {
+        addKinds(series, points);
+    } else {
+        addAmount(series, stress.up, found.up, points);
+        addAmount(series, stress.down, found.down, points);
     }
 }
 
@@ -169,19 +157,9 @@ std::string differenceOf(const StressSeries& before, const StressSeries& now, st
 
 std::vector<BreakdownPoint> breakdownPoints(const std::vector<StressSeries>& all)
 {
-    std::vector<Found> found;
-    for (const StressSeries& series : all) {
-        if (findOrdinary(series, found)) continue;
-        if (series.stress->unit.empty()) {
-            findKinds(series, found);
-            continue;
-        }
-        findAmount(series, 1, found);
-        findAmount(series, -1, found);
-    }
-    std::vector<BreakdownPoint> points;
-    for (Found& each : found) points.push_back(std::move(each.point));
-    return points;
+    Points points;
+    for (const StressSeries& series : all) addPoints(series, points);
+    return std::move(points.all);
 }
 
 std::string sentenceOf(const BreakdownPoint& point)

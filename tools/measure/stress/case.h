@@ -15,7 +15,6 @@
 #include <glm/vec3.hpp>
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,16 +56,11 @@ struct StressShot {
     int samples = 0;           ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
     bool draws = false;        ///< Asks about the config's own draws.
-    bool traceable = true;     ///< What is drawn is the scene as a ray tracer sees it.
 
     /// Drawn before, first to last, for what a config keeps from frame to frame; where that is
     /// empty and nothing is cut, three frames of the same.
     std::vector<StressFrame> before = {};
     bool cut = false;  ///< Told that `before` does not apply.
-
-    /// Of a frame of two views the one that counts; the other sees through `other_view`.
-    int view = 0;
-    std::optional<Camera> other_view = {};
 
     std::string output = "ao";  ///< What is looked at.
 

@@ -85,8 +85,7 @@ std::string wordOf(Outcome outcome);
 struct Verdict {
     Outcome outcome = Outcome::holds;
     std::string why;
-    /// What becomes of the occlusion, as a sentence about it goes on: "is lost". Empty where it
-    /// holds, or what is beyond the format does no harm.
+    /// Of a failure: what becomes of the occlusion, as a sentence about it goes on: "is lost".
     std::string effect = {};
     std::string pass = {};  ///< The first in which a failure shows, where that is known.
 

@@ -47,7 +47,7 @@ bool drawsScene(const Description& description)
 const char* missingFrom(const Description& description, const StressShot& shot)
 {
     if (shot.geometry.empty()) return nullptr;
-    if (shot.host && findNamed(description.imports, hostDepthName(shot))) return nullptr;
+    if (shot.host && findNamed(description.imports, "depth")) return nullptr;
     if (shot.host) return "its geometry module has no counterpart for a host's depth";
     const bool positions = findNamed(description.targets, "position");
     const bool linear = findNamed(description.targets, "linear_depth");
@@ -73,14 +73,6 @@ TraceOptions truthOptions(const StressShot& shot)
     trace.radius = shot.radius;
     trace.rays = kGroundTruthRays;
     return trace;
-}
-
-void addViews(const StressShot& shot, Frame& frame)
-{
-    frame.camera = shot.camera;
-    if (!shot.other_view) return;
-    frame.other_views = {{*shot.other_view, {}}};
-    if (shot.view == 1) std::swap(frame.camera, frame.other_views[0].camera);
 }
 
 /// `last`, and what is drawn before it.
@@ -228,11 +220,10 @@ Status StressRunner::render(Stage& stage, const Ready& ready, HostTextures& host
 }
 
 /// For what is not finite or out of range, in floats: 8 bits hide it.
-Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
-                          Drawn& drawn)
+Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn)
 {
     for (const WatchedTarget& each : watched) {
-        Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output, view);
+        Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output);
         if (!image) return image.diagnostics();
         TargetHealth health = examine(*image, *image);
         examineFloats(*image, formatOf(plan, each.target), health);
@@ -251,7 +242,7 @@ Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& wa
 /// What the plain renderer drew last.
 Status StressRunner::show(const StressShot& shot, Image& picture)
 {
-    Result<Image> shown = readOutput(*poison_, *plain_.renderer, shot.output, shot.view);
+    Result<Image> shown = readOutput(*poison_, *plain_.renderer, shot.output);
     if (!shown) return shown.diagnostics();
     picture = std::move(*shown);
     return {};
@@ -268,7 +259,7 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
     const Result<UploadedScene> scene = UploadedScene::upload(*poison_, shot.scene);
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
-    addViews(shot, frame);
+    frame.camera = shot.camera;
     std::optional<ChangedTextures> changed;
     if (shot.host) {
         Result<ChangedTextures> made = ChangedTextures::make(*poison_, shot);
@@ -298,8 +289,7 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
     for (Stage* stage : {&wide_, &plain_})
         if (const Status done = render(*stage, *ready, *host, frames, owner); !done)
             return done.diagnostics();
-    if (const Status done = look(*plan, watched, shot.view, drawn); !done)
-        return done.diagnostics();
+    if (const Status done = look(*plan, watched, drawn); !done) return done.diagnostics();
     if (const Status done = show(shot, drawn.ao); !done) return done.diagnostics();
     if (!settles) return drawn;
     if (const Status done = plain_.renderer->render(*hosted); !done) return done.diagnostics();
@@ -346,7 +336,7 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
     const Expectation expected = task.stress->expectation;
     const bool known = expected == Expectation::open || expected == Expectation::one ||
                        (expected == Expectation::same && !isOrdinary(task));
-    if (known || !shot.traceable || shot.output != "ao" ||
+    if (known || shot.output != "ao" ||
         std::min(shot.extent.width, shot.extent.height) < kLeastSide)
         return;
     Result<Image> ground_truth =

@@ -7,7 +7,7 @@
 #include "tools/measure/stress/geometry.h"
 #include "tools/measure/stress/record.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/watched_targets.h"
+#include "tools/render/output_source.h"
 
 #include <crevice/renderer.h>
 
@@ -62,8 +62,7 @@ private:
     Result<Ready> prepare(const StressTask& task, const StressShot& shot);
     Status render(Stage& stage, const Ready& ready, HostTextures& host,
                   const std::vector<Frame>& frames, const std::string& owner);
-    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
-                Drawn& drawn);
+    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn);
     Status show(const StressShot& shot, Image& picture);
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Drawn* ordinaryOf(const StressTask& task, Extent size);

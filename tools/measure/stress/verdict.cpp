@@ -144,7 +144,7 @@ Verdict judgeSame(const StressCase& stress, const StressRecord& record)
     if (record.resolved > 0 && (kept < kLeastKept || record.change > most))
         return breaks(*effectOf(kept) != 0 ? effectOf(kept) : "changes",
                       lost + ", mean change " + number(record.change));
-    return {Outcome::beyond, lost + ", mean change " + number(record.change), effectOf(kept)};
+    return {Outcome::beyond, lost + ", mean change " + number(record.change)};
 }
 
 /// What is asked of the step of a case, by its expectation.
@@ -162,8 +162,7 @@ Verdict judgeExpected(const StressCase& stress, const std::vector<const StressRe
     case Expectation::open:
         if (record.judged == 0 && resolves) return {};  // too small a picture to have a middle
         return resolves ? judgeOpen(record)
-                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion",
-                                  1 - record.mean >= kLeastExact ? kOnPlane : ""};
+                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion"};
     case Expectation::same: return judgeSame(stress, record);
     case Expectation::opens:
     case Expectation::darkens: return judgeSlope(stress, series, step);

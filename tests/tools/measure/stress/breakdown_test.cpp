@@ -88,23 +88,6 @@ TEST_CASE("Of kinds all that break are told, those of one effect together")
                     "in x: pass '' writes 1 pixels that are not finite."});
 }
 
-TEST_CASE("Lost occlusion is told even where the format is to blame")
-{
-    Run run;
-    run.add("near_far");
-    StressRecord& last = run.records.back();
-    last.step_share = 1;
-    last.resolved = 0;
-    last.stored = "depth24";
-    last.exact = 0.1;
-    last.occlusion = 0.09;
-    CHECK(run.sentences().empty());
-    last.occlusion = 0.01;
-    CHECK(run.sentences() ==
-          Sentences{"AO of `gtao` is lost where near:far is wider than 1e-3:3e5: at 1e-4:1e7, 90 % "
-                    "of the occlusion lost, mean change 0, more than depth24 can resolve."});
-}
-
 TEST_CASE("A config whose ordinary pictures are wrong says so once")
 {
     Run run;
@@ -117,7 +100,7 @@ TEST_CASE("A config whose ordinary pictures are wrong says so once")
 TEST_CASE("A run differs from the one before where an outcome or a figure is another")
 {
     Run old;
-    old.add("views");
+    old.add("mirrored");
     Run edited = old;
     const auto differences = [&] {
         return differencesSince(seriesOf(old.records), seriesOf(edited.records));
@@ -125,15 +108,15 @@ TEST_CASE("A run differs from the one before where an outcome or a figure is ano
     edited.records[1].mean -= 0.0019;
     CHECK(differences().empty());
     edited.records[1].mean -= 0.0002;
-    CHECK(differences() == Sentences{"gtao, views, the first of two: mean 0.9979, was 1"});
+    CHECK(differences() == Sentences{"gtao, mirrored, by a matrix: mean 0.9979, was 1"});
     edited.records[1] = old.records[1];
     old.records[2].change = edited.records[2].change = 0.003;  // a failure that hides nothing
     CHECK(differences().empty());
     edited.records[2].change = 0.006;
     edited.records[2].departing_pass = "filter_x";
-    CHECK(differences() == Sentences{"gtao, views, the second of two: change 0.006, was 0.003, "
+    CHECK(differences() == Sentences{"gtao, mirrored, in the vertices: change 0.006, was 0.003, "
                                      "first in pass 'filter_x'"});
     old.records[2].change = 0;
-    CHECK(differences() == Sentences{"gtao, views, the second of two: breaks: mean change 0.006, "
+    CHECK(differences() == Sentences{"gtao, mirrored, in the vertices: breaks: mean change 0.006, "
                                      "first in pass 'filter_x'"});
 }

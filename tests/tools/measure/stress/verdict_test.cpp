@@ -152,35 +152,6 @@ TEST_CASE("A step that lost more than half of the ground truth's occlusion fails
     CHECK(series.outcome(4) == Outcome::holds);
 }
 
-TEST_CASE("What fails in a void case is told as well, and nothing of it holds")
-{
-    Series series{caseOf(Expectation::same), std::vector<StressRecord>(5, occluded(0.1))};
-    series.records[3].change = 0.05;
-    series.records[4].bad_pixels = 1;
-    CHECK(series.outcome(0) == Outcome::invalid);
-    CHECK(series.outcome(3) == Outcome::breaks);
-    CHECK(series.found().failures == 3);
-    CHECK(series.text() ==
-          "VOID: the ordinary picture has 10 % of the ground truth's occlusion; "
-          "breaks at d: mean change 0.05");
-}
-
-TEST_CASE("What is out of range names the pass, the place and the value")
-{
-    Series series{caseOf(Expectation::same)};
-    StressRecord& ordinary = series.records[2];
-    ordinary.out_of_range = 3;
-    ordinary.bad_pass = "ssao";
-    ordinary.bad_target = "ao";
-    ordinary.bad_x = 4;
-    ordinary.bad_y = 2;
-    ordinary.bad_value = 1.7;
-    CHECK(series.found().down.holds_to == -1);
-    CHECK(series.text() ==
-          "breaks at c: pass 'ssao' writes 3 pixels out of range into 'ao', the first at (4, 2): "
-          "1.7");
-}
-
 TEST_CASE("What a format cannot resolve must be sound, and is a figure and no tick")
 {
     Series series{caseOf(Expectation::open)};

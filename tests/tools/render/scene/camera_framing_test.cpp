@@ -124,30 +124,6 @@ TEST_CASE("a camera is read from text, and needs no more than an eye")
     }
 }
 
-TEST_CASE("a shifted camera shows what lies beside the picture, in both projections")
-{
-    for (const std::string lens : {"fov=50", "ortho=3"}) {
-        const auto centered = choose("eye=0,0,5;at=0,0,0;near=1;far=9;" + lens);
-        const auto shifted = choose("eye=0,0,5;at=0,0,0;near=1;far=9;shift=0.5,-0.25;" + lens);
-        REQUIRE(shifted.ok());
-        for (const glm::dvec4 view : {glm::dvec4(0.3, 0.1, -4, 1), glm::dvec4(-1, 2, -8, 1)}) {
-            const glm::dvec4 from = glm::dmat4(clipFromView(*centered, {30, 20}, kBox)) * view;
-            const glm::dvec4 to = glm::dmat4(clipFromView(*shifted, {30, 20}, kBox)) * view;
-            CHECK(to.x / to.w == Approx(from.x / from.w - 1.0).margin(1e-6));
-            CHECK(to.y / to.w == Approx(from.y / from.w + 0.5).margin(1e-6));
-            CHECK(to.z / to.w == Approx(from.z / from.w).margin(1e-6));
-        }
-    }
-    CHECK(choose("eye=9,9,9;shift=1").diagnostics()[0].code == Code::usage);
-}
-
-TEST_CASE("a camera that looks straight down has an up of its own")
-{
-    for (const char* text :
-         {"eye=0,9,0;at=0,0,0", "eye=0,0,9;at=0,0,0;up=0,0,1", "eye=1,2,3;at=0,0,0;up=0,0,0"})
-        CHECK(glm::determinant(need(choose(text)).view_from_world) == Approx(1));
-}
-
 TEST_CASE("a camera's text that cannot be meant is refused with the reason")
 {
     const std::pair<const char*, Code> cases[] = {

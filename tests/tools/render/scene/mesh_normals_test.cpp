@@ -68,20 +68,6 @@ TEST_CASE("A mesh is wound as its normals face")
     CHECK(same.indices == box.indices);
 }
 
-TEST_CASE("joining drops vertices that are unused and keeps those that differ")
-{
-    MeshDesc mesh = makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    mesh.vertices.push_back(mesh.vertices[0]);
-    mesh.vertices.push_back({{9, 9, 9}});
-    mesh.indices[0] = 4;
-    joinVertices(mesh);
-    CHECK(mesh.vertices.size() == 4);
-    CHECK(mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
-    mesh.vertices[0].uv[0] = 0.5f;
-    joinVertices(mesh);
-    CHECK(mesh.vertices.size() == 4);
-}
-
 TEST_CASE("missing normals become those of the face, beside one that is there")
 {
     const MeshDesc quad = [] {

@@ -85,19 +85,6 @@ TEST_CASE("depth planes that are left open hold the whole scene, and little more
     CHECK(std::isfinite(depthAt(inside, 10)));
 }
 
-TEST_CASE("planes that a camera names are used to the digit, and the far one is found alone")
-{
-    SceneCamera camera;
-    camera.near_distance = 0.001;
-    camera.far_distance = 1000;
-    const glm::mat4 clip = clipFromView(camera, {16, 9}, boundsBetween(4, 9));
-    CHECK(depthAt(clip, 0.001) == Approx(-1).margin(1e-3));
-    CHECK(depthAt(clip, 1000) == Approx(1).margin(1e-3));
-    camera.near_distance = 0.1;
-    camera.far_distance = 0;
-    CHECK(depthAt(clipFromView(camera, {10, 10}, boundsBetween(4000, 5000)), 5000) < 1);
-}
-
 TEST_CASE("every projection is finite, whatever the bounds")
 {
     for (const Bounds& bounds : {Bounds(), boundsBetween(5, 5), boundsBetween(-9, -4),

@@ -59,7 +59,7 @@ StressView testView();
 std::vector<StressCase> planeCases();    ///< Flat planes.
 std::vector<StressCase> sameCases();     ///< What must not change the test scene.
 std::vector<StressCase> cameraCases();   ///< Flips, turns, walks; low eyes.
-std::vector<StressCase> frameCases();    ///< Several frames, views and tiles.
+std::vector<StressCase> frameCases();    ///< Several frames.
 std::vector<StressCase> extremeCases();  ///< Radii, sizes, no-ops; broken meshes and lights.
 std::vector<StressCase> hostCases();     ///< Other geometry; a host's depth and normals.
 

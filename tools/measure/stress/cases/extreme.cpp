@@ -120,17 +120,6 @@ StressShot sceneMeshes(double kind, Extent size)
     return shot;
 }
 
-StressShot nearCamera(double kind, Extent size)
-{
-    const glm::dvec3 eyes[] = {testView().eye, {0, 0.125, 3}, {0, 1, 0}, {-1.5, 0.5, -1.5}};
-    StressView view = testView();
-    view.eye = eyes[static_cast<int>(kind)];
-    StressShot shot = sceneShot(view, size);
-    shot.radius = 1;
-    shot.traceable = kind != 3;  // normals there point away from the eye
-    return shot;
-}
-
 // Lights
 
 /// Lights that lie on the surface itself, at the middles of pixels.
@@ -218,10 +207,6 @@ std::vector<StressCase> extremeCases()
                 "no triangles", "flattened", "shrunk to a point", "mirrored", "stretched 1e6:1",
                 "texture coordinates of NaN", "normal maps of NaN"}),
          0, E::sound, sceneMeshes, with},
-        {"near_camera", "The camera near the floor, between objects and in a box.", "",
-         kinds(
-             {"ordinary", "the floor within the radius", "objects behind", "the camera in a box"}),
-         0, E::sound, nearCamera, with},
         {"lights",
          "Lights on a plane, without attenuation, too bright; extreme highlights.",
          "",

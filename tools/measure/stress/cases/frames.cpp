@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress cases of several pictures: what was drawn in the frames before, further views, tiles.
+// Stress cases of what was drawn in the frames before.
 #include "tools/measure/stress/cases/all.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -112,37 +112,6 @@ StressShot stillFrames(double frames, Extent size)
     return shot;
 }
 
-StressShot twoViews(double kind, Extent size)
-{
-    StressShot shot = sceneShot(testView(), size);
-    if (kind == 0) return shot;
-    StressView eye = testView();
-    eye.eye.x += 0.5;
-    shot.other_view = cameraOf(eye, size);
-    shot.view = kind == 2 ? 1 : 0;
-    return shot;
-}
-
-/// 0: the whole picture; else one of four quarters of it, drawn by itself.
-StressShot tile(double kind, Extent size)
-{
-    StressShot shot = framesShot(size);
-    // As wide again as the view, which is more than the radius.
-    shot.settings = {"guard_band=2"};
-    if (kind == 0) return shot;
-    const int index = static_cast<int>(kind) - 1;
-    const glm::dvec2 middle = {index % 2 == 0 ? -0.5 : 0.5, index / 2 == 0 ? -0.5 : 0.5};
-    shot.extent = {size.width / 2, size.height / 2};
-    shot.turned = glm::dmat2(2.0);
-    shot.moved = -2.0 * middle;
-    glm::mat4& clip = shot.camera.clip_from_view;
-    for (int column = 0; column < 4; ++column)
-        for (int axis = 0; axis < 2; ++axis)
-            clip[column][axis] =
-                static_cast<float>(2.0 * clip[column][axis] + shot.moved[axis] * clip[column][3]);
-    return shot;
-}
-
 }  // namespace
 
 std::vector<StressCase> frameCases()
@@ -177,23 +146,6 @@ std::vector<StressCase> frameCases()
          {"in front of a still camera after {} frames"},
          {},
          kRestlessShare},
-        {"views",
-         "The test scene as one of two views of a frame.",
-         "",
-         kinds({"one view", "the first of two", "the second of two"}),
-         0,
-         E::same,
-         twoViews,
-         {"where it is {} views of a frame"}},
-        {"tiles",
-         "Quarters of the picture, each drawn by itself with a guard band: means over blocks, "
-         "since noise stays with pixels.",
-         "",
-         kinds({"whole", "lower left", "lower right", "upper left", "upper right"}),
-         0,
-         E::same,
-         tile,
-         {"in the {} tile of four"}},
     };
 }
 

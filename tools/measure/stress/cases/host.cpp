@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Stress cases over other geometry: stored positions, and a host's depth and normals of other
-// projections and with invalid values in them.
+// Stress cases over other geometry: stored positions, linear depth, and a host's depth and normals
+// with invalid values in them.
 #include "tools/measure/stress/cases/all.h"
 #include "tools/measure/stress/geometry.h"
 
-#include "core/base/numbers.h"
-
-#include <glm/matrix.hpp>
-
-#include <cmath>
 #include <limits>
 
 namespace crevice {
@@ -28,57 +23,6 @@ StressShot hostShot(Extent size)
     shot.geometry = kHostGeometry;
     shot.host_camera = shot.camera;
     shot.host = [](Image&, Image&) {};
-    return shot;
-}
-
-/// What a host does to its depth, drawn through `clip_from_view`: each becomes `stored(distance
-/// along the view axis, whether something was drawn)`.
-template <class Stored>
-auto storedBy(const glm::dmat4& clip_from_view, const Stored& stored)
-{
-    return [view_from_clip = glm::inverse(clip_from_view), stored](Image& depth, Image&) {
-        for (float& value : depth.pixels) {
-            const glm::dvec4 view = view_from_clip * glm::dvec4(0, 0, value * 2.0 - 1.0, 1);
-            value = static_cast<float>(stored(-view.z / view.w, value < 1));
-        }
-    };
-}
-
-StressShot hostProjection(double kind, Extent size)
-{
-    StressShot shot = hostShot(size);
-    StressView view = testView();
-    view.reversed = kind == 1 || kind == 3;
-    view.infinite = kind == 2 || kind == 3;
-    shot.camera = cameraOf(view, size);
-    const glm::dmat4 to = shot.camera.clip_from_view;
-    const double background = view.reversed ? 0 : 1;
-    if (kind > 0)
-        shot.host =
-            storedBy(shot.host_camera.clip_from_view, [to, background](double z, bool seen) {
-                const glm::dvec4 clip = to * glm::dvec4(0, 0, -z, 1);
-                return seen ? clip.z / clip.w * 0.5 + 0.5 : background;
-            });
-    return shot;
-}
-
-/// 1 for linear depth, else the power of ten to which logarithmic depth reaches; for a camera with
-/// reversed depth.
-StressShot hostEncoding(double kind, Extent size)
-{
-    if (kind == 0) return hostShot(size);
-    StressShot shot = hostProjection(3, size);
-    const glm::dmat4 drawn = shot.host_camera.clip_from_view;
-    if (kind == 1) {
-        shot.geometry = kHostLinearGeometry;
-        shot.host = storedBy(drawn, [](double z, bool seen) { return seen ? z : 0; });
-        return shot;
-    }
-    const double far = std::pow(10, kind);
-    shot.geometry = kHostLogGeometry;
-    shot.settings = {"log_far=" + fixed(far, 6)};
-    shot.host = storedBy(
-        drawn, [far](double z, bool seen) { return seen ? std::log1p(z) / std::log1p(far) : 1; });
     return shot;
 }
 
@@ -137,7 +81,6 @@ StressShot inputs(double kind, Extent size)
 std::vector<StressCase> hostCases()
 {
     using E = Expectation;
-    const StressCondition stored = {"where the host's depth is {}"};
     return {
         {"inputs",
          "The same config over depth, over stored positions and over linear depth.",
@@ -147,21 +90,6 @@ std::vector<StressCase> hostCases()
          E::same,
          inputs,
          {"over {}"}},
-        {"host_projection", "A host's depth of other projections.", "",
-         kinds({"ordinary", "reversed", "infinite", "reversed and infinite"}), 0, E::same,
-         hostProjection, stored},
-        {"host_encoding",
-         "A host's linear depth, and its logarithmic depth to ever farther.",
-         "",
-         {{0, "straight"},
-          {1, "linear"},
-          {2, "logarithmic to 1e2"},
-          {4, "logarithmic to 1e4"},
-          {7, "logarithmic to 1e7"}},
-         0,
-         E::same,
-         hostEncoding,
-         stored},
         {"host_depth",
          "Three pixels of invalid values in a host's depth: nothing changes beyond the radius.",
          "",

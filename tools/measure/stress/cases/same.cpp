@@ -4,9 +4,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace crevice {
 namespace {
 
@@ -80,30 +77,6 @@ StressShot sceneMirrored(double kind, Extent size)
     return shot;
 }
 
-/// With the floor and the wall in view, which from straight ahead lie on edge and occlude unseen.
-Scene turnedScene()
-{
-    const glm::dmat4 tilted = glm::rotate(glm::dmat4(1.0), glm::radians(30.0), {1, 0, 0});
-    return placed(testScene(), glm::rotate(tilted, glm::radians(-25.0), {0, 1, 0}));
-}
-
-/// From ever farther, with ever less perspective; 0 is the orthographic view.
-StressShot sceneNarrow(double degrees, Extent size)
-{
-    constexpr double kHalfHeight = 2;
-    constexpr double kSize = 10;  // no corner lies farther from the origin
-    StressView view = testView();
-    const double away = degrees > 0 ? kHalfHeight / std::tan(glm::radians(degrees / 2)) : 20.0;
-    view.eye.z = away;
-    view.near_distance = away - kSize;
-    view.far_distance = away + kSize;
-    if (degrees > 0)
-        view.fov_degrees = degrees;
-    else
-        view.half_height = kHalfHeight;
-    return testShot(view, size, turnedScene());
-}
-
 }  // namespace
 
 std::vector<StressCase> sameCases()
@@ -149,14 +122,6 @@ std::vector<StressCase> sameCases()
          E::same,
          sceneMirrored,
          {"where the scene is mirrored {}"}},
-        {"narrow",
-         "The test scene from ever farther through ever less of an angle; 0 is orthographic.",
-         "degrees",
-         steps({0, 0.01, 0.03, 0.1}),
-         0,
-         E::same,
-         sceneNarrow,
-         {"in a perspective view, compared with an orthographic one"}},
     };
 }
 
