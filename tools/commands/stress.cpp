@@ -3,7 +3,6 @@
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/reference/reference_cache.h"
-#include "tools/measure/run_options.h"
 #include "tools/measure/stress/breakdown.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
@@ -28,8 +27,8 @@ struct StressCommand {
     std::string backend;
     std::string precision;
     std::string size = "256x144";
-    RunOptions run{"1/1", "", "stress"};
-    std::string against;  ///< The folder of another run.
+    std::string out = "stress";  ///< A folder.
+    std::string against;         ///< The folder of another run.
     bool list = false;
     bool json = false;
 };
@@ -167,7 +166,7 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device,
 
 /// The table and the page. Returns how the command ends.
 int showAll(const StressCommand& command, const std::vector<StressRecord>& records,
-            const std::string& device, int code)
+            const std::string& device)
 {
     const std::vector<StressSeries> all = seriesOf(records);
     const Result<std::vector<std::string>> differences = compareRuns(command, all);
@@ -180,52 +179,18 @@ int showAll(const StressCommand& command, const std::vector<StressRecord>& recor
         for (const std::string& each : *differences) print("  %s\n", each.c_str());
         print("%zu steps differ from %s\n", differences->size(), command.against.c_str());
     }
-    const Status page =
-        writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
+    const Status page = writeFile(command.out + "/stress.html", stressHtml(records, command.out));
     report(page.diagnostics(), false);
-    if (code != kExitOk) return code;
     if (!page) return kExitOutput;
     const bool differs =
         command.against.empty() ? totalsOf(all).failing > 0 : !differences->empty();
     return differs ? kExitDiffers : kExitOk;
 }
 
-int measureSteps(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
-                 const SourceSet& sources, double time_budget)
-{
-    const Result<OpenDevice> open = openDevice(command.backend, command.precision);
-    if (!open) return report(open.diagnostics(), command.json);
-    report(open.diagnostics(), false);
-    Result<LineFile> file = LineFile::open(command.run.out + "/stress.jsonl");
-    if (!file) return report(file.diagnostics(), command.json);
-    const Result<std::vector<StressRecord>> known = readStressRecords(file->path());
-    if (!known) return report(known.diagnostics(), command.json);
-
-    StressRunner meter(*open->device, sources, command.cache.path());
-    const std::string device = open->device->caps().name;
-    StressHow how;
-    how.key = [&](const StressTask& task) {
-        return keyOnDevice(meter.contentOf(task, size) + CREVICE_VERSION, device);
-    };
-    how.measure = [&](const StressTask& task) { return meter.measure(task, size); };
-    how.keep = [&](const StressDrawing& done) { return keepPictures(command.run.out, done); };
-    how.device = device;
-    how.version = CREVICE_VERSION;
-    const MeasureJob job = stressJob(tasks, *known, std::move(how));
-    Progress progress;
-    const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
-    const Result<std::vector<StressRecord>> records = recordsOf(job, file->path());
-    if (!records) return report(records.diagnostics(), command.json);
-    return showAll(command, *records, device, exitCodeOf(summary));
-}
-
 int stress(StressCommand command)
 {
-    const Result<RunLimits> limits = limitsOf(command.run);
-    if (!limits) return report(limits.diagnostics(), command.json);
     const Result<Extent> size = parseSize(command.size);
     if (!size) return report(size.diagnostics(), command.json);
-    command.stress.shard = limits->shard;
     command.stress.variant = command.config.variant;
     command.stress.overrides = command.config.overrides;
     command.stress.roots = command.config.roots;
@@ -233,7 +198,26 @@ int stress(StressCommand command)
     const Result<std::vector<StressTask>> tasks = planStress(command.stress, sources);
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);
-    return measureSteps(command, *tasks, *size, sources, limits->time_budget_s);
+
+    const Result<OpenDevice> open = openDevice(command.backend, command.precision);
+    if (!open) return report(open.diagnostics(), command.json);
+    report(open.diagnostics(), false);
+    StressRunner runner(*open->device, sources, command.cache.path());
+    const std::string device = open->device->caps().name;
+    Progress progress;
+    std::size_t count = 0;
+    const auto draw = [&](const StressTask& task) {
+        progress.begin("[" + std::to_string(++count) + "/" + std::to_string(tasks->size()) + "] " +
+                       stepTitle(task));
+        StressDrawing done = runner.measure(task, *size);
+        done.record.device = device;
+        done.record.version = CREVICE_VERSION;
+        return done;
+    };
+    const Result<std::vector<StressRecord>> records = runStress(*tasks, command.out, draw);
+    progress.wipe();
+    if (!records) return report(records.diagnostics(), command.json);
+    return showAll(command, *records, device);
 }
 
 }  // namespace
@@ -257,7 +241,11 @@ void addStressCommand(CLI::App& app, int& exit_code)
                      "Folder of a run before: exit code 5 where a step differs from it, and not "
                      "where cases fail")
         ->type_name("FOLDER");
-    addRunOptions(*command, options->run, "step", "stress.jsonl, stress.html and pictures");
+    command
+        ->add_option("--out", options->out,
+                     "Folder for stress.jsonl, stress.html and pictures of failures")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     addConfigOptions(*command, options->config);
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
@@ -268,7 +256,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
         "Exit code 5 where a case fails.\n"
         "Examples:\n"
         "  crevice stress gtao mobile --case plane_near_far --case offset\n"
-        "  crevice stress --time-budget 10m --out mine");
+        "  crevice stress my.json --quick --out mine");
     command->callback([options, &exit_code] { exit_code = stress(*options); });
 }
 

@@ -5,7 +5,7 @@
 #
 #   tools/scripts/figures.sh methods [FOLDER...]  error and cost of each config: half an hour on a quiet machine, or
 #                                                 what `crevice bench` left there at 480x270 and radius 1
-#   tools/scripts/figures.sh stress [FOLDER]      where AO breaks: ten minutes; FOLDER keeps what is drawn, to resume
+#   tools/scripts/figures.sh stress [FOLDER]      where AO breaks: ten minutes; FOLDER keeps what is drawn
 #   tools/scripts/figures.sh authors              the variant `sound` of ports: a minute
 #   tools/scripts/figures.sh claims               what authors claim: two minutes
 #   tools/scripts/figures.sh precision            half floats against 32 bits: a minute

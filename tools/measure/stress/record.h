@@ -13,7 +13,6 @@ namespace crevice {
 
 /// One step of one series, as one line of stress.jsonl.
 struct StressRecord {
-    std::string key;     ///< 16 hex digits over all that decides the figures.
     std::string config;  ///< "learnopengl sound": with its variant.
     std::string case_name;
     int step = 0;  ///< Into StressCase::steps.
@@ -64,7 +63,7 @@ struct StressRecord {
 /// One line, without the line feed.
 std::string toJsonLine(const StressRecord& record);
 
-/// The records of a file; of two with one key the later holds. Errors: CV7009.
+/// The records of a file. Errors: CV7009.
 Result<std::vector<StressRecord>> readStressRecords(const std::string& path);
 
 enum class Outcome {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A stress run: which steps are to be drawn, and what the engine of tools/measure does with one.
+// A stress run: which steps are to be drawn, and what is kept of them.
 #pragma once
 
-#include "tools/measure/run.h"
 #include "tools/measure/stress/runner.h"
 
 #include <functional>
@@ -17,7 +16,6 @@ struct StressOptions {
     std::string variant = {};
     std::vector<std::string> overrides = {};
     bool quick = false;                   ///< Two or three steps of each case.
-    Shard shard = {};                     ///< By config and case.
     std::vector<std::string> roots = {};  ///< As LoadRequest has them.
 };
 
@@ -29,24 +27,11 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
 /// "gtao, near_far, 0.01:1e4".
 std::string stepTitle(const StressTask& task);
 
-/// How steps are drawn; tests put in their own.
-struct StressHow {
-    std::function<std::string(const StressTask&)> key;
-    std::function<StressDrawing(const StressTask&)> measure;
-    /// Of a failure, before its line is written.
-    std::function<Status(const StressDrawing&)> keep;
-    std::string device;
-    std::string version;
-};
-
-/// What the engine needs to draw the steps that `known` has no record of. The tasks and the records
-/// must outlive it.
-MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known,
-                     StressHow how);
-
-/// The file's records of the job's tasks, in their order; those not begun are left out. Errors:
-/// those of readStressRecords.
-Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::string& file);
+/// Draws the steps and writes their records to stress.jsonl in the folder, and pictures of those
+/// that fail. Errors: CV7007.
+Result<std::vector<StressRecord>> runStress(
+    const std::vector<StressTask>& tasks, const std::string& folder,
+    const std::function<StressDrawing(const StressTask&)>& draw);
 
 /// The records of one config and case.
 struct StressSeries {
@@ -55,11 +40,8 @@ struct StressSeries {
     std::vector<const StressRecord*> steps;  ///< By step; null where there is none.
 };
 
-/// Where the ground truth's picture lies, below the run's folder.
+/// Where the ground truth's picture lies, beside that of a failure.
 std::string truthPictureOf(const StressRecord& record);
-
-/// Writes that of a failure, and the ground truth's where there is one. Errors: CV7007.
-Status keepPictures(const std::string& folder, const StressDrawing& done);
 
 /// In the order in which they come. The records must outlive them; those of unknown cases are left
 /// out.

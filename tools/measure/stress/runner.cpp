@@ -2,7 +2,6 @@
 // One step of a stress case, from its shot to its figures.
 #include "tools/measure/stress/runner.h"
 
-#include "core/base/content_hash.h"
 #include "core/base/numbers.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/reference/tracer.h"
@@ -67,14 +66,6 @@ Format storedFormat(const Plan& plan)
     return Format::depth24;
 }
 
-TraceOptions truthOptions(const StressShot& shot)
-{
-    TraceOptions trace;
-    trace.radius = shot.radius;
-    trace.rays = kGroundTruthRays;
-    return trace;
-}
-
 /// `last`, and what is drawn before it.
 std::vector<Frame> framesOf(const StressShot& shot, const Frame& last, bool remembers)
 {
@@ -132,30 +123,6 @@ StressRunner::StressRunner(Device& device, const SourceSet& sources, std::string
 }
 
 StressRunner::~StressRunner() = default;
-
-std::string StressRunner::contentOf(const StressTask& task, Extent size)
-{
-    ContentHash hash;
-    const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
-    const std::string config = task.config.config + '\n' + shot.geometry;
-    auto content = contents_.find(config);
-    if (content == contents_.end()) {
-        const Result<LoadedConfig> loaded =
-            loadWithContent(task.config, substitutes_.over(shot.geometry));
-        content = contents_.emplace(config, loaded ? loaded->content : std::string()).first;
-    }
-    hash.addText(content->second);
-    hash.addText(task.config.config);
-    hash.addText(shot.geometry);
-    hash.addText(task.stress->name);
-    hash.add(task.step);
-    hash.addText(referenceKey(shot.scene, shot.camera, shot.extent, truthOptions(shot)));
-    for (const std::string& setting : shot.settings) hash.addText(setting);
-    hash.add(shot.samples);
-    hash.addText(shot.output);
-    hash.add(shot.before.size());
-    return hash.hex();
-}
 
 Result<StressRunner::Ready> StressRunner::prepare(const StressTask& task, const StressShot& shot)
 {
@@ -302,7 +269,7 @@ const StressRunner::Drawn* StressRunner::ordinaryOf(const StressTask& task, Exte
 {
     StressTask ordinary = task;
     ordinary.step = static_cast<int>(task.stress->ordinary);
-    const std::string key = contentOf(ordinary, size);
+    const std::string key = nameOf(task.config) + ", " + task.stress->name;
     if (ordinary_of_ != key) {
         ordinary_of_ = key;
         const StressShot shot = task.stress->shot(task.stress->steps[ordinary.step].value, size);
@@ -339,8 +306,11 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
     if (known || shot.output != "ao" ||
         std::min(shot.extent.width, shot.extent.height) < kLeastSide)
         return;
+    TraceOptions trace;
+    trace.radius = shot.radius;
+    trace.rays = kGroundTruthRays;
     Result<Image> ground_truth =
-        cachedReference(shot.scene, shot.camera, shot.extent, truthOptions(shot), cache_folder_);
+        cachedReference(shot.scene, shot.camera, shot.extent, trace, cache_folder_);
     if (!ground_truth) return;
     describeError(done.ao, *ground_truth, done.record);
     done.ground_truth = std::move(*ground_truth);

@@ -11,7 +11,6 @@
 
 #include <crevice/renderer.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
@@ -42,10 +41,7 @@ public:
     StressRunner(Device& device, const SourceSet& sources, std::string cache_folder);
     ~StressRunner();
 
-    /// What decides a step's figures, device and version apart: 16 hex digits.
-    std::string contentOf(const StressTask& task, Extent size);
-
-    /// The record with all its figures; those of what was refused are 0.
+    /// The record with all its figures; those of what was refused are 0. Always of one size.
     StressDrawing measure(const StressTask& task, Extent size);
 
 private:
@@ -73,7 +69,6 @@ private:
     std::unique_ptr<Device> floats_;  ///< The same, with every target in 32-bit floats.
     const Substitutes substitutes_;
     const std::string cache_folder_;
-    std::map<std::string, std::string> contents_;  ///< Of each config over each geometry.
     Stage plain_;
     Stage wide_;
     std::string ordinary_of_;

@@ -41,5 +41,4 @@ unknown=$(grep -E 'breaks at|VOID' stdout.txt | grep -vE "$known" || true)
 check "all else holds: $unknown" test -z "$unknown"
 check "what does not is a failure" test "$got" -eq 5 -a "$phone" -eq 5
 check "every config was drawn" test "$(grep -c '^[a-z]' stdout.txt)" -eq "$((${#configs[@]} + 1))"
-check "nothing is left over" bash -c "grep -q ' 0 not begun: quick' stderr.txt && grep -q ' 0 not begun: phone' stderr.txt"
 finish

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress cases without GL: their shots, and a run that stops and goes on.
+// Stress cases without GL: their shots, and what a run keeps.
 #include "tools/measure/stress/figures.h"
 #include "tools/measure/stress/run.h"
 #include "tools/measure/stress/scenes.h"
@@ -17,52 +17,6 @@
 using namespace crevice;
 
 namespace {
-
-/// A device on which each step takes ten seconds and the planes of one config are grey.
-struct FakeStress {
-    MeasureSummary run(const TemporaryFolder& folder, const std::vector<StressTask>& tasks)
-    {
-        LineFile file = need(LineFile::open((folder.path / "stress.jsonl").string()));
-        const auto known = need(readStressRecords(file.path()));
-        StressHow how;
-        how.key = [](const StressTask& task) { return stepTitle(task); };
-        how.measure = [this](const StressTask& task) { return draw(task); };
-        how.keep = [this](const StressDrawing& done) {
-            pictures.push_back(done.record.picture);
-            return Status();
-        };
-        how.device = "fake";
-        MeasureWorld world;
-        world.seconds = [this] { return 10.0 * static_cast<double>(drawn.size()); };
-        world.interrupted = [this] { return drawn.size() >= stop_after; };
-        world.begin = [](const std::string&) {};
-        world.say = [this](const std::string& line) { lines.push_back(line); };
-        const MeasureJob job = stressJob(tasks, known, std::move(how));
-        const MeasureSummary summary = measureAll(job, file, world);
-        records = need(recordsOf(job, file.path()));
-        return summary;
-    }
-
-    StressDrawing draw(const StressTask& task)
-    {
-        drawn.push_back(stepTitle(task));
-        StressDrawing done;
-        done.record = good();
-        done.record.config = task.config.config;
-        done.record.case_name = task.stress->name;
-        done.record.step = task.step;
-        done.record.judged_mean = task.config.config == grey ? 0.5 : 1;
-        done.ao = Image({2, 2}, 1, 1.0f);
-        return done;
-    }
-
-    std::string grey;
-    std::size_t stop_after = 1000;
-    std::vector<std::string> drawn;
-    std::vector<std::string> pictures;
-    std::vector<std::string> lines;
-    std::vector<StressRecord> records;
-};
 
 std::vector<StressTask> plan(StressOptions options)
 {
@@ -111,32 +65,33 @@ TEST_CASE("Every case has an ordinary step, a shot for each step and a name of i
     }
 }
 
-TEST_CASE("A stress run keeps what it drew, goes on from there, and shows failures on its page")
+TEST_CASE("A stress run keeps records of all steps and pictures of failures, and its page has both")
 {
-    const TemporaryFolder folder("stress_resume");
-    const std::vector<StressTask> tasks = fewTasks();
-    REQUIRE(tasks.size() == 6);
-    FakeStress stopped;
-    stopped.stop_after = 3;
-    CHECK(stopped.run(folder, tasks).measured == 2);
-    CHECK(stopped.records.size() == 2);
-    CHECK(stopped.pictures.empty());
-
-    FakeStress next;
-    next.grey = "learnopengl";
-    CHECK(next.run(folder, tasks).kept == 2);
-    CHECK(next.records.size() == 6);
-    CHECK(next.pictures.size() == 3);
-    CHECK(next.drawn.front() == "gtao, plane_fov, 170");
-    CHECK(next.lines[0].find("[1/4] gtao, plane_fov, 170: holds; about 30 s left") == 0);
-    CHECK(next.lines[3].find("[4/4] learnopengl, plane_fov, 170: breaks: mean 0.5") == 0);
-    const std::vector<StressSeries> series = seriesOf(next.records);
+    const TemporaryFolder folder("stress_run");
+    const std::string path = (folder.path / "new").string();
+    const auto records = need(runStress(fewTasks(), path, [](const StressTask& task) {
+        StressDrawing done;
+        done.record = good();
+        done.record.config = task.config.config;
+        done.record.case_name = task.stress->name;
+        done.record.step = task.step;
+        done.record.judged_mean = task.config.config == "learnopengl" ? 0.5 : 1;
+        done.ao = done.ground_truth = Image({2, 2}, 1, 1.0f);
+        return done;
+    }));
+    REQUIRE(records.size() == 6);
+    CHECK(need(readStressRecords(path + "/stress.jsonl")).size() == 6);
+    const std::vector<StressSeries> series = seriesOf(records);
     REQUIRE(series.size() == 2);
     CHECK(findBreakdown(*series[0].stress, series[0].steps).failures == 0);
     CHECK(findBreakdown(*series[1].stress, series[1].steps).failures == 3);
+    CHECK(records[0].picture.empty());
+    CHECK(std::filesystem::exists(path + "/" + records[5].picture));
+    CHECK(std::filesystem::exists(path + "/" + truthPictureOf(records[5])));
 
-    const std::string page = stressHtml(next.records, folder.path.string());
+    const std::string page = stressHtml(records, path);
     CHECK(page.find("breaks at 45: mean 0.5") != std::string::npos);
+    CHECK(page.find("data:image/png") != std::string::npos);
     CHECK(page.find("/*report.json*/") == std::string::npos);
     CHECK(page.find("src=\"http") == std::string::npos);
 }
@@ -145,7 +100,6 @@ TEST_CASE("Stress records come back from their file as they were, and a broken l
 {
     const TemporaryFolder folder("stress_records");
     StressRecord record = good();
-    record.key = "0123456789abcdef";
     record.bad_pass = "a \"pass\"";
     record.change = 0.125;
     const std::string line = toJsonLine(record);
@@ -153,7 +107,7 @@ TEST_CASE("Stress records come back from their file as they were, and a broken l
     REQUIRE(read.ok());
     REQUIRE(read->size() == 1);
     CHECK(toJsonLine(read->front()) == line);
-    const auto broken = readStressRecords(folder.write("bad.jsonl", line + "\n{\"key\": 1}\n"));
+    const auto broken = readStressRecords(folder.write("bad.jsonl", line + "\n{\"config\": 1}\n"));
     REQUIRE_FALSE(broken.ok());
     CHECK(broken.diagnostics()[0].code == Code::results_broken);
     CHECK(broken.diagnostics()[0].place.line == 2);
