@@ -6,6 +6,7 @@
 #include "tools/commands/cli/output_request.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/cost/check.h"
+#include "tools/measure/cost/gpus.h"
 #include "tools/render/image/image_file.h"
 
 #include "core/base/files.h"
@@ -26,24 +27,6 @@ struct CostCommand {
     std::string check;  ///< A file of approved costs.
 };
 
-/// The configs, scene, size, overrides and GPUs of the approved costs, so that nothing but the
-/// shaders can differ.
-CostOptions sameAs(const CostReport& approved, const CostOptions& options)
-{
-    CostOptions same = options;
-    same.configs.clear();
-    for (const ConfigCost& config : approved.configs) same.configs.push_back(config.config);
-    same.config.variant = approved.variant;
-    same.config.overrides = approved.set;
-    same.scene.scene = approved.scene;
-    same.scene.camera = approved.camera;
-    same.scene.size =
-        std::to_string(approved.extent.width) + "x" + std::to_string(approved.extent.height);
-    same.gpus.clear();
-    for (const CostGpu* gpu : approved.gpus) same.gpus.push_back(gpu->name);
-    return same;
-}
-
 int printComparison(const CostComparison& comparison)
 {
     for (const std::string& each : comparison.better) print("better: %s\n", each.c_str());
@@ -59,14 +42,19 @@ int checkCosts(const CostCommand& command, const SourceSet& sources)
         return report({{Code::results_broken, "'" + command.check + "': " + file.failure,
                         "name a file that 'crevice cost CONFIG... --out FILE' wrote"}},
                       command.json);
-    const Result<CostReport> approved = readCost(command.check, file.bytes);
+    const Result<ApprovedCost> approved = readCost(command.check, file.bytes, command.cost);
     if (!approved) return report(approved.diagnostics(), command.json);
-    const Result<CostReport> now = measureCost(sameAs(*approved, command.cost), sources);
+    const Result<CostReport> now = measureCost(approved->options, sources);
     if (!now) return report(now.diagnostics(), command.json);
-    if (now->version != approved->version)
+    const auto version = [](const CostReport& costs) {
+        return costs.at("compilers").get<std::string>();
+    };
+    if (version(*now) != version(approved->report))
         printMessage("approved with the compilers of %s, and these are of %s: figures may differ\n",
-                     approved->version.c_str(), now->version.c_str());
-    return printComparison(compareCosts(*approved, *now));
+                     version(approved->report).c_str(), version(*now).c_str());
+    const Result<CostComparison> comparison = compareCosts(approved->report, *now);
+    if (!comparison) return report(comparison.diagnostics(), command.json);
+    return printComparison(*comparison);
 }
 
 int cost(const CostCommand& command)
@@ -89,9 +77,9 @@ int cost(const CostCommand& command)
     report(measured.diagnostics(), command.json && !measured);
     if (!measured) return exitCodeOf(measured.diagnostics());
     if (!command.out.empty())
-        if (const Status written = writeFile(command.out, toJson(*measured)); !written)
+        if (const Status written = writeFile(command.out, costJson(*measured)); !written)
             return report(written.diagnostics(), command.json);
-    printLines(command.json ? toJson(*measured) : toText(*measured));
+    printLines(command.json ? costJson(*measured) : costText(*measured));
     return kExitOk;
 }
 
@@ -106,7 +94,7 @@ void addCostCommand(CLI::App& app, int& exit_code)
     command->add_option("CONFIG", options->cost.configs, "Shipped configs' names, or files");
     addConfigOptions(*command, options->cost.config);
     addSceneOptions(*command, options->cost.scene);
-    std::string gpus = "Ask this GPU's compiler alone, in more detail; may be repeated:";
+    std::string gpus = "Ask this GPU's compiler alone; may be repeated:";
     for (const CostGpu& gpu : costGpus())
         gpus += std::string(&gpu == &costGpus().front() ? " " : ", ") + gpu.name;
     command->add_option("--gpu", options->cost.gpus, gpus)
@@ -123,8 +111,8 @@ void addCostCommand(CLI::App& app, int& exit_code)
     command
         ->add_option(
             "--check", options->check,
-            "Measure what that file of --out holds again, and fail (5) where a pass spills "
-            "or loses occupancy, or where a config's AO takes a tenth more")
+            "Measure what that file of --out holds again, and fail (5) where a config's AO "
+            "loses occupancy or takes a tenth more")
         ->type_name("FILE");
     command->footer(
         "Examples:\n"

@@ -7,16 +7,13 @@
 #include "tools/render/device/open_device.h"
 #include "tools/render/device/poison_device.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/missing_texture.h"
+#include "tools/render/output_source.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_diagnosis.h"
-#include "tools/render/view_diagnosis.h"
-#include "tools/render/watched_targets.h"
 
 #include "core/base/numbers.h"
-#include "core/compile/depth_precision.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -43,7 +40,6 @@ constexpr float kOtherPoison = 0.3391f;
 struct Checkup {
     Plan plan;  ///< Of the config as it is.
     std::vector<TargetHealth> health;
-    FrameFacts facts;
     std::string device;
     Diagnostics warnings;  ///< Of the plan and of the machine.
 };
@@ -74,17 +70,6 @@ Result<std::vector<Image>> drawIn(Device& device, const Description& description
         images.push_back(std::move(*image));
     }
     return images;
-}
-
-/// The size of the radius in pixels at the median distance of what `depth` shows.
-void measureRadius(const Description& description, const Image& depth, const Camera& camera,
-                   FrameFacts& facts)
-{
-    const ParamDesc* radius = resolvedLength(description);
-    const std::optional<double> distance = medianDistance(depth, camera);
-    if (!radius || !distance) return;
-    facts.distance = *distance;
-    facts.radius_px = pixelsOf(radius->value[0], *distance, camera, depth.extent);
 }
 
 Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
@@ -118,16 +103,11 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
     const auto floats = drawIn(wide, description, view, watched, options);
     if (!floats) return floats.diagnostics();
 
-    const glm::vec3& ambient = frame.ambient_light;
-    checkup.facts.lights = static_cast<int>(frame.lights.size());
-    checkup.facts.ambient = ambient.r + ambient.g + ambient.b > 0;
     for (std::size_t i = 0; i < watched.size(); ++i) {
         checkup.health.push_back(examine((*drawn)[i], (*redrawn)[i]));
         examineFloats((*floats)[i], formatOf(*plan, watched[i].target), checkup.health.back());
         checkup.health.back().target = watched[i].target;
         checkup.health.back().pass = watched[i].pass;
-        if (watched[i].target == "depth")
-            measureRadius(description, (*drawn)[i], frame.camera, checkup.facts);
     }
     checkup.plan = std::move(*plan);
     if (open->programs) append(checkup.warnings, open->programs->warnings());
@@ -189,9 +169,8 @@ int doctor(const DoctorOptions& options)
     if (!view) return report(view.diagnostics(), options.json);
     const Result<Checkup> checkup = checkUp(options, *view, *description, progress);
     progress.wipe();
-    if (!checkup) return report(withoutHost(checkup.diagnostics(), *description), options.json);
-    const Diagnostics found =
-        diagnose(*description, checkup->plan, checkup->health, checkup->facts);
+    if (!checkup) return report(checkup.diagnostics(), options.json);
+    const Diagnostics found = diagnose(*description, checkup->plan, checkup->health);
     Diagnostics all = found;
     append(all, checkup->warnings);
     append(all, view.diagnostics());

@@ -5,7 +5,6 @@
 #include "tools/commands/cli/save_patch.h"
 #include "tools/commands/cli/watched_files.h"
 #include "tools/commands/commands.h"
-#include "tools/render/missing_texture.h"
 #include "tools/render/read_output.h"
 #include "tools/render/session.h"
 #include "tools/render/view_diagnosis.h"
@@ -29,8 +28,7 @@ namespace {
 /// What the run prints when it is done.
 struct Summary {
     std::string config, scene, device;
-    Extent extent;  ///< Of a view.
-    int views = 1;
+    Extent extent;
     long long triangles = 0;
     std::size_t passes = 0;
     double create_ms = 0;  ///< Wall clock of planning and compiling.
@@ -41,10 +39,10 @@ struct Summary {
 
 void printSummary(const Summary& summary, const std::vector<Picture>& pictures)
 {
-    printMessage("%s: %d passes over %s, %lld triangles, %dx%d%s\n",
+    printMessage("%s: %d passes over %s, %lld triangles, %dx%d\n",
                  printableLine(summary.config).c_str(), static_cast<int>(summary.passes),
                  printableLine(summary.scene).c_str(), summary.triangles, summary.extent.width,
-                 summary.extent.height, summary.views > 1 ? " an eye" : "");
+                 summary.extent.height);
     printMessage("on %s\n", summary.device.c_str());
     printMessage("planned and compiled in %s ms (wall clock)\n",
                  fixed(summary.create_ms, 1).c_str());
@@ -74,7 +72,6 @@ void printJson(const Summary& summary, const std::vector<Picture>& pictures,
         {"triangles", summary.triangles},
         {"width", summary.extent.width},
         {"height", summary.extent.height},
-        {"views", summary.views},
         {"passes", summary.passes},
         {"device", summary.device},
         {"create_ms", summary.create_ms},
@@ -164,7 +161,6 @@ Summary summaryOf(const RenderOptions& options, const Session& session, const Sc
             view.scene.name,
             session.open.context->description(),
             view.extent,
-            renderer.plan().views,
             triangleCount(view.scene),
             renderer.plan().passes.size(),
             session.create_ms,
@@ -173,7 +169,7 @@ Summary summaryOf(const RenderOptions& options, const Session& session, const Sc
             options.frames == 0 && options.path.empty() && remembers(renderer.plan())};
 }
 
-/// Whether the picture shows ambient occlusion; of two eyes, the left one's.
+/// Whether the picture shows ambient occlusion.
 Diagnostics checkPicture(Session& session, const SceneView& view,
                          const std::vector<Picture>& pictures)
 {
@@ -227,7 +223,7 @@ int render(const RenderOptions& options)
                               : moves  ? drawPath(options, *view, *session, *pictures)
                                        : draw(options, *session, *pictures);
     progress.wipe();
-    if (!ms) return report(withoutHost(ms.diagnostics(), *description), options.json);
+    if (!ms) return report(ms.diagnostics(), options.json);
 
     const Status written = moves ? Status() : writePictures(*pictures);
     if (!written) return report(written.diagnostics(), options.json);
@@ -275,7 +271,6 @@ void addRenderCommand(CLI::App& app, int& exit_code)
     command->add_option("CONFIG", options->config.config, "A shipped config's name, or a file")
         ->required();
     addSceneOptions(*command, options->scene);
-    addStereoOptions(*command, options->stereo);
     addConfigOptions(*command, options->config);
     addDisableOption(*command, options->disable);
     addBackendOption(*command, options->backend);

@@ -3,10 +3,7 @@
 #include "tools/commands/cli/output.h"
 #include "tools/commands/commands.h"
 #include "tools/measure/reference/reference_cache.h"
-#include "tools/measure/run_options.h"
 #include "tools/measure/stress/breakdown.h"
-#include "tools/measure/stress/differences.h"
-#include "tools/measure/stress/pictures.h"
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
@@ -30,8 +27,8 @@ struct StressCommand {
     std::string backend;
     std::string precision;
     std::string size = "256x144";
-    RunOptions run{"1/1", "", "stress"};
-    std::string against;  ///< The folder of another run.
+    std::string out = "stress";  ///< A folder.
+    std::string against;         ///< The folder of another run.
     bool list = false;
     bool json = false;
 };
@@ -39,13 +36,11 @@ struct StressCommand {
 int listCases(const std::vector<StressTask>& tasks)
 {
     const StressCase* last = nullptr;
-    std::string last_config;
     std::size_t cases = 0;
     for (const StressTask& task : tasks) {
-        if (task.stress == last && task.config.config == last_config) continue;
-        if (!last_config.empty() && task.config.config != last_config) break;
+        if (task.config.config != tasks.front().config.config) break;
+        if (task.stress == last) continue;
         last = task.stress;
-        last_config = task.config.config;
         ++cases;
         std::string steps;
         for (const StressStep& step : last->steps)
@@ -82,7 +77,7 @@ void printPoints(const std::vector<BreakdownPoint>& points, const std::string& c
     for (const BreakdownPoint& point : points) {
         if (point.config != config) continue;
         any = true;
-        print("  %s %s\n", sentenceOf(point).c_str(), likelihoodOf(point).c_str());
+        print("  %s\n", sentenceOf(point).c_str());
     }
     if (!any) print("  Nothing breaks.\n");
     print("\n");
@@ -99,7 +94,7 @@ void printTable(const std::vector<StressSeries>& all)
             printPoints(points, config);
         }
         const Breakdown found = findBreakdown(*series.stress, series.steps);
-        print("  %-34s %s\n", seriesName(series).c_str(), describe(*series.stress, found).c_str());
+        print("  %-34s %s\n", series.stress->name.c_str(), describe(*series.stress, found).c_str());
     }
     const Totals totals = totalsOf(all);
     print(
@@ -115,14 +110,10 @@ nlohmann::json pointsJson(const std::vector<StressSeries>& all)
     for (const BreakdownPoint& point : breakdownPoints(all))
         points.push_back({{"config", point.config},
                           {"case", point.stress->name},
-                          {"format", point.format},
-                          {"likelihood", nameOf(point.likelihood)},
-                          {"because", point.because},
                           {"effect", point.effect},
                           {"condition", point.condition},
                           {"holds_at", point.held},
                           {"breaks_at", point.broke},
-                          {"others", point.others},
                           {"text", sentenceOf(point)}});
     return points;
 }
@@ -137,7 +128,6 @@ nlohmann::json casesJson(const std::vector<StressSeries>& all)
         };
         cases.push_back({{"config", series.config},
                          {"case", series.stress->name},
-                         {"format", series.format},
                          {"holds_from", label(found.down.holds_to)},
                          {"holds_to", label(found.up.holds_to)},
                          {"breaks_below", label(found.down.breaks_at)},
@@ -151,112 +141,56 @@ nlohmann::json casesJson(const std::vector<StressSeries>& all)
     return cases;
 }
 
-/// What the run differs in from that of --against.
-struct Against {
-    std::vector<StressDifference> differences = {};
-    std::size_t missing = 0;
-};
-
-Result<Against> compareRuns(const StressCommand& command, const std::vector<StressSeries>& all)
+/// What the run differs in from that of --against; nothing without that option.
+Result<std::vector<std::string>> compareRuns(const StressCommand& command,
+                                             const std::vector<StressSeries>& all)
 {
-    Against against;
+    if (command.against.empty()) return std::vector<std::string>();
     const Result<std::vector<StressRecord>> before =
         readStressRecords(command.against + "/stress.jsonl");
     if (!before) return before.diagnostics();
-    against.differences = differencesSince(seriesOf(*before), all, against.missing);
-    return against;
-}
-
-void printAgainst(const StressCommand& command, const Against& against)
-{
-    for (const StressDifference& each : against.differences)
-        print("  %s: %s\n", each.step.c_str(), each.what.c_str());
-    print("%zu steps differ from %s", against.differences.size(), command.against.c_str());
-    if (against.missing > 0) print(", which lacks %zu more", against.missing);
-    print("\n");
+    return differencesSince(seriesOf(*before), all);
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device,
-               const Against& against)
+               const std::vector<std::string>& differences)
 {
     const Totals totals = totalsOf(all);
-    nlohmann::json differs = nlohmann::json::array();
-    for (const StressDifference& each : against.differences)
-        differs.push_back({{"step", each.step}, {"what", each.what}});
     const nlohmann::json json = {{"device", device},          {"breakdown_points", pointsJson(all)},
                                  {"cases", casesJson(all)},   {"series", totals.series},
                                  {"failing", totals.failing}, {"failures", totals.failures},
                                  {"void", totals.invalid},    {"beyond", totals.beyond},
-                                 {"refused", totals.refused}, {"differs", differs}};
+                                 {"refused", totals.refused}, {"differs", differences}};
     printAsJson(json);
 }
 
 /// The table and the page. Returns how the command ends.
 int showAll(const StressCommand& command, const std::vector<StressRecord>& records,
-            const std::string& device, int code)
+            const std::string& device)
 {
     const std::vector<StressSeries> all = seriesOf(records);
-    const Result<Against> against = command.against.empty() ? Against() : compareRuns(command, all);
-    if (!against) return report(against.diagnostics(), command.json);
+    const Result<std::vector<std::string>> differences = compareRuns(command, all);
+    if (!differences) return report(differences.diagnostics(), command.json);
     if (command.json)
-        printJson(all, device, *against);
+        printJson(all, device, *differences);
     else
         printTable(all);
-    if (!command.json && !command.against.empty()) printAgainst(command, *against);
-    const Status page =
-        writeFile(command.run.out + "/stress.html", stressHtml(records, command.run.out));
+    if (!command.json && !command.against.empty()) {
+        for (const std::string& each : *differences) print("  %s\n", each.c_str());
+        print("%zu steps differ from %s\n", differences->size(), command.against.c_str());
+    }
+    const Status page = writeFile(command.out + "/stress.html", stressHtml(records, command.out));
     report(page.diagnostics(), false);
-    if (code != kExitOk) return code;
     if (!page) return kExitOutput;
     const bool differs =
-        command.against.empty() ? totalsOf(all).failing > 0 : !against->differences.empty();
+        command.against.empty() ? totalsOf(all).failing > 0 : !differences->empty();
     return differs ? kExitDiffers : kExitOk;
-}
-
-int measureSteps(const StressCommand& command, const std::vector<StressTask>& tasks, Extent size,
-                 const SourceSet& sources, double time_budget)
-{
-    const Result<OpenDevice> open = openDevice(command.backend, command.precision);
-    if (!open) return report(open.diagnostics(), command.json);
-    report(open.diagnostics(), false);
-    Result<LineFile> file = LineFile::open(command.run.out + "/stress.jsonl");
-    if (!file) return report(file.diagnostics(), command.json);
-    const Result<std::vector<StressRecord>> known = readStressRecords(file->path());
-    if (!known) return report(known.diagnostics(), command.json);
-
-    StressRunner meter(*open->device, sources, command.cache.path());
-    const std::string device = open->device->caps().name;
-    StressHow how;
-    how.key = [&](const StressTask& task) {
-        return keyOnDevice(meter.contentOf(task, size) + CREVICE_VERSION, device);
-    };
-    how.measure = [&](const StressTask& task) { return meter.measure(task, size); };
-    how.keep = [&](const StressDrawing& done) { return keepPictures(command.run.out, done); };
-    how.device = device;
-    how.version = CREVICE_VERSION;
-    const MeasureJob job = stressJob(tasks, *known, std::move(how));
-    Progress progress;
-    const MeasureSummary summary = measureOnConsole(job, *file, time_budget, progress);
-    const Result<std::vector<StressRecord>> records = recordsOf(job, file->path());
-    if (!records) return report(records.diagnostics(), command.json);
-    int code = exitCodeOf(summary);
-    if (summary.missing.empty()) {
-        const MeasureJob pictures =
-            pictureJob(tasks, job, breakdownPoints(seriesOf(*records)), command.run.out,
-                       [&](const StressTask& task) { return meter.measure(task, size); });
-        if (!pictures.tasks.empty())
-            code = std::max(code, exitCodeOf(measureOnConsole(pictures, *file, 0, progress)));
-    }
-    return showAll(command, *records, device, code);
 }
 
 int stress(StressCommand command)
 {
-    const Result<RunLimits> limits = limitsOf(command.run);
-    if (!limits) return report(limits.diagnostics(), command.json);
     const Result<Extent> size = parseSize(command.size);
     if (!size) return report(size.diagnostics(), command.json);
-    command.stress.shard = limits->shard;
     command.stress.variant = command.config.variant;
     command.stress.overrides = command.config.overrides;
     command.stress.roots = command.config.roots;
@@ -264,7 +198,26 @@ int stress(StressCommand command)
     const Result<std::vector<StressTask>> tasks = planStress(command.stress, sources);
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);
-    return measureSteps(command, *tasks, *size, sources, limits->time_budget_s);
+
+    const Result<OpenDevice> open = openDevice(command.backend, command.precision);
+    if (!open) return report(open.diagnostics(), command.json);
+    report(open.diagnostics(), false);
+    StressRunner runner(*open->device, sources, command.cache.path());
+    const std::string device = open->device->caps().name;
+    Progress progress;
+    std::size_t count = 0;
+    const auto draw = [&](const StressTask& task) {
+        progress.begin("[" + std::to_string(++count) + "/" + std::to_string(tasks->size()) + "] " +
+                       stepTitle(task));
+        StressDrawing done = runner.measure(task, *size);
+        done.record.device = device;
+        done.record.version = CREVICE_VERSION;
+        return done;
+    };
+    const Result<std::vector<StressRecord>> records = runStress(*tasks, command.out, draw);
+    progress.wipe();
+    if (!records) return report(records.diagnostics(), command.json);
+    return showAll(command, *records, device);
 }
 
 }  // namespace
@@ -282,14 +235,17 @@ void addStressCommand(CLI::App& app, int& exit_code)
     command->add_option("--size", options->size, "Size of most pictures, in pixels")
         ->type_name("WxH")
         ->capture_default_str();
-    command->add_flag("--quick", options->stress.quick,
-                      "Two or three steps of each case, in the configs' own formats");
+    command->add_flag("--quick", options->stress.quick, "Two or three steps of each case");
     command
         ->add_option("--against", options->against,
                      "Folder of a run before: exit code 5 where a step differs from it, and not "
                      "where cases fail")
         ->type_name("FOLDER");
-    addRunOptions(*command, options->run, "step", "stress.jsonl, stress.html and pictures");
+    command
+        ->add_option("--out", options->out,
+                     "Folder for stress.jsonl, stress.html and pictures of failures")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     addConfigOptions(*command, options->config);
     addCacheOptions(*command, options->cache);
     addBackendOption(*command, options->backend);
@@ -300,7 +256,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
         "Exit code 5 where a case fails.\n"
         "Examples:\n"
         "  crevice stress gtao mobile --case plane_near_far --case offset\n"
-        "  crevice stress --time-budget 10m --out mine");
+        "  crevice stress my.json --quick --out mine");
     command->callback([options, &exit_code] { exit_code = stress(*options); });
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine under bench and stress: tasks with keys, measured one after the other into a
-// file.
+// The engine under bench: tasks with keys, measured one after the other into a file.
 //
 // What the file has under a task's key is not measured again, so a run that was stopped goes on
 // where it stopped, and shards from several machines merge by putting their files one after the

@@ -2,11 +2,12 @@
 // Where the pixels of what a user names come from: an output, a debug view or any target.
 #pragma once
 
-#include <crevice/config.h>
+#include <crevice/compile.h>
 #include <crevice/image.h>
 #include <crevice/result.h>
 
 #include <string>
+#include <vector>
 
 namespace crevice {
 
@@ -24,5 +25,18 @@ Result<OutputSource> exposeOutput(Description& description, const std::string& n
 
 /// value * scale + offset in every channel.
 void applyView(Image& image, const OutputSource& source);
+
+/// A target that is looked at, and the output that shows it.
+struct WatchedTarget {
+    std::string target;
+    std::string pass;
+    std::string output;
+};
+
+/// The format that the plan has for a target of its own.
+Format formatOf(const Plan& plan, const std::string& target);
+
+/// Has the description export every target that a pass of the plan writes, in the passes' order.
+std::vector<WatchedTarget> watchAll(const Plan& plan, Description& description);
 
 }  // namespace crevice

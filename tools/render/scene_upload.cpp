@@ -141,12 +141,4 @@ Frame makeFrame(const UploadedScene& scene, const SceneCamera& camera, Extent ex
     return frame;
 }
 
-Frame makeFrame(const UploadedScene& scene, const std::vector<SceneCamera>& cameras, Extent extent)
-{
-    Frame frame = makeFrame(scene, cameras.front(), extent);
-    for (std::size_t view = 1; view < cameras.size(); ++view)
-        frame.other_views.push_back({makeFrame(scene, cameras[view], extent).camera, {}});
-    return frame;
-}
-
 }  // namespace crevice

@@ -39,7 +39,4 @@ private:
 /// A frame of the scene as `camera` sees it. The ids in it belong to `scene`.
 Frame makeFrame(const UploadedScene& scene, const SceneCamera& camera, Extent extent);
 
-/// The same with a view for each camera. Requires at least one.
-Frame makeFrame(const UploadedScene& scene, const std::vector<SceneCamera>& cameras, Extent extent);
-
 }  // namespace crevice

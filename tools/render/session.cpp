@@ -37,11 +37,6 @@ Status readPicture(Device& device, const Renderer& renderer, Picture& picture)
     Result<Image> image = readOutput(device, renderer, picture.source.output);
     if (!image) return image.diagnostics();
     picture.image = std::move(*image);
-    if (renderer.plan().views > 1) {
-        const Result<Image> right = readOutput(device, renderer, picture.source.output, 1);
-        if (!right) return right.diagnostics();
-        picture.image = sideBySide(picture.image, *right);
-    }
     applyView(picture.image, picture.source);
     return {};
 }
@@ -94,9 +89,6 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     session.options.extent = view.extent;
     session.options.outputs = outputs;
     session.options.disable = options.disable;
-    const Result<std::vector<SceneCamera>> cameras =
-        eyeCameras(view.camera, options.stereo, double(view.extent.width) / view.extent.height);
-    if (!cameras) return cameras.diagnostics();
     Result<OpenDevice> open = openDevice(options.backend, options.precision, options.program_cache);
     if (!open) return open.diagnostics();
     session.open = std::move(*open);
@@ -105,7 +97,7 @@ Result<Session> openSession(const RenderOptions& options, const SceneView& view,
     Result<UploadedScene> scene = UploadedScene::upload(device, view.scene);
     if (!scene) return scene.diagnostics();
     session.scene = std::move(*scene);
-    session.frame = makeFrame(*session.scene, *cameras, view.extent);
+    session.frame = makeFrame(*session.scene, view.camera, view.extent);
     Result<HostTextures> host = HostTextures::make(device, description, view.extent, session.frame);
     if (!host) return host.diagnostics();
     session.host = std::move(*host);
@@ -149,15 +141,12 @@ Result<double> drawPath(const RenderOptions& options, const SceneView& view, Ses
     const double distance = medianDistance(*depth, session.frame.camera).value_or(1.0);
     const PathView end = {view.camera, view.extent, distance};
     const int frames = options.frames > 0 ? options.frames : kPathFrames;
-    const double aspect = double(view.extent.width) / view.extent.height;
     RenderOptions one = options;
     one.frames = 1;
     Result<double> first = 0.0;
     for (int frame = 0; frame < frames; ++frame) {
         const SceneCamera camera = cameraAt(*path, end, frame, frames);
-        const auto cameras = eyeCameras(camera, options.stereo, aspect);
-        if (!cameras) return cameras.diagnostics();
-        session.frame = makeFrame(*session.scene, *cameras, view.extent);
+        session.frame = makeFrame(*session.scene, camera, view.extent);
         const Result<double> ms = draw(one, session, pictures);
         if (!ms) return ms;
         if (frame == 0) first = ms;

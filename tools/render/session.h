@@ -12,7 +12,6 @@
 #include "tools/render/output_source.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
-#include "tools/render/stereo.h"
 
 #include <memory>
 #include <optional>
@@ -29,7 +28,6 @@ constexpr int kPathFrames = 32;
 struct RenderOptions {
     ConfigOptions config;
     SceneOptions scene;
-    StereoOptions stereo;
     std::string backend;
     std::string precision;
     std::string program_cache;

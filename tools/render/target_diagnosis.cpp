@@ -3,7 +3,6 @@
 #include "tools/render/target_diagnosis.h"
 
 #include "core/base/numbers.h"
-#include "core/compile/depth_precision.h"
 #include "tools/render/device/float_device.h"
 
 #include <algorithm>
@@ -158,33 +157,6 @@ std::string whyPlanned(const Plan& plan)
     return text;
 }
 
-std::string whyConstant(const Description& description, const Plan& plan, const TargetHealth& root,
-                        const FrameFacts& facts)
-{
-    const PlanPass* pass = findNamed(plan.passes, root.pass);
-    if (!pass) return {};
-    for (const PlanInput& input : pass->inputs)
-        if (input.kind == InputKind::constant)
-            return "it reads a constant, for " + whyPlanned(plan);
-    if (pass->type == PassType::draw)
-        return "no triangle was drawn: is the scene in front of the camera, between its near and "
-               "far "
-               "distance? Without --camera a view that frames the whole scene is taken";
-    if (findNamed(pass->uniforms, "light_count") && facts.lights == 0 && !facts.ambient)
-        return "there is no light in the scene, and no ambient light";
-    const ParamDesc* radius = resolvedLength(description);
-    if (radius && findNamed(pass->uniforms, radius->name) && facts.radius_px > 0 &&
-        facts.radius_px < 1)
-        return radius->name + " " + number(radius->value[0]) + " is " + number(facts.radius_px) +
-               " pixels at the middle distance of " + number(facts.distance) +
-               ": nothing can be seen within it; try " + radius->name + " " +
-               number(radius->value[0] * 30 / facts.radius_px);
-    const std::string params = paramsRead(description, *pass);
-    return params.empty()
-               ? "what it reads varies, and nothing of that comes through"
-               : "what it reads varies, and nothing of that comes through; it reads " + params;
-}
-
 Diagnostic constantOutput(const Description& description, const std::string& output,
                           const std::string& pass, const std::string& value)
 {
@@ -276,7 +248,7 @@ void examineFloats(const Image& floats, Format stored, TargetHealth& health)
 }
 
 Diagnostics diagnose(const Description& description, const Plan& plan,
-                     const std::vector<TargetHealth>& health, const FrameFacts& facts)
+                     const std::vector<TargetHealth>& health)
 {
     Diagnostics found = firstBad(description, plan, health);
     if (!found.empty()) return found;
@@ -291,8 +263,10 @@ Diagnostics diagnose(const Description& description, const Plan& plan,
         if (!target || !target->constant) continue;
         const TargetHealth& root = rootOf(plan, health, *target);
         found.push_back(constantOutput(description, output.name, root.pass, valueText(*target)));
-        found.back().help = "pass '" + root.pass + "' writes the same everywhere: " +
-                            whyConstant(description, plan, root, facts);
+        const PlanPass* pass = findNamed(plan.passes, root.pass);
+        const std::string params = pass ? paramsRead(description, *pass) : "";
+        found.back().help = "pass '" + root.pass + "' writes the same everywhere" +
+                            (params.empty() ? "" : "; it reads " + params);
     }
     return found;
 }

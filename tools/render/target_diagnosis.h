@@ -45,19 +45,11 @@ TargetHealth examine(const Image& drawn, const Image& redrawn);
 /// outside of [0, 1] or of half floats by more than rounding.
 void examineFloats(const Image& floats, Format stored, TargetHealth& health);
 
-/// What the doctor knows of the frame.
-struct FrameFacts {
-    int lights = 0;
-    bool ambient = true;   ///< There is light from all around.
-    double radius_px = 0;  ///< Of the param `radius` at the middle distance; 0 where unknown.
-    double distance = 0;   ///< That distance, in scene units.
-};
-
 /// The first pass that wrote what no pass should, as an error CV9001, CV9002 or CV9004 with the
 /// likely cause as help; then each output that is the same everywhere, as a warning CV9003.
 /// `health` holds every target that a pass of the plan writes, in the order of the passes. Empty
 /// where nothing is wrong.
 Diagnostics diagnose(const Description& description, const Plan& plan,
-                     const std::vector<TargetHealth>& health, const FrameFacts& facts);
+                     const std::vector<TargetHealth>& health);
 
 }  // namespace crevice

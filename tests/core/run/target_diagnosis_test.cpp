@@ -41,7 +41,7 @@ Description chain()
 /// The one thing that is said of those targets.
 Diagnostic saidOf(const std::vector<TargetHealth>& targets)
 {
-    const Diagnostics found = diagnose(chain(), planOf(chain()), targets, {});
+    const Diagnostics found = diagnose(chain(), planOf(chain()), targets);
     REQUIRE(found.size() == 1);
     return found[0];
 }
@@ -166,6 +166,6 @@ TEST_CASE("An output that is the same everywhere is traced to the pass where tha
 TEST_CASE("Nothing is said of a healthy frame")
 {
     CHECK(diagnose(chain(), planOf(chain()),
-                   {healthy("x", "first"), healthy("y", "second"), healthy("z", "third")}, {})
+                   {healthy("x", "first"), healthy("y", "second"), healthy("z", "third")})
               .empty());
 }

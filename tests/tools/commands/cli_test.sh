@@ -133,9 +133,6 @@ expect 1 'CV1201' render nothing.json
 expect 1 'CV7001' render learnopengl --scene nothing.glb
 expect 1 'CV7001' render learnopengl --scene castle
 expect 1 'CV7004' render learnopengl --scene plane --camera left
-expect 2 'stereo' render learnopengl --scene plane --stereo -1
-expect 2 'stereo' render learnopengl --scene plane --convergence 2
-expect 2 'CV8001.*orthographic' render learnopengl --scene plane --camera 'eye=0,1,3;ortho=2' --stereo 1
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
 printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply

@@ -55,18 +55,6 @@ void checkMoved(const glm::dvec2& moved, double right, double up)
 
 }  // namespace
 
-TEST_CASE("a camera path ends at the camera that it was made from")
-{
-    for (const CameraPath& path : kCameraPaths)
-        for (const bool orthographic : {false, true})
-            for (const int frames : {1, 2, 7, 100}) {
-                INFO(path.name << ", " << frames << " frames");
-                const PathView end = view(orthographic);
-                const SceneCamera camera = cameraAt(path, end, frames - 1, frames);
-                CHECK(camera.view_from_world == end.camera.view_from_world);
-            }
-}
-
 TEST_CASE("camera paths move the middle of the picture by their pixels a frame")
 {
     for (const bool orthographic : {false, true}) {
@@ -93,13 +81,4 @@ TEST_CASE("the path that uncovers jumps once, sixteen frames before its end or h
             const double at = seen(end, path, frame, middle, frames).x;
             CHECK(at == Approx(frame < jump ? 132 : 100).margin(0.01));
         }
-}
-
-TEST_CASE("a camera path that is not there is an error that names those that are")
-{
-    const auto path = findCameraPath("pam");
-    REQUIRE_FALSE(path);
-    CHECK(path.diagnostics().front().code == Code::usage);
-    CHECK(path.diagnostics().front().help.find("'pan'") != std::string::npos);
-    CHECK(path.diagnostics().front().help.find("disocclusion") != std::string::npos);
 }

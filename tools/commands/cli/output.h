@@ -20,7 +20,7 @@ enum ExitCode {
     /// `compare`, `compare-bench`, `cost`: over a limit; `doctor`: a pass is wrong; `stress`: a
     /// case fails.
     kExitDiffers = 5,
-    kExitInterrupted = 130,  ///< `bench`, `stress`: stopped by SIGINT or SIGTERM; can go on.
+    kExitInterrupted = 130,  ///< `bench`: stopped by SIGINT or SIGTERM; can go on.
 };
 
 /// The exit code that stands for the first error; kExitOk when there are only warnings.

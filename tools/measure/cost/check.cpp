@@ -3,63 +3,27 @@
 
 #include "core/base/numbers.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace crevice {
 
 namespace {
 
-bool isForAo(const PassCost& pass)
-{
-    return pass.role == PassRole::ao || pass.role == PassRole::geometry_for_ao;
-}
-
-/// What a pass of that name may do: what it did, or, of a new name, what any pass of the config
-/// did.
-struct Allowed {
-    bool spills = false;
-    bool refused = false;
-    int threads = 0;
-};
-
-Allowed allowedOf(const ConfigCost& config, const std::string& pass, std::size_t gpu)
-{
-    const bool known =
-        std::any_of(config.passes.begin(), config.passes.end(),
-                    [&](const PassCost& each) { return isForAo(each) && each.pass == pass; });
-    Allowed allowed;
-    bool first = true;
-    for (const PassCost& each : config.passes) {
-        if (!isForAo(each) || (known && each.pass != pass)) continue;
-        const CompilerFigures& figures = each.figures[gpu];
-        allowed.refused = allowed.refused || !figures.refusal.empty();
-        if (!figures.refusal.empty()) continue;
-        allowed.spills = allowed.spills || figures.spills + figures.fills > 0;
-        allowed.threads = first ? figures.threads : std::min(allowed.threads, figures.threads);
-        first = false;
-    }
-    return allowed;
-}
-
 class Comparison {
 public:
     CostComparison result;
 
-    void config(const CostReport& approved, const ConfigCost& before, const CostReport& now,
-                const ConfigCost& after)
+    void config(const CostReport& before, const CostReport& after)
     {
-        for (std::size_t i = 0; i < approved.gpus.size(); ++i)
-            for (std::size_t k = 0; k < now.gpus.size(); ++k)
-                if (approved.gpus[i] == now.gpus[k]) passes(*now.gpus[k], before, i, after, k);
-        const CostSum was = sumOfAo(approved, before, true), is = sumOfAo(now, after, true);
-        if (was.fetches && is.fetches)
-            grown(after.config, "fetches a pixel", *was.fetches, *is.fetches);
-        else if (was.fetches)
-            result.worse.push_back(after.config + ": fetches are not counted: " + after.uncounted);
-        for (std::size_t i = 0; i < approved.gpus.size(); ++i)
-            for (std::size_t k = 0; k < now.gpus.size(); ++k)
-                if (approved.gpus[i] == now.gpus[k])
-                    sums(after.config + ", " + now.gpus[k]->name, was.gpus[i], is.gpus[k]);
+        const std::string name = after.at("config");
+        const CostReport &was = before.at("ao_with_geometry"), &is = after.at("ao_with_geometry");
+        if (was.contains("fetches") && !is.contains("fetches"))
+            result.worse.push_back(
+                name + ": fetches are not counted: " + after.at("uncounted").get<std::string>());
+        else
+            grown(name, "fetches a pixel", was.value("fetches", 0.0), is.value("fetches", 0.0));
+        for (std::size_t gpu = 0; gpu < is.at("gpus").size(); ++gpu)
+            compareGpu(name, was.at("gpus").at(gpu), is.at("gpus").at(gpu));
     }
 
 private:
@@ -71,54 +35,66 @@ private:
         if (was > is * (1 + kCostGrowth)) result.better.push_back(text);
     }
 
-    void passes(const CostGpu& gpu, const ConfigCost& before, std::size_t before_gpu,
-                const ConfigCost& after, std::size_t gpu_index)
+    void compareGpu(const std::string& config, const CostReport& was, const CostReport& is)
     {
-        for (const PassCost& pass : after.passes) {
-            if (!isForAo(pass)) continue;
-            const CompilerFigures& is = pass.figures[gpu_index];
-            const Allowed allowed = allowedOf(before, pass.pass, before_gpu);
-            const std::string where = after.config + ", " + gpu.name + ", " + pass.pass;
-            if (!is.refusal.empty()) {
-                if (!allowed.refused) result.worse.push_back(where + ": refused: " + is.refusal);
-                continue;
-            }
-            if (!allowed.spills && is.spills + is.fills > 0)
-                result.worse.push_back(where + ": spills where nothing did, " +
-                                       std::to_string(is.spills) + ":" + std::to_string(is.fills));
-            if (is.threads < allowed.threads)
-                result.worse.push_back(
-                    where + ": occupancy was " + std::to_string(allowed.threads) + " and is " +
-                    std::to_string(is.threads) + " of " + std::to_string(gpu.most_threads));
+        const std::string where = config + ", " + is.at("gpu").get<std::string>();
+        if (is.contains("refused")) {  // and the sum lacks a pass
+            if (!was.contains("refused")) result.worse.push_back(where + ": a pass is refused");
+            return;
         }
-    }
-
-    void sums(const std::string& where, const GpuSum& was, const GpuSum& is)
-    {
-        if (is.refused && !was.refused) return;  // the sum lacks a pass, as `passes` says
-        grown(where, "instructions", was.instructions, is.instructions);
-        if (was.cycles >= 0) grown(where, "cycles a pixel", was.cycles, is.cycles);
-        // Where none spilled, `passes` says which does.
-        if (was.spills + was.fills > 0)
-            grown(where, "spills and fills", was.spills + was.fills, is.spills + is.fills);
+        for (const auto& [key, what] : {std::pair("instructions", "instructions"),
+                                        {"cycles", "cycles a pixel"},
+                                        {"largest_spills", "spills"},
+                                        {"its_fills", "fills"}})
+            grown(where, what, was.value(key, 0.0), is.value(key, 0.0));
+        if (is.at("lowest_threads") < was.at("lowest_threads"))
+            result.worse.push_back(where + ": occupancy was " + was["lowest_threads"].dump() +
+                                   " and is " + is["lowest_threads"].dump() + " of " +
+                                   is.at("most_threads").dump());
     }
 };
 
+Diagnostic broken(const std::string& name, const std::string& what)
+{
+    return {Code::results_broken, "'" + name + "' holds no costs: " + what,
+            "write it again with 'crevice cost CONFIG... --out FILE'"};
+}
+
 }  // namespace
 
-CostComparison compareCosts(const CostReport& approved, const CostReport& now)
+Result<ApprovedCost> readCost(const std::string& name, const std::string& text,
+                              const CostOptions& like)
+{
+    try {
+        ApprovedCost approved{CostReport::parse(text), like};
+        const CostReport& report = approved.report;
+        CostOptions& options = approved.options;
+        options.configs.clear();
+        for (const CostReport& config : report.at("configs"))
+            options.configs.push_back(config.at("config"));
+        options.config.variant = report.at("variant");
+        options.config.overrides = report.at("set").get<std::vector<std::string>>();
+        options.scene.scene = report.at("scene");
+        options.scene.camera = report.at("camera");
+        options.scene.size = report.at("size").at(0).dump() + "x" + report.at("size").at(1).dump();
+        options.gpus = report.at("gpus").get<std::vector<std::string>>();
+        report.at("compilers").get<std::string>();
+        return approved;
+    } catch (const CostReport::exception& error) {
+        return broken(name, error.what());
+    }
+}
+
+Result<CostComparison> compareCosts(const CostReport& approved, const CostReport& now)
 {
     Comparison comparison;
-    for (const ConfigCost& before : approved.configs) {
-        const auto after =
-            std::find_if(now.configs.begin(), now.configs.end(),
-                         [&](const ConfigCost& each) { return each.config == before.config; });
-        if (after == now.configs.end())
-            comparison.result.worse.push_back(before.config + ": missing now");
-        else
-            comparison.config(approved, before, now, *after);
+    try {
+        for (std::size_t i = 0; i < now.at("configs").size(); ++i)
+            comparison.config(approved.at("configs").at(i), now["configs"][i]);
+    } catch (const CostReport::exception& error) {
+        return broken("the approved file", error.what());
     }
-    return comparison.result;
+    return std::move(comparison.result);
 }
 
 }  // namespace crevice

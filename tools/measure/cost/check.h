@@ -12,15 +12,24 @@ namespace crevice {
 /// By how much a sum may grow: what the smallest changes of a shader do to a compiler's choices.
 constexpr double kCostGrowth = 0.10;
 
-struct CostComparison {
-    std::vector<std::string> worse;   ///< One sentence each: where, what was, what is.
-    std::vector<std::string> better;  ///< Grown less than 1 / (1 + kCostGrowth), or mended.
+struct ApprovedCost {
+    CostReport report;
+    CostOptions options;  ///< Under which it is measured again.
 };
 
-/// Worse is, on any GPU: an AO pass that spills where it did not, or of a new name in a config that
-/// did not; lower occupancy likewise; a refused program; and of the config's AO, with all that is
-/// drawn for it, more than kCostGrowth more instructions, cycles, spills and fills or fetches. And
-/// a config that is missing now. What is only in `now` is not looked at.
-CostComparison compareCosts(const CostReport& approved, const CostReport& now);
+/// Reads what costJson wrote. The options become those of the text where it has them, so that nothing
+/// but the shaders can differ. Errors: CV7009 for a text that holds no costs.
+Result<ApprovedCost> readCost(const std::string& name, const std::string& text,
+                              const CostOptions& options);
+
+struct CostComparison {
+    std::vector<std::string> worse;   ///< One sentence each: where, what was, what is.
+    std::vector<std::string> better;  ///< Less than 1 / (1 + kCostGrowth).
+};
+
+/// Of each config's AO, with all that is drawn for it: worse is more than kCostGrowth more fetches
+/// or, on any GPU, instructions, cycles, spills or fills; lower occupancy; and a refused pass.
+/// Requires reports of the same configs and GPUs, as ApprovedCost::options gives them.
+Result<CostComparison> compareCosts(const CostReport& approved, const CostReport& now);
 
 }  // namespace crevice

@@ -2,18 +2,28 @@
 #include "tools/measure/cost/cost.h"
 
 #include "core/base/text.h"
+#include "tools/measure/cost/compilers.h"
 #include "tools/measure/cost/fetches.h"
+#include "tools/measure/cost/pass_roles.h"
 #include "tools/render/scene_upload.h"
+#include "tools/show/plan/costs.h"
 #include "tools/show/plan/planning.h"
+#include "tools/show/plan/print.h"
 
 #include <crevice/compile.h>
 #include <crevice/recording_device.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace crevice {
 
 namespace {
+
+using Json = CostReport;
+
+/// As many digits as tell two shaders apart, so that files stay short.
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 double pixelsOf(const Extent& extent) { return double(extent.width) * extent.height; }
 
@@ -44,105 +54,162 @@ Result<Plan> planFor(const Description& description, const SceneView& view)
                    options);
 }
 
-/// A pass but for fetches and what compilers say.
-PassCost passCost(const Plan& plan, const PlanPass& pass, PassRole role)
+Json figuresJson(const CostGpu& gpu, const CompilerFigures& figures)
 {
-    PassCost cost;
-    cost.pass = pass.name;
-    cost.role = role;
-    cost.extent = pass.extent;
-    cost.pixels = pixelsOf(pass.extent) / pixelsOf(plan.extent);
-    cost.bytes = movedBytes(plan, pass);
-    return cost;
+    Json json = {{"gpu", gpu.name}};
+    if (!figures.refusal.empty()) {
+        json["refusal"] = figures.refusal;
+        return json;
+    }
+    json["instructions"] = figures.instructions;
+    json["spills"] = figures.spills;
+    json["fills"] = figures.fills;
+    json["threads"] = figures.threads;
+    json["most_threads"] = gpu.most_threads;
+    if (figures.cycles >= 0) json["cycles"] = rounded(figures.cycles);
+    for (std::size_t i = 0; i < gpu.units.size(); ++i)
+        json["cycles_" + gpu.units[i]] = rounded(figures.unit_cycles[i]);
+    if (figures.registers >= 0) json["registers"] = figures.registers;
+    json["code_bytes"] = figures.code_bytes;
+    if (figures.arithmetic < 0) return json;
+    json["arithmetic"] = figures.arithmetic;
+    json["arithmetic_16_bit"] = figures.half_arithmetic;
+    return json;
 }
 
-/// Leaves them out, and says why, where no frame can be drawn and counted.
-void addFetches(const Description& description, const SceneView& view, const Plan& plan,
-                ConfigCost& cost)
+/// A pass but for what compilers say. `fetches` are those of the frame; null where not counted.
+Json passJson(const Plan& plan, const PlanPass& pass, PassRole role, const double* fetches)
+{
+    const MovedBytes bytes = movedBytes(plan, pass);
+    Json json = {{"pass", pass.name},
+                 {"for", nameOf(role)},
+                 {"size", {pass.extent.width, pass.extent.height}},
+                 {"pixels", rounded(pixelsOf(pass.extent) / pixelsOf(plan.extent))}};
+    if (fetches) json["fetches"] = rounded(*fetches / pixelsOf(plan.extent));
+    json["tile_bytes"] = std::llround(bytes.written + bytes.loaded);
+    json["read_bytes"] = std::llround(bytes.read - bytes.loaded);
+    json["loaded_bytes"] = std::llround(bytes.loaded);
+    json["gpus"] = Json::array();
+    return json;
+}
+
+/// Fetches are left out, and it says why, where no frame can be drawn and counted.
+Json passesJson(const Description& description, const SceneView& view, const Plan& plan,
+                const std::vector<PassRole>& roles, Json& config)
 {
     const Result<std::map<std::string, double>> counted = countFetches(description, view);
-    if (!counted) {
-        cost.uncounted = counted.diagnostics().front().message;
-        return;
-    }
+    if (!counted) config["uncounted"] = counted.diagnostics().front().message;
+    Json passes = Json::array();
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        const auto found = counted->find(plan.passes[i].name);
-        if (found != counted->end()) {
-            cost.passes[i].fetches = found->second / pixelsOf(view.extent);
-        } else if (plan.passes[i].type == PassType::fullscreen) {
-            cost.uncounted = "pass '" + plan.passes[i].name + "' could not be counted";
-        }
+        const PlanPass& pass = plan.passes[i];
+        const bool known = counted && counted->count(pass.name) > 0;
+        passes.push_back(passJson(plan, pass, roles[i], known ? &counted->at(pass.name) : nullptr));
+        if (counted && !known && pass.type == PassType::fullscreen)
+            config["uncounted"] = "pass '" + pass.name + "' could not be counted";
     }
+    return passes;
 }
 
-Result<ConfigCost> costOf(const CostOptions& options, const std::string& config,
-                          const SourceSet& sources, const SceneView& view,
-                          const Compilers& compilers, CostReport& report)
+/// What one GPU's compiler makes of several passes: the `index`th of each.
+Json gpuSum(const std::vector<const Json*>& passes, std::size_t index)
+{
+    Json sum = {{"gpu", passes.front()->at("gpus").at(index).at("gpu")},
+                {"instructions", 0},
+                {"largest_spills", 0},
+                {"its_fills", 0},
+                {"lowest_threads", 0},
+                {"most_threads", 0},
+                {"code_bytes", 0}};
+    const auto raise = [&sum](const char* key, const auto& more) {
+        sum[key] = sum.value(key, decltype(+more)()) + more;
+    };
+    for (const Json* pass : passes) {
+        const Json& gpu = pass->at("gpus").at(index);
+        if (gpu.contains("refusal")) {
+            sum["refused"] = true;  // the rest is of the others
+            continue;
+        }
+        const int threads = gpu.at("threads");
+        if (sum["most_threads"] == 0 || threads < sum["lowest_threads"])
+            sum["lowest_threads"] = threads;
+        sum["most_threads"] = gpu.at("most_threads");
+        if (std::pair(gpu.at("spills").get<int>(), gpu.at("fills").get<int>()) >
+            std::pair(sum["largest_spills"].get<int>(), sum["its_fills"].get<int>())) {
+            sum["largest_spills"] = gpu.at("spills");
+            sum["its_fills"] = gpu.at("fills");
+        }
+        for (const char* key : {"instructions", "code_bytes", "arithmetic", "arithmetic_16_bit"})
+            if (gpu.contains(key)) raise(key, gpu.at(key).get<int>());
+        if (gpu.contains("cycles"))
+            raise("cycles", gpu.at("cycles").get<double>() * pass->at("pixels").get<double>());
+    }
+    if (sum.contains("cycles")) sum["cycles"] = rounded(sum["cycles"]);
+    return sum;
+}
+
+Json sumJson(const Json& config, bool with_geometry)
+{
+    std::vector<const Json*> passes;
+    double fetches = 0, tile_bytes = 0, read_bytes = 0;
+    for (const Json& pass : config.at("passes")) {
+        const Json& role = pass.at("for");
+        const bool geometry = with_geometry && role == nameOf(PassRole::geometry_for_ao);
+        if (role != nameOf(PassRole::ao) && !geometry) continue;
+        passes.push_back(&pass);
+        fetches += pass.value("fetches", 0.0);
+        tile_bytes += pass.at("tile_bytes").get<double>();
+        read_bytes += pass.at("read_bytes").get<double>();
+    }
+    if (with_geometry) tile_bytes += config.at("geometry_bytes_for_ao").get<double>();
+    Json sum = {{"passes", passes.size()}};
+    if (!config.contains("uncounted")) sum["fetches"] = rounded(fetches);
+    sum["tile_bytes"] = std::llround(tile_bytes);
+    sum["read_bytes"] = std::llround(read_bytes);
+    sum["gpus"] = Json::array();
+    if (passes.empty()) return sum;
+    for (std::size_t i = 0; i < passes.front()->at("gpus").size(); ++i)
+        sum["gpus"].push_back(gpuSum(passes, i));
+    return sum;
+}
+
+Result<Json> costOf(const CostOptions& options, const std::string& name, const SourceSet& sources,
+                    const SceneView& view, const std::vector<const CostGpu*>& gpus,
+                    const Compilers& compilers, Json& report)
 {
     ConfigOptions chosen = options.config;
-    chosen.config = config;
+    chosen.config = name;
     const Result<Description> description = loadDescription(chosen, sources);
     if (!description) return description.diagnostics();
     const Result<Plan> plan = planFor(*description, view);
     if (!plan) return plan.diagnostics();
-    ConfigCost cost;
-    cost.config = config;
     const std::vector<PassRole> roles = passRoles(*plan);
-    cost.geometry_bytes_for_ao = bytesForAo(*plan, roles);
-    for (std::size_t i = 0; i < plan->passes.size(); ++i)
-        cost.passes.push_back(passCost(*plan, plan->passes[i], roles[i]));
-    for (const CostGpu* gpu : report.gpus) {
+    Json config = {{"config", name}};
+    Json passes = passesJson(*description, view, *plan, roles, config);
+    for (const CostGpu* gpu : gpus) {
         const Result<CompiledPrograms> compiled = compilePrograms(compilers, *gpu, plan->programs);
         if (!compiled) return compiled.diagnostics();
-        report.version = compiled->version;
+        report["compilers"] = compiled->version;
         for (std::size_t i = 0; i < plan->passes.size(); ++i)
-            cost.passes[i].figures.push_back(compiled->figures[plan->passes[i].program]);
+            passes[i]["gpus"].push_back(
+                figuresJson(*gpu, compiled->figures[plan->passes[i].program]));
     }
-    addFetches(*description, view, *plan, cost);
-    return cost;
-}
-
-void add(const CompilerFigures& figures, double pixels, GpuSum& sum)
-{
-    if (!figures.refusal.empty()) {
-        sum.refused = true;
-        return;
-    }
-    if (figures.spills > sum.spills ||
-        (figures.spills == sum.spills && figures.fills > sum.fills)) {
-        sum.spills = figures.spills;
-        sum.fills = figures.fills;
-    }
-    sum.threads = sum.instructions == 0 ? figures.threads : std::min(sum.threads, figures.threads);
-    sum.instructions += figures.instructions;
-    sum.code_bytes += figures.code_bytes;
-    if (figures.cycles >= 0) sum.cycles = std::max(sum.cycles, 0.0) + figures.cycles * pixels;
-    if (figures.arithmetic < 0) return;
-    sum.arithmetic = std::max(sum.arithmetic, 0) + figures.arithmetic;
-    sum.half_arithmetic = std::max(sum.half_arithmetic, 0) + figures.half_arithmetic;
+    config["geometry_bytes_for_ao"] = std::llround(bytesForAo(*plan, roles));
+    config["ao"] = nullptr;  // both sums have their places before the passes
+    config["ao_with_geometry"] = nullptr;
+    config["passes"] = std::move(passes);
+    addSums(config);
+    return config;
 }
 
 }  // namespace
 
-CostSum sumOfAo(const CostReport& report, const ConfigCost& config, bool with_geometry)
+void addSums(CostReport& config)
 {
-    CostSum sum;
-    sum.gpus.resize(report.gpus.size());
-    if (config.uncounted.empty()) sum.fetches = 0;
-    for (const PassCost& pass : config.passes) {
-        const bool geometry = pass.role == PassRole::geometry_for_ao;
-        if (pass.role != PassRole::ao && !(geometry && with_geometry)) continue;
-        ++sum.passes;
-        if (sum.fetches && pass.fetches) *sum.fetches += *pass.fetches;
-        sum.bytes.read += pass.bytes.read;
-        sum.bytes.loaded += pass.bytes.loaded;
-        sum.bytes.written += pass.bytes.written;
-        for (std::size_t i = 0; i < pass.figures.size(); ++i)
-            add(pass.figures[i], pass.pixels, sum.gpus[i]);
-    }
-    if (with_geometry) sum.bytes.written += config.geometry_bytes_for_ao;
-    return sum;
+    config["ao"] = sumJson(config, false);
+    config["ao_with_geometry"] = sumJson(config, true);
 }
+
+std::string costJson(const CostReport& report) { return jsonLines(report) + "\n"; }
 
 Result<CostReport> measureCost(const CostOptions& options, const SourceSet& sources)
 {
@@ -152,17 +219,16 @@ Result<CostReport> measureCost(const CostOptions& options, const SourceSet& sour
     if (!compilers) return compilers.diagnostics();
     const Result<SceneView> view = loadSceneView(options.scene);
     if (!view) return view.diagnostics();
-    CostReport report;
-    report.scene = options.scene.scene;
-    report.extent = view->extent;
-    report.camera = options.scene.camera;
-    report.variant = options.config.variant;
-    report.set = options.config.overrides;
-    report.gpus = *gpus;
+    Json report = {
+        {"scene", options.scene.scene},    {"size", {view->extent.width, view->extent.height}},
+        {"camera", options.scene.camera},  {"variant", options.config.variant},
+        {"set", options.config.overrides}, {"compilers", ""},
+        {"gpus", Json::array()},           {"configs", Json::array()}};
+    for (const CostGpu* gpu : *gpus) report["gpus"].push_back(gpu->name);
     for (const std::string& config : options.configs) {
-        Result<ConfigCost> cost = costOf(options, config, sources, *view, *compilers, report);
+        Result<Json> cost = costOf(options, config, sources, *view, *gpus, *compilers, report);
         if (!cost) return cost.diagnostics();
-        report.configs.push_back(std::move(*cost));
+        report["configs"].push_back(std::move(*cost));
     }
     return {std::move(report), view.diagnostics()};
 }

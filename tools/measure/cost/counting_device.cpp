@@ -23,55 +23,34 @@ double sumOf(const Image& image)
 
 CountingDevice::~CountingDevice()
 {
-    for (const auto& [framebuffer, counts] : counts_) {
-        device_.destroy(counts.plain);
-        device_.destroy(counts.masked);
-        device_.destroy(counts.texture);
-    }
+    clearCounts();
     for (const auto& [program, twin] : twins_) device_.destroy(twin.program);
+}
+
+void CountingDevice::clearCounts()
+{
+    for (const Count& count : counts_) {
+        device_.destroy(count.framebuffer);
+        device_.destroy(count.texture);
+    }
+    counts_.clear();
 }
 
 Result<std::map<std::string, double>> CountingDevice::fetches()
 {
     std::map<std::string, double> all;
-    for (const auto& [pass, texture] : counted_) {
-        const Result<Image> image = device_.readTexture(texture);
+    for (const Count& count : counts_) {
+        const Result<Image> image = device_.readTexture(count.texture);
         if (!image) return image.diagnostics();
-        all[pass] = sumOf(*image);
+        all[count.pass] = sumOf(*image);
     }
     return all;
-}
-
-Result<TextureId> CountingDevice::createTexture(const TextureDesc& desc)
-{
-    Result<TextureId> id = device_.createTexture(desc);
-    if (id && desc.samples == 1) extents_[id->value] = desc.extent;
-    return id;
 }
 
 Result<FramebufferId> CountingDevice::createFramebuffer(const FramebufferDesc& desc)
 {
     Result<FramebufferId> id = device_.createFramebuffer(desc);
-    if (!id) return id;
-    TextureId sized = desc.depth;
-    for (const TextureId color : desc.color)
-        if (color) sized = color;
-    const auto extent = extents_.find(sized.value);
-    if (extent == extents_.end()) return id;  // several samples: not counted
-    Counts& counts = counts_[id->value];
-    const Result<TextureId> texture =
-        device_.createTexture({desc.label + " fetches", Format::rgba8, extent->second});
-    if (!texture) return texture.diagnostics();
-    counts.texture = *texture;
-    const Result<FramebufferId> plain = device_.createFramebuffer({desc.label, {*texture}});
-    if (!plain) return plain.diagnostics();
-    counts.plain = *plain;
-    const auto depth = extents_.find(desc.depth.value);
-    if (depth == extents_.end() || depth->second != extent->second) return id;
-    const Result<FramebufferId> masked =
-        device_.createFramebuffer({desc.label, {*texture}, desc.depth});
-    if (!masked) return masked.diagnostics();
-    counts.masked = *masked;
+    if (id) depths_[id->value] = desc.depth;
     return id;
 }
 
@@ -102,29 +81,18 @@ Status CountingDevice::addTwin(const ProgramDesc& desc, ProgramId program)
 
 void CountingDevice::destroy(ObjectId id)
 {
-    if (id.kind == ObjectId::Kind::framebuffer) {
-        if (const auto found = counts_.find(id.value); found != counts_.end()) {
-            for (const ObjectId mine :
-                 {ObjectId(found->second.plain), ObjectId(found->second.masked),
-                  ObjectId(found->second.texture)})
-                device_.destroy(mine);
-            counts_.erase(found);
-            counted_.clear();
-        }
-    }
     if (id.kind == ObjectId::Kind::program) {
         if (const auto found = twins_.find(id.value); found != twins_.end()) {
             device_.destroy(found->second.program);
             twins_.erase(found);
         }
     }
-    if (id.kind == ObjectId::Kind::texture) extents_.erase(id.value);
     device_.destroy(id);
 }
 
 Status CountingDevice::beginFrame()
 {
-    counted_.clear();
+    clearCounts();
     return device_.beginFrame();
 }
 
@@ -168,18 +136,23 @@ void CountingDevice::drawFullscreen()
 void CountingDevice::endPass()
 {
     device_.endPass();
-    if (counting_ && fullscreen_) drawTwin();
+    const Twin& twin = twins_[program_.value];
+    if (counting_ && fullscreen_ && twin.program) drawTwin(twin);
 }
 
-void CountingDevice::drawTwin()
+/// What cannot be drawn into, as where the mask has several samples, is not counted.
+void CountingDevice::drawTwin(const Twin& twin)
 {
-    const auto counts = counts_.find(pass_.framebuffer.value);
-    const Twin& twin = twins_[program_.value];
-    if (counts == counts_.end() || !twin.program) return;
     const bool masked = pass_.has_depth && pass_.depth_load == LoadOp::load;
+    const Result<TextureId> texture =
+        device_.createTexture({std::string(pass_.label) + " fetches", Format::rgba8, pass_.extent});
+    if (!texture) return;
+    const Result<FramebufferId> framebuffer = device_.createFramebuffer(
+        {pass_.label, {*texture}, masked ? depths_[pass_.framebuffer.value] : TextureId()});
+    if (!framebuffer) return device_.destroy(*texture);
+    counts_.push_back({pass_.label, *texture, *framebuffer});
     PassInfo pass = pass_;
-    pass.framebuffer = masked ? counts->second.masked : counts->second.plain;
-    if (!pass.framebuffer) return;
+    pass.framebuffer = *framebuffer;
     pass.color_count = 1;
     pass.color_load[0] = LoadOp::clear;
     pass.color_store[0] = StoreOp::store;
@@ -187,7 +160,7 @@ void CountingDevice::drawTwin()
     pass.has_depth = masked;
     device_.beginPass(pass);
     device_.setProgram(twin.program, state_);
-    const auto locationOf = [&](int location) {
+    const auto locationOf = [&twin](int location) {
         const auto found = twin.locations.find(location);
         return found == twin.locations.end() ? -1 : found->second;
     };
@@ -199,7 +172,6 @@ void CountingDevice::drawTwin()
             device_.setUniform(location, uniform.type, uniform.count, uniform.words.data());
     device_.drawFullscreen();
     device_.endPass();
-    counted_[pass_.label] = counts->second.texture;
 }
 
 }  // namespace crevice

@@ -35,7 +35,6 @@ public:
     /// label. Errors: those of readTexture.
     Result<std::map<std::string, double>> fetches();
 
-    Result<TextureId> createTexture(const TextureDesc& desc) override;
     Result<FramebufferId> createFramebuffer(const FramebufferDesc& desc) override;
     Result<ProgramId> createProgram(const ProgramDesc& desc) override;
     void destroy(ObjectId id) override;
@@ -65,20 +64,20 @@ private:
         std::map<int, int> locations;  ///< The twin's by the program's.
         std::map<int, Uniform> uniforms;
     };
-    /// Where the passes of a framebuffer are counted; the masked one has the framebuffer's depth.
-    struct Counts {
+    /// Where a pass of this frame was counted.
+    struct Count {
+        std::string pass;
         TextureId texture;
-        FramebufferId plain;
-        FramebufferId masked;
+        FramebufferId framebuffer;
     };
 
     Status addTwin(const ProgramDesc& desc, ProgramId program);
-    void drawTwin();
+    void drawTwin(const Twin& twin);
+    void clearCounts();
 
-    std::map<std::uint32_t, Extent> extents_;   ///< Of textures with one sample.
-    std::map<std::uint32_t, Counts> counts_;    ///< By framebuffer.
-    std::map<std::uint32_t, Twin> twins_;       ///< By program.
-    std::map<std::string, TextureId> counted_;  ///< In this frame, by pass.
+    std::map<std::uint32_t, TextureId> depths_;  ///< By framebuffer.
+    std::map<std::uint32_t, Twin> twins_;        ///< By program.
+    std::vector<Count> counts_;
     bool counting_ = false;
 
     PassInfo pass_;  ///< The running one, with its program, state and textures.

@@ -3,7 +3,7 @@
 #include "tools/measure/cost/cost.h"
 
 #include "core/base/numbers.h"
-#include "tools/show/plan/names.h"
+#include "tools/measure/cost/pass_roles.h"
 
 #include <algorithm>
 
@@ -15,257 +15,120 @@ using Row = std::vector<std::string>;
 
 constexpr double kMebibyte = 1 << 20;
 
-/// Columns of the table before those of the GPUs; the two last only where there is one GPU.
-Row passColumns(bool detailed)
-{
-    Row names = {"pass", "px", "fetches", "MiB"};
-    if (detailed) names.insert(names.end(), {"read", "size"});
-    return names;
-}
-
-/// The columns of one GPU: those that its compiler tells. All of them where it is the only one.
-struct Columns {
-    const CostGpu* gpu;
-    bool detailed;
-
-    Row names() const
-    {
-        Row names = {"inst", "sp:fi", "occ"};
-        if (!gpu->units.empty()) names.push_back("cyc");
-        if (gpu->disassembled) names.push_back("16b");
-        if (!detailed) return names;
-        names.insert(names.end(), gpu->units.begin(), gpu->units.end());
-        if (*gpu->registers) names.push_back("regs");
-        names.push_back("bytes");
-        if (gpu->disassembled) names.insert(names.end(), {"half", "ALU"});
-        return names;
-    }
+/// Keys of a pass, or of a sum.
+struct Keys {
+    const char *spills, *fills, *threads;
 };
+constexpr Keys kPassKeys = {"spills", "fills", "threads"};
+constexpr Keys kSumKeys = {"largest_spills", "its_fills", "lowest_threads"};
 
-std::string threadsText(const CostGpu& gpu, int threads)
+std::string textAt(const CostReport& figures, const char* key)
 {
-    return std::to_string(threads) + "/" + std::to_string(gpu.most_threads);
+    return std::to_string(figures.at(key).get<int>());
 }
 
-std::string shareText(int half, int all)
+/// The columns of one GPU after its bar.
+Row cellsOf(const CostReport& figures, const Keys& keys)
 {
-    return all > 0 ? fixed(100.0 * half / all, 0) + "%" : "-";
+    if (figures.contains("refusal")) return {"|", "refused", "-", "-", "-", "-"};
+    const double cycles = figures.value("cycles", -1.0);
+    const double arithmetic = figures.value("arithmetic", 0.0);
+    const std::string share =
+        fixed(100 * figures.value("arithmetic_16_bit", 0.0) / std::max(arithmetic, 1.0), 0) + "%";
+    return {"|",
+            textAt(figures, "instructions") + (figures.contains("refused") ? "+" : ""),
+            textAt(figures, keys.spills) + ":" + textAt(figures, keys.fills),
+            textAt(figures, keys.threads) + "/" + textAt(figures, "most_threads"),
+            cycles < 0 ? "-" : fixed(cycles, cycles < 99.95 ? 1 : 0),
+            arithmetic > 0 ? share : "-"};
 }
 
-std::string cyclesText(double cycles)
+Row rowOf(const std::string& name, const CostReport& figures, const Keys& keys)
 {
-    return cycles < 0 ? "-" : cycles < 99.95 ? fixed(cycles, 1) : fixed(cycles, 0);
+    Row row = {name, figures.contains("pixels") ? fixed(figures["pixels"], 2) : "",
+               figures.contains("fetches") ? fixed(figures["fetches"], 2) : "-",
+               fixed(figures.at("tile_bytes").get<double>() / kMebibyte, 2)};
+    for (const CostReport& gpu : figures.at("gpus"))
+        for (std::string& cell : cellsOf(gpu, keys)) row.push_back(std::move(cell));
+    return row;
 }
 
-void addDetails(const CostGpu& gpu, const CompilerFigures& figures, Row& cells)
+/// A row of one cell is a line of its own. Above each bar stands the name of its GPU.
+std::string aligned(const std::vector<Row>& rows, const CostReport& gpus)
 {
-    for (const double cycles : figures.unit_cycles) cells.push_back(cyclesText(cycles));
-    if (*gpu.registers) cells.push_back(std::to_string(figures.registers));
-    cells.push_back(std::to_string(figures.code_bytes));
-    if (!gpu.disassembled) return;
-    cells.push_back(std::to_string(figures.half_arithmetic));
-    cells.push_back(std::to_string(figures.arithmetic));
-}
-
-Row cellsOf(const Columns& columns, const CompilerFigures& figures)
-{
-    const CostGpu& gpu = *columns.gpu;
-    if (!figures.refusal.empty()) {
-        Row cells(columns.names().size(), "-");
-        cells[0] = "refused";
-        return cells;
-    }
-    Row cells = {std::to_string(figures.instructions),
-                 std::to_string(figures.spills) + ":" + std::to_string(figures.fills),
-                 threadsText(gpu, figures.threads)};
-    if (!gpu.units.empty()) cells.push_back(cyclesText(figures.cycles));
-    if (gpu.disassembled) cells.push_back(shareText(figures.half_arithmetic, figures.arithmetic));
-    if (columns.detailed) addDetails(gpu, figures, cells);
-    return cells;
-}
-
-Row cellsOf(const Columns& columns, const GpuSum& sum)
-{
-    const CostGpu& gpu = *columns.gpu;
-    Row cells = {std::to_string(sum.instructions) + (sum.refused ? "+" : ""),
-                 std::to_string(sum.spills) + ":" + std::to_string(sum.fills),
-                 threadsText(gpu, sum.threads)};
-    if (!gpu.units.empty()) cells.push_back(cyclesText(sum.cycles));
-    if (gpu.disassembled) cells.push_back(shareText(sum.half_arithmetic, sum.arithmetic));
-    const std::size_t count = columns.names().size();
-    while (cells.size() < count) cells.push_back("");
-    return cells;
-}
-
-void addCells(Row& row, Row cells)
-{
-    row.insert(row.end(), std::make_move_iterator(cells.begin()),
-               std::make_move_iterator(cells.end()));
-}
-
-/// Lines of the table; an empty row is a line of its own text in `title`.
-struct Line {
-    std::string title;
-    Row cells;
-};
-
-class Table {
-public:
-    explicit Table(const CostReport& report) : detailed_(report.gpus.size() == 1)
-    {
-        for (const CostGpu* gpu : report.gpus) columns_.push_back({gpu, detailed_});
-        Row names = passColumns(detailed_);
-        for (const Columns& each : columns_) addCells(names, each.names());
-        lines_.push_back({"", names});
-    }
-
-    void add(const PassCost& pass)
-    {
-        Row row = firstCells(pass.pass, fixed(pass.pixels, 2), pass.fetches, pass.bytes,
-                             sizeText(pass.extent));
-        for (std::size_t i = 0; i < columns_.size(); ++i)
-            addCells(row, cellsOf(columns_[i], pass.figures[i]));
-        lines_.push_back({"", std::move(row)});
-    }
-
-    void add(const std::string& name, const CostSum& sum)
-    {
-        Row row = firstCells(name, "", sum.fetches, sum.bytes, "");
-        for (std::size_t i = 0; i < columns_.size(); ++i)
-            addCells(row, cellsOf(columns_[i], sum.gpus[i]));
-        lines_.push_back({"", std::move(row)});
-    }
-
-    void title(const std::string& text) { lines_.push_back({text, {}}); }
-
-    std::string text() const
-    {
-        std::vector<std::size_t> widths;
-        for (const Line& line : lines_)
-            for (std::size_t i = 0; i < line.cells.size(); ++i) {
-                if (widths.size() <= i) widths.push_back(0);
-                widths[i] = std::max(widths[i], line.cells[i].size());
-            }
-        std::string all = gpuNames(widths);
-        for (const Line& line : lines_) all += lineText(line, widths);
-        return all;
-    }
-
-private:
-    Row firstCells(const std::string& name, const std::string& pixels,
-                   const std::optional<double>& fetches, const MovedBytes& bytes,
-                   const std::string& size) const
-    {
-        Row row = {name, pixels, fetches ? fixed(*fetches, 2) : "-",
-                   fixed((bytes.written + bytes.loaded) / kMebibyte, 2)};
-        if (detailed_) addCells(row, {fixed((bytes.read - bytes.loaded) / kMebibyte, 2), size});
-        return row;
-    }
-
-    /// Whether a GPU's columns begin there: a wider gap goes before them.
-    bool begins(std::size_t column) const
-    {
-        std::size_t first = passColumns(detailed_).size();
-        for (const Columns& each : columns_) {
-            if (first == column) return true;
-            first += each.names().size();
+    std::vector<std::size_t> widths(rows.front().size());
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size() && row.size() > 1; ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+    std::string names, text;
+    std::size_t at = 0, gpu = 0;
+    for (std::size_t i = 0; i < widths.size(); at += widths[i++] + 1)
+        if (rows.front()[i] == "|") {
+            names.resize(at, ' ');
+            names += "| " + gpus.at(gpu++).get<std::string>();
         }
-        return false;
-    }
-
-    std::string lineText(const Line& line, const std::vector<std::size_t>& widths) const
-    {
-        if (line.cells.empty()) return line.title + "\n";
-        std::string text;
-        for (std::size_t i = 0; i < line.cells.size(); ++i) {
-            const std::string padding(widths[i] - line.cells[i].size(), ' ');
-            if (i > 0) text += begins(i) ? " | " : " ";
-            text += i == 0 ? line.cells[i] + padding : padding + line.cells[i];
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::size_t width = row.size() > 1 ? widths[i] : row[i].size();
+            const std::string padding(width - row[i].size(), ' ');
+            line += (i > 0 ? " " : "") + (i > 0 ? padding + row[i] : row[i] + padding);
         }
-        text.erase(text.find_last_not_of(' ') + 1);
-        return text + "\n";
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
     }
-
-    /// The line above the columns: each GPU's name where its columns begin.
-    std::string gpuNames(const std::vector<std::size_t>& widths) const
-    {
-        std::string text;
-        std::size_t at = 0, gpu = 0;
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            at += i == 0 ? 0 : begins(i) ? 3 : 1;
-            if (begins(i)) {
-                text.resize(at - 2, ' ');
-                text += std::string("| ") + columns_[gpu++].gpu->name;
-            }
-            at += widths[i];
-        }
-        return text + "\n";
-    }
-
-    bool detailed_;
-    std::vector<Columns> columns_;
-    std::vector<Line> lines_;
-};
-
-void addPasses(Table& table, const ConfigCost& config, PassRole role)
-{
-    for (const PassCost& pass : config.passes)
-        if (pass.role == role) table.add(pass);
+    return names + "\n" + text;
 }
 
-bool hasPasses(const ConfigCost& config, PassRole role)
+void addPasses(const CostReport& config, PassRole role, std::vector<Row>& rows)
 {
-    return std::any_of(config.passes.begin(), config.passes.end(),
-                       [&](const PassCost& pass) { return pass.role == role; });
+    for (const CostReport& pass : config.at("passes"))
+        if (pass.at("for") == nameOf(role)) rows.push_back(rowOf(pass["pass"], pass, kPassKeys));
 }
 
-std::string tableOf(const CostReport& report, const ConfigCost& config)
+std::string tableOf(const CostReport& report, const CostReport& config)
 {
-    Table table(report);
-    addPasses(table, config, PassRole::ao);
-    table.add("AO in all", sumOfAo(report, config, false));
-    if (hasPasses(config, PassRole::geometry_for_ao) || config.geometry_bytes_for_ao > 0) {
-        table.title("drawn for AO alone");
-        addPasses(table, config, PassRole::geometry_for_ao);
-        table.add("AO with that", sumOfAo(report, config, true));
+    std::vector<Row> rows = {{"pass", "px", "fetches", "MiB"}};
+    for (std::size_t i = 0; i < report.at("gpus").size(); ++i)
+        rows[0].insert(rows[0].end(), {"|", "inst", "sp:fi", "occ", "cyc", "16b"});
+    addPasses(config, PassRole::ao, rows);
+    rows.push_back(rowOf("AO in all", config.at("ao"), kSumKeys));
+    if (config.at("ao_with_geometry") != config.at("ao")) {
+        rows.push_back({"drawn for AO alone"});
+        addPasses(config, PassRole::geometry_for_ao, rows);
+        rows.push_back(rowOf("AO with that", config.at("ao_with_geometry"), kSumKeys));
     }
-    if (hasPasses(config, PassRole::geometry) || hasPasses(config, PassRole::picture))
-        table.title("not for AO alone");
-    addPasses(table, config, PassRole::geometry);
-    addPasses(table, config, PassRole::picture);
-    return table.text();
-}
-
-std::string refusalsOf(const CostReport& report, const ConfigCost& config)
-{
-    std::string text;
-    for (const PassCost& pass : config.passes)
-        for (std::size_t i = 0; i < pass.figures.size(); ++i)
-            if (!pass.figures[i].refusal.empty())
-                text += std::string(report.gpus[i]->name) + " refuses " + pass.pass + ": " +
-                        pass.figures[i].refusal + "\n";
-    return text;
+    rows.push_back({"not for AO alone"});
+    addPasses(config, PassRole::geometry, rows);
+    addPasses(config, PassRole::picture, rows);
+    return aligned(rows, report.at("gpus"));
 }
 
 }  // namespace
 
-std::string toText(const CostReport& report)
+std::string costText(const CostReport& report)
 {
     std::string text;
-    for (const ConfigCost& config : report.configs) {
-        std::string set = report.variant.empty() ? "" : " --variant " + report.variant;
-        for (const std::string& each : report.set) set += " " + each;
-        text += config.config + set + ": " + report.scene + ", " + sizeText(report.extent) +
-                ", compilers of " + report.version + "\n";
-        text += tableOf(report, config);
-        text += refusalsOf(report, config);
-        if (!config.uncounted.empty()) text += "fetches not counted: " + config.uncounted + "\n";
+    for (const CostReport& config : report.at("configs")) {
+        const auto textOf = [](const CostReport& json) { return json.get<std::string>(); };
+        text += textOf(config.at("config"));
+        if (report.at("variant") != "") text += " --variant " + textOf(report["variant"]);
+        for (const CostReport& each : report.at("set")) text += " " + textOf(each);
+        text += ": " + textOf(report.at("scene")) + ", " + report.at("size")[0].dump() + "x" +
+                report["size"][1].dump() + ", compilers of " + textOf(report.at("compilers")) +
+                "\n" + tableOf(report, config);
+        for (const CostReport& pass : config.at("passes"))
+            for (const CostReport& gpu : pass.at("gpus"))
+                if (gpu.contains("refusal"))
+                    text += textOf(gpu.at("gpu")) + " refuses " + textOf(pass.at("pass")) + ": " +
+                            textOf(gpu["refusal"]) + "\n";
+        if (config.contains("uncounted"))
+            text += "fetches not counted: " + textOf(config["uncounted"]) + "\n";
         text += "\n";
     }
     return text +
            "Mend spills (sp:fi above 0:0) first, then occ below its most. cyc counts loops once, "
-           "fetches "
-           "as they run; both are for a pixel. See docs/reference/cost.md.\n";
+           "fetches as they run; both are for a pixel. See docs/reference/cost.md.\n";
 }
 
 }  // namespace crevice

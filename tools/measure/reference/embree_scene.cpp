@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Triangles and rays for Embree, and its hits one by one to the doubles that decide.
-#include "tools/measure/reference/embree_scene.h"
-
 #include "tools/measure/reference/trace_bodies.h"
 
 #include <embree3/rtcore.h>
@@ -145,7 +143,7 @@ int EmbreeScene::countOpen(const glm::dvec3& origin, const TraceBatch& batch, do
 
 }  // namespace
 
-Result<std::unique_ptr<RayScene>> makeEmbreeScene(const Scene& scene, const glm::dvec3& eye)
+Result<std::unique_ptr<RayScene>> makeRayScene(const Scene& scene, const glm::dvec3& eye)
 {
     auto built = std::make_unique<EmbreeScene>(scene, eye);
     const RTCError error = built->error();
@@ -153,11 +151,6 @@ Result<std::unique_ptr<RayScene>> makeEmbreeScene(const Scene& scene, const glm:
         return Diagnostic{Code::out_of_memory, "Embree cannot hold the scene: its error " +
                                                    std::to_string(static_cast<int>(error))};
     return std::unique_ptr<RayScene>(std::move(built));
-}
-
-Result<std::unique_ptr<RayScene>> makeRayScene(const Scene& scene, const glm::dvec3& eye)
-{
-    return makeEmbreeScene(scene, eye);
 }
 
 }  // namespace crevice

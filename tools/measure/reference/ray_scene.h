@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A scene as the ray tracer asks it: what a ray meets first, and how many rays meet nothing.
 //
-// Two searches answer: Embree's (embree_scene.h) and that of a tree of boxes (bvh_scene.h), which
+// Two searches answer: Embree's (embree_scene.cpp) and that of a tree of boxes (bvh_scene.h), which
 // needs no library. What counts as a hit is the same code for both, in trace_bodies.h.
 #pragma once
 

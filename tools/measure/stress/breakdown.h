@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Breakdown points as sentences, those that most users meet first.
+// Breakdown points as sentences, and what an edit does to them.
 #pragma once
 
 #include "tools/measure/stress/run.h"
@@ -9,39 +9,30 @@
 
 namespace crevice {
 
-/// Where a config breaks; cases that tell the same are one point, told by the one that breaks
-/// first.
+/// Where a config breaks; of cases that break by the same effect under the same condition the one
+/// that breaks first.
 struct BreakdownPoint {
     std::string config;
     const StressCase* stress = nullptr;
-    std::string format;
-    const StressRecord* before = nullptr;  ///< The last step that holds; null: none.
-    const StressRecord* after = nullptr;   ///< The first that fails.
-    int steps_off = 0;                     ///< From the ordinary step to `after`.
-
-    std::string effect;     ///< "is lost"
-    std::string condition;  ///< "where the radius is taller than 0.7 screens"
-    std::string held;       ///< The figures of the two steps, "0.7" and "1.4".
-    std::string broke;
-    std::string why;                  ///< "3 % of the ground truth's occlusion"
-    std::vector<std::string> others;  ///< "`zoom` at 2.1"
-
-    Likelihood likelihood = Likelihood::few;
-    std::string because;
+    const StressRecord* after = nullptr;  ///< The first step that fails.
+    std::string effect;                   ///< "is lost"
+    std::string condition;                ///< "where the radius is taller than 0.7 screens"
+    std::string held;   ///< The figures of the last step that holds and of `after`: "0.7" and
+    std::string broke;  ///< ... "1.4"; empty where the ordinary step fails.
+    std::string why;    ///< "3 % of the ground truth's occlusion"
 };
 
-/// Of each config those that more users meet come first, and of them those that fewer steps lead to
-/// from the ordinary one. Configs are in the order of `all`, whose records must outlive them.
+/// In the order of `all`, whose records must outlive them.
 std::vector<BreakdownPoint> breakdownPoints(const std::vector<StressSeries>& all);
 
 /// "AO of `gtao` is lost where the radius is taller than 0.7 screens: at 1.4, 3 % of the ground
-/// truth's occlusion (a corner of a room walked up to; also `zoom` at 2.1)."
+/// truth's occlusion."
 std::string sentenceOf(const BreakdownPoint& point);
 
-/// "Every application meets it: cameras walk up to walls."
-std::string likelihoodOf(const BreakdownPoint& point);
-
-/// "every application", ...
-std::string nameOf(Likelihood likelihood);
+/// Steps of `now` that have another outcome than in `before`, or of which the mean, the error or
+/// the change moved by more than what must be the same may (kSameChange): "gtao, off_centre, 64:
+/// breaks: mean change 0.003". Steps that `before` lacks are left out.
+std::vector<std::string> differencesSince(const std::vector<StressSeries>& before,
+                                          const std::vector<StressSeries>& now);
 
 }  // namespace crevice

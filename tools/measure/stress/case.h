@@ -15,7 +15,6 @@
 #include <glm/vec3.hpp>
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,16 +56,11 @@ struct StressShot {
     int samples = 0;           ///< Depth taps a pixel; 0: the config's own, -1: the most.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
     bool draws = false;        ///< Asks about the config's own draws.
-    bool traceable = true;     ///< What is drawn is the scene as a ray tracer sees it.
 
     /// Drawn before, first to last, for what a config keeps from frame to frame; where that is
     /// empty and nothing is cut, three frames of the same.
     std::vector<StressFrame> before = {};
     bool cut = false;  ///< Told that `before` does not apply.
-
-    /// Of a frame of two views the one that counts; the other sees through `other_view`.
-    int view = 0;
-    std::optional<Camera> other_view = {};
 
     std::string output = "ao";  ///< What is looked at.
 
@@ -86,7 +80,6 @@ struct StressShot {
     double middle = 0;    ///< What the middle shows, where that is nearer; 0: as far as that.
     double near_distance = 0.1;
     double far_distance = 100;
-    double coordinates = 0;  ///< The largest in the meshes, where floats round them noticeably.
 
     /// From the ordinary picture's plane, [-1, 1], to where this one shows the same.
     glm::dmat2 turned = glm::dmat2(1.0);
@@ -106,18 +99,9 @@ struct StressStep {
     std::string label = {};
 };
 
-/// How many users meet what a case varies, most first.
-enum class Likelihood {
-    every,   ///< Every application does that.
-    many,    ///< Many do.
-    few,     ///< Some do, or only at the ends of what is varied.
-    broken,  ///< Only with broken input.
-};
-
 /// What a sentence about a breakdown point has figures of.
 enum class Quantity {
     label,    ///< The step's label.
-    value,    ///< Its value without the sign, times `scale`.
     screens,  ///< The radius on screen over the picture's height.
     pixels,   ///< The radius on screen.
 };
@@ -128,17 +112,6 @@ struct StressCondition {
     /// of kinds, the labels of all that fail.
     std::string_view where = {};
     Quantity quantity = Quantity::label;
-    double scale = 1;
-};
-
-/// Its breakdown points in words, which are literals. Cases with the same `where` are told in one
-/// sentence.
-struct StressWords {
-    Likelihood likelihood = Likelihood::few;
-    std::string_view because = {};  ///< Why that many: "cameras walk up to walls".
-    std::string_view seen = {};     ///< What is looked at: "a corner of a room".
-    StressCondition up = {};        ///< Towards the last step.
-    StressCondition down = {};      ///< Towards the first; empty where that is the ordinary one.
 };
 
 struct StressCase {
@@ -148,21 +121,14 @@ struct StressCase {
     std::vector<StressStep> steps;
     std::size_t ordinary = 0;  ///< Into `steps`.
     Expectation expectation = Expectation::sound;
+    StressShot (*shot)(double value, Extent size) = nullptr;
+    StressCondition up = {};    ///< Breaking towards the last step; of kinds, at any.
+    StressCondition down = {};  ///< Towards the first; empty where that is the ordinary one.
     /// Of `same`: mean change. Of `opens`, `darkens`: what noise may do.
     double limit = kSameChange;
-    bool formats = false;  ///< Also with each format that the surface may be stored in.
-    StressShot (*shot)(double value, Extent size) = nullptr;
-    StressWords words = {};
 };
 
 /// All of them.
 const std::vector<StressCase>& stressCases();
-
-/// Over all of a shot but what its host does to textures: 16 hex digits.
-std::string hashOf(const StressShot& shot);
-
-/// The step of a format at a distance, in scene units: of depth formats, for the camera's near and
-/// far distance; of half and single float, as a position.
-double formatStep(Format format, double distance, const StressShot& shot);
 
 }  // namespace crevice

@@ -38,7 +38,32 @@ struct Blocks {
     }
 };
 
+/// The pixel of the ordinary picture that shows what pixel (x, y) of this one does.
+glm::ivec2 ordinaryPixel(const StressShot& shot, const glm::dmat2& unturned, Extent ordinary,
+                         Extent size, int x, int y)
+{
+    const glm::dvec2 pixels(size.width, size.height);
+    const glm::dvec2 here = (glm::dvec2(x, y) + 0.5) / pixels * 2.0 - 1.0;
+    const glm::dvec2 there = unturned * (here - shot.moved);
+    return glm::ivec2(
+        glm::floor((there + 1.0) / 2.0 * glm::dvec2(ordinary.width, ordinary.height)));
+}
+
 }  // namespace
+
+double formatStep(Format format, double distance, const StressShot& shot)
+{
+    const double near = shot.near_distance, far = shot.far_distance;
+    const auto floatStep = [distance](int bits) {
+        return std::exp2(std::floor(std::log2(distance)) - bits);
+    };
+    if (format == Format::rgba16f || format == Format::r16f) return floatStep(10);
+    if (format == Format::rgba32f || format == Format::r32f) return floatStep(23);
+    // Depths near 1, where most of them lie, are as fine in single float as in 24 bits.
+    const double depths = format == Format::depth16 ? 65536.0 : 16777216.0;
+    if (shot.camera.orthographic()) return (far - near) / depths;
+    return distance * distance * (far - near) / (near * far * depths);
+}
 
 void describeOcclusion(const Image& ao, StressRecord& record)
 {
@@ -98,21 +123,6 @@ void describeSurface(const Image& ao, const StressShot& shot, Format format, Str
     record.judged_mean = record.judged > 0 ? sum / judged : 0;
     record.judged_below = static_cast<double>(below) / judged;
 }
-
-namespace {
-
-/// The pixel of the ordinary picture that shows what pixel (x, y) of this one does.
-glm::ivec2 ordinaryPixel(const StressShot& shot, const glm::dmat2& unturned, Extent ordinary,
-                         Extent size, int x, int y)
-{
-    const glm::dvec2 pixels(size.width, size.height);
-    const glm::dvec2 here = (glm::dvec2(x, y) + 0.5) / pixels * 2.0 - 1.0;
-    const glm::dvec2 there = unturned * (here - shot.moved);
-    return glm::ivec2(
-        glm::floor((there + 1.0) / 2.0 * glm::dvec2(ordinary.width, ordinary.height)));
-}
-
-}  // namespace
 
 PictureChange changeBetween(const Image& ordinary, const Image& image, const StressShot& shot)
 {

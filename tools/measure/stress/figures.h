@@ -6,6 +6,10 @@
 
 namespace crevice {
 
+/// The step of a format at a distance, in scene units: of depth formats, for the camera's near and
+/// far distance; of half and single float, as a position.
+double formatStep(Format format, double distance, const StressShot& shot);
+
 /// Mean, least and most of the finite pixels; adds those outside [0, 1] to what is out of range.
 void describeOcclusion(const Image& ao, StressRecord& record);
 

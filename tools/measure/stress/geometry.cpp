@@ -34,12 +34,11 @@ std::string overHost(const std::string& module)
             "type": "fullscreen", "shader": "host_albedo", "color": ["albedo"]}}})";
 }
 
-// `kind` begins the names of the host's modules.
-MemorySources hostModules(const std::string& kind)
+MemorySources hostModules()
 {
     MemorySources modules;
-    modules.add("geometry/depth_normal.json", overHost("geometry/" + kind + "depth_normal"));
-    modules.add("geometry/depth_only.json", overHost("geometry/" + kind + "depth"));
+    modules.add("geometry/depth_normal.json", overHost("geometry/host_depth_normal"));
+    modules.add("geometry/depth_only.json", overHost("geometry/host_depth"));
     modules.add("host/albedo.frag", kWhite);
     return modules;
 }
@@ -93,9 +92,7 @@ Substitutes::Layer::Layer(MemorySources substitutes, const SourceSet& sources)
 
 Substitutes::Substitutes(const SourceSet& sources) : own_(sources)
 {
-    over_.try_emplace(kHostGeometry, hostModules("host_"), sources);
-    over_.try_emplace(kHostLogGeometry, hostModules("host_log_"), sources);
-    over_.try_emplace(kHostLinearGeometry, hostModules("host_linear_"), sources);
+    over_.try_emplace(kHostGeometry, hostModules(), sources);
     over_.try_emplace(kPositionGeometry, positionModules(), sources);
     over_.try_emplace(kLinearGeometry, linearModules(sources), sources);
     over_.try_emplace(kDepthGeometry, depthModules(), sources);
@@ -133,7 +130,7 @@ Result<ChangedTextures> ChangedTextures::make(Device& device, const StressShot& 
     shot.host(*depth, *normal);
 
     ChangedTextures textures(device);
-    if (const Status made = textures.add(hostDepthName(shot), Format::r32f, *depth); !made)
+    if (const Status made = textures.add("depth", Format::r32f, *depth); !made)
         return made.diagnostics();
     if (const Status made = textures.add("normal", Format::rgba32f, *normal); !made)
         return made.diagnostics();

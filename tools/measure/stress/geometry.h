@@ -33,19 +33,9 @@ private:
 };
 
 constexpr const char* kHostGeometry = "host";
-constexpr const char* kHostLogGeometry = "host with logarithmic depth";
-constexpr const char* kHostLinearGeometry = "host with linear depth";
 constexpr const char* kPositionGeometry = "positions";
 constexpr const char* kLinearGeometry = "linear depth";
 constexpr const char* kDepthGeometry = "depth and normals";
-
-/// What a config imports the depth as that such a host has.
-inline const char* hostDepthName(const StressShot& shot)
-{
-    return shot.geometry == kHostLogGeometry      ? "log_depth"
-           : shot.geometry == kHostLinearGeometry ? "linear_depth"
-                                                  : "depth";
-}
 
 /// Depth and normals on a device, of a host that does something to them.
 class ChangedTextures {

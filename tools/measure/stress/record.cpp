@@ -6,33 +6,23 @@
 
 #include <nlohmann/json.hpp>
 
-#include <unordered_map>
-
 namespace crevice {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, key, config, variant, overrides, case_name, format,
-                                   step, label, value, device, version, refusal, absent, bad_target,
-                                   bad_pass, bad_pixels, out_of_range, bad_x, bad_y, bad_value,
-                                   mean, least, most, stored, step_share, resolved, judged,
-                                   judged_mean, judged_least, judged_below, change, exact,
-                                   occlusion, rmse, rmse_white, departing_pass, radius_px,
-                                   height_px, ms, picture)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StressRecord, config, case_name, step, device, version, refusal,
+                                   absent, bad_target, bad_pass, bad_pixels, out_of_range, bad_x,
+                                   bad_y, bad_value, mean, least, most, stored, step_share,
+                                   resolved, judged, judged_mean, judged_least, judged_below,
+                                   change, exact, occlusion, rmse, rmse_white, departing_pass,
+                                   radius_px, height_px, picture)
 
 std::string toJsonLine(const StressRecord& record) { return jsonLine(record); }
 
 Result<std::vector<StressRecord>> readStressRecords(const std::string& path)
 {
     std::vector<StressRecord> records;
-    std::unordered_map<std::string, std::size_t> places;
     Diagnostics diagnostics =
-        readLines(path, {"step of a stress case", "crevice stress"}, [&](nlohmann::json&& json) {
-            StressRecord record = json.get<StressRecord>();
-            const auto [place, is_new] = places.emplace(record.key, records.size());
-            if (is_new)
-                records.push_back(std::move(record));
-            else
-                records[place->second] = std::move(record);
-        });
+        readLines(path, {"step of a stress case", "crevice stress"},
+                  [&](nlohmann::json&& json) { records.push_back(json.get<StressRecord>()); });
     if (hasErrors(diagnostics)) return diagnostics;
     return {std::move(records), std::move(diagnostics)};
 }

@@ -13,15 +13,9 @@ namespace crevice {
 
 /// One step of one series, as one line of stress.jsonl.
 struct StressRecord {
-    std::string key;  ///< 16 hex digits over all that decides the figures.
-    std::string config;
-    std::string variant;
-    std::vector<std::string> overrides;
+    std::string config;  ///< "learnopengl sound": with its variant.
     std::string case_name;
-    std::string format;  ///< "depth=depth16": what was set; empty: the config's own.
-    int step = 0;        ///< Into StressCase::steps.
-    std::string label;
-    double value = 0;
+    int step = 0;  ///< Into StressCase::steps.
     std::string device;
     std::string version;
 
@@ -63,14 +57,13 @@ struct StressRecord {
 
     double radius_px = 0;  ///< On screen, in the middle.
     int height_px = 0;     ///< Of the picture.
-    double ms = 0;
-    std::string picture;  ///< Of a failure, relative to the file.
+    std::string picture;   ///< Of a failure, relative to the file.
 };
 
 /// One line, without the line feed.
 std::string toJsonLine(const StressRecord& record);
 
-/// The records of a file; of two with one key the later holds. Errors: CV7009.
+/// The records of a file. Errors: CV7009.
 Result<std::vector<StressRecord>> readStressRecords(const std::string& path);
 
 enum class Outcome {
@@ -85,11 +78,13 @@ enum class Outcome {
     invalid,
 };
 
+/// "holds", "breaks", ... "void" of what is not valid.
+std::string wordOf(Outcome outcome);
+
 struct Verdict {
     Outcome outcome = Outcome::holds;
     std::string why;
-    /// What becomes of the occlusion, as a sentence about it goes on: "is lost". Empty where it
-    /// holds, or what is beyond the format does no harm.
+    /// Of a failure: what becomes of the occlusion, as a sentence about it goes on: "is lost".
     std::string effect = {};
     std::string pass = {};  ///< The first in which a failure shows, where that is known.
 
@@ -97,7 +92,7 @@ struct Verdict {
     std::string reason() const;
 };
 
-/// Judges one step. `series` are the case's records of one config and format by step, with null for
+/// Judges one step. `series` are the case's records of one config by step, with null for
 /// those that are missing; that of `step` must be there.
 Verdict judge(const StressCase& stress, const std::vector<const StressRecord*>& series,
               std::size_t step);
@@ -116,7 +111,7 @@ struct Breakdown {
     bool absent = false;     ///< There is no figure at all.
     std::string why_absent;  ///< Of the first step.
     std::string invalid;     ///< Why the ordinary picture, and with it the case, is not valid.
-    std::string beyond;      ///< "depth16: 100 % of the occlusion lost at 1e-3:3e5"
+    std::string beyond;      ///< "beyond depth16 at 1e-3:3e5: 90 % of the occlusion lost"
 };
 
 Breakdown findBreakdown(const StressCase& stress, const std::vector<const StressRecord*>& series);

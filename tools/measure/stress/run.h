@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A stress run: which steps are to be drawn, and what the engine of tools/measure does with one.
+// A stress run: which steps are to be drawn, and what is kept of them.
 #pragma once
 
-#include "tools/measure/run.h"
 #include "tools/measure/stress/runner.h"
 
 #include <functional>
@@ -16,48 +15,33 @@ struct StressOptions {
     std::vector<std::string> cases = {};    ///< Empty: all.
     std::string variant = {};
     std::vector<std::string> overrides = {};
-    bool quick = false;  ///< Two or three steps of each case, in the configs' own formats.
-    Shard shard = {};    ///< By config and case.
+    bool quick = false;                   ///< Two or three steps of each case.
     std::vector<std::string> roots = {};  ///< As LoadRequest has them.
 };
 
-/// Config by config, case by case, format by format, each from the first step to the last.
+/// Config by config, case by case, each from the first step to the last.
 ///
 /// Errors: CV8001 for an unknown case, those of loadDescription for an unusable config.
 Result<std::vector<StressTask>> planStress(const StressOptions& options, const SourceSet& sources);
 
-/// "gtao, near_far depth=depth16, 0.01:1e4".
+/// "gtao, near_far, 0.01:1e4".
 std::string stepTitle(const StressTask& task);
 
-/// How steps are drawn; tests put in their own.
-struct StressHow {
-    std::function<std::string(const StressTask&)> key;
-    std::function<StressDrawing(const StressTask&)> measure;
-    /// Of a failure, before its line is written.
-    std::function<Status(const StressDrawing&)> keep;
-    std::string device;
-    std::string version;
-};
+/// Draws the steps and writes their records to stress.jsonl in the folder, and pictures of those
+/// that fail. Errors: CV7007.
+Result<std::vector<StressRecord>> runStress(
+    const std::vector<StressTask>& tasks, const std::string& folder,
+    const std::function<StressDrawing(const StressTask&)>& draw);
 
-/// What the engine needs to draw the steps that `known` has no record of. The tasks and the records
-/// must outlive it.
-MeasureJob stressJob(const std::vector<StressTask>& tasks, const std::vector<StressRecord>& known,
-                     StressHow how);
-
-/// The file's records of the job's tasks, in their order; those not begun are left out. Errors:
-/// those of readStressRecords.
-Result<std::vector<StressRecord>> recordsOf(const MeasureJob& job, const std::string& file);
-
-/// The records of one config, case and format.
+/// The records of one config and case.
 struct StressSeries {
     const StressCase* stress = nullptr;
     std::string config;
-    std::string format;
     std::vector<const StressRecord*> steps;  ///< By step; null where there is none.
 };
 
-/// "near_far depth=depth16".
-std::string seriesName(const StressSeries& series);
+/// Where the ground truth's picture lies, beside that of a failure.
+std::string truthPictureOf(const StressRecord& record);
 
 /// In the order in which they come. The records must outlive them; those of unknown cases are left
 /// out.

@@ -2,7 +2,6 @@
 // One step of a stress case, from its shot to its figures.
 #include "tools/measure/stress/runner.h"
 
-#include "core/base/content_hash.h"
 #include "core/base/numbers.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/reference/tracer.h"
@@ -21,7 +20,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -32,13 +30,6 @@ constexpr float kPoison = 0.8713f;    // where a format holds no NaN
 constexpr int kGroundTruthRays = 64;  // a pixel: rmse of their noise is 0.04
 
 std::string nameIn(const std::string& setting) { return setting.substr(0, setting.find('=')); }
-
-/// "depth=depth16" as an override.
-std::string formatOverride(const std::string& format)
-{
-    const std::string target = nameIn(format);
-    return "/targets/" + target + "/format=[\"" + format.substr(target.size() + 1) + "\"]";
-}
 
 bool isOrdinary(const StressTask& task)
 {
@@ -55,7 +46,7 @@ bool drawsScene(const Description& description)
 const char* missingFrom(const Description& description, const StressShot& shot)
 {
     if (shot.geometry.empty()) return nullptr;
-    if (shot.host && findNamed(description.imports, hostDepthName(shot))) return nullptr;
+    if (shot.host && findNamed(description.imports, "depth")) return nullptr;
     if (shot.host) return "its geometry module has no counterpart for a host's depth";
     const bool positions = findNamed(description.targets, "position");
     const bool linear = findNamed(description.targets, "linear_depth");
@@ -73,14 +64,6 @@ Format storedFormat(const Plan& plan)
         if (const PlanTarget* target = findNamed(plan.targets, name))
             return plan.textures[target->texture].format;
     return Format::depth24;
-}
-
-void addViews(const StressShot& shot, Frame& frame)
-{
-    frame.camera = shot.camera;
-    if (!shot.other_view) return;
-    frame.other_views = {{*shot.other_view, {}}};
-    if (shot.view == 1) std::swap(frame.camera, frame.other_views[0].camera);
 }
 
 /// `last`, and what is drawn before it.
@@ -124,15 +107,9 @@ struct StressRunner::Drawn {
     TargetHealth bad;  ///< The first target that is not finite or out of range, if any.
 };
 
-std::vector<std::string> surfaceFormats(const Description& description)
+std::string nameOf(const ConfigOptions& config)
 {
-    if (findNamed(description.targets, "position"))
-        return {"", "position=rgba16f", "position=rgba32f"};
-    if (findNamed(description.targets, "linear_depth"))
-        return {"", "linear_depth=r16f", "linear_depth=r32f"};
-    if (findNamed(description.targets, "depth"))
-        return {"", "depth=depth16", "depth=depth24", "depth=depth32f"};
-    return {""};
+    return config.config + (config.variant.empty() ? "" : " " + config.variant);
 }
 
 StressRunner::StressRunner(Device& device, const SourceSet& sources, std::string cache_folder)
@@ -146,28 +123,6 @@ StressRunner::StressRunner(Device& device, const SourceSet& sources, std::string
 }
 
 StressRunner::~StressRunner() = default;
-
-std::string StressRunner::contentOf(const StressTask& task, Extent size)
-{
-    ContentHash hash;
-    const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
-    const std::string config = task.config.config + '\n' + shot.geometry;
-    auto content = contents_.find(config);
-    if (content == contents_.end()) {
-        const Result<LoadedConfig> loaded =
-            loadWithContent(task.config, substitutes_.over(shot.geometry));
-        content = contents_.emplace(config, loaded ? loaded->content : std::string()).first;
-    }
-    hash.addText(content->second);
-    hash.addText(task.config.config);
-    hash.addText(shot.geometry);
-    hash.addText(task.stress->name);
-    hash.addText(task.format);
-    hash.add(task.step);
-    hash.addText(hashOf(shot));
-    hash.add(kTracerVersion);
-    return hash.hex();
-}
 
 Result<StressRunner::Ready> StressRunner::prepare(const StressTask& task, const StressShot& shot)
 {
@@ -190,7 +145,6 @@ Result<StressRunner::Ready> StressRunner::prepare(const StressTask& task, const 
             ready.absent = "no param '" + nameIn(setting) + "'";
         config.overrides.push_back(setting);
     }
-    if (!task.format.empty()) config.overrides.push_back(formatOverride(task.format));
     const std::vector<std::string> taps =
         shot.samples > 0 ? overridesFor(*base, shot.samples) : std::vector<std::string>();
     if (shot.samples > 0 && taps.empty())
@@ -233,11 +187,10 @@ Status StressRunner::render(Stage& stage, const Ready& ready, HostTextures& host
 }
 
 /// For what is not finite or out of range, in floats: 8 bits hide it.
-Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
-                          Drawn& drawn)
+Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn)
 {
     for (const WatchedTarget& each : watched) {
-        Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output, view);
+        Result<Image> image = readOutput(*floats_, *wide_.renderer, each.output);
         if (!image) return image.diagnostics();
         TargetHealth health = examine(*image, *image);
         examineFloats(*image, formatOf(plan, each.target), health);
@@ -256,7 +209,7 @@ Status StressRunner::look(const Plan& plan, const std::vector<WatchedTarget>& wa
 /// What the plain renderer drew last.
 Status StressRunner::show(const StressShot& shot, Image& picture)
 {
-    Result<Image> shown = readOutput(*poison_, *plain_.renderer, shot.output, shot.view);
+    Result<Image> shown = readOutput(*poison_, *plain_.renderer, shot.output);
     if (!shown) return shown.diagnostics();
     picture = std::move(*shown);
     return {};
@@ -273,7 +226,7 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
     const Result<UploadedScene> scene = UploadedScene::upload(*poison_, shot.scene);
     if (!scene) return scene.diagnostics();
     Frame frame = makeFrame(*scene, SceneCamera(), shot.extent);
-    addViews(shot, frame);
+    frame.camera = shot.camera;
     std::optional<ChangedTextures> changed;
     if (shot.host) {
         Result<ChangedTextures> made = ChangedTextures::make(*poison_, shot);
@@ -299,12 +252,11 @@ Result<StressRunner::Drawn> StressRunner::draw(const StressTask& task, const Str
     const std::vector<WatchedTarget> watched = watchAll(*plan, ready->description);
 
     const std::vector<Frame> frames = framesOf(shot, frame, remembers(*plan));
-    const std::string owner = task.config.config + " " + task.config.variant + shot.geometry;
+    const std::string owner = nameOf(task.config) + shot.geometry;
     for (Stage* stage : {&wide_, &plain_})
         if (const Status done = render(*stage, *ready, *host, frames, owner); !done)
             return done.diagnostics();
-    if (const Status done = look(*plan, watched, shot.view, drawn); !done)
-        return done.diagnostics();
+    if (const Status done = look(*plan, watched, drawn); !done) return done.diagnostics();
     if (const Status done = show(shot, drawn.ao); !done) return done.diagnostics();
     if (!settles) return drawn;
     if (const Status done = plain_.renderer->render(*hosted); !done) return done.diagnostics();
@@ -317,7 +269,7 @@ const StressRunner::Drawn* StressRunner::ordinaryOf(const StressTask& task, Exte
 {
     StressTask ordinary = task;
     ordinary.step = static_cast<int>(task.stress->ordinary);
-    const std::string key = contentOf(ordinary, size);
+    const std::string key = nameOf(task.config) + ", " + task.stress->name;
     if (ordinary_of_ != key) {
         ordinary_of_ = key;
         const StressShot shot = task.stress->shot(task.stress->steps[ordinary.step].value, size);
@@ -351,7 +303,7 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
     const Expectation expected = task.stress->expectation;
     const bool known = expected == Expectation::open || expected == Expectation::one ||
                        (expected == Expectation::same && !isOrdinary(task));
-    if (known || !shot.traceable || shot.output != "ao" ||
+    if (known || shot.output != "ao" ||
         std::min(shot.extent.width, shot.extent.height) < kLeastSide)
         return;
     TraceOptions trace;
@@ -366,22 +318,13 @@ void StressRunner::compareToTruth(const StressTask& task, const StressShot& shot
 
 StressDrawing StressRunner::measure(const StressTask& task, Extent size)
 {
-    using Clock = std::chrono::steady_clock;
     StressDrawing done;
     StressRecord& record = done.record;
-    const StressStep& step = task.stress->steps[task.step];
-    record.config = task.config.config;
-    record.variant = task.config.variant;
-    record.overrides = task.config.overrides;
+    record.config = nameOf(task.config);
     record.case_name = task.stress->name;
-    record.format = task.format;
     record.step = task.step;
-    record.label = step.label;
-    record.value = step.value;
-    const StressShot shot = task.stress->shot(step.value, size);
-    const Clock::time_point start = Clock::now();
+    const StressShot shot = task.stress->shot(task.stress->steps[task.step].value, size);
     Result<Drawn> drawn = draw(task, shot);
-    record.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     if (!drawn) {
         record.refusal = failureText(drawn.diagnostics());
         return done;
@@ -396,7 +339,7 @@ StressDrawing StressRunner::measure(const StressTask& task, Extent size)
     record.bad_x = drawn->bad.first_bad.x;
     record.bad_y = drawn->bad.first_bad.y;
     record.bad_value = std::isfinite(drawn->bad.first_value) ? drawn->bad.first_value : 0;
-    record.stored = shot.coordinates > 0 ? "floats in vertices" : formatInfo(drawn->stored).name;
+    record.stored = formatInfo(drawn->stored).name;
     record.radius_px = radiusInPixels(shot);
     record.height_px = shot.extent.height;
     describeOcclusion(done.ao, record);

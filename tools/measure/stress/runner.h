@@ -7,21 +7,19 @@
 #include "tools/measure/stress/geometry.h"
 #include "tools/measure/stress/record.h"
 #include "tools/render/host_textures.h"
-#include "tools/render/watched_targets.h"
+#include "tools/render/output_source.h"
 
 #include <crevice/renderer.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
 namespace crevice {
 
-/// One step of one config in one format.
+/// One step of one config.
 struct StressTask {
     ConfigOptions config;
     const StressCase* stress = nullptr;
-    std::string format;  ///< "depth=depth16"; empty: the config's own.
     int step = 0;
 };
 
@@ -32,8 +30,8 @@ struct StressDrawing {
     Image ground_truth = {};  ///< Where the step is compared with it.
 };
 
-/// The formats that a config's surface may be stored in, as StressTask::format; the first is empty.
-std::vector<std::string> surfaceFormats(const Description& description);
+/// "learnopengl sound": with its variant.
+std::string nameOf(const ConfigOptions& config);
 
 /// Keeps one renderer, so that a config's programs compile once. Tasks of one meter differ in no
 /// variant and no override. The device and the sources must outlive it.
@@ -43,10 +41,7 @@ public:
     StressRunner(Device& device, const SourceSet& sources, std::string cache_folder);
     ~StressRunner();
 
-    /// What decides a step's figures, device and version apart: 16 hex digits.
-    std::string contentOf(const StressTask& task, Extent size);
-
-    /// The record with all its figures; those of what was refused are 0.
+    /// The record with all its figures; those of what was refused are 0. Always of one size.
     StressDrawing measure(const StressTask& task, Extent size);
 
 private:
@@ -63,8 +58,7 @@ private:
     Result<Ready> prepare(const StressTask& task, const StressShot& shot);
     Status render(Stage& stage, const Ready& ready, HostTextures& host,
                   const std::vector<Frame>& frames, const std::string& owner);
-    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, int view,
-                Drawn& drawn);
+    Status look(const Plan& plan, const std::vector<WatchedTarget>& watched, Drawn& drawn);
     Status show(const StressShot& shot, Image& picture);
     Result<Drawn> draw(const StressTask& task, const StressShot& shot);
     const Drawn* ordinaryOf(const StressTask& task, Extent size);
@@ -75,7 +69,6 @@ private:
     std::unique_ptr<Device> floats_;  ///< The same, with every target in 32-bit floats.
     const Substitutes substitutes_;
     const std::string cache_folder_;
-    std::map<std::string, std::string> contents_;  ///< Of each config over each geometry.
     Stage plain_;
     Stage wide_;
     std::string ordinary_of_;

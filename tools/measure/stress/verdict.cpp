@@ -144,7 +144,7 @@ Verdict judgeSame(const StressCase& stress, const StressRecord& record)
     if (record.resolved > 0 && (kept < kLeastKept || record.change > most))
         return breaks(*effectOf(kept) != 0 ? effectOf(kept) : "changes",
                       lost + ", mean change " + number(record.change));
-    return {Outcome::beyond, lost + ", mean change " + number(record.change), effectOf(kept)};
+    return {Outcome::beyond, lost + ", mean change " + number(record.change)};
 }
 
 /// What is asked of the step of a case, by its expectation.
@@ -162,8 +162,7 @@ Verdict judgeExpected(const StressCase& stress, const std::vector<const StressRe
     case Expectation::open:
         if (record.judged == 0 && resolves) return {};  // too small a picture to have a middle
         return resolves ? judgeOpen(record)
-                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion",
-                                  1 - record.mean >= kLeastExact ? kOnPlane : ""};
+                        : Verdict{Outcome::beyond, percent(1 - record.mean) + " false occlusion"};
     case Expectation::same: return judgeSame(stress, record);
     case Expectation::opens:
     case Expectation::darkens: return judgeSlope(stress, series, step);
@@ -193,24 +192,17 @@ void walk(const StressCase& stress, const std::vector<const StressRecord*>& seri
     }
 }
 
-/// What the first and the last step show that a side has beyond the format.
+/// Of the first step of a side that is more than the format can resolve.
 std::string beyondOf(const StressCase& stress, const std::vector<const StressRecord*>& series,
                      int first, int direction)
 {
-    int near = -1, far = -1;
     for (int i = first; i >= 0 && i < static_cast<int>(stress.steps.size()); i += direction) {
-        if (!series[i] || judge(stress, series, i).outcome != Outcome::beyond) continue;
-        if (near < 0) near = i;
-        far = i;
+        if (!series[i]) continue;
+        const Verdict verdict = judge(stress, series, i);
+        if (verdict.outcome == Outcome::beyond)
+            return "beyond " + series[i]->stored + " at " + atLabel(stress, i) + ": " + verdict.why;
     }
-    if (near < 0) return "";
-    const std::string why = judge(stress, series, near).why;
-    const std::string why_far = judge(stress, series, far).why;
-    const std::string at = atLabel(stress, near), at_far = atLabel(stress, far);
-    std::string text = "beyond " + series[near]->stored + ": " + why;
-    if (near == far) return text + " at " + at;
-    if (why == why_far) return text + " from " + at + " to " + at_far;
-    return text + " at " + at + ", " + why_far + " at " + at_far;
+    return "";
 }
 
 std::string breakText(const StressCase& stress, const Reach& reach)
@@ -235,6 +227,12 @@ Verdict judgeStep(const StressCase& stress, const std::vector<const StressRecord
 }
 
 }  // namespace
+
+std::string wordOf(Outcome outcome)
+{
+    const char* const words[] = {"holds", "breaks", "beyond", "refused", "absent", "void"};
+    return words[static_cast<int>(outcome)];
+}
 
 std::string Verdict::reason() const
 {

@@ -69,10 +69,7 @@ private:
     Id scaled(Id vector, Id scalar);
     Id dot(Id a, Id b);
     Id length(Id vector);
-    Id shuffled(Id vector, std::uint32_t x, std::uint32_t y, std::uint32_t z);
     Id matrixTimesVector(Id matrix, Id vector);
-    Id vectorTimesMatrix(Id vector, Id matrix);
-    Id matrixTimesMatrix(Id a, Id b, Id type);
 
     std::vector<SpirvInstruction> original_;
     SpirvWriter out_;
@@ -166,12 +163,6 @@ Id MediumpRounder::compute(const SpirvInstruction& instruction)
     case spv::OpFDiv: return quotient(from[0], from[1]);
     case spv::OpDot: return dot(from[0], from[1]);
     case spv::OpMatrixTimesVector: return matrixTimesVector(from[0], from[1]);
-    case spv::OpVectorTimesMatrix: return vectorTimesMatrix(from[0], from[1]);
-    case spv::OpMatrixTimesMatrix: return matrixTimesMatrix(from[0], from[1], instruction.type);
-    case spv::OpFMod: {
-        const Id whole = step(GLSLstd450Floor, instruction.type, {quotient(from[0], from[1])});
-        return difference(from[0], product(from[1], whole));
-    }
     default: return out_.emit(instruction.op, instruction.type, from);
     }
 }
@@ -185,33 +176,12 @@ Id MediumpRounder::computeExtended(const SpirvInstruction& instruction)
         const Id power = product(step(GLSLstd450Log2, type, {from[0]}), from[1]);
         return out_.emitExtended(GLSLstd450Exp2, type, {power});
     }
-    case GLSLstd450FMix: {
-        const Id rest = difference(out_.constant(type, 1.0f), from[2]);
-        return out_.emit(spv::OpFAdd, type, {product(from[0], rest), product(from[1], from[2])});
-    }
-    case GLSLstd450SmoothStep: {
-        const Id share = quotient(difference(from[2], from[0]), difference(from[1], from[0]));
-        const Id zero = out_.constant(type, 0.0f), one = out_.constant(type, 1.0f);
-        const Id t = step(GLSLstd450FClamp, type, {share, zero, one});
-        const Id twice = product(out_.constant(type, 2.0f), t);
-        return product(product(t, t), difference(out_.constant(type, 3.0f), twice));
-    }
     case GLSLstd450Length: return length(from[0]);
     case GLSLstd450Distance: return length(difference(from[0], from[1]));
     case GLSLstd450Normalize: {
         const Id squared = dot(from[0], from[0]);
         const Id root = step(GLSLstd450InverseSqrt, out_.typeOf(squared), {squared});
         return scaled(from[0], root);
-    }
-    case GLSLstd450Cross: {
-        const Id first = product(shuffled(from[0], 1, 2, 0), shuffled(from[1], 2, 0, 1));
-        const Id second = product(shuffled(from[0], 2, 0, 1), shuffled(from[1], 1, 2, 0));
-        return difference(first, second);
-    }
-    case GLSLstd450Reflect: {
-        const Id along = dot(from[1], from[0]);
-        const Id twice = product(out_.constant(out_.typeOf(along), 2.0f), along);
-        return difference(from[0], scaled(from[1], twice));
     }
     default: return out_.emit(instruction.op, type, instruction.operands);
     }
@@ -245,11 +215,6 @@ Id MediumpRounder::length(Id vector)
     return step(GLSLstd450Sqrt, out_.typeOf(squared), {squared});
 }
 
-Id MediumpRounder::shuffled(Id vector, std::uint32_t x, std::uint32_t y, std::uint32_t z)
-{
-    return out_.emit(spv::OpVectorShuffle, out_.typeOf(vector), {vector, vector, x, y, z});
-}
-
 Id MediumpRounder::matrixTimesVector(Id matrix, Id vector)
 {
     const std::uint32_t columns = out_.shapeOf(out_.typeOf(matrix)).count;
@@ -259,24 +224,6 @@ Id MediumpRounder::matrixTimesVector(Id matrix, Id vector)
         sum = step(spv::OpFAdd, out_.typeOf(column), {sum, column});
     }
     return sum;
-}
-
-Id MediumpRounder::vectorTimesMatrix(Id vector, Id matrix)
-{
-    SpirvWords parts;
-    for (std::uint32_t i = 0; i < out_.shapeOf(out_.typeOf(matrix)).count; ++i)
-        parts.push_back(dot(vector, out_.part(matrix, i)));
-    const Id number = out_.typeOf(parts[0]);
-    const Id type = out_.makeType(spv::OpTypeVector, {number, std::uint32_t(parts.size())});
-    return out_.emit(spv::OpCompositeConstruct, type, parts);
-}
-
-Id MediumpRounder::matrixTimesMatrix(Id a, Id b, Id type)
-{
-    SpirvWords columns;
-    for (std::uint32_t i = 0; i < out_.shapeOf(type).count; ++i)
-        columns.push_back(matrixTimesVector(a, out_.part(b, i)));
-    return out_.emit(spv::OpCompositeConstruct, type, columns);
 }
 
 Id MediumpRounder::rounded(Id value, Id result)

@@ -3,7 +3,6 @@
 #include "tools/render/scene/builtin_scenes.h"
 
 #include "tools/render/scene/builtin/parts.h"
-#include "tools/render/scene/builtin/street.h"
 #include "tools/render/scene/mesh_shapes.h"
 
 #include "core/base/text.h"

@@ -7,8 +7,7 @@ const fails = s => s.state === "breaks" || s.state === "void";
 const series = data.series;
 const configs = [...new Set(series.map(s => s.config))];
 const caseOf = name => data.cases.find(c => c.name === name);
-const rowOf = s => s.case + (s.format ? " " + s.format : "");
-const rows = [...new Set(data.cases.flatMap(c => series.filter(s => s.case === c.name).map(rowOf)))];
+const rows = [...new Set(data.cases.flatMap(c => series.filter(s => s.case === c.name).map(s => s.case)))];
 const three = x => String(Number(x.toPrecision(3)));
 
 function showSteps(parent, s) {
@@ -41,9 +40,9 @@ function showPictures(parent, s) {
 
 function showMatrix(parent, select) {
   add(parent, "h2", {}, "What holds");
-  const byPlace = new Map(series.map(s => [rowOf(s) + "\n" + s.config, s]));
+  const byPlace = new Map(series.map(s => [s.case + "\n" + s.config, s]));
   const button = s => cell => s && (s.button = add(cell, "button", {type: "button", class: s.state,
-    title: `${s.config}, ${rowOf(s)}: ${s.text}`, "aria-label": `${s.config}, ${rowOf(s)}: ${s.text}`,
+    title: `${s.config}, ${s.case}: ${s.text}`, "aria-label": `${s.config}, ${s.case}: ${s.text}`,
     onclick: () => select(s)}, SIGNS[s.state]));
   table(parent, [["", "case"], ...configs.map(config => [config, "config"])],
     rows.map(row => ({cells: [row, ...configs.map(config => button(byPlace.get(row + "\n" + config)))]})),
@@ -59,7 +58,7 @@ function addSentence(parent, text) {
 // Most configs are folded where there are many.
 const UNFOLDED = 3;
 function showPoints(parent) {
-  add(parent, "h2", {id: "points"}, "Where each config breaks, what most users meet first");
+  add(parent, "h2", {id: "points"}, "Where each config breaks");
   configs.forEach((config, i) => {
     const points = data.points.filter(p => p.config === config);
     const more = add(parent, "details", {class: "card points", open: i < UNFOLDED ? "" : null});
@@ -70,7 +69,6 @@ function showPoints(parent) {
     for (const point of points) {
       const item = add(list, "li");
       addSentence(item, point.text);
-      add(item, "p", {class: "soft"}, point.because);
       pictures(item, "steps failures",
         point.pictures.map(({caption, picture}) => [picture, caption, `ambient occlusion: ${caption}`]));
     }
@@ -82,12 +80,12 @@ function showBreakdowns(parent) {
   add(parent, "h2", {id: "failures"}, "All that fails or goes beyond a format");
   if (!broken.length) return add(parent, "p", {}, "Nothing breaks, and nothing is beyond a format.");
   const farOf = s => s.beyond ? s.text.replace(s.beyond, "").replace(/; $/, "") : s.text;
-  table(parent, [["config", "label"], ["case"], ["format"], ["how far"], ["beyond the format"]],
-    broken.map(s => ({cells: [s.config, s.case, s.format.replace("=", " "), farOf(s), s.beyond]})));
+  table(parent, [["config", "label"], ["case"], ["how far"], ["beyond the format"]],
+    broken.map(s => ({cells: [s.config, s.case, farOf(s), s.beyond]})));
   for (const s of broken) {
     if (!s.steps.some(t => t && data.pictures[t.picture])) continue;
     const more = add(parent, "details");
-    add(more, "summary", {}, `${s.config}, ${rowOf(s)}`);
+    add(more, "summary", {}, `${s.config}, ${s.case}`);
     more.addEventListener("toggle", () => showPictures(more, s), {once: true});
   }
 }
@@ -106,7 +104,7 @@ const select = s => {
   chosen = s;
   s.button?.setAttribute("aria-pressed", "true");
   panel.replaceChildren();
-  add(panel, "h2", {}, `${s.config}: ${rowOf(s)}`);
+  add(panel, "h2", {}, `${s.config}: ${s.case}`);
   const card = add(panel, "div", {class: "card"});
   add(card, "p", {}, caseOf(s.case).what);
   add(card, "p", {class: s.state}, s.text);

@@ -2,7 +2,7 @@
 // The figures of a stress run as its page reads them.
 #include "tools/show/report/stress_report.h"
 
-#include "tools/measure/stress/pictures.h"
+#include "tools/measure/stress/breakdown.h"
 #include "tools/show/report/page.h"
 #include "tools/show/report/page_data.h"
 
@@ -15,8 +15,6 @@ namespace crevice {
 namespace {
 
 using nlohmann::json;
-
-const char* const kOutcomes[] = {"holds", "breaks", "beyond", "refused", "absent", "void"};
 
 /// What the curve of a case shows: how far a step is off what must come out.
 double figureOf(const StressCase& stress, const StressRecord& record)
@@ -65,7 +63,7 @@ public:
         if (!record) return nullptr;
         const Verdict verdict = judge(*series.stress, series.steps, step);
         if (!record->picture.empty()) keepPicture(record->picture);
-        return {{"outcome", kOutcomes[static_cast<int>(verdict.outcome)]},
+        return {{"outcome", wordOf(verdict.outcome)},
                 {"why", verdict.reason()},
                 {"figure", figureOf(*series.stress, *record)},
                 {"mean", record->mean},
@@ -91,13 +89,9 @@ public:
                             : !found.beyond.empty()  ? "beyond"
                             : found.refused > 0      ? "refused"
                                                      : "holds";
-        return {{"config", series.config},
-                {"case", series.stress->name},
-                {"format", series.format},
-                {"state", state},
-                {"text", describe(*series.stress, found)},
-                {"beyond", found.beyond},
-                {"steps", steps}};
+        return {{"config", series.config}, {"case", series.stress->name},
+                {"state", state},          {"text", describe(*series.stress, found)},
+                {"beyond", found.beyond},  {"steps", steps}};
     }
 
     /// A picture beside others.
@@ -109,22 +103,12 @@ public:
 
     json pointModel(const BreakdownPoint& point)
     {
-        json pictures = json::array();
-        const bool amount = !point.stress->unit.empty();
-        if (point.before)
-            pictures.push_back(
-                shown((amount ? "holds at " : "") + point.held, pictureOf(*point.before)));
-        pictures.push_back(
-            shown(amount && point.before ? "breaks at " + point.broke : point.after->label,
-                  pictureOf(*point.after)));
-        pictures.push_back(shown("ground truth of that", truthPictureOf(*point.after)));
+        const std::string label = point.stress->steps[point.after->step].label;
         return {{"config", point.config},
-                {"case", point.stress->name},
-                {"format", point.format},
                 {"text", sentenceOf(point)},
-                {"likelihood", nameOf(point.likelihood)},
-                {"because", likelihoodOf(point)},
-                {"pictures", pictures}};
+                {"pictures",
+                 {shown(label, point.after->picture),
+                  shown("ground truth of that", truthPictureOf(*point.after))}}};
     }
 
     json take() { return std::move(pictures_); }

@@ -8,7 +8,7 @@
 
 namespace crevice {
 
-/// The page: each config's breakdown points with pictures of before and after, what holds where,
+/// The page: each config's breakdown points with pictures, what holds where,
 /// curves, and the pictures of failures, read below `folder`; those that cannot be read are left
 /// out.
 std::string stressHtml(const std::vector<StressRecord>& records, const std::string& folder);

@@ -100,15 +100,6 @@ TEST_CASE("Adreno's arithmetic is counted in the disassembly of our own shader, 
     CHECK(figures.code_bytes == 32 * 4);
 }
 
-TEST_CASE("A disassembly that does not add up to the compiler's own sums tells no 16-bit share")
-{
-    std::string other = kAdreno;
-    other.replace(other.find("5 cat2"), 6, "6 cat2");
-    const CompilerFigures figures = read("Adreno-630", other.c_str());
-    CHECK(figures.instructions == 16);
-    CHECK(figures.arithmetic == -1);
-}
-
 TEST_CASE("A program that a compiler refuses or says nothing of has no figures")
 {
     CHECK(read("Mali-G52", "refused 0:2(60): error: `x' undeclared\nrefused more\n").refusal ==

@@ -46,16 +46,3 @@ TEST_CASE("A macro counts what it fetches")
     CHECK(has(*text, "#define AT(p) (++crevice_fetches, texelFetch(t, p, 0))\n"));
     CHECK(has(*text, "ao = AT(p).r;"));
 }
-
-TEST_CASE("Outputs become variables, main another function, and parameters stay as they are")
-{
-    const auto text = countedFragment(
-        "#version 300 es\n#extension GL_a : enable\nlayout(location = 1) out mediump vec4 color;\n"
-        "void both(out float x) { x = 1.0; }\nvoid main() { both(color.x); }\n");
-    REQUIRE(text);
-    CHECK(has(*text, "#extension GL_a : enable\nhighp int crevice_fetches = 0;\n"));
-    CHECK(has(*text, "\n mediump vec4 color;\n"));
-    CHECK(has(*text, "void both(out float x)"));
-    CHECK(has(*text, "void crevice_uncounted_main() { both(color.x); }"));
-    CHECK_FALSE(countedFragment("#version 300 es\nout float ao;\n"));
-}

@@ -26,8 +26,6 @@ ChangeFigures figuresWith(const PathTruth& truth,
     return changeFigures(frames, truth);
 }
 
-double checker(int x, int y) { return (x + y) % 2 ? 0.05 : -0.05; }
-
 }  // namespace
 
 TEST_CASE("occlusion that stays on its surface does not change, however the camera moves")
@@ -61,19 +59,6 @@ TEST_CASE("flicker of a known size is measured as that, at rest and in motion")
     }
 }
 
-TEST_CASE("a pattern fixed to the screen is still at rest and twice its size over a moving surface")
-{
-    const auto patterned = [](double step) {
-        return figuresWith(plantedTruth(kFrames, step, smooth),
-                           [](int, int x, int y) { return checker(x, y); });
-    };
-    CHECK(patterned(0.0).rms == 0.0);
-    CHECK(patterned(1.0).rms == Approx(0.10).margin(1e-5));  // every pixel turns its sign
-    CHECK(patterned(2.0).rms == Approx(0).margin(1e-5));     // none does
-    CHECK(patterned(0.5).rms == Approx(0.05).margin(1e-5));  // between two that cancel
-    CHECK(patterned(0.15).rms == Approx(0.30 * 0.05).margin(1e-5));
-}
-
 TEST_CASE("the percentiles of change are those of rare pixels")
 {
     const PathTruth truth = plantedTruth(kFrames, 0.0, smooth);
@@ -100,18 +85,6 @@ TEST_CASE("what is uncovered has no part in the change")
     const ChangeFigures figures = changeFigures(frames, truth);
     CHECK(figures.rms == 0.0);
     CHECK(figures.changes == 30 * kPlanted.height);
-}
-
-TEST_CASE("an error is measured where the truth and the mask have something")
-{
-    Image truth(kPlanted, 1, 0.5f), frame(kPlanted, 1, 0.6f), mask(kPlanted, 1);
-    CHECK(errorOver(frame, truth) == Approx(0.1));
-    CHECK(errorOver(frame, truth, &mask) == 0.0);
-    mask.at(3, 4) = 1.0f;
-    frame.at(3, 4) = 0.9f;
-    CHECK(errorOver(frame, truth, &mask) == Approx(0.4));
-    truth.at(3, 4) = std::nanf("");
-    CHECK(errorOver(frame, truth) == Approx(0.1));
 }
 
 TEST_CASE("a picture has settled at the last frame that changed, and not when that is the last one")

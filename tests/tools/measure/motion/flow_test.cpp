@@ -47,15 +47,6 @@ TEST_CASE("what is hidden in the next frame does not count, nor does what was un
     }
 }
 
-TEST_CASE("a place between two surfaces does not count")
-{
-    const Image flow =
-        flowTo(plantedSurfaces(0, 0, 20), plantedSurfaces(0.5, 0, 20), plantedCamera(0.5, 0));
-    CHECK(counts(flow, 18));        // between 17 and 18, both of the wall
-    CHECK_FALSE(counts(flow, 19));  // between 18 and 19: wall and box
-    CHECK(counts(flow, 20));
-}
-
 TEST_CASE("a crease counts, and the background does not")
 {
     SurfaceMap crease = plantedSurfaces(0, 0);

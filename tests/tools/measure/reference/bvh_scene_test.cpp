@@ -145,22 +145,6 @@ TEST_CASE("both searches find the same at any place, size and tilt, from above a
     }
 }
 
-TEST_CASE("both searches find the same through holes")
-{
-    Scene scene = sceneOf({makeQuad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), soup(500, 0.3f, 11)});
-    scene.materials.emplace_back();
-    scene.materials[1].alpha_cutoff = 0.5f;
-    scene.materials[1].base_color_texture = 0;
-    scene.instances[0].material = 1;
-    scene.instances[1].world_from_model = glm::translate(glm::dmat4(1), {0, 0, -1.5});
-    scene.textures.push_back({"holes", Image({8, 8}, 4, 1.0f)});
-    for (int k = 0; k < 64; k += 3) scene.textures[0].image.at(k % 8, k / 8, 3) = 0.0f;
-    checkAlike(scene, kAhead, {0.5, 3.0});
-    Scene whole = scene;
-    whole.materials[1].alpha_cutoff = 0.0f;
-    CHECK(pixelsSeen(whole) > pixelsSeen(scene));
-}
-
 TEST_CASE("no ray slips through between triangles that share an edge")
 {
     // From within, through the edges and corners of a sphere around the origin.
@@ -228,25 +212,4 @@ TEST_CASE("a corner that is no number loses its triangles, and one beyond all nu
     }
     for (const float far_away : {kInfinity, -kInfinity, 3e38f, 2e18f})
         CHECK(seenWith(5, 1, far_away) >= 0);
-}
-
-TEST_CASE("many triangles in one place are seen as one")
-{
-    MeshDesc pile = soup(1, 1.0f, 2);
-    const int one = pixelsSeen(sceneOf({pile}));
-    CHECK(one > 0);
-    const std::vector<std::uint32_t> corners = pile.indices;
-    for (int k = 0; k < 999; ++k)
-        pile.indices.insert(pile.indices.end(), corners.begin(), corners.end());
-    CHECK(pixelsSeen(sceneOf({pile})) == one);
-}
-
-TEST_CASE("a ray without an end that meets nothing sees the background, in both searches")
-{
-    Camera camera = kAhead;
-    camera.clip_from_view = glm::infinitePerspective(0.9f, 4.0f / 3.0f, 0.1f);
-    const Scene scene = sceneOf({makeSphere(1, 16)});
-    const auto chosen = need(makeRayScene(scene, eyeOf(camera)));
-    CHECK(std::isnan(occlusion(*chosen, camera, 0.0).at(0, 0)));
-    CHECK(std::isnan(occlusion(*makeBvhScene(scene, eyeOf(camera)), camera, 0.0).at(0, 0)));
 }

@@ -92,21 +92,3 @@ TEST_CASE("each pass brings the picture closer, and rows that wait for one are n
     }
     CHECK(before < 0.006);
 }
-
-TEST_CASE("passes are powers of two with a batch of rays each")
-{
-    const std::pair<int, int> rows[] = {{1, 1},    {15, 1},   {16, 2},
-                                        {256, 32}, {300, 32}, {4096, kMaxTracePasses}};
-    for (const auto& [rays, passes] : rows) CHECK(Subject().begin(rays).passes() == passes);
-}
-
-TEST_CASE("a radius of zero is open in every pass")
-{
-    const Subject subject;
-    ProgressiveTrace trace = subject.begin(64, 0.0);
-    traceAll(trace, 0);
-    const Image image = trace.image();
-    CHECK(std::count(image.pixels.begin(), image.pixels.end(), 1.0f) > 100);
-    CHECK(std::all_of(image.pixels.begin(), image.pixels.end(),
-                      [](float value) { return std::isnan(value) || value == 1.0f; }));
-}

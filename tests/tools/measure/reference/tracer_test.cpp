@@ -52,19 +52,6 @@ TEST_CASE("the picture does not depend on the number of threads, and progress en
     CHECK(sameBits(need(traceAmbientOcclusion(scene, kAhead, {32, 32}, options)), alone));
 }
 
-TEST_CASE("a radius of zero leaves every surface open, and more radius never opens it")
-{
-    const Scene scene = cornerWithSphere();
-    Image last = trace(scene, kAhead, {24, 24}, 0, 64);
-    for (const float value : last.pixels) CHECK(value == 1.0f);
-    for (const double radius : {0.1, 0.5, 2.0, 8.0}) {
-        const Image image = trace(scene, kAhead, {24, 24}, radius, 64);
-        for (std::size_t k = 0; k < image.pixels.size(); ++k)
-            CHECK(image.pixels[k] <= last.pixels[k] + 1.5f / 64);
-        last = image;
-    }
-}
-
 TEST_CASE("reversed depth, an infinite far plane and a shifted lens see the same")
 {
     const Scene scene = cornerWithSphere();

@@ -11,9 +11,6 @@ expect 0 '^plane_near_far .*' stress gtao --list
 expect 2 "there is no case 'plane_fvo'" stress gtao --case plane_fvo
 expect 1 "there is no config 'gtoa'|'gtoa'" stress gtoa --list
 expect 1 "" stress gtao --size 12 --list
-expect 2 "is not a length of time" stress gtao --time-budget never
-expect 2 "is not I/N" stress gtao --shard 3/2
-check "one message for a wrong shard" test "$(grep -c error stderr.txt)" -eq 1
 
 got=0
 small=(--size 64x36)
@@ -25,12 +22,7 @@ fi
 check "no-ops of gtao hold" test "$got" -eq 0
 check "the page is there" test -s probe/stress.html
 
-# --- it goes on where it stopped ---
-expect 0 '4 measured, 0 were there already' stress gtao --case no_op "${small[@]}" --out again
-expect 0 '0 measured, 4 were there already' stress gtao --case no_op "${small[@]}" --out again
-expect 0 '0 measured, 0 were there already, 0 failed, 4 not begun' stress gtao --case no_op "${small[@]}" \
-    --time-budget 0.000000001s --out late
-expect 0 '"failures": 0' stress gtao --case no_op "${small[@]}" --out again --json
+expect 0 '"failures": 0' stress gtao --case no_op "${small[@]}" --out probe --json
 expect_json
 
 # --- a shader that takes the root of what is below 0 near four points ---
@@ -59,7 +51,7 @@ cat >broken/nan.json <<'JSON'
 JSON
 expect 5 "plane_fov +breaks at 45: pass 'spoil' writes [0-9]+ pixels that are not finite into 'ao_filtered'" \
     stress broken/nan.json --case plane_fov "${small[@]}" --out nan
-check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 32
+check "a failure has its picture" test "$(find nan/pictures -name '*.png' | wc -l)" -eq 8
 check "the page shows it" grep -q 'data:image/png' nan/stress.html
 
 # --- occlusion that is lost beyond 20 of the world's units ---
@@ -77,37 +69,12 @@ void main()
     ao_filtered = mix(texture(ao, uv).r, 1.0, lost);
 }
 GLSL
-planted() # name, what it does: the module that a shader of that name spoils
-{
-    sed "s/nan/$1/; s/Writes NaN/$2/; s/hemisphere/gtao/" broken/nan.json | sed "s/nan.frag/$1.frag/" >"broken/$1.json"
-}
-planted absolute 'Loses occlusion with absolute distance'
+sed 's/nan/absolute/; s/hemisphere/gtao/' broken/nan.json >broken/absolute.json
 expect 5 '^  units +(VOID.*|holds from 1e-6 to 1e0); breaks at 1e1: mean change ' \
     stress broken/absolute.json --case units --case offset "${small[@]}" --out absolute
 check "that is told first, in words" bash -c \
-    'sed -n 2p stdout.txt | grep -qE "^  AO of .broken/absolute.json. .* where all lengths are more than 1 times as large: at 10, "'
-check "with pictures of before and after" test "$(grep -o '"caption":"[a-z]* at 10*"' absolute/stress.html | wc -l)" -eq 2
+    'sed -n 2p stdout.txt | grep -qE "^  AO of .broken/absolute.json. .* where all lengths are more than 1e0 times as large: at 1e1, "'
 check "an offset changes nothing of that" bash -c '! grep -E "^  offset .*breaks" stdout.txt'
-
-# --- occlusion of which half is gone; all of it nightly, which is found more easily ---
-for share in 0.5 ${CREVICE_NIGHTLY:+0.0}; do
-    cat >"broken/faint_$share.frag" <<GLSL
-#version 300 es
-precision highp float;
-uniform highp sampler2D ao;
-in vec2 uv;
-layout(location = 0) out float ao_filtered;
-void main()
-{
-    ao_filtered = mix(1.0, texture(ao, uv).r, $share);
-}
-GLSL
-    planted "faint_$share" 'A share of the occlusion'
-    expect 5 "^  units +VOID: the ordinary picture has (0|4[0-9]) % of the ground truth's occlusion" \
-        stress "broken/faint_$share.json" --quick "${small[@]}" --out "faint_$share"
-    check "every case with occlusion to lose fails at $share" test "$(grep -c VOID stdout.txt)" -eq 29
-    check "planes do not" bash -c '! grep -E "^  (plane|no_op|empty|lights).*(VOID|breaks)" stdout.txt'
-done
 
 # --- an edit against the run before it: a filter that is a texel off fails no case, and differs ---
 mkdir edited

@@ -4,11 +4,11 @@
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/render/device/float_device.h"
+#include "tools/render/output_source.h"
 #include "tools/render/read_output.h"
 #include "tools/render/scene/camera_framing.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_diagnosis.h"
-#include "tools/render/watched_targets.h"
 
 using namespace crevice;
 

@@ -93,7 +93,6 @@ TEST_CASE("In half floats the built-in functions are right to half precision")
          {0.5f, 0.198251f, 1.5625f, 0.5f});
     near("vec4(cross(a, b), dot(a, b))", {0.8125f, 0.0625f, -0.3125f, 1.8125f});
     near("vec4(normalize(a), length(b))", {0.267261f, 0.534522f, 0.801784f, 2.150581f});
-    near("vec4(reflect(a, b), v.w / v.z)", {-2.46875f, -0.40625f, -6.5f, 2.666667f});
     near("vec4(mat3(a, b, a) * b, (b * mat3(a, b, a)).y)", {0.875f, 1.4375f, 2.5625f, 4.625f});
 }
 
@@ -133,16 +132,4 @@ TEST_CASE(
     CHECK(sampledAs("highp") == 0.33333334f);
     CHECK(sampledAs("mediump") == 0.333251953125f);
     CHECK(sampledAs("lowp") == 0.333251953125f);
-}
-
-TEST_CASE("A shader that does not compile says where on a device that rewrites it too")
-{
-    if (!canRewriteMediump()) return;
-    GlFixture gl;
-    gl.device = need(makeMediumpDevice(std::move(gl.device), Mediump::half));
-    const auto program = gl.device->createProgram(
-        {"broken", stage(kFullscreenVertex), stage(fragment("void main() { wrong(); }\n"))});
-    REQUIRE_FALSE(program.ok());
-    CHECK(program.diagnostics().front().code == Code::shader_compile);
-    CHECK(program.diagnostics().front().place.line == 4);
 }

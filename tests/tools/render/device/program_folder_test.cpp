@@ -6,30 +6,6 @@
 
 using namespace crevice;
 
-TEST_CASE("A folder of programs gives back what was stored, in another run too")
-{
-    const TemporaryFolder folder("programs");
-    const std::string path = (folder.path / "made" / "new").string();
-    const std::vector<std::uint8_t> bytes = {0, 1, '\r', '\n', 255}, other = {7};
-    {
-        const auto programs = need(ProgramFolder::open(path));
-        const ProgramCache cache = programs->cache();
-        CHECK(cache.load("0123456789abcdef").empty());
-        cache.store("0123456789abcdef", bytes);
-        CHECK(programs->asked() == 1);
-        CHECK(programs->found() == 0);
-    }
-    const auto programs = need(ProgramFolder::open(path));
-    const ProgramCache cache = programs->cache();
-    CHECK(cache.load("0123456789abcdef") == bytes);
-    CHECK(programs->found() == 1);
-    cache.store("0123456789abcdef", other);
-    CHECK(cache.load("0123456789abcdef") == other);
-    CHECK(programs->warnings().empty());
-    for (const auto& entry : std::filesystem::directory_iterator(path))
-        CHECK(entry.path().filename() == "0123456789abcdef");
-}
-
 TEST_CASE("A folder of programs that cannot be made is an error, one that goes is one warning")
 {
     const TemporaryFolder folder("programs");

@@ -82,17 +82,6 @@ TEST_CASE("a framed scene is seen whole from above, at any shape of it and the p
     }
 }
 
-TEST_CASE("a framed scene reaches from margin to margin in the tighter direction")
-{
-    const Scene scene = boxScene({-2, 0, -1}, {2, 3, 1});
-    const Bounds wide = clipBounds(scene, frameScene(scene, 4), {400, 100});
-    const Bounds high = clipBounds(scene, frameScene(scene, 0.25), {100, 400});
-    for (const auto& [reached, axis] : {std::pair(wide, 1), std::pair(high, 0)}) {
-        CHECK(reached.min[axis] == Approx(-1 / 1.05).epsilon(1e-3));
-        CHECK(reached.max[axis] == Approx(1 / 1.05).epsilon(1e-3));
-    }
-}
-
 TEST_CASE("a scene that is one point, a line into the view or nothing can be framed")
 {
     const glm::vec3 into = {0.55f, 0.45f, 1.0f};
@@ -133,39 +122,6 @@ TEST_CASE("a camera is read from text, and needs no more than an eye")
         CHECK(glm::length(glm::dvec2(seen)) < 1e-5);
         CHECK(seen.z < 0);
     }
-}
-
-TEST_CASE("a shifted camera shows what lies beside the picture, in both projections")
-{
-    for (const std::string lens : {"fov=50", "ortho=3"}) {
-        const auto centered = choose("eye=0,0,5;at=0,0,0;near=1;far=9;" + lens);
-        const auto shifted = choose("eye=0,0,5;at=0,0,0;near=1;far=9;shift=0.5,-0.25;" + lens);
-        REQUIRE(shifted.ok());
-        for (const glm::dvec4 view : {glm::dvec4(0.3, 0.1, -4, 1), glm::dvec4(-1, 2, -8, 1)}) {
-            const glm::dvec4 from = glm::dmat4(clipFromView(*centered, {30, 20}, kBox)) * view;
-            const glm::dvec4 to = glm::dmat4(clipFromView(*shifted, {30, 20}, kBox)) * view;
-            CHECK(to.x / to.w == Approx(from.x / from.w - 1.0).margin(1e-6));
-            CHECK(to.y / to.w == Approx(from.y / from.w + 0.5).margin(1e-6));
-            CHECK(to.z / to.w == Approx(from.z / from.w).margin(1e-6));
-        }
-    }
-    CHECK(choose("eye=9,9,9;shift=1").diagnostics()[0].code == Code::usage);
-}
-
-TEST_CASE("an orthographic camera is as high as it says")
-{
-    const SceneCamera camera = need(choose("eye=0,0,9;at=0,0,0;ortho=3"));
-    CHECK(camera.orthographic);
-    const glm::mat4 clip = clipFromView(camera, {200, 100}, kBox);
-    CHECK((clip * glm::vec4(0, 1.5f, -5, 1)).y == Approx(1));
-    CHECK((clip * glm::vec4(3, 0, -5, 1)).x == Approx(1));
-}
-
-TEST_CASE("a camera that looks straight down has an up of its own")
-{
-    for (const char* text :
-         {"eye=0,9,0;at=0,0,0", "eye=0,0,9;at=0,0,0;up=0,0,1", "eye=1,2,3;at=0,0,0;up=0,0,0"})
-        CHECK(glm::determinant(need(choose(text)).view_from_world) == Approx(1));
 }
 
 TEST_CASE("a camera's text that cannot be meant is refused with the reason")

@@ -68,43 +68,6 @@ TEST_CASE("A mesh is wound as its normals face")
     CHECK(same.indices == box.indices);
 }
 
-TEST_CASE("faces that merely touch at a point keep their own normals")
-{
-    MeshDesc mesh;
-    mesh.vertices = {{{0, 0, 0}}, {{1, 0, 0}},     {{0, 1, 0}},
-                     {{0, 0, 0}}, {{-1, 0, 0.3f}}, {{0, -1, 0}}};
-    mesh.indices = {0, 1, 2, 3, 4, 5};
-    smoothNormals(mesh, 60);
-    CHECK(normalOf(mesh.vertices[0]) == glm::vec3(0, 0, 1));
-    CHECK(normalOf(mesh.vertices[3]) != glm::vec3(0, 0, 1));
-}
-
-TEST_CASE("a vertex counts a face by its angle there, not by how it was cut")
-{
-    // One corner of a box whose top is cut into two triangles and whose sides are not seen as flat.
-    MeshDesc mesh;
-    mesh.vertices = {{{0, 0, 0}},  {{1, 0, 0}},  {{1, 1, 0}}, {{0, 1, 0}},
-                     {{0, 0, -1}}, {{1, 0, -1}}, {{0, 1, -1}}};
-    mesh.indices = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 0, 3, 6, 0, 6, 4};
-    smoothNormals(mesh, 120);
-    const glm::vec3 expected = glm::normalize(glm::vec3(-1, -1, 1));
-    CHECK(glm::length(normalOf(mesh.vertices[0]) - expected) < 1e-6);
-}
-
-TEST_CASE("joining drops vertices that are unused and keeps those that differ")
-{
-    MeshDesc mesh = makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    mesh.vertices.push_back(mesh.vertices[0]);
-    mesh.vertices.push_back({{9, 9, 9}});
-    mesh.indices[0] = 4;
-    joinVertices(mesh);
-    CHECK(mesh.vertices.size() == 4);
-    CHECK(mesh.indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
-    mesh.vertices[0].uv[0] = 0.5f;
-    joinVertices(mesh);
-    CHECK(mesh.vertices.size() == 4);
-}
-
 TEST_CASE("missing normals become those of the face, beside one that is there")
 {
     const MeshDesc quad = [] {
@@ -143,11 +106,4 @@ TEST_CASE("a surface with a long outline is open, a body with seams and small ho
     for (const MeshDesc& mesh :
          {makeQuad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), without_face, half, far_away})
         CHECK(isOpen(mesh));
-}
-
-TEST_CASE("of several surfaces in one mesh those with most of the area decide")
-{
-    for (const auto& [size, open] : {std::pair(2.0f, false), {3.0f, true}})
-        CHECK(isOpen(joined(makeBox({0, 0, 0}, {1, 1, 1}),
-                            makeQuad({3, 0, 0}, {size, 0, 0}, {0, size, 0}))) == open);
 }

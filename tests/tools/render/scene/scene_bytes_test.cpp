@@ -128,13 +128,3 @@ TEST_CASE("a scene whose bytes refer to what is not in them is an error")
     CHECK(codeAfter([](Scene& s) { s.instances.clear(); }) == Code::scene_empty);
     CHECK(codeAfter([](Scene&) {}) == Code());
 }
-
-TEST_CASE("bytes of another version of scenes are an error that says so")
-{
-    std::string bytes = sceneBytes(smallScene());
-    bytes[4] = 99;
-    CHECK(codeOf(bytes) == Code::scene_broken);
-    CHECK(sceneFromBytes(bytes).diagnostics()[0].message.find("version 99") != std::string::npos);
-    bytes[0] = 'x';
-    CHECK(sceneFromBytes(bytes).diagnostics()[0].message.find("version") == std::string::npos);
-}

@@ -28,11 +28,6 @@ Result<Scene> importText(const std::string& name, const std::string& text)
     return importScene(folder.write(name, text));
 }
 
-glm::vec3 normalOf(const Vertex& vertex)
-{
-    return {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
-}
-
 // Twelve corners that share eight positions, as cubes without normals come.
 const char* const kCube =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
@@ -90,19 +85,6 @@ TEST_CASE("depth planes that are left open hold the whole scene, and little more
     CHECK(std::isfinite(depthAt(inside, 10)));
 }
 
-TEST_CASE("planes that a camera names are used to the digit, and the far one is found alone")
-{
-    SceneCamera camera;
-    camera.near_distance = 0.001;
-    camera.far_distance = 1000;
-    const glm::mat4 clip = clipFromView(camera, {16, 9}, boundsBetween(4, 9));
-    CHECK(depthAt(clip, 0.001) == Approx(-1).margin(1e-3));
-    CHECK(depthAt(clip, 1000) == Approx(1).margin(1e-3));
-    camera.near_distance = 0.1;
-    camera.far_distance = 0;
-    CHECK(depthAt(clipFromView(camera, {10, 10}, boundsBetween(4000, 5000)), 5000) < 1);
-}
-
 TEST_CASE("every projection is finite, whatever the bounds")
 {
     for (const Bounds& bounds : {Bounds(), boundsBetween(5, 5), boundsBetween(-9, -4),
@@ -152,56 +134,6 @@ TEST_CASE("what is no scene is broken, and what has no surface is empty")
     }
     const TemporaryFolder folder("scene_is_folder");
     CHECK(onlyError(importScene(folder.path.string())).code == Code::scene_broken);
-}
-
-TEST_CASE("triangles with broken vertices are left out with a warning")
-{
-    const auto scene = importText(
-        "some.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 0 inf 0\nf 1 2 3\nf 1 2 4\nf 2 3 5\n");
-    REQUIRE(scene.ok());
-    CHECK(scene->meshes[0].indices.size() == 3);
-    CHECK(scene->bounds().max == glm::dvec3(1, 1, 0));
-    REQUIRE(scene.diagnostics().size() == 1);
-    CHECK(scene.diagnostics()[0].code == Code::not_finite);
-    CHECK(scene.diagnostics()[0].message.find("2 faces") != std::string::npos);
-}
-
-TEST_CASE("triangles without an area stay and have normals of length one")
-{
-    const Scene scene = need(
-        importText("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\nf 1 2 4\n"));
-    CHECK(scene.meshes[0].indices.size() == 9);
-    for (const Vertex& vertex : scene.meshes[0].vertices)
-        CHECK(glm::length(normalOf(vertex)) == Approx(1));
-}
-
-TEST_CASE("a mesh without normals keeps the edges of a cube and becomes smooth where it is round")
-{
-    const Scene cube = need(importText("cube.obj", kCube));
-    CHECK(cube.meshes[0].indices.size() == 36);
-    CHECK(cube.meshes[0].vertices.size() == 24);
-    for (const Vertex& vertex : cube.meshes[0].vertices) {
-        const glm::vec3 normal = glm::abs(normalOf(vertex));
-        CHECK(std::max({normal.x, normal.y, normal.z}) == Approx(1));
-    }
-
-    std::string text;  // half a cylinder of 18 strips
-    for (int k = 0; k <= 18; ++k) {
-        const double angle = k * 3.14159265358979 / 18;
-        for (const char* y : {" 0 ", " 1 "})
-            text += vertexLine(std::cos(angle), y, std::sin(angle));
-    }
-    for (int k = 0; k < 18; ++k) {
-        const int a = 2 * k + 1;
-        text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " +
-                std::to_string(a + 3) + " " + std::to_string(a + 2) + "\n";
-    }
-    const Scene round = need(importText("round.obj", text));
-    CHECK(round.meshes[0].vertices.size() == 38);
-    for (const Vertex& vertex : round.meshes[0].vertices) {
-        const glm::vec3 outwards = {vertex.position[0], 0, vertex.position[2]};
-        CHECK(std::abs(glm::dot(normalOf(vertex), outwards)) > 0.99);
-    }
 }
 
 TEST_CASE("OBJ materials bring their colour and highlight, and a lost .mtl does no harm")

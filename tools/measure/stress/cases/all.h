@@ -18,11 +18,14 @@ std::vector<StressStep> decades(int first, int last);
 /// Kinds, whose values count from 0.
 std::vector<StressStep> kinds(std::initializer_list<const char*> labels);
 
+/// Depth taps a pixel; the last, "the most", has the value -1.
+std::vector<StressStep> taps(std::initializer_list<double> values);
+
 /// Sizes of pictures, and the one that a step's value stands for. The first is ordinary.
 std::vector<StressStep> shapes();
 Extent shapeOf(double kind);
 
-/// Smaller for the most taps, -1, of which some configs take thousands.
+/// Smaller for the most taps, of which some configs take thousands.
 Extent sizeForTaps(double samples, Extent size);
 
 /// From 1:10 to 1e-4:1e7, by powers of ten of the near distance.
@@ -33,12 +36,6 @@ StressView nearFarView(double power);
 /// middle distance. What is larger says less of where the occlusion is.
 int noiseBlock(Extent size);
 
-/// The case with its words.
-StressCase told(StressCase stress, StressWords words);
-
-/// Depth taps a pixel; -1 is "the most".
-std::vector<StressStep> taps(std::initializer_list<double> values);
-
 // Conditions that several cases break under.
 const StressCondition kTallRadius = {"where the radius is taller than {} screens",
                                      Quantity::screens};
@@ -46,12 +43,8 @@ const StressCondition kSmallRadius = {"where the radius is smaller than {} pixel
                                       Quantity::pixels};
 const StressCondition kWideNearFar = {"where near:far is wider than {}"};
 const StressCondition kNarrowNearFar = {"where near:far is narrower than {}"};
-const StressCondition kWideField = {"where the field of view is wider than {} degrees"};
-const StressCondition kNarrowField = {"where the field of view is narrower than {} degrees"};
-const StressCondition kLargeUnits = {"where all lengths are more than {} times as large",
-                                     Quantity::value};
-const StressCondition kSmallUnits = {"where all lengths are less than {} times as large",
-                                     Quantity::value};
+const StressCondition kTurned = {"more than {} degrees off facing the camera"};
+const StressCondition kFacing = {"less than {} degrees off facing the camera"};
 const StressCondition kManyTaps = {"with more than {} taps a pixel"};
 const StressCondition kFewTaps = {"with fewer than {} taps a pixel"};
 const StressCondition kPictureSize = {"in a picture of {}"};
@@ -65,8 +58,8 @@ StressView testView();
 
 std::vector<StressCase> planeCases();    ///< Flat planes.
 std::vector<StressCase> sameCases();     ///< What must not change the test scene.
-std::vector<StressCase> cameraCases();   ///< Flips, turns, walks and zooms.
-std::vector<StressCase> frameCases();    ///< Several frames, views and tiles.
+std::vector<StressCase> cameraCases();   ///< Flips, turns, walks; low eyes.
+std::vector<StressCase> frameCases();    ///< Several frames.
 std::vector<StressCase> extremeCases();  ///< Radii, sizes, no-ops; broken meshes and lights.
 std::vector<StressCase> hostCases();     ///< Other geometry; a host's depth and normals.
 

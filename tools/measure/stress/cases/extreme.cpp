@@ -17,14 +17,6 @@ StressShot sceneRadius(double radius, Extent size)
     return shot;
 }
 
-/// On screen where the room's middle is.
-StressShot sceneRadiusGrowing(double radius, Extent size)
-{
-    StressShot shot = sceneRadius(radius, size);
-    shot.middle = testView().eye.z;
-    return shot;
-}
-
 StressShot cornerRadius(double radius, Extent size)
 {
     StressView view = testView();
@@ -84,13 +76,6 @@ void flattenTriangles(MeshDesc& mesh)
         mesh.indices[i + 1] = mesh.indices[i + (i % 4 == 0 ? 0 : 2)];
 }
 
-const char* const kMeshKinds[] = {"ordinary",          "normals of no length",
-                                  "normals of NaN",    "triangles of no area",
-                                  "no triangles",      "flattened",
-                                  "shrunk to a point", "mirrored",
-                                  "stretched 1e6:1",   "texture coordinates of NaN",
-                                  "normal maps of NaN"};
-
 /// A normal map on everything.
 void mapNormals(Scene& scene, float value)
 {
@@ -135,20 +120,6 @@ StressShot sceneMeshes(double kind, Extent size)
     return shot;
 }
 
-const char* const kNearKinds[] = {"ordinary", "the floor within the radius", "objects behind",
-                                  "the camera in a box"};
-
-StressShot nearCamera(double kind, Extent size)
-{
-    const glm::dvec3 eyes[] = {testView().eye, {0, 0.125, 3}, {0, 1, 0}, {-1.5, 0.5, -1.5}};
-    StressView view = testView();
-    view.eye = eyes[static_cast<int>(kind)];
-    StressShot shot = sceneShot(view, size);
-    shot.radius = 1;
-    shot.traceable = kind != 3;  // normals there point away from the eye
-    return shot;
-}
-
 // Lights
 
 /// Lights that lie on the surface itself, at the middles of pixels.
@@ -165,10 +136,6 @@ void putOnSurface(StressShot& shot, double distance)
         shot.scene.lights.back().light.position = glm::dvec3(ray) * (distance / -ray.z);
     }
 }
-
-const char* const kLightKinds[] = {"ordinary",      "on the surface", "no attenuation",
-                                   "shininess 0",   "shininess 1e6",  "intensity 1e6",
-                                   "at the camera", "no direction",   "all of it"};
 
 StressShot planeLights(double value, Extent size)
 {
@@ -199,78 +166,59 @@ StressShot lightsAdded(double kind, Extent size)
     return shot;
 }
 
-template <std::size_t count>
-std::vector<StressStep> named(const char* const (&labels)[count])
-{
-    std::vector<StressStep> all;
-    for (const char* label : labels) all.push_back({static_cast<double>(all.size()), label});
-    return all;
-}
-
 }  // namespace
 
 std::vector<StressCase> extremeCases()
 {
     using E = Expectation;
-    using L = Likelihood;
+    const StressCondition with = {"with {}"}, lit = {"in the lit picture with {}"};
     return {
-        told({"radius_to_zero",
-              "The test scene under ever smaller radii.",
-              "scene units",
-              {{1e-9, "1e-9"},
-               {1e-6, "1e-6"},
-               {1e-4, "1e-4"},
-               {1e-3, "1e-3"},
-               {1e-2, "0.01"},
-               {0.05, "0.05"},
-               {0.1, "0.1"},
-               {0.25, "0.25"},
-               {0.5, "0.5"}},
-              8,
-              E::opens,
-              kSameChange,
-              false,
-              sceneRadius},
-             {L::every, "the same radius has few pixels far away", "", {}, kSmallRadius}),
-        told({"radius_growing", "The test scene under ever larger radii.", "scene units",
-              steps({0.5, 2, 10, 100, 1e4, 1e6, 1e9}), 0, E::sound, 0, false, sceneRadiusGrowing},
-             {L::few, "radii larger than the scene are mistakes", "", kTallRadius}),
-        told({"corner_radius", "An inner corner under larger radii.", "scene units",
-              steps({0.001, 0.01, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 6,
-              E::darkens, kSameChange, false, cornerRadius},
-             {L::many, "a radius of the size of a room is a usual setting", "a corner of a room",
-              kTallRadius, kSmallRadius}),
-        told({"samples", "The test scene by few and many depth taps a pixel; -1 is the most.",
-              "taps", taps({1, 2, 4, 16, -1}), 3, E::sound, 0, false, sceneSamples},
-             {L::many, "low levels of quality take few taps", "", kManyTaps, kFewTaps}),
-        told({"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
-              kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0,
-              E::one, 0, false, noOp},
-             {L::many, "players turn occlusion off", "", {"with {}"}}),
-        told({"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound, 0,
-              false, sceneShape},
-             {L::few, "windows are rarely that small", "", kPictureSize}),
-        told({"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0,
-              E::one, 0, false, emptyShape},
-             {L::few, "windows are rarely that small", "only background", kPictureSize}),
-        told({"meshes", "Broken meshes and maps, and singular matrices.", "", named(kMeshKinds), 0,
-              E::sound, 0, false, sceneMeshes},
-             {L::broken, "exporters and physics make such meshes", "", {"with {}"}}),
-        told({"near_camera", "The camera near the floor, between objects and in a box.", "",
-              named(kNearKinds), 0, E::sound, 0, false, nearCamera},
-             {L::many, "cameras get close to things", "", {"with {}"}}),
-        told({"lights",
-              "Lights on the surface, without attenuation, too bright; extreme highlights.", "",
-              named(kLightKinds), 0, E::sound, 0, false, planeLights},
-             {L::few, "editors let lights be placed anywhere", "a plane", {"under lights ({})"}}),
-        told({"light_taken", "The test scene's colour as light is taken away: it gets darker.", "",
-              kinds({"no occlusion", "occlusion", "occlusion and no lights"}), 1, E::darkens,
-              kSameChange, false, lightsAdded},
-             {L::every,
-              "lights are dimmed",
-              "",
-              {"in the lit picture with {}"},
-              {"in the lit picture with {}"}}),
+        {"radius_to_zero",
+         "The test scene under ever smaller radii.",
+         "scene units",
+         {{1e-9, "1e-9"},
+          {1e-6, "1e-6"},
+          {1e-4, "1e-4"},
+          {1e-3, "1e-3"},
+          {1e-2, "0.01"},
+          {0.05, "0.05"},
+          {0.1, "0.1"},
+          {0.25, "0.25"},
+          {0.5, "0.5"}},
+         8,
+         E::opens,
+         sceneRadius,
+         {},
+         kSmallRadius},
+        {"corner_radius", "An inner corner under larger radii.", "scene units",
+         steps({0.001, 0.01, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 6, E::darkens,
+         cornerRadius, kTallRadius, kSmallRadius},
+        {"samples", "The test scene by few and many depth taps a pixel.", "taps",
+         taps({1, 2, 4, 16}), 3, E::sound, sceneSamples, kManyTaps, kFewTaps},
+        {"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
+         kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0, E::one,
+         noOp, with},
+        {"sizes", "The test scene in pictures of other sizes.", "", shapes(), 0, E::sound,
+         sceneShape, kPictureSize},
+        {"empty", "Nothing but background, in pictures of other sizes.", "", shapes(), 0, E::one,
+         emptyShape, kPictureSize},
+        {"meshes", "Broken meshes and maps, and singular matrices.", "",
+         kinds({"ordinary", "normals of no length", "normals of NaN", "triangles of no area",
+                "no triangles", "flattened", "shrunk to a point", "mirrored", "stretched 1e6:1",
+                "texture coordinates of NaN", "normal maps of NaN"}),
+         0, E::sound, sceneMeshes, with},
+        {"lights",
+         "Lights on a plane, without attenuation, too bright; extreme highlights.",
+         "",
+         kinds({"ordinary", "on the surface", "no attenuation", "shininess 0", "shininess 1e6",
+                "intensity 1e6", "at the camera", "no direction", "all of it"}),
+         0,
+         E::sound,
+         planeLights,
+         {"under lights ({})"}},
+        {"light_taken", "The test scene's colour as light is taken away: it gets darker.", "",
+         kinds({"no occlusion", "occlusion", "occlusion and no lights"}), 1, E::darkens,
+         lightsAdded, lit, lit},
     };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stress cases of several pictures: what was drawn in the frames before, further views, tiles.
+// Stress cases of what was drawn in the frames before.
 #include "tools/measure/stress/cases/all.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -112,75 +112,40 @@ StressShot stillFrames(double frames, Extent size)
     return shot;
 }
 
-StressShot twoViews(double kind, Extent size)
-{
-    StressShot shot = sceneShot(testView(), size);
-    if (kind == 0) return shot;
-    StressView eye = testView();
-    eye.eye.x += 0.5;
-    shot.other_view = cameraOf(eye, size);
-    shot.view = kind == 2 ? 1 : 0;
-    return shot;
-}
-
-/// 0: the whole picture; else one of four quarters of it, drawn by itself.
-StressShot tile(double kind, Extent size)
-{
-    StressShot shot = framesShot(size);
-    // As wide again as the view, which is more than the radius.
-    shot.settings = {"guard_band=2"};
-    if (kind == 0) return shot;
-    const int index = static_cast<int>(kind) - 1;
-    const glm::dvec2 middle = {index % 2 == 0 ? -0.5 : 0.5, index / 2 == 0 ? -0.5 : 0.5};
-    shot.extent = {size.width / 2, size.height / 2};
-    shot.turned = glm::dmat2(2.0);
-    shot.moved = -2.0 * middle;
-    glm::mat4& clip = shot.camera.clip_from_view;
-    for (int column = 0; column < 4; ++column)
-        for (int axis = 0; axis < 2; ++axis)
-            clip[column][axis] =
-                static_cast<float>(2.0 * clip[column][axis] + shot.moved[axis] * clip[column][3]);
-    return shot;
-}
-
 }  // namespace
 
 std::vector<StressCase> frameCases()
 {
     using E = Expectation;
-    using L = Likelihood;
     return {
-        told({"history",
-              "The test scene after sixteen frames of something else: means over blocks, since "
-              "noise differs from frame to frame.",
-              "",
-              kinds({"the same", "a cut that nobody told", "jitter", "a pan", "a walk", "a zoom",
-                     "another origin", "an object moved", "an object before the camera"}),
-              0, E::same, kSameChange, false, afterFrames},
-             {L::every, "cameras and objects move", "", {"after frames with {}"}}),
-        told({"cut", "The first frame after a cut that is told is that of a fresh start.", "",
-              kinds({"nothing", "the same", "another place", "an object elsewhere"}), 0, E::same,
-              kSameChange, false, afterCut},
-             {L::many, "films and games cut", "", {"after a cut from {}"}}),
-        told({"still", "A camera that stands still: a history must settle.", "frames",
-              steps({32, 64}), 0, E::settles, kRestlessShare, false, stillFrames},
-             {L::every,
-              "cameras stand still",
-              "a camera that stands still",
-              {"in front of a still camera after {} frames"}}),
-        told({"views", "The test scene as one of two views of a frame.", "",
-              kinds({"one view", "the first of two", "the second of two"}), 0, E::same, kSameChange,
-              false, twoViews},
-             {L::few, "headsets draw two views a frame", "", {"where it is {} views of a frame"}}),
-        told({"tiles",
-              "Quarters of the picture, each drawn by itself with a guard band: means over "
-              "blocks, since noise stays with pixels.",
-              "", kinds({"whole", "lower left", "lower right", "upper left", "upper right"}), 0,
-              E::same, kSameChange, false, tile},
-             {L::few,
-              "posters and large screenshots are drawn in tiles",
-              "",
-              {"in the {} tile of four"}}),
+        {"history",
+         "The test scene after sixteen frames of something else: means over blocks, since noise "
+         "differs from frame to frame.",
+         "",
+         kinds({"the same", "a cut that nobody told", "jitter", "a pan", "a walk", "a zoom",
+                "another origin", "an object moved", "an object before the camera"}),
+         0,
+         E::same,
+         afterFrames,
+         {"after frames with {}"}},
+        {"cut",
+         "The first frame after a cut that is told is that of a fresh start.",
+         "",
+         kinds({"nothing", "the same", "another place", "an object elsewhere"}),
+         0,
+         E::same,
+         afterCut,
+         {"after a cut from {}"}},
+        {"still",
+         "A camera that stands still: a history must settle.",
+         "frames",
+         steps({32, 64}),
+         0,
+         E::settles,
+         stillFrames,
+         {"in front of a still camera after {} frames"},
+         {},
+         kRestlessShare},
     };
 }
 

@@ -27,4 +27,10 @@ void addCamera(Scene& scene, const char* name, const glm::vec3& eye, const glm::
 /// Ambient light, a point light at that place and a weaker sky.
 void addLights(Scene& scene, const glm::vec3& light);
 
+/// The street: what rooms and spheres lack, and what screen-space occlusion errs most on. Thin
+/// things that hide others and gaps that nobody sees into: rails on sleepers, stacked slabs,
+/// railings, poles, stairs, cars above the road, and leaves, which are open meshes. The same
+/// triangles on every platform; metres.
+Scene makeStreetScene();
+
 }  // namespace crevice

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A street of boxes and leaves, from x = -4, the houses, to x = 6, the hedge.
-#include "tools/render/scene/builtin/street.h"
-
 #include "tools/render/scene/builtin/parts.h"
 #include "tools/render/scene/mesh_shapes.h"
 
