@@ -11,7 +11,7 @@ MAY_INCLUDE = {
     'core': ['core'],
     'backends': ['backends', 'core'],
     'effects': ['effects', 'core'],
-    'effects/c_api': ['effects', 'core', 'backends'],
+    'effects/api/c': ['effects', 'core', 'backends'],
     'tools': ['tools', 'core', 'backends', 'effects'],
     'tests': ['tests', 'tools', 'core', 'backends', 'effects'],
 }
@@ -86,7 +86,7 @@ def layer(source):
 
 
 def sideways(source):
-    library = 'effects/c_api' if source.path.startswith('effects/c_api/') else source.folders[0]
+    library = 'effects/api/c' if source.path.startswith('effects/api/c/') else source.folders[0]
     paths = [target(each) for each in source.includes]
     return [path for path in paths if path and path.split('/')[0] not in MAY_INCLUDE[library]]
 
@@ -125,10 +125,10 @@ FLOAT_FORMAT = r'"[^"\n]*%[-+#0-9.*]*l?[aAeEfFgG][^"\n]*"'
 NO_EXAMPLE = 'tools/examples/'
 # What holds, where, what finds the contrary, where it does not hold, and texts that break it.
 RULES = [
-    ('includes point downwards', 'core backends effects tools tests', sideways, ('tests/outside/', NO_EXAMPLE),
+    ('includes point downwards', 'core backends effects tools tests', sideways, ('tests/installed/', NO_EXAMPLE),
      [('core/plan/x.h', '#include "backends/gl/device.h"\n'), ('core/plan/x.h', '#include "plan.h"\n'),
       ('effects/x.cpp', '#include <crevice/gl_device.h>\n'), ('backends/gl/x.cpp', '#include "effects/effect.h"\n'),
-      ('effects/c_api/x.cpp', '#include "tools/render/image/image_file.h"\n')]),
+      ('effects/api/c/x.cpp', '#include "tools/render/image/image_file.h"\n')]),
     ('layers include those before them', 'core backends tools', lambda source: source.cpp and climbing(source), (),
      [('core/plan/x.cpp', '#include "core/compile/steps.h"\n'), ('core/base/x.h', '#include <crevice/document.h>\n'),
       ('core/gpu/x.cpp', '#include <crevice/config.h>\n')]),
@@ -161,7 +161,7 @@ RULES = [
     ('examples have at most 120 lines', 'tools', lambda source: source.example and source.text.count('\n') > 120, (),
      [('tools/examples/a.cpp', 121 * '\n')]),
     ('files have at most 600 lines', 'core backends effects tools tests',
-     lambda source: source.cpp and source.text.count('\n') > 600, 'effects/c_api/include/',
+     lambda source: source.cpp and source.text.count('\n') > 600, 'effects/api/c/include/',
      [('core/x.cpp', 601 * '\n')]),
     ('functions of the libraries have at most 40 lines', 'core backends effects',
      lambda source: [body.count('\n') for body in re.findall(r'^\{\n(.*?)^\}', source.code, re.M | re.S)

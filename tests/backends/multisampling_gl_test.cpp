@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Multisampling, drawn for real: what resolves to a mean, what to one sample, and what stays.
 #include "tests/support/picture.h"
+#include "tests/support/shipped_subjects.h"
 
 #include <crevice/shipped.h>
 
@@ -100,13 +101,8 @@ Image forward(const std::string& msaa)
     mine.add("configs/forward.json", R"({"format": 1, "extends": ["geometry/depth_normal",
         "ssao/sphere", "filter/none", "lighting/forward"], "params": {"intensity": {"default": 0}}})");
     const LayeredSources sources({&mine, &shippedSources()});
-    PictureRequest request;
-    request.config = "forward";
-    request.scene = "spheres";
-    request.output = "color";
-    request.overrides = {"msaa=" + msaa};
-    request.sources = &sources;
-    return picture(request);
+    SceneRig rig("spheres");
+    return rig.draw(descriptionOf({"forward"}, {"msaa=" + msaa}, sources), rig.frame(), "color");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The C API beside the C++ facade, in one context: the same pictures, bit for bit.
 #include <crevice/effect.h>
 
-#include "tests/c_api/c_api.h"
+#include "tests/c_api/c_scene.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
 
@@ -27,11 +27,11 @@ void* find(const char* name, void* context)
 
 /// Steps of depth, as a host's texture, and a device of either API.
 struct Host : GlFixture {
-    explicit Host(float step = 0.01f, crevice_device_desc desc = {})
+    explicit Host(crevice_device_desc desc = {})
     {
         std::vector<float> steps;
         for (int i = 0; i < kExtent.width * kExtent.height; ++i)
-            steps.push_back(0.9f + step * static_cast<float>(i / 8 % 5));
+            steps.push_back(0.9f + 0.01f * static_cast<float>(i / 8 % 5));
         depth = depthTexture(gl, kExtent, steps);
         desc.struct_size = sizeof desc;
         desc.loader = find;
@@ -81,21 +81,6 @@ struct Host : GlFixture {
         return pixels;
     }
 
-    /// What a view's AO is in a texture of the host's.
-    std::vector<float> presented(int view)
-    {
-        const TextureId into = GlFixture::texture(Format::r8, kExtent);
-        auto target = sized<crevice_target>();
-        target.texture = device->nativeName(into);
-        target.width = kExtent.width;
-        target.height = kExtent.height;
-        target.view = view;
-        need(crevice_effect_present(effect, "ao", &target));
-        std::vector<float> pixels = read(into).pixels;
-        device->destroy(into);
-        return pixels;
-    }
-
     glm::mat4 projection = glm::perspective(glm::radians(60.0f), 16.0f / 9.0f, 0.1f, 100.0f);
     GLuint depth = 0;
     crevice_device* c_device = nullptr;
@@ -115,21 +100,6 @@ TEST_CASE("The C API draws what the C++ facade draws, bit for bit")
     need(effect.setParam("radius", 1));
     need(effect.render());
     CHECK(pixels == host.read(effect.output("ao")).pixels);
-}
-
-TEST_CASE("Two views of the C API give what two effects give, bit for bit")
-{
-    Host left, right(0.02f);
-    const std::vector<float> wanted = right.draw(), first = left.draw();
-    CHECK(first != wanted);
-    auto view = sized<crevice_view>();
-    std::copy_n(glm::value_ptr(left.projection), 16, view.clip_from_view);
-    need(crevice_effect_set_views(left.effect, &view, 1));
-    const crevice_texture depth = right.texture();
-    need(crevice_effect_set_view_texture(left.effect, 1, "depth", &depth));
-    CHECK(left.drawAgain() == first);
-    CHECK(left.presented(1) == wanted);
-    CHECK(left.presented(0) == first);
 }
 
 TEST_CASE("The C API reads configs in a folder of the host's, and an edited file again")
@@ -174,9 +144,9 @@ TEST_CASE("The C API keeps programs where the host says")
         const char* begin = static_cast<const char*>(bytes);
         static_cast<Kept*>(user)->programs[key] = std::vector<char>(begin, begin + count);
     };
-    const std::vector<float> first = Host(0.01f, desc).draw();
+    const std::vector<float> first = Host(desc).draw();
     const std::size_t loaded_first = kept.loaded;
-    CHECK(first == Host(0.01f, desc).draw());
+    CHECK(first == Host(desc).draw());
     CHECK(kept.loaded - loaded_first >= kept.programs.size());
 }
 
@@ -187,13 +157,4 @@ TEST_CASE("An exception of a host's callback is an error of the C API, and leave
     crevice_device* device = nullptr;
     CHECK(codeOf(crevice_device_create(&desc, &device)) == static_cast<int>(Code::out_of_memory));
     CHECK(device == nullptr);
-}
-
-TEST_CASE("An effect of an abandoned device gives CV6016 and may be destroyed after it")
-{
-    Host host;
-    host.draw();
-    crevice_device_abandon(host.c_device);
-    CHECK(codeOf(crevice_effect_render(host.effect)) == static_cast<int>(Code::context_lost));
-    crevice_device_destroy(std::exchange(host.c_device, nullptr));
 }

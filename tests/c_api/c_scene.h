@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A host's scene by the C API, on a device that draws nothing.
+// The C API from tests in C++, and a host's scene by it on a device that draws nothing.
 #pragma once
 
+#include <crevice/crevice.h>
 #include <crevice/frame.h>
 #include <crevice/recording_device.h>
 #include <crevice/renderer.h>
 
-#include "effects/c_api/device.h"
-#include "effects/c_api/effect.h"
-#include "tests/c_api/c_api.h"
-#include "tools/render/device/forwarding_device.h"
+#include "effects/api/c/handles.h"
+#include "tests/support/need.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -17,53 +16,35 @@
 #include <memory>
 #include <string>
 
+/// The test ends where there is an error, which is freed.
+inline void need(crevice_error* error)
+{
+    INFO(crevice_error_text(error));
+    const bool failed = error != nullptr;
+    crevice_error_free(error);
+    REQUIRE(!failed);
+}
+
+/// 0 for none; the error is freed.
+inline int codeOf(crevice_error* error)
+{
+    const int code = crevice_error_code(error);
+    crevice_error_free(error);
+    return code;
+}
+
+/// A struct with its size and zeros.
+template <class Struct>
+Struct sized()
+{
+    Struct made = {};
+    made.struct_size = sizeof made;
+    return made;
+}
+
 namespace crevice {
 
 constexpr float kTriangle[] = {0, 0, -2, 1, 0, -2, 0, 1, -2};
-
-/// Keeps the last structs that it was handed.
-struct HearingDevice : ForwardingDevice {
-    using ForwardingDevice::ForwardingDevice;
-
-    Result<MeshId> createMesh(const MeshDesc& desc) override
-    {
-        mesh = desc;
-        return ForwardingDevice::createMesh(desc);
-    }
-    Result<MeshId> adoptMesh(const HostMesh& host) override
-    {
-        host_mesh = host;
-        return ForwardingDevice::adoptMesh(host);
-    }
-    Result<TextureId> adoptTexture(const HostTexture& host) override
-    {
-        texture = host;
-        return ForwardingDevice::adoptTexture(host);
-    }
-    Status present(TextureId id, const HostFramebuffer& host) override
-    {
-        target = host;
-        return ForwardingDevice::present(id, host);
-    }
-
-    MeshDesc mesh;
-    HostMesh host_mesh;
-    HostTexture texture;
-    HostFramebuffer target;
-};
-
-inline crevice_effect* makeEffect(crevice_device& device, const char* config)
-{
-    auto desc = sized<crevice_effect_desc>();
-    desc.config = config;
-    desc.width = 64;
-    desc.height = 36;
-    crevice_effect* effect = nullptr;
-    need(crevice_effect_create(&device, &desc, &effect));
-    const glm::mat4 projection = glm::perspective(1.0f, 16.0f / 9.0f, 0.1f, 20.0f);
-    need(crevice_effect_set_projection(effect, glm::value_ptr(projection)));
-    return effect;
-}
 
 inline crevice_mesh* makeMesh(crevice_device& device)
 {
@@ -77,10 +58,15 @@ inline crevice_mesh* makeMesh(crevice_device& device)
 
 /// An effect that draws the scene, and a mesh of one triangle.
 struct CScene {
-    explicit CScene(const char* config = "mobile")
-        : effect(makeEffect(device, config)),
-          mesh(makeMesh(device))
+    explicit CScene(const char* config = "mobile") : mesh(makeMesh(device))
     {
+        auto desc = sized<crevice_effect_desc>();
+        desc.config = config;
+        desc.width = 64;
+        desc.height = 36;
+        need(crevice_effect_create(&device, &desc, &effect));
+        const glm::mat4 projection = glm::perspective(1.0f, 16.0f / 9.0f, 0.1f, 20.0f);
+        need(crevice_effect_set_projection(effect, glm::value_ptr(projection)));
         draw.mesh = mesh;
         texture.name = 5;
         texture.format = "rgba8";
@@ -109,9 +95,8 @@ struct CScene {
     Frame& frame() { return effect->effect->frame(); }
 
     std::shared_ptr<RecordingDevice> recording = std::make_shared<RecordingDevice>();
-    std::shared_ptr<HearingDevice> hearing = std::make_shared<HearingDevice>(*recording);
-    crevice_device device{hearing};
-    crevice_effect* effect;
+    crevice_device device{recording};
+    crevice_effect* effect = nullptr;
     crevice_mesh* mesh;
     crevice_draw draw = sized<crevice_draw>();
     crevice_material material = sized<crevice_material>();
@@ -120,8 +105,7 @@ struct CScene {
 
 /// Two views of a host's depth, which the first one has.
 struct CViews : CScene {
-    CViews()
-        : CScene(R"({ "format": 1, "name": "ao", "extends": ["mobile", "geometry/host_depth"] })")
+    CViews() : CScene("mobile+geometry/host_depth")
     {
         texture.format = "depth24";
         need(crevice_effect_set_texture(effect, "depth", &texture));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Shipped configs on what a host has of a surface: the passes that remain, and what is left out.
-#include "tests/support/modules.h"
 #include "tests/support/plan_rig.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/show/plan/planning.h"
@@ -93,42 +92,4 @@ TEST_CASE("Every preset runs on a host's surface: it draws nothing, and computes
             need(renderer->render(frame));
             CHECK(device.misuse().empty());
         }
-}
-
-TEST_CASE("What a preset leaves out on a host's surface stands in its plan")
-{
-    const Plan plan = planOn(presetOn("high", "geometry/host_depth_normal"));
-    for (const char* module :
-         {"geometry/depth_normal", "geometry/back_faces", "geometry/second_layer",
-          "lighting/deferred", "lighting/blinn_phong"}) {
-        INFO(module);
-        const Elided* found = elided(plan, std::string("module ") + module);
-        REQUIRE(found);
-        CHECK(found->optimization == "replaced");
-        CHECK_THAT(found->reason, Catch::Contains("'geometry/host_depth_normal"));
-    }
-}
-
-TEST_CASE("Lighting and more may follow a host's surface where the host also hands over draws")
-{
-    const GivenConfig config(
-        {"balanced", "geometry/host_depth", "geometry/back_faces", "lighting/forward"},
-        R"(, "params": {"radius": 1})");
-    const Plan plan = planOn(config.description());
-    CHECK(findNamed(plan.passes, "lighting"));
-    CHECK_FALSE(findNamed(plan.passes, "geometry"));
-}
-
-TEST_CASE("Every shipped config on a host's depth and normals either runs or says what it lacks")
-{
-    for (const Subject& subject : subjects()) {
-        INFO(subject.config << ' ' << subject.variant);
-        const Result<Node> document = loadConfig(
-            shippedSources(), {subject.config, subject.variant, {"+geometry/host_depth_normal"}});
-        REQUIRE(document);
-        const Result<Description> description = decode(*document, shippedSources());
-        const bool runs =
-            description && compile(*description, usualTraits(), usualCaps(), {{64, 36}, {}, {}});
-        CHECK(runs == (subject.config != "ssdo"));  // which gathers albedo
-    }
 }

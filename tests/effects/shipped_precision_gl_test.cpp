@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 
 using namespace crevice;
 
@@ -23,15 +22,15 @@ constexpr double kMostChange = 0.001;
 /// The radius is 0.8 in units of one. Marches have as many taps in all configs: their programs are
 /// then the same, and in half floats one takes software GL ten seconds to compile. What the config
 /// gives in scene units is in that unit too.
-Description describe(const Subject& subject, const SourceSet& sources, float unit)
+Description describe(const Subject& subject, float unit)
 {
     std::vector<std::string> overrides = {"radius=0.8"};
-    Description description = descriptionOf(subject, overrides, sources);
+    Description description = descriptionOf(subject, overrides);
     if (const ParamDesc* slices = findNamed(description.params, "slices")) {
         const bool many = slices->value[0] > 8;
         overrides.push_back(many ? "slices=4" : "slices=2");
         overrides.push_back(many ? "steps=8" : "steps=4");
-        description = descriptionOf(subject, overrides, sources);
+        description = descriptionOf(subject, overrides);
     }
     for (ParamDesc& param : description.params)
         if (param.unit == "scene units") param.value[0] *= unit;
@@ -74,15 +73,9 @@ public:
         }
     }
 
-    /// The occlusion of the second frame, whose history is the first.
-    Image drawAo(std::size_t setting, const Description& description)
-    {
-        extent = settings_[setting].extent;
-        return draw(description, frames_[setting], "ao", 2);
-    }
-
-    /// The same, and whether all that any pass of that frame wrote is finite.
-    Image drawAll(std::size_t setting, Description description, bool& finite)
+    /// The occlusion of the second frame, whose history is the first, and whether all that any pass
+    /// of it wrote is finite.
+    std::pair<Image, bool> drawn(std::size_t setting, Description description)
     {
         const Frame& frame = frames_[setting];
         const CompileOptions options = {settings_[setting].extent, {}, {}};
@@ -95,11 +88,11 @@ public:
         }
         Renderer& renderer = reloaded(description, frame, options);
         for (int i = 0; i < 2; ++i) need(renderer.render(frame));
-        finite = true;
+        bool finite = true;
         for (const PlanOutput& output : renderer.plan().outputs)
             for (const float value : read(renderer.output(output.name)).pixels)
                 finite = finite && std::isfinite(value);
-        return read(renderer.output("ao"));
+        return {read(renderer.output("ao")), finite};
     }
 
 private:
@@ -110,20 +103,6 @@ private:
 
 /// Software GL is one and the same behind both contexts.
 bool applies() { return canRewriteMediump() && testBackend() == "egl"; }
-
-/// Shipped sources that say mediump wherever they said highp.
-class CarelessSources : public SourceSet {
-public:
-    SourceRef find(std::string_view path) const override
-    {
-        const SourceRef source = shippedSources().find(path);
-        if (!source || path.substr(path.rfind('.') + 1) == "json") return source;
-        SourceText careless = *source;
-        careless.text = std::regex_replace(careless.text, std::regex("\\bhighp\\b"), "mediump");
-        return std::make_shared<SourceText>(careless);
-    }
-    std::vector<std::string> list() const override { return shippedSources().list(); }
-};
 
 }  // namespace
 
@@ -148,27 +127,12 @@ TEST_CASE("In half floats all that shipped configs draw is finite, and occlusion
     for (const auto& [subject, chosen] : asked)
         for (const std::size_t i : chosen) {
             INFO(subject.config << " " << subject.variant << ", setting " << i);
-            const Description description = describe(subject, shippedSources(), settings[i].unit);
-            bool finite = false;
-            const Image exact = full.drawAo(i, description);
-            const Image rounded = half.drawAll(i, description, finite);
+            const Description description = describe(subject, settings[i].unit);
+            const Image exact = full.drawn(i, description).first;
+            const auto [rounded, finite] = half.drawn(i, description);
             CHECK(finite);
             CHECK(allVisibility(rounded));
             CHECK(meanChange(exact, rounded) < kMostChange);
             if (mean(exact) >= 0.999) CHECK(mean(rounded) >= 0.999);
         }
-}
-
-TEST_CASE("Shaders that say mediump everywhere fail in half floats and draw as ever in full")
-{
-    if (!applies() || !nightly()) return;
-    const CarelessSources careless;
-    const std::vector<Setting> settings = {
-        {inUnits(need(loadScene("room")), 1e3f), {64, 36}, 1e3f}};
-    Stage full(Mediump::full, settings), half(Mediump::half, settings);
-    const Subject subject = {"gtao", ""};
-    const Image exact = full.drawAo(0, describe(subject, shippedSources(), 1e3f));
-    const Description description = describe(subject, careless, 1e3f);
-    CHECK(full.drawAo(0, description).pixels == exact.pixels);
-    CHECK(meanChange(exact, half.drawAo(0, description)) > 20 * kMostChange);
 }

@@ -10,7 +10,6 @@ mkdir -p -- "${1:?usage: run.sh WORK_FOLDER [NUMBER...]}/tree" "$1/log"
 work=$(cd -- "$1" && pwd)
 shift
 only=" $* " limit=${CREVICE_LIMIT:-400}  # seconds of one program; more is a fault that was found
-programs=(c_api_test c_api_link_test)
 renice -n 10 $$ >/dev/null
 trap 'echo "run.sh: line $LINENO failed; see $work/log" >&2' ERR
 
@@ -44,7 +43,7 @@ if command -v ccache >/dev/null; then
 fi
 cmake -S . -B ../build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" "-DCMAKE_CXX_FLAGS=-include $work/tree/tests/faults/fault.h" >../log/cmake
-cmake --build ../build --parallel 2 --target crevice_tests crevice_gl_tests crevice "${programs[@]}" >../log/build
+cmake --build ../build --parallel 2 --target crevice_tests crevice_gl_tests crevice c_api_test_shared >../log/build
 
 # fails LOG COMMAND...: whether it does, or takes too long; `why` is then the first test that failed.
 fails() {
@@ -62,13 +61,13 @@ fails() {
 unit() { fails "$own/unit" "$build/tests/crevice_tests" --abort -# "$@"; }
 gl() { fails "$own/gl" "$build/tests/crevice_gl_tests" --abort -# "$@"; }
 cli() { fails "$own/$1" bash "tests/tools/commands/$1.sh" "$build/tools/crevice" "$PWD/README.md" egl; }
-in_c() { for each in "${programs[@]}"; do ! fails "$own/c" "$build/tests/c_api/$each" || return 0; done; return 1; }
+in_c() { fails "$own/c" "$build/tests/c_api/c_api_test_shared"; }
 # try NUMBER FILE: prints what came of it. The tests of the file's own folder go first, and then all.
 try() {
     local own=$work/log/$1 build=$work/build begin=$SECONDS why='' each near folder=${2%/*}
     rm -rf -- "$own" && mkdir "$own"
     export CREVICE_FAULT=$1 CREVICE_REQUIRE_GL=1 CREVICE_BACKEND=egl XDG_CACHE_HOME=$own/cache
-    folder=${folder/#effects\/c_api/c_api}
+    folder=${folder/#effects\/api\/c/c_api}
     while [[ ! -d tests/$folder ]]; do folder=${folder%/*}; done
     near=$(find "tests/$folder" -name '*_test.cpp' -printf "[#%f]~In half floats*," | sed 's/\.cpp//g')
     case $folder in

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What fails at each of its calls in turn: anything, and changes of a running renderer.
+// What fails at each of its calls in turn.
 //
 // A device has failAt(n), which makes the n-th coming call that creates or fills an object fail,
 // attempts(), which counts such calls, and live(), which counts the objects: RecordingDevice.
 // WatchedGl has the first two for the calls of a driver.
 #pragma once
 
-#include <crevice/renderer.h>
+#include <crevice/result.h>
 
 #include "tests/support/need.h"
 
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace crevice {
 
@@ -54,70 +52,6 @@ int failEachObject(FailingDevice& device, const std::function<Status()>& change,
         CHECK(status.diagnostics()[0].code == Code::out_of_memory);
         REQUIRE(device.live() == live);
         unchanged();
-    }
-}
-
-/// What a host may change, so that all is planned again.
-struct Change {
-    const char* what;
-    std::function<Status(Renderer&, Frame&)> make;
-    bool draws = false;  ///< A frame is drawn as it is made.
-};
-
-inline Change resizing()
-{
-    return {"a size", [](Renderer& renderer, Frame&) { return renderer.resize({40, 22}); }};
-}
-
-inline Change reloading(const Description& other)
-{
-    return {"a reload", [other](Renderer& renderer, Frame&) {
-                return renderer.reload(other, {renderer.plan().extent});
-            }};
-}
-
-inline Change moreLights()
-{
-    return {"lights",
-            [](Renderer& renderer, Frame& frame) {
-                Frame other = frame;
-                other.lights.resize(other.lights.size() + 2);
-                Status status = renderer.render(other);
-                if (status.ok()) frame = other;
-                return status;
-            },
-            true};
-}
-
-/// The first param that is bound as a define, set to its least value.
-inline Change defining()
-{
-    return {"a define", [](Renderer& renderer, Frame&) -> Status {
-                for (const ParamDesc& param : renderer.description().params)
-                    if (param.bind == Bind::define && param.type == ParamType::int_)
-                        return renderer.setParam(param.name, static_cast<float>(param.min));
-                return {};
-            }};
-}
-
-/// Makes each change, failing each of its objects. `shown` returns what the outputs hold, and
-/// `draw` what a frame of the renderer came to: in the end the same as of one that never failed.
-template <class FailingDevice, class Draw, class Shown>
-void checkFailingChanges(FailingDevice& device, Renderer& renderer, Frame frame,
-                         const std::vector<Change>& changes, const Draw& draw, const Shown& shown)
-{
-    draw(renderer, frame);
-    for (const Change& change : changes) {
-        INFO(change.what);
-        const auto before = shown(renderer);
-        const int failures = failEachObject(
-            device, [&] { return change.make(renderer, frame); },
-            [&] { CHECK((shown(renderer) == before)); });
-        if (failures == 0) continue;  // nothing to change
-        auto fresh = need(Renderer::create(device, renderer.description(), {renderer.plan().extent},
-                                           traitsOf(frame)));
-        if (change.draws) draw(*fresh, frame);
-        CHECK((draw(renderer, frame) == draw(*fresh, frame)));
     }
 }
 

@@ -26,21 +26,6 @@ std::string textAt(const Node& node, const char* key)
     return value ? value->text : "";
 }
 
-/// What a pass says it reads: as inputs, and as what its no-ops give.
-std::set<std::string> readBy(const Node& pass)
-{
-    std::set<std::string> names;
-    for (const Member& no_op : membersOf(pass, "no_op"))
-        for (const Member& given : membersOf(no_op.value, "gives"))
-            if (given.value.kind == Node::Kind::string) names.insert(given.value.text);
-    for (const Member& input : membersOf(pass, "inputs")) {
-        const Node* from = input.value.find("from");
-        const bool renamed = input.value.kind == Node::Kind::string;
-        names.insert(renamed ? input.value.text : from ? from->text : input.key);
-    }
-    return names;
-}
-
 /// The text of a fragment shader and of the files of its own folder that it includes.
 std::string shaderText(const std::string& path)
 {
@@ -59,25 +44,6 @@ bool holds(const std::string& text, const char* part)
     return text.find(part) != std::string::npos;
 }
 
-void readShaders(const Node& document, Module& module)
-{
-    for (const Member& shader : membersOf(document, "shaders")) {
-        const std::string text = shaderText(textAt(shader.value, "fragment"));
-        module.reads_normals = module.reads_normals || (holds(text, "#include <surface>") &&
-                                                        !holds(text, "SURFACE_WITHOUT_NORMAL"));
-        module.reads_albedo = module.reads_albedo || holds(text, "sampler2D albedo");
-    }
-}
-
-/// The target that holds it: of "ao_history", which is the last frame's, "ao".
-std::string ownerOf(const std::string& read)
-{
-    const std::string history = "_history";
-    const bool is_last = read.size() > history.size() &&
-                         read.compare(read.size() - history.size(), history.size(), history) == 0;
-    return is_last ? read.substr(0, read.size() - history.size()) : read;
-}
-
 Module describe(const std::string& name, const Node& document)
 {
     Module module;
@@ -86,16 +52,17 @@ Module describe(const std::string& name, const Node& document)
     module.options = keysOf(document, "params");
     module.options.merge(keysOf(document, "features"));
     for (const Member& target : membersOf(document, "targets"))
-        module.remembers = module.remembers || target.value.find("history");
+        module.remembers |= target.value.find("history") != nullptr;
     for (const Member& import : membersOf(document, "imports")) {
         if (textAt(import.value, "type") != "texture") continue;
         module.targets.insert(import.key);
         module.host_textures = true;
     }
-    for (const Member& pass : membersOf(document, "passes"))
-        for (const std::string& read : readBy(pass.value))
-            if (module.targets.count(ownerOf(read)) == 0) module.needs.insert(read);
-    readShaders(document, module);
+    for (const Member& shader : membersOf(document, "shaders")) {
+        const std::string text = shaderText(textAt(shader.value, "fragment"));
+        module.reads_normals |=
+            holds(text, "#include <surface>") && !holds(text, "SURFACE_WITHOUT_NORMAL");
+    }
     return module;
 }
 

@@ -16,10 +16,8 @@ namespace crevice {
 struct Module {
     std::string name;               ///< As in `extends`: "ssao/gtao".
     std::set<std::string> targets;  ///< Its own, and the host's textures that it imports.
-    std::set<std::string> needs;    ///< Targets of others that its passes name.
     std::set<std::string> options;  ///< Its params and features.
     bool reads_normals = false;     ///< A shader of its own asks the surface for normals.
-    bool reads_albedo = false;      ///< A shader of its own reads the colour of surfaces.
     bool host_textures = false;     ///< It reads textures of the host's.
     bool remembers = false;         ///< It has a history.
 };

@@ -1,69 +1,82 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/picture.h"
 
-#include "tests/support/shipped_subjects.h"
-
-#include <glm/gtc/matrix_transform.hpp>
+#include "tools/render/read_output.h"
+#include "tools/render/scene/camera_framing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace crevice {
 
-Image picture(const PictureRequest& request, SceneRig& rig)
+std::unique_ptr<Renderer> DrawRig::renderer(const Description& description, const Frame& frame,
+                                            std::vector<std::string> outputs) const
 {
-    const SourceSet& sources = request.sources ? *request.sources : shippedSources();
-    Description description = descriptionOf({request.config}, request.overrides, sources);
-    if (!request.target.empty()) {
-        OutputDesc output;
-        output.name = request.output;
-        output.target.name = request.target;
-        description.outputs = {output};
-    }
-    Frame frame = rig.frame(request.camera);
-    if (request.change) request.change(frame);
-    return rig.draw(description, frame, request.output);
+    const CompileOptions options = {extent, std::move(outputs), {}};
+    return need(Renderer::create(*device, description, options, traitsOf(frame)));
 }
 
-Image picture(const PictureRequest& request, const Scene& scene)
+Renderer& DrawRig::reloaded(const Description& description, const Frame& frame,
+                            const CompileOptions& options, int index)
 {
-    GlDeviceOptions options;
-    options.ignore_extensions = request.ignore_extensions;
-    SceneRig rig(scene, request.extent, options);
-    return picture(request, rig);
+    std::unique_ptr<Renderer>& kept = kept_[index];
+    if (!kept || !kept->reload(description, options))
+        kept = need(Renderer::create(*device, description, options, traitsOf(frame)));
+    return *kept;
 }
 
-Image picture(const PictureRequest& request)
+Image DrawRig::draw(const Description& description, const Frame& frame, const std::string& output,
+                    int frames)
 {
-    return picture(request, need(loadScene(request.scene)));
+    Renderer& drawn = reloaded(description, frame, {extent, {output}, {}});
+    if (frames == 0) return need(drawSettled(*device, drawn, frame, output));
+    for (int i = 0; i < frames; ++i) need(drawn.render(frame));
+    return need(readOutput(*device, drawn, output));
 }
 
-namespace {
-
-double meanOf(const Image& image, int left, int right, int low, int high)
+SceneRig::SceneRig(Scene shown, Extent size, const GlDeviceOptions& options)
+    : DrawRig(options),
+      scene(std::move(shown)),
+      uploaded(need(UploadedScene::upload(*device, scene)))
 {
-    double sum = 0;
-    for (int y = low; y < high; ++y)
-        for (int x = left; x < right; ++x) sum += image.at(x, y);
-    return sum / (double(right - left) * (high - low));
+    extent = size;
 }
 
-}  // namespace
-
-double mean(const Image& image)
+SceneRig::SceneRig(const std::string& built_in, Extent size)
+    : SceneRig(need(loadScene(built_in)), size)
 {
-    return meanOf(image, 0, image.extent.width, 0, image.extent.height);
 }
+
+void SceneRig::show(Scene shown)
+{
+    scene = std::move(shown);
+    uploaded = need(UploadedScene::upload(*device, scene));
+}
+
+Frame SceneRig::frame(const std::string& camera) const
+{
+    const double aspect = double(extent.width) / extent.height;
+    return makeFrame(uploaded, need(chooseCamera(scene, uploaded.bounds(), camera, aspect)),
+                     extent);
+}
+
+Description showing(Description description, const std::string& target)
+{
+    OutputDesc output;
+    output.name = "shown";
+    output.target.name = target;
+    description.outputs = {output};
+    return description;
+}
+
+double mean(const Image& image) { return meanOfRows(image, 0, image.extent.height); }
 
 double meanOfRows(const Image& image, int first, int last)
 {
-    return meanOf(image, 0, image.extent.width, first, last);
-}
-
-double meanOfColumns(const Image& image, int first, int last)
-{
-    return meanOf(image, first, last, 0, image.extent.height);
+    double sum = 0;
+    for (int y = first; y < last; ++y)
+        for (int x = 0; x < image.extent.width; ++x) sum += image.at(x, y);
+    return sum / (double(image.extent.width) * (last - first));
 }
 
 float least(const Image& image)
@@ -71,16 +84,12 @@ float least(const Image& image)
     return *std::min_element(image.pixels.begin(), image.pixels.end());
 }
 
-double shareBelow(const Image& image, float limit, double share)
+double shareBelow(const Image& image, float limit)
 {
-    const int border_x = int(image.extent.width * (1 - share) / 2);
-    const int border_y = int(image.extent.height * (1 - share) / 2);
-    int below = 0;
-    int all = 0;
-    for (int y = border_y; y < image.extent.height - border_y; ++y)
-        for (int x = border_x; x < image.extent.width - border_x; ++x, ++all)
-            below += image.at(x, y) < limit ? 1 : 0;
-    return double(below) / all;
+    double below = 0;
+    for (int y = 0; y < image.extent.height; ++y)
+        for (int x = 0; x < image.extent.width; ++x) below += image.at(x, y) < limit;
+    return below / (double(image.extent.width) * image.extent.height);
 }
 
 double meanChange(const Image& a, const Image& b)
@@ -96,23 +105,6 @@ bool allVisibility(const Image& image)
     for (float value : image.pixels)
         if (!(value >= 0.0f && value <= 1.0f)) return false;
     return true;
-}
-
-Scene mirrored(Scene scene)
-{
-    for (SceneInstance& instance : scene.instances)
-        instance.world_from_model =
-            glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1)) * instance.world_from_model;
-    return scene;
-}
-
-Image mirrored(Image image)
-{
-    for (int y = 0; y < image.extent.height; ++y)
-        for (int x = 0; x < image.extent.width / 2; ++x)
-            std::swap(image.pixels[y * image.extent.width + x],
-                      image.pixels[(y + 1) * image.extent.width - 1 - x]);
-    return image;
 }
 
 }  // namespace crevice

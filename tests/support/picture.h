@@ -1,56 +1,74 @@
 // SPDX-License-Identifier: MIT
-// Pictures for tests: a config drawn over a scene on the test's GL context.
+// A scene on the test's GL context, what configs draw of it, and what tests ask of the pictures.
 #pragma once
 
-#include "tests/support/scene_rig.h"
+#include <crevice/renderer.h>
 
-#include <functional>
+#include "tests/support/gl_fixture.h"
+#include "tools/render/scene_upload.h"
+
 #include <string>
 #include <vector>
 
 namespace crevice {
 
-/// What to draw. The defaults are small, because software GL is slow.
-struct PictureRequest {
-    std::string config = "hemisphere_box";  ///< A shipped config or a file.
-    std::string scene = "spheres";          ///< A built-in scene.
-    std::string camera = {};                ///< As `--camera`.
+/// Draws one description after the other. Programs of the same text compile once, since that is
+/// what most pictures take on software GL.
+struct DrawRig : GlFixture {
+    using GlFixture::GlFixture;
+
+    /// A renderer of its own, which draws the outputs, or all where none is named.
+    std::unique_ptr<Renderer> renderer(const Description& description, const Frame& frame,
+                                       std::vector<std::string> outputs = {}) const;
+
+    /// The rig's renderer, or a second one beside it, with this description in place of its last.
+    Renderer& reloaded(const Description& description, const Frame& frame,
+                       const CompileOptions& options, int index = 0);
+
+    /// The output after that many frames of the same, of 0 after as many as a history takes to
+    /// settle. In full where the plan knows it to be one number.
+    Image draw(const Description& description, const Frame& frame, const std::string& output = "ao",
+               int frames = 1);
+
     Extent extent = {128, 72};
-    std::vector<std::string> overrides = {};  ///< As `--set`.
-    std::string output = "ao";
-    std::string target = {};                  ///< When set, this target instead of an output.
-    const SourceSet* sources = nullptr;       ///< Null takes the shipped ones.
-    bool ignore_extensions = false;           ///< Draw as on bare OpenGL ES 3.0.
-    std::function<void(Frame&)> change = {};  ///< Of what a scene file cannot say.
+
+private:
+    std::unique_ptr<Renderer> kept_[2];
 };
 
-/// Draws and reads back; any error fails the test.
-Image picture(const PictureRequest& request);
-Image picture(const PictureRequest& request, const Scene& scene);
+struct SceneRig : DrawRig {
+    explicit SceneRig(Scene shown, Extent size = {128, 72}, const GlDeviceOptions& options = {});
+    explicit SceneRig(const std::string& built_in, Extent size = {128, 72});
 
-/// The same with the scene of a rig, in its size and on its device.
-Image picture(const PictureRequest& request, SceneRig& rig);
+    /// Another scene in its place, under the same programs.
+    void show(Scene shown);
+    void show(const std::string& built_in) { show(need(loadScene(built_in))); }
+
+    /// What the scene's own camera sees, or one as `--camera` has it.
+    Frame frame(const std::string& camera = "") const;
+
+    Scene scene;
+    UploadedScene uploaded;
+};
+
+/// The description with a target of it as its one output, "shown".
+Description showing(Description description, const std::string& target);
 
 /// The mean over all pixels of the first channel.
 double mean(const Image& image);
 
-/// That of some rows or columns, from the first up to the last.
+/// That of some rows, from the first up to the last.
 double meanOfRows(const Image& image, int first, int last);
-double meanOfColumns(const Image& image, int first, int last);
 
 float least(const Image& image);
 
-/// The share of pixels, in the middle `share` of width and height, that are below `limit`.
-double shareBelow(const Image& image, float limit, double share = 0.8);
+/// The share of pixels that are below `limit`.
+double shareBelow(const Image& image, float limit);
 
 /// The mean absolute difference of two pictures of one size.
 double meanChange(const Image& a, const Image& b);
 
 /// True when every value is finite and in [0, 1].
 bool allVisibility(const Image& image);
-
-/// Left and right swapped, in the world (triangles keep their front) and in a picture.
-Scene mirrored(Scene scene);
-Image mirrored(Image image);
 
 }  // namespace crevice

@@ -34,8 +34,8 @@ inline std::vector<Subject> subjects()
 inline std::vector<Subject> sampledSubjects()
 {
     if (nightly()) return subjects();
-    return {{"mobile"}, {"gtao"}, {"balanced_temporal"},    {"bitmask_layers"},
-            {"baked"},  {"ssdo"}, {"learnopengl", "sound"}, {"ogldev45"}};
+    return {{"mobile"}, {"balanced_temporal"},    {"bitmask_layers"}, {"baked"},
+            {"ssdo"},   {"learnopengl", "sound"}, {"ogldev45"}};
 }
 
 inline Description descriptionOf(const Subject& subject,

@@ -13,7 +13,7 @@ install(TARGETS crevice_core crevice_backends crevice_effects EXPORT creviceTarg
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 
 # Only what a host may include, as <crevice/...>; all other headers are the libraries' own.
-foreach(library core backends effects effects/c_api)
+foreach(library core backends effects effects/api/c)
   install(DIRECTORY ${library}/include/crevice DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endforeach()
 install(EXPORT creviceTargets NAMESPACE crevice:: DESTINATION ${config_dir} COMPONENT development)
@@ -34,14 +34,14 @@ file(RELATIVE_PATH PC_PREFIX /prefix/${pc_dir} /prefix)
 if(NOT BUILD_SHARED_LIBS)
   set(PC_PRIVATE "-lcrevice_effects -lcrevice_backends -lcrevice_core -lstdc++ -lm -ldl")
 endif()
-configure_file(effects/c_api/crevice.pc.in crevice.pc @ONLY)
+configure_file(effects/api/c/crevice.pc.in crevice.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crevice.pc DESTINATION ${pc_dir} COMPONENT development)
 
 # The manual and the examples, laid out as here, so that links between them hold.
 set(manual ${CMAKE_INSTALL_DATADIR}/doc/libcrevice-dev)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION ${manual} COMPONENT development)
 install(FILES tools/scripts/packages.txt DESTINATION ${manual}/tools/scripts COMPONENT development)
-install(DIRECTORY tests/outside DESTINATION ${manual}/tests COMPONENT development)
+install(DIRECTORY tests/installed DESTINATION ${manual}/tests COMPONENT development)
 install(DIRECTORY docs/ DESTINATION ${manual}/docs COMPONENT development
   FILES_MATCHING REGEX "[.](md|png|json)$" PATTERN bench EXCLUDE)
 install(DIRECTORY tools/examples/ DESTINATION ${manual}/tools/examples COMPONENT development)

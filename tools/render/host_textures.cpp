@@ -13,7 +13,7 @@
 namespace crevice {
 namespace {
 
-const char* const kHostModule = "bench/host.json";
+const char* const kHostModule = "command/host.json";
 
 template <class T>
 T* named(std::vector<T>& all, const std::string& name)

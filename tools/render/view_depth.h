@@ -10,7 +10,7 @@
 namespace crevice {
 
 /// Draws nothing but depth, where the copy cost of a bench and the radius on screen come from.
-constexpr const char* kDepthModule = "bench/depth.json";
+constexpr const char* kDepthModule = "command/depth.json";
 
 /// Window depths of a frame's first view, 1 in the background: no plan has to keep its own.
 /// Errors: those of Renderer::create, Renderer::render and Device::readTexture.

@@ -82,6 +82,11 @@ public:
     /// The same of a GL_TEXTURE_2D with one sample a pixel, by its API's name (GLuint).
     Status setTexture(std::string_view name, std::uint32_t native_name, Format format, Extent size);
 
+    /// The same for one view, from 0: 1 is the first of Frame::other_views, which must be there.
+    /// Views without a texture of their own take that of view 0, whose format is that of all.
+    /// Errors: also CV6011 for a view that there is not, and for another format.
+    Status setViewTexture(int view, std::string_view name, const HostTexture& texture);
+
     /// Sets a param: as many floats as it has components; or a feature: "true", "false" or an
     /// enum's word. Errors and costs: those of Renderer::setParam and Renderer::setFeature.
     Status setParam(std::string_view name, float value);
@@ -96,22 +101,22 @@ public:
     /// a warning CV6010 with the first frame where the projection is still the default.
     Status render();
 
-    /// The API's name of an output's texture, which is the device's: sample it, and neither write
-    /// nor delete it. Ask again after each frame. 0 where the config has no such output, or none
-    /// was drawn.
-    std::uint32_t nativeName(std::string_view output) const;
+    /// The API's name of an output's texture of one view, which is the device's: sample it, and
+    /// neither write nor delete it. Ask again after each frame. 0 where the config has no such
+    /// output, or none was drawn.
+    std::uint32_t nativeName(std::string_view output, int view = 0) const;
 
     /// The same with format and size. Good until the next call of `render`, `resize`, `setParam` or
     /// `setFeature`, and as long as the effect.
-    OutputTexture outputTexture(std::string_view name) const;
+    OutputTexture outputTexture(std::string_view name, int view = 0) const;
 
     /// Draws an output into a framebuffer or texture of the host's, scaled to a rectangle in it;
     /// AO, which has one channel, as grey.
     /// Errors: CV2209 for an output that the config does not have; those of Device::present.
-    Status present(std::string_view output, const HostFramebuffer& target);
+    Status present(std::string_view output, const HostFramebuffer& target, int view = 0);
 
     /// The same as an id of the device, for Device::present and Device::readTexture.
-    TextureId output(std::string_view name) const;
+    TextureId output(std::string_view name, int view = 0) const;
 
     /// Draw list, materials, lights and all else that the next frame is drawn from
     /// (<crevice/frame.h>).

@@ -6,7 +6,7 @@
 // Both bounds count: a fault in a shader may well bring its picture nearer to the ground truth.
 // Where a change of a shader is meant, take the figures that the failing test prints.
 #include "tests/support/modules.h"
-#include "tests/support/scene_rig.h"
+#include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/measure/reference/tracer.h"
 #include "tools/render/image/image_metrics.h"
@@ -63,6 +63,9 @@ const Row kOcclusion[] = {
     {"ssdo", kClose, {"bias_length=0.05", "bias_along=normal"}, 0.1224, 0.0006},
     {"gtao", kWide, {"rotation=gradient", "slices=1", "steps=5"}, 0.0923, -0.0125},
     {"gtao_temporal", kWide, {"intensity=1.5", "bias=0.05"}, 0.1084, -0.0695},
+    {"balanced_temporal", kClose, {"guard_band=1"}, 0.0681, -0.0016},
+    {"mobile_temporal", kWide, {"intensity=1.4"}, 0.1246, -0.0895},
+    {"bitmask_layers", kClose, {"thickness=1"}, 0.0543, 0.0162},
 };
 
 const Row kLight[] = {

@@ -2,21 +2,12 @@
 // Far taps read coarser copies of depth, each texel of which is one of depth.
 #include "tests/support/modules.h"
 #include "tests/support/picture.h"
-#include "tests/support/shipped_subjects.h"
 
 #include <cmath>
 
 using namespace crevice;
 
 namespace {
-
-using Overrides = std::vector<std::string>;
-
-/// A config with the levels added to it.
-Description withLevels(const std::string& config, const Overrides& overrides, const char* more = "")
-{
-    return GivenConfig({config, "geometry/depth_levels"}, more).description(overrides);
-}
 
 /// Two steps of 24 bits, by which a value may move when it is stored once more.
 constexpr float kStep = 2e-7f;
@@ -35,9 +26,10 @@ bool holds(const Image& depth, int level, int x, int y, float value)
 TEST_CASE("A texel of a level is one of the texels of depth that it stands for")
 {
     SceneRig rig("room", {97, 53});
+    const Description description =
+        GivenConfig({"gtao", "geometry/depth_levels"}).description({"guard_band=1"});
     const auto target = [&](const char* name) {
-        const std::string shown = std::string(R"(, "outputs": {"shown": ")") + name + "\"}";
-        return rig.draw(withLevels("gtao", {"guard_band=1"}, shown.c_str()), rig.frame(), "shown");
+        return rig.draw(showing(description, name), rig.frame(), "shown");
     };
     const Image levels = target("depth_levels"), depth = target("depth");
     REQUIRE(levels.extent == depth.extent);
@@ -50,34 +42,4 @@ TEST_CASE("A texel of a level is one of the texels of depth that it stands for")
                 CHECK(holds(depth, level, x, y, levels.at(corner.width + x, corner.height + y)));
             }
     }
-}
-
-TEST_CASE("Levels change little, the nearer they begin the more, and nothing beyond every tap")
-{
-    SceneRig rig("room");
-    for (const char* config : {"sao", "learnopengl", "ogldev45"}) {
-        INFO(config);
-        const Image without = rig.draw(descriptionOf({config}, {"radius=1"}), rig.frame());
-        const auto change = [&](const char* near_taps) {
-            const Image image = rig.draw(withLevels(config, {"radius=1", near_taps}), rig.frame());
-            CHECK(allVisibility(image));
-            return meanChange(image, without);
-        };
-        CHECK(change("near_taps=10000") == 0.0);
-        const double far = change("near_taps=16"), near = change("near_taps=1");
-        CHECK(near > 0.0);
-        CHECK(near >= far);
-        CHECK(far < 0.005);
-    }
-}
-
-TEST_CASE("Levels of tiny and odd views, and of views with a guard band, draw visibility")
-{
-    SceneRig rig("room");
-    for (const Extent extent : {Extent{1, 1}, Extent{5, 3}, Extent{17, 31}, Extent{33, 16}})
-        for (const char* guard : {"guard_band=1", "guard_band=1.37"}) {
-            rig.extent = extent;
-            const Overrides overrides = {"radius=4", "near_taps=1", guard};
-            CHECK(allVisibility(rig.draw(withLevels("sao", overrides), rig.frame())));
-        }
 }

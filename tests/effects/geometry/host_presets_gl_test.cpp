@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Presets on a host's textures give the picture of the same preset that draws what they hold.
+#include "tests/support/modules.h"
 #include "tests/support/picture.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/render/host_textures.h"
-
-#include <cmath>
 
 using namespace crevice;
 
@@ -62,7 +61,7 @@ TEST_CASE("What a host stores in another way gives the same picture, from camera
     }
 }
 
-TEST_CASE("A host's textures are in its own view space, and in its own format")
+TEST_CASE("A host's textures are in its own view space")
 {
     Hosted hosted;
     const Image upright = hosted.occlusion("gtao", {"+geometry/host_depth_normal"});
@@ -75,34 +74,24 @@ TEST_CASE("A host's textures are in its own view space, and in its own format")
         const Image other = hosted.occlusion("gtao", {std::string("+geometry/host_") + module});
         CHECK(meanChange(other, upright) < 0.003);
     }
-
-    const Description coarse =
-        descriptionOf({"mobile"}, {"+geometry/host_depth", "/imports/depth/format=depth16"});
-    HostTextures host =
-        need(HostTextures::make(*hosted.device, coarse, hosted.extent, hosted.seen));
-    const Frame frame = need(host.frameOf(hosted.seen));
-    REQUIRE(frame.textures.size() == 1);
-    for (const float value : hosted.read(frame.textures[0].texture).pixels)
-        REQUIRE(std::abs(value * 65535 - std::round(value * 65535)) < 0.02f);
-    CHECK(frame.draws.empty());
 }
 
-TEST_CASE("Each of two eyes gets a host's textures of its own")
+TEST_CASE("Distances of a host count as surfaces above 0 and below the far, and nowhere else")
 {
-    Hosted hosted;
-    Camera other = hosted.seen.camera;
-    other.view_from_world[3][0] += 0.5;
-    hosted.seen.other_views = {{other, {}}};
-    const Description mobile = descriptionOf({"mobile"}, {"+geometry/host_depth"});
-    HostTextures host =
-        need(HostTextures::make(*hosted.device, mobile, hosted.extent, hosted.seen));
-    const Frame both = need(host.frameOf(hosted.seen));
-    const auto renderer = hosted.renderer(mobile, both, {"ao"});
-    need(renderer->render(both));
-    const Image left = hosted.read(renderer->output("ao", 0));
-    const Image right = hosted.read(renderer->output("ao", 1));
-    hosted.seen.other_views.clear();
-    CHECK(meanChange(hosted.occlusion("mobile", {"+geometry/host_depth"}), left) == 0.0);
-    hosted.seen.camera = other;
-    CHECK(meanChange(hosted.occlusion("mobile", {"+geometry/host_depth"}), right) == 0.0);
+    // A sphere kernel shades all surfaces, and no background.
+    const Description description =
+        GivenConfig({"geometry/host_linear_depth", "ssao/sphere", "filter/none"},
+                    R"(, "params": {"linear_far": 10})")
+            .description();
+    SceneRig rig("spheres");
+    Frame bare;
+    bare.camera = rig.frame().camera;
+    const auto occlusionAt = [&](float distance) {
+        const TextureId image = rig.texture(Format::r32f, rig.extent);
+        need(rig.device->writeTexture(image, Image(rig.extent, 1, distance)));
+        bare.textures = {{"linear_depth", image}};
+        return 1 - mean(rig.draw(description, bare));
+    };
+    for (const float distance : {5.0f, 9.9f}) CHECK(occlusionAt(distance) > 0.1);
+    for (const float distance : {-5.0f, 0.0f, 10.0f, 11.0f}) CHECK(occlusionAt(distance) == 0);
 }

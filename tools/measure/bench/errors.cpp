@@ -14,7 +14,7 @@
 namespace crevice {
 namespace {
 
-const char* const kLayersModule = "bench/second_layer.json";
+const char* const kLayersModule = "command/second_layer.json";
 
 /// Tiles of noise and of half-size targets stay where they are on the screen.
 constexpr int kMarginStep = 16;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace crevice {
 namespace {
 
-const char* const kCopyModule = "bench/depth_copy.json";
+const char* const kCopyModule = "command/depth_copy.json";
 
 /// Turns end at so many times the least, settled or not.
 constexpr int kMostPatience = 4;

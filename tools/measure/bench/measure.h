@@ -2,11 +2,11 @@
 // Measuring one sample of a bench on a device: its error, the parts of it, its time, its pictures.
 //
 // What is timed are the passes that the sample's output needs, by default `ao`. The config, a plain
-// copy of the depth texture (effects/bench/depth_copy.json) and `learnopengl` with the same radius
-// take turns (see tools/measure/bench/times.h) until both ratios are known to a few per cent. The
-// cost of a config is the sum over its passes other than draw passes: for `ao`, what it adds to a
-// host that has a G-buffer. Beside it stands the cost with the geometry that the occlusion alone
-// needs.
+// copy of the depth texture (effects/command/depth_copy.json) and `learnopengl` with the same
+// radius take turns (see tools/measure/bench/times.h) until both ratios are known to a few per
+// cent. The cost of a config is the sum over its passes other than draw passes: for `ao`, what it
+// adds to a host that has a G-buffer. Beside it stands the cost with the geometry that the
+// occlusion alone needs.
 #pragma once
 
 #include "tools/measure/bench/bench.h"

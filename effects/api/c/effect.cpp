@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Effects: made, set and drawn, with the views and textures that they see.
+#include <crevice/renderer.h>
+
+#include "effects/api/c/handles.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <utility>
+
+using namespace crevice;
+
+namespace {
+
+/// What an effect begins as, before its own description takes this one's place: nothing is drawn
+/// where the intensity is 0.
+constexpr const char* kBlank = R"({ "format": 1, "name": "blank", "params": { "intensity": 0 },
+    "extends": ["geometry/host_depth", "ssao/hemisphere"] })";
+
+std::string textOf(const char* text) { return text ? text : ""; }
+
+Result<EffectRequest> requestOf(const crevice_effect_desc& desc)
+{
+    EffectRequest request{textOf(desc.config), textOf(desc.folder), textOf(desc.patch), {}};
+    if (Status given = checkGiven(desc.config, "the config"); !given) return given.diagnostics();
+    if (desc.output_count < 0) return Diagnostic{Code::bad_input, "output_count is below 0"};
+    for (int i = 0; i < desc.output_count; ++i) {
+        Status given = checkGiven(desc.outputs, "the list of outputs");
+        if (given) given = checkGiven(desc.outputs[i], "the name of an output");
+        if (!given) return given.diagnostics();
+        request.outputs.push_back(desc.outputs[i]);
+    }
+    return request;
+}
+
+/// Loads and puts what was loaded in the place of what `effect` draws, or changes nothing.
+Status load(crevice_effect& effect, EffectRequest request, Extent size)
+{
+    auto loaded = loadEffect(request);
+    if (!loaded) return loaded.diagnostics();
+    const Status status =
+        effect.effect->renderer().reload((*loaded)->description, {size, request.outputs, {}});
+    if (!status) return status;
+    effect.request = std::move(request);
+    effect.loaded = std::move(*loaded);
+    Diagnostics all = loaded.diagnostics();
+    append(all, status.diagnostics());
+    return all;
+}
+
+Status create(const crevice_device& device, const crevice_effect_desc& desc,
+              crevice_effect** effect)
+{
+    Result<EffectRequest> request = requestOf(desc);
+    if (!request) return request.diagnostics();
+    auto blank = Effect::create(*device.device, kBlank, {1, 1});
+    if (!blank) return blank.diagnostics();
+    auto made = std::make_unique<crevice_effect>();
+    made->device = device.device;
+    made->effect = std::move(*blank);
+    made->effect->frame().materials.resize(1);
+    const Status loaded = load(*made, std::move(*request), {desc.width, desc.height});
+    if (!loaded) return loaded;
+    if (!loaded.diagnostics().empty())
+        made->warnings = std::make_unique<crevice_error>(loaded.diagnostics());
+    *effect = made.release();
+    return {};
+}
+
+Status render(crevice_effect& effect)
+{
+    const Status status = effect.effect->render();
+    Frame& frame = effect.effect->frame();
+    if (std::exchange(effect.scene.callback_threw, false)) {
+        ++frame.revision;  // draw again what it left undone
+        if (status)
+            return Diagnostic{Code::bad_input, "a draw callback threw an exception",
+                              "make callbacks that do not throw"};
+    }
+    if (!status) return status;
+    frame.camera_cut = false;
+    frame.origin_shift = glm::dvec3(0.0);
+    return status;
+}
+
+Status setViews(crevice_effect& effect, const crevice_view* views, int count)
+{
+    const auto nothing = [](std::size_t, const crevice_view&) { return Status(); };
+    if (Status fine = takeEach(views, count, "crevice_view", nothing); !fine) return fine;
+    Frame& frame = effect.effect->frame();
+    frame.other_views.resize(static_cast<std::size_t>(count));
+    return takeEach(views, count, "crevice_view", [&frame](std::size_t i, const auto& view) {
+        Camera& camera = frame.other_views[i].camera;
+        camera.clip_from_view = glm::make_mat4(view.clip_from_view);
+        camera.view_from_world = matrixOf(view.view_from_world);
+        camera.clip_control = frame.camera.clip_control;
+        return Status();
+    });
+}
+
+}  // namespace
+
+namespace crevice {
+
+static_assert(static_cast<int>(HostTexture::Kind::framebuffer) == CREVICE_FRAMEBUFFER,
+              "crevice_texture_kind is HostTexture::Kind");
+
+Status takeTexture(const crevice_texture* given, HostTexture& host)
+{
+    crevice_texture texture = {};
+    Status status = take(given, "crevice_texture", texture);
+    if (status) status = checkEnum(texture.kind, CREVICE_FRAMEBUFFER, "crevice_texture_kind");
+    if (!status) return status;
+    host.format = texture.format ? formatFromName(texture.format) : Format::none;
+    if (texture.format && host.format == Format::none)
+        return Diagnostic{Code::bad_input,
+                          "there is no format '" + std::string(texture.format) + "'",
+                          suggestName(texture.format, formatNames(), "formats")};
+    host.name = texture.name;
+    host.extent = {texture.width, texture.height};
+    host.samples = texture.samples == 0 ? 1 : texture.samples;
+    host.kind = static_cast<HostTexture::Kind>(texture.kind);
+    host.layer = texture.layer;
+    host.part = texture.part;
+    host.x = texture.x;
+    host.y = texture.y;
+    return status;
+}
+
+}  // namespace crevice
+
+crevice_error* crevice_effect_create(crevice_device* device, const crevice_effect_desc* desc,
+                                     crevice_effect** effect)
+{
+    if (effect) *effect = nullptr;
+    return guarded([&]() -> Status {
+        crevice_effect_desc own = {};
+        const Status given =
+            firstOf(checkGiven(device, "the device"), take(desc, "crevice_effect_desc", own),
+                    checkGiven(effect, "the place for the effect"));
+        return given ? create(*device, own, effect) : given;
+    });
+}
+
+crevice_error* crevice_effect_reload(crevice_effect* effect, const char* config)
+{
+    return onEffect(effect, [&] {
+        EffectRequest request = effect->request;
+        if (config) request.config = config;
+        return load(*effect, std::move(request), effect->effect->renderer().plan().extent);
+    });
+}
+
+crevice_error* crevice_effect_resize(crevice_effect* effect, int width, int height)
+{
+    return onEffect(effect, [&] { return effect->effect->resize({width, height}); });
+}
+
+void crevice_effect_destroy(crevice_effect* effect) { delete effect; }
+
+const crevice_error* crevice_effect_warnings(const crevice_effect* effect)
+{
+    return effect ? effect->warnings.get() : nullptr;
+}
+
+crevice_error* crevice_effect_set_projection(crevice_effect* effect, const float* clip_from_view)
+{
+    return onEffect(effect, [&] {
+        Status given = checkGiven(clip_from_view, "the projection");
+        if (given) effect->effect->setProjection(clip_from_view);
+        return given;
+    });
+}
+
+crevice_error* crevice_effect_set_view(crevice_effect* effect, const double* view_from_world)
+{
+    return onEffect(effect, [&] {
+        Status given = checkGiven(view_from_world, "the view");
+        if (given) effect->effect->setView(view_from_world);
+        return given;
+    });
+}
+
+crevice_error* crevice_effect_cut(crevice_effect* effect)
+{
+    return onEffect(effect, [&] {
+        effect->effect->frame().camera_cut = true;
+        return Status();
+    });
+}
+
+crevice_error* crevice_effect_shift_origin(crevice_effect* effect, const double* shift)
+{
+    return onEffect(effect, [&] {
+        Status given = checkGiven(shift, "the shift");
+        if (given) effect->effect->frame().origin_shift += glm::make_vec3(shift);
+        return given;
+    });
+}
+
+crevice_error* crevice_effect_set_clip_control(crevice_effect* effect, bool zero_to_one,
+                                               bool upper_left)
+{
+    return onEffect(effect, [&] {
+        effect->effect->setClipControl({zero_to_one, upper_left});
+        Frame& frame = effect->effect->frame();
+        for (FrameView& view : frame.other_views)
+            view.camera.clip_control = frame.camera.clip_control;
+        return Status();
+    });
+}
+
+crevice_error* crevice_effect_set_views(crevice_effect* effect, const crevice_view* views,
+                                        int count)
+{
+    return onEffect(effect, [&] { return setViews(*effect, views, count); });
+}
+
+crevice_error* crevice_effect_set_texture(crevice_effect* effect, const char* import,
+                                          const crevice_texture* texture)
+{
+    return crevice_effect_set_view_texture(effect, 0, import, texture);
+}
+
+crevice_error* crevice_effect_set_view_texture(crevice_effect* effect, int view, const char* import,
+                                               const crevice_texture* texture)
+{
+    return onEffect(effect, [&] {
+        HostTexture host;
+        const Status given =
+            firstOf(checkGiven(import, "the import's name"), takeTexture(texture, host));
+        return given ? effect->effect->setViewTexture(view, import, host) : given;
+    });
+}
+
+crevice_error* crevice_effect_set_param(crevice_effect* effect, const char* name,
+                                        const float* values, int count)
+{
+    return onEffect(effect, [&] {
+        const Status given =
+            firstOf(checkGiven(name, "the param's name"), checkGiven(values, "the value"));
+        return given ? effect->effect->setParam(name, values, count) : given;
+    });
+}
+
+crevice_error* crevice_effect_set_feature(crevice_effect* effect, const char* name,
+                                          const char* word)
+{
+    return onEffect(effect, [&] {
+        const Status given =
+            firstOf(checkGiven(name, "the feature's name"), checkGiven(word, "the word"));
+        return given ? effect->effect->setFeature(name, word) : given;
+    });
+}
+
+crevice_error* crevice_effect_render(crevice_effect* effect)
+{
+    return onEffect(effect, [&] { return render(*effect); });
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// An effect's config: from a name, a file or a text to a description, and from values that were set
+// back to a patch.
+#include <crevice/shipped.h>
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/config/values.h"
+#include "core/json/merge.h"
+#include "core/json/override.h"
+#include "effects/api/c/handles.h"
+
+namespace crevice {
+
+namespace {
+
+/// Lays the patch over the document.
+Status applyPatch(Node& document, const std::string& patch)
+{
+    if (patch.empty()) return {};
+    const Result<Node> read =
+        parseDocument(std::make_shared<SourceText>(SourceText{"(patch)", patch}));
+    if (!read) return read.diagnostics();
+    Diagnostics errors;
+    mergePatch(document, *read, errors);
+    return errors;
+}
+
+std::vector<std::vector<const char*>> wordsOf(const Description& description)
+{
+    std::vector<std::vector<const char*>> all;
+    for (const FeatureDesc& feature : description.features) {
+        std::vector<const char*> words;
+        for (const std::string& word : feature.values) words.push_back(word.c_str());
+        all.push_back(std::move(words));
+    }
+    return all;
+}
+
+/// "radius=0.8", as overrides are written.
+std::string overrideOf(const ParamDesc& param)
+{
+    const int count = componentCount(param.type);
+    std::vector<std::string> numbers;
+    for (int i = 0; i < count; ++i) numbers.push_back(shortest(param.value[i]));
+    return param.name + "=" + (count == 1 ? numbers[0] : "[" + joined(numbers) + "]");
+}
+
+std::string overrideOf(const FeatureDesc& feature)
+{
+    const std::string& word = feature.values[static_cast<std::size_t>(feature.value)];
+    return feature.name + "=" + (feature.boolean ? word : jsonString(word));
+}
+
+/// What was set by itself: no value that a word of a feature set.
+std::vector<std::string> overridesOf(const Description& loaded, const Description& now)
+{
+    const Values before = untouched(valuesOf(loaded), now);
+    std::vector<std::string> overrides;
+    for (std::size_t i = 0; i < now.features.size(); ++i)
+        if (now.features[i].value != before.features[i])
+            overrides.push_back(overrideOf(now.features[i]));
+    for (std::size_t i = 0; i < now.params.size(); ++i)
+        if (now.params[i].value != before.params[i]) overrides.push_back(overrideOf(now.params[i]));
+    return overrides;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LoadedConfig>> loadEffect(const EffectRequest& request)
+{
+    const CheckoutSources sources(request.folder);
+    Result<Node> bare = loadConfig(sources, {request.config});
+    if (!bare) return bare.diagnostics();
+    auto loaded = std::make_unique<LoadedConfig>();
+    loaded->bare = std::move(*bare);
+    loaded->document = loaded->bare;
+    if (Status patched = applyPatch(loaded->document, request.patch); !patched)
+        return patched.diagnostics();
+    Result<Description> description = decode(loaded->document, sources);
+    if (!description) return description.diagnostics();
+    loaded->description = std::move(*description);
+    loaded->words = wordsOf(loaded->description);
+    loaded->outputs =
+        request.outputs.empty() ? namesOf(loaded->description.outputs) : request.outputs;
+    return {std::move(loaded), description.diagnostics()};
+}
+
+Result<Node> patchOf(const LoadedConfig& loaded, const Description& now)
+{
+    Node document = loaded.document;
+    for (const std::string& each : overridesOf(loaded.description, now))
+        if (Status status = applyOverride(document, each); !status) return status.diagnostics();
+    return patchBetween(loaded.bare, document);
+}
+
+}  // namespace crevice
