@@ -46,16 +46,18 @@ struct Fault {
     Code code = Code::syntax;
 };
 
-constexpr const char* kPairs = "an object holds pairs: \"key\": value";
-
-// What the grammar allows behind the stop, and where that would begin.
+// What the grammar allows behind the stop, where that would begin, and how it is written.
 struct Wanted {
     std::size_t offset = 0;
     const char* what = "";
-    const char* help = "";  // when something well formed stands there instead
-    bool value = false;     // a value would do
-    bool after_comma = false;
+    const char* help = "";
 };
+
+constexpr const char* kPairs =
+    "an object holds pairs, with the key in double quotes: \"key\": value";
+constexpr const char* kValue =
+    "text stands in double quotes, true, false and null are in lower case, and a number is finite "
+    "and looks like 12, -0.5 or 1e-3, decimal and without a unit";
 
 Wanted wantedAfter(std::string_view text, const SyntaxStop& stop)
 {
@@ -63,166 +65,63 @@ Wanted wantedAfter(std::string_view text, const SyntaxStop& stop)
     const bool in_object = stop.container && stop.container->kind == Node::Kind::object;
     const auto skip = [&](std::size_t offset) { return offset + spaceLength(text, offset); };
     const std::size_t at = skip(stop.offset);
-    if (stop.after == After::nothing) return {at, "a value", "a document begins with '{'", true};
-    if (stop.after == After::opening && in_object) return {at, "a key or '}'", kPairs};
-    if (stop.after == After::opening) return {at, "a value or ']'", "", true};
-    if (stop.after == After::key && charAt(text, at) == ':')
-        return {skip(at + 1), "a value", "", true};
-    if (stop.after == After::key) return {at, "':'", "write ':' between a key and its value"};
-    if (!stop.container) return {at, "the end of the text", "a text holds one value"};
+    switch (stop.after) {
+    case After::nothing: return {at, "a value", "a document begins with '{'"};
+    case After::opening:
+        return in_object ? Wanted{at, "a key or '}'", kPairs}
+                         : Wanted{at, "a value or ']'", kValue};
+    case After::key:
+        if (charAt(text, at) == ':') return {skip(at + 1), "a value", kValue};
+        return {at, "':'", "write ':' between a key and its value"};
+    case After::value: break;
+    }
+    if (!stop.container)
+        return {at, "the end of the text", "a text holds one value, an object within braces"};
     if (charAt(text, at) == ',')
-        return {skip(at + 1), in_object ? "a key" : "a value", in_object ? kPairs : "", !in_object,
-                true};
-    return {at, in_object ? "',' or '}'" : "',' or ']'",
-            isDigit(charAt(text, stop.offset - 1))
-                ? "is a comma missing before it? a number stands without a unit"
-                : "is a comma missing before it?"};
-}
-
-Fault unexpected(std::size_t offset, std::size_t length, const std::string& found,
-                 const Wanted& wanted, std::string help)
-{
-    return {offset, length, "found " + found + " where " + wanted.what + " was wanted",
-            std::move(help)};
+        return in_object ? Wanted{skip(at + 1), "a key", kPairs}
+                         : Wanted{skip(at + 1), "a value", kValue};
+    return in_object ? Wanted{at, "',' or '}'", "is a comma missing before it? or close with '}'"}
+                     : Wanted{at, "',' or ']'", "is a comma missing before it? or close with ']'"};
 }
 
 // What is wrong with the string at `begin`, which the byte at `bad` breaks.
 Fault stringFault(std::string_view text, std::size_t begin, std::size_t bad)
 {
     const char c = charAt(text, bad);
-    if (bad >= text.size() || c == '\n' || text.substr(bad, 2) == "\r\n")
+    if (bad >= text.size() || c == '\n' || c == '\r')
         return {begin, std::min(bad, text.size()) - begin,
                 "found a string that does not end on its line",
                 "close it with '\"'; a line break in a string is written \\n"};
-    if (c == '\t') return {bad, 1, "found a tab in a string", "write it as \\t"};
-    if (static_cast<unsigned char>(c) < 0x20)
-        return {bad, 1, "found a control character in a string",
-                "write it as " + printableLine({&c, 1})};
-    std::size_t escape = text.rfind('\\', bad - 1);
-    if (isOneOf(text[escape + 1], "\"\\/bfnrt")) escape -= 6;  // it stands behind half of a pair
-    const std::size_t digits = text.find_first_not_of("0123456789abcdefABCDEF", escape + 2);
-    if (text[escape + 1] == 'u' && digits - escape >= 6)
-        return {escape, 6, "found half of a surrogate pair in a string",
-                "write the character itself, in UTF-8"};
-    return {escape, 2, "found " + quoted(text.substr(escape, 2)) + " in a string",
-            "a backslash is written \\\\, a quote \\\", a line break \\n"};
+    const std::size_t escape = text[bad - 1] == '\\' ? bad - 1 : bad;
+    return {
+        escape, bad + 1 - escape,
+        "found " + quoted(printableLine(text.substr(escape, bad + 1 - escape))) + " in a string",
+        "a backslash is written \\\\, a quote \\\", a tab \\t, a line break \\n"};
 }
 
-std::string wordHelp(std::string_view word, const Wanted& wanted)
-{
-    const std::string lower = lowerCase(word);
-    const std::string bare = lower.substr(isOneOf(lower[0], "+-") ? 1 : 0);
-    if (bare == "nan" || bare == "infinity" || bare == "inf")
-        return "JSON has finite numbers only; for no limit write a large one, such as 1e30";
-    if (lower != word && (lower == "true" || lower == "false" || lower == "null"))
-        return "write it in lower case: " + lower;
-    if (lower == "none" || lower == "nil" || lower == "undefined") return "write null";
-    if (wanted.help[0] != '\0' && wanted.help != kPairs) return wanted.help;
-    return "put keys and text in double quotes: \"" + std::string(utf8Prefix(word, kMaxShown)) +
-           "\"";
-}
-
-Fault wordFault(std::string_view text, const Wanted& wanted)
+Fault faultAt(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
 {
     const auto belongs = [&](std::size_t at) {
         return isWordCharacter(charAt(text, at)) || isOneOf(charAt(text, at), "+-.");
     };
     std::size_t begin = wanted.offset, end = wanted.offset;
-    while (begin > 0 && belongs(begin - 1)) --begin;  // the parser stopped inside of 01
-    while (belongs(end)) ++end;
+    if (charAt(text, begin) == '"') {
+        if (stop.bad > 0) return stringFault(text, begin, stop.bad);
+        end += stringLength(text, begin);
+    } else if (belongs(begin)) {
+        while (begin > 0 && belongs(begin - 1)) --begin;  // the parser stopped inside of 01
+        while (belongs(end)) ++end;
+    } else {
+        end += std::max<std::size_t>(utf8Length(text, begin), 1);
+    }
     const std::string_view token = text.substr(begin, end - begin);
-    const std::size_t sign = isOneOf(token[0], "+-") ? 1 : 0;
-    const char first = charAt(token, sign);
-    // 0,5 and 1,000 in an object end the value at the comma.
-    if (wanted.after_comma && begin > 1 && text[begin - 1] == ',' && isDigit(text[begin - 2]) &&
-        isDigit(token[0]))
-        return unexpected(begin, token.size(), quoted(token), wanted,
-                          "a decimal number is written with a point, 0.5, and 1000 without comma");
-    if (begin > 0 && text[begin - 1] == '"')
-        return unexpected(begin, token.size(), quoted(token), wanted,
-                          "does it belong to the text before? a quote in a text is written \\\"");
-    if (!isDigit(first) && !isOneOf(first, ".+-") && token.size() > sign)
-        return unexpected(begin, token.size(), quoted(token), wanted, wordHelp(token, wanted));
-    if (numberLength(token, 0) != token.size())
-        return {begin, token.size(), "found " + quoted(token) + ", which is not a number",
-                "a number looks like 12, -0.5 or 1e-3: decimal, without '+', leading zeros or a "
-                "unit, with a digit before the point and one after the point"};
-    if (wanted.value)
+    if ((stop.after == SyntaxStop::After::nothing || wanted.help == kValue) &&
+        numberLength(token, 0) == token.size())
         return {begin, token.size(), "the number " + quoted(token) + " is too large",
                 "the largest number is about 1.8e308", Code::number_range};
-    return unexpected(begin, token.size(), quoted(token), wanted, wanted.help);
-}
-
-// What to do about a sign that JSON does not have there.
-std::string symbolHelp(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
-{
-    const char c = text[wanted.offset];
-    const bool after_value = stop.after == SyntaxStop::After::value;
-    if (c == ':' && !stop.container) return "put braces around all of it: { \"format\": 1, ... }";
-    if (c == ':' && stop.container->kind == Node::Kind::array)
-        return "a list has no keys: close it with ']' first, or write '{' for its '['";
-    if (c == ',' && stop.after != SyntaxStop::After::key)
-        return wanted.after_comma ? "take one of the two commas away" : "take the comma away";
-    if (isOneOf(c, "]}")) {
-        if (!stop.container) return "take it away; or is an opening one missing above?";
-        if (stop.after == SyntaxStop::After::key)
-            return "write ':' and a value behind the key, or take the key away";
-        return stop.container->kind == Node::Kind::array ? "close the array with ']' first"
-                                                         : "close the object with '}' first";
-    }
-    if (c == ';' && after_value)
-        return stop.container ? "write ',' between entries" : "take it away";
-    if (c == '%') return "write a share, such as 0.5";
-    if (c == '#') return "a comment begins with '//'";
-    if (isOneOf(c, "/*") && after_value) return "JSON does not calculate: write the result";
-    return wanted.help;
-}
-
-Fault symbolFault(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
-{
-    const std::size_t length = std::max<std::size_t>(utf8Length(text, wanted.offset), 1);
-    const std::string_view symbol = text.substr(wanted.offset, length);
-    const char c = symbol[0];
-    std::string found = quoted(symbol);
-    std::string help = symbolHelp(text, stop, wanted);
-    if (isOneOf(c, "'`") || symbol == "\u2018" || symbol == "\u201C" || symbol == "\u201D") {
-        found = c == '\'' ? "a single quote" : c == '`' ? "a backtick" : "a curly quote";
-        help = "put keys and text in double quotes: \"";
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-        found = "a control character";
-        help = "take it away";
-    }
-    return unexpected(wanted.offset, length, found, wanted, help);
-}
-
-// A string that lacks its closing quote ends at the next one's opening quote, and what follows
-// makes no sense: "radius: { "default". True when the last string ends in what stands between
-// entries.
-bool lacksQuote(std::string_view text, const SyntaxStop& stop, std::size_t offset)
-{
-    if (stop.offset == 0 || text[stop.offset - 1] != '"' || !isWordCharacter(charAt(text, offset)))
-        return false;
-    std::size_t end = stop.offset - 1;
-    while (end > 0 && text[end - 1] == ' ') --end;
-    return end > 0 && isOneOf(text[end - 1], ",:[{");
-}
-
-Fault faultAt(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)
-{
-    const char c = text[wanted.offset];
-    if (lacksQuote(text, stop, wanted.offset)) {
-        const std::size_t begin = text.rfind('"', stop.offset - 2);
-        return {begin, stop.offset - begin,
-                "found " + quoted(text.substr(begin, stop.offset - begin)) +
-                    ", which looks like a string without its closing quote",
-                "close it with '\"' where it should end"};
-    }
-    if (isWordCharacter(c) || isOneOf(c, "+-.")) return wordFault(text, wanted);
-    if (c != '"') return symbolFault(text, stop, wanted);
-    if (stop.bad > 0) return stringFault(text, wanted.offset, stop.bad);
-    const std::size_t length = stringLength(text, wanted.offset);
-    return unexpected(wanted.offset, length, quoted(text.substr(wanted.offset, length)), wanted,
-                      wanted.help);
+    return {begin, token.size(),
+            "found " + quoted(printableLine(token)) + " where " + wanted.what + " was wanted",
+            wanted.help};
 }
 
 Fault endFault(std::string_view text, const SyntaxStop& stop, const Wanted& wanted)

@@ -49,44 +49,12 @@ TEST_CASE("a diagnostic shows place, line, marks, pointer, notes and help")
           "  help: did you mean 'ao'?\n");
 }
 
-TEST_CASE("a diagnostic without a place begins with its severity")
-{
-    CHECK(toText(Diagnostic{Code::usage, "no command"}) == "error CV8001: no command\n");
-    Diagnostic warning{Code::internal, "odd"};
-    warning.severity = Severity::warning;
-    CHECK(toText(Diagnostics{warning}) == "warning CV0001: odd\n");
-}
-
-TEST_CASE("a place whose line is unknown shows the text's name alone")
-{
-    CHECK(placeName({textOf("x"), 0, 0, 1}) == "my.json");
-    CHECK(placeName({textOf("x"), 4, 0, 1}) == "my.json:4");
-    CHECK(placeName({textOf("x"), 4, 2, 1}) == "my.json:4:2");
-    CHECK(placeName({}).empty());
-    CHECK(toText(Diagnostic{Code::usage, "m", {}, {textOf("x"), 0}}) ==
-          "my.json: error CV8001: m\n");
-}
-
-TEST_CASE("a line without a column is shown without marks")
-{
-    CHECK(toText(Diagnostic{Code::usage, "m", {}, {textOf("x y"), 1, 0, 1}}) ==
-          "my.json:1: error CV8001: m\n    1 | x y\n");
-}
-
 TEST_CASE("the marks stay below the place after tabs and letters of several bytes")
 {
     const std::string text =
         toText(Diagnostic{Code::usage, "m", {}, {textOf("\t\xC3\xA4 bad"), 1, 5, 3}});
     CHECK(shownLine(text, 1) == "    1 | \t\xC3\xA4 bad");
     CHECK(shownLine(text, 2) == "      | \t  ^~~");
-}
-
-TEST_CASE("the marks stop at the end of the line")
-{
-    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {}, {textOf("ab\r\ncd"), 1, 2, 99}}), 2) ==
-          "      |  ^");
-    CHECK(shownLine(toText(Diagnostic{Code::usage, "m", {}, {textOf("ab\n"), 1, 3, 1}}), 2) ==
-          "      |   ^");
 }
 
 TEST_CASE("places outside of the text do no harm")
@@ -110,14 +78,6 @@ TEST_CASE("a long line is cut around the place")
         CHECK(shown.find("...") != std::string::npos);
         CHECK(shown.find('X') == marks.find('^'));
     }
-}
-
-TEST_CASE("bytes that would upset a terminal are not shown as they are")
-{
-    const std::string text =
-        toText(Diagnostic{Code::usage, "m", {}, {textOf("\x1B[31m\xFF!"), 1, 7, 1}});
-    CHECK(shownLine(text, 1) == "    1 | ?[31m?!");
-    CHECK(shownLine(text, 2) == "      |       ^");
 }
 
 TEST_CASE("no part of a diagnostic controls the terminal or forges a line")
@@ -166,15 +126,6 @@ TEST_CASE("diagnostics as JSON have every key and can be read back")
     CHECK(toJson(Diagnostics{}) == "[]\n");
 }
 
-TEST_CASE("only an error counts as one")
-{
-    Diagnostic warning{Code::internal, "odd"};
-    warning.severity = Severity::warning;
-    CHECK_FALSE(hasErrors({}));
-    CHECK_FALSE(hasErrors({warning}));
-    CHECK(hasErrors({warning, Diagnostic{Code::internal, "bad"}}));
-}
-
 TEST_CASE("the name that was meant is found")
 {
     const std::vector<std::string> names = {"ao",     "ao_filtered",     "color", "depth",
@@ -195,15 +146,4 @@ TEST_CASE("the name that was meant is found")
     CHECK(meant("velocity").empty());
     CHECK(meant("").empty());
     CHECK(meant(std::string(100000, 'a').c_str()).empty());
-}
-
-TEST_CASE("a help line lists the names sorted, and not too many")
-{
-    CHECK(suggestName("x_y_z", {"b", "a"}, "targets") == "targets: a, b");
-    CHECK(suggestName("x", {}, "targets") == "there are no targets");
-    std::vector<std::string> many;
-    for (int i = 10; i < 40; ++i) many.push_back("name" + std::to_string(i));
-    const std::string help = suggestName("velocity", many, "targets");
-    CHECK(help.find("name25, ...") != std::string::npos);
-    CHECK(help.find("name26") == std::string::npos);
 }

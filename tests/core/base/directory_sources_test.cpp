@@ -9,19 +9,6 @@ using namespace crevice;
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a folder's files are read again each time")
-{
-    const TemporaryFolder folder("source_reread");
-    const DirectorySources sources(folder.path.string());
-    folder.write("ssao/sphere.json", "1");
-    CHECK(sources.find("ssao/sphere.json")->text == "1");
-    folder.write("ssao/sphere.json", "2");
-    const SourceRef found = sources.find("ssao/sphere.json");
-    CHECK(found->text == "2");
-    CHECK(found->name == folder.path.string() + "/ssao/sphere.json");
-    CHECK(found->path == "ssao/sphere.json");
-}
-
 TEST_CASE("a folder lists its texts below it and nothing else")
 {
     const TemporaryFolder folder("source_list");

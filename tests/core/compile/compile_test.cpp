@@ -63,34 +63,6 @@ TEST_CASE("A graph that cannot be ordered is one error for each of its mistakes"
     });
 }
 
-TEST_CASE("Mistakes of different kinds are all reported in one run")
-{
-    const Result<Plan> plan =
-        tryCompile(describe(Sketch{{"a: typo -> x", "b: -> x", "c: q -> p", "d: p -> q"},
-                                   {{"out", "x"}, {"cycle", "p"}},
-                                   {{"p", kDepth}}}));
-    for (const Code code :
-         {Code::uniform_unbound, Code::two_writers, Code::cycle, Code::attachment_kind})
-        CHECK(findDiagnostic(plan.diagnostics(), code));
-    CHECK(plan.diagnostics().size() == 4);
-}
-
-TEST_CASE("A cycle is reported along the data, with the targets")
-{
-    const Diagnostic error = onlyError(
-        describe(Sketch{{"start: -> s", "a: s z -> x", "b: x -> y", "c: y -> z"}, {{"out", "z"}}}));
-    CHECK_THAT(error.message, Catch::Contains("a -> b (x) -> c (y) -> a (z)"));
-    CHECK(textAt(error.place) == "\"a\"");
-}
-
-TEST_CASE("The second of two writers is refused, with a note for the first")
-{
-    const Diagnostic error = onlyError(describe(Sketch{{"a: -> x", "b: -> y x"}, {{"out", "x"}}}));
-    REQUIRE(error.notes.size() == 1);
-    CHECK(textAt(error.notes[0].place) == "\"x\"");
-    CHECK(error.notes[0].place.column < error.place.column);
-}
-
 TEST_CASE("Only the outputs asked for keep passes alive, and an unknown one is refused")
 {
     const Description description =
@@ -103,33 +75,4 @@ TEST_CASE("Only the outputs asked for keep passes alive, and an unknown one is r
     const Diagnostic error = onlyError(description, {}, ampleCaps(), asking({"aoo"}));
     CHECK(error.code == Code::output_missing);
     CHECK_THAT(error.help, Catch::Contains("'ao'"));
-}
-
-TEST_CASE("A optimization that does not exist cannot be switched off")
-{
-    const Diagnostic error = onlyError(describe(Sketch{{"a: -> x"}, {{"out", "x"}}}), {},
-                                       ampleCaps(), keeping("dead_pas"));
-    CHECK(error.code == Code::bad_enum);
-    CHECK_THAT(error.help, Catch::Contains("'dead_pass'"));
-}
-
-TEST_CASE("The same input gives the same plan, and is left as it was")
-{
-    const Description description =
-        describe(Sketch{{"a: -> x y", "b: x -> z", "c: y z -> w"}, {{"out", "w"}, {"mid", "z"}}});
-    const Description copy = description;
-    const std::string first = toJson(planOf(description));
-    CHECK(first == toJson(planOf(copy)));
-    CHECK(first == toJson(planOf(description)));
-}
-
-TEST_CASE("Lifetimes begin at the writer and end at the last reader or never")
-{
-    const Plan plan =
-        planOf(describe(Sketch{{"a: -> x", "b: x -> y", "c: x y -> z"}, {{"out", "z"}}}));
-    std::string lifetimes;
-    for (const PlanTarget& target : plan.targets)
-        lifetimes += target.name + " " + std::to_string(target.first_pass) + "-" +
-                     std::to_string(target.last_pass) + " ";
-    CHECK(lifetimes == "x 0-2 y 1-2 z 2-3 ");
 }

@@ -47,41 +47,6 @@ TEST_CASE("A param bound as a define reaches GLSL as a literal of its type")
     CHECK(value(R"({"default": 100000000, "bind": "define"})") == "1e+08");
 }
 
-TEST_CASE("A param bound as a uniform is no define")
-{
-    CHECK(textWith("SIZE", R"("params": {"size": {"default": 2}})").find("#define") ==
-          std::string::npos);
-}
-
-TEST_CASE("Features are defines: a switch as 0 or 1, a choice with all its words")
-{
-    const std::string text = textWith("SOFT METHOD METHOD_NEAR METHOD_FAR", R"("features": {
-        "soft": {"type": "bool", "default": true},
-        "method": {"type": "enum", "values": ["near", "far"], "default": "far"}})");
-    CHECK(defines(text, "SOFT 1"));
-    CHECK(defines(text, "METHOD 1"));
-    CHECK(defines(text, "METHOD_NEAR 0"));
-    CHECK(defines(text, "METHOD_FAR 1"));
-}
-
-TEST_CASE("Traits of the scene are defines")
-{
-    const std::string names =
-        "SCENE_LIGHTS SCENE_ALPHA_TESTED SCENE_SPECULAR SCENE_TEXTURED CAMERA_ORTHOGRAPHIC "
-        "MAX_LIGHTS";
-    const std::string off = textWith(names);
-    CHECK(defines(off, "SCENE_LIGHTS 0"));
-    CHECK(defines(off, "SCENE_ALPHA_TESTED 0"));
-    CHECK(defines(off, "CAMERA_ORTHOGRAPHIC 0"));
-    CHECK(defines(off, "MAX_LIGHTS 16"));
-    const std::string on = textWith(names, "", {99, true, true, true, true});
-    CHECK(defines(on, "SCENE_LIGHTS 16"));
-    CHECK(defines(on, "SCENE_ALPHA_TESTED 1"));
-    CHECK(defines(on, "SCENE_SPECULAR 1"));
-    CHECK(defines(on, "SCENE_TEXTURED 1"));
-    CHECK(defines(on, "CAMERA_ORTHOGRAPHIC 1"));
-}
-
 TEST_CASE("Shaders that ask get the resolution of a texture")
 {
     const auto step = [](const std::string& format) {
@@ -126,18 +91,4 @@ TEST_CASE("Passes whose text is the same share a program, others do not")
     CHECK(same[0].key.size() == 16);
     CHECK(same[0].key.find_first_not_of("0123456789abcdef") == std::string::npos);
     CHECK(same[0].key != programs(R"({"AXIS": 1})", R"({"AXIS": 1})")[0].key);
-}
-
-TEST_CASE("A feature that a shader does not mention leaves its program as it is")
-{
-    const auto key = [](const std::string& soft) {
-        return planOf(describe(Sketch{
-                          {"a: -> x"},
-                          {{"out", "x"}},
-                          {},
-                          R"("features": {"soft": {"type": "bool", "default": )" + soft + "}}"}))
-            .programs[0]
-            .key;
-    };
-    CHECK(key("true") == key("false"));
 }

@@ -117,48 +117,6 @@ TEST_CASE("The known steps of depth and half floats come out")
     CHECK(viewStep(traits, {Semantic::other, Format::rgba8}, 100) == 0);
 }
 
-TEST_CASE("Float depth is finer than 24 bits only where a host reverses it")
-{
-    const glm::dmat4 lens = glm::perspective(1.0, 1.5, 0.01, 1e4);
-    const SceneTraits straight = through(lens), turned = through(reversed(lens));
-    const auto ratio = [](const SceneTraits& traits, bool host) {
-        StoredSurface floating = drawn(Format::depth32f), fixed = drawn(Format::depth24);
-        floating.drawn = fixed.drawn = !host;
-        return viewStep(traits, floating, 1000) / viewStep(traits, fixed, 1000);
-    };
-    CHECK(ratio(straight, false) == about(1));
-    CHECK(ratio(straight, true) == about(1));
-    CHECK(ratio(turned, false) == about(1));
-    CHECK(ratio(turned, true) < 1e-4);
-}
-
-TEST_CASE("What only the depth test reads is as coarse as its format, or as vertices next to 0")
-{
-    const SceneTraits traits = through(glm::ortho(-2.0, 3.0, -1.0, 1.0, -5.0, 45.0));
-    const auto share = [&](Format format, double distance) {
-        StoredSurface hidden = drawn(format);
-        hidden.hidden = true;
-        return viewStep(traits, hidden, distance) / viewStep(traits, drawn(format), distance);
-    };
-    CHECK(share(Format::depth16, 1) == about(1));
-    CHECK(share(Format::depth24, 1) == about(1));
-    CHECK(share(Format::depth32f, 1) == about(0.25));
-    CHECK(share(Format::depth32f, 49) == about(1));
-}
-
-TEST_CASE("Formats have to resolve the param that is a length, of several the least")
-{
-    Description description;
-    description.params.resize(3);
-    const float values[] = {0.1f, 2, 0.5f};
-    for (int i = 0; i < 3; ++i) description.params[i].value[0] = values[i];
-    CHECK(resolvedLength(description) == nullptr);
-    description.params[1].semantic = ParamSemantic::length;
-    CHECK(resolvedLength(description) == &description.params[1]);
-    description.params[2].semantic = ParamSemantic::length;
-    CHECK(resolvedLength(description) == &description.params[2]);
-}
-
 TEST_CASE("A radius asks for a tenth of it as far as it covers two pixels")
 {
     SceneTraits traits = common(0.1, 1000);

@@ -75,42 +75,6 @@ TEST_CASE("A target with a history has two textures, which nothing else shares")
     CHECK(toJson(plan).find("\"kind\": \"history\"") != std::string::npos);
 }
 
-TEST_CASE("A history that nobody reads costs nothing, and the plan says so")
-{
-    const Plan plan = planOf(describe(Sketch{{"a: -> x"}, {{"out", "x"}}, {{"x", kKept}}}));
-    CHECK(plan.textures.size() == 1);
-    CHECK_THAT(leftOut(plan, "history x"), Catch::StartsWith("dead_pass: "));
-}
-
-TEST_CASE("A pass whose output is remembered runs even at its no-op value")
-{
-    const auto planFor = [](const std::string& reads) {
-        return planOf(describe(
-            Sketch{{"a: -> x | \"no_op\": {\"strength\": {\"at\": 0, \"gives\": {\"x\": 1}}}",
-                    "b: x " + reads + " -> y"},
-                   {{"out", "y"}},
-                   {{"x", kKept}},
-                   R"("params": {"strength": {"default": 0}})"}));
-    };
-    CHECK(passNames(planFor("")) == "b");
-    CHECK(passNames(planFor("x_history")) == "a, b");
-}
-
-TEST_CASE("A history and its target change places before each frame")
-{
-    Rig rig(true);
-    const auto written = [&] {
-        rig.draw();
-        return rig.renderer->output("ao").value;
-    };
-    const auto first = written();
-    const auto second = written();
-    CHECK(first != second);
-    CHECK(written() == first);
-    CHECK(written() == second);
-    CHECK(rig.device.misuse().empty());
-}
-
 TEST_CASE("A frame knows whether there was one before")
 {
     Rig rig(true);
@@ -128,16 +92,6 @@ TEST_CASE("A frame knows whether there was one before")
     REQUIRE(rig.renderer->resize({32, 32}).ok());
     rig.draw();
     CHECK(sent(rig, "history_valid") == 0.0f);
-}
-
-TEST_CASE("The number of a frame begins again where it would grow without end")
-{
-    Rig rig(true);
-    for (int i = 0; i < kFrameIndices; ++i) rig.draw();
-    CHECK(sent(rig, "frame_index") == kFrameIndices - 1);
-    rig.draw();
-    CHECK(sent(rig, "frame_index") == 0);
-    CHECK(sent(rig, "history_valid") == 1);
 }
 
 TEST_CASE("A frame knows where the camera was in the one before")

@@ -96,36 +96,6 @@ TEST_CASE("A pass that no output needs is left out with a warning, unless that w
     CHECK(compile(description, {}, ampleCaps(), one).diagnostics().empty());
 }
 
-TEST_CASE("Reading what an inactive pass would have written is an error that names it and why")
-{
-    const Diagnostic error = onlyError(describe(filtered(R"("when": {"soft": true})")));
-    CHECK(error.code == Code::never_written);
-    CHECK(error.pointer == "/passes/light");
-    CHECK_THAT(error.message, Catch::Contains("'filter'") && Catch::Contains("soft is false"));
-    REQUIRE(error.notes.size() == 2);
-    CHECK(textAt(error.notes[0].place) == "\"filter\"");
-    CHECK(textAt(error.notes[1].place) == "\"soft\"");
-
-    const Sketch circle{
-        {R"(b: z -> y | "when": {"soft": true}, "bypass": {"y": "z"})",
-         R"(c: y -> z | "when": {"soft": true}, "bypass": {"z": "y"})", "d: z -> w"},
-        {{"out", "w"}},
-        {},
-        kSoft};
-    CHECK(outcome(circle) == "CV2202 /passes/d");
-}
-
-TEST_CASE("Two passes may write one target when their conditions exclude each other")
-{
-    const Sketch sketch{{R"(near: -> ao | "when": {"method": "near"})",
-                         R"(far: -> ao | "when": {"method": ["far", "off"]})", "light: ao -> lit"},
-                        {{"out", "lit"}},
-                        {},
-                        R"("features": {"method": {"type": "enum", "default": "far",
-                                                   "values": ["near", "far", "off"]}})"};
-    CHECK(outcome(sketch) == "far, light");
-}
-
 TEST_CASE("A condition holds where each of its terms does")
 {
     const auto lit = [](int lights, bool specular = false) {
@@ -238,19 +208,6 @@ TEST_CASE("What a no-op gives counts as read, so no param's value can break the 
     CHECK_THAT(made({"a: -> x" + noOp(R"("x": "y")"), "b: x -> y"}), Catch::StartsWith("CV2204 "));
 }
 
-TEST_CASE("A vector param is at a no-op when each component is")
-{
-    const auto made = [](const std::string& tint) {
-        return outcome(
-            Sketch{{"a: -> x", R"(b: x -> y | "no_op": {"tint": {"at": 1, "gives": {"y": "x"}}})"},
-                   {{"out", "y"}},
-                   {},
-                   R"("params": {"tint": {"type": "vec3", "default": )" + tint + "}}"});
-    };
-    CHECK(made("[1, 1, 1]") == "a");
-    CHECK(made("[1, 1, 0.5]") == "a, b");
-}
-
 TEST_CASE("A pass that keeps constants goes where it reads one, down a chain")
 {
     const auto chain = [](const std::string& intensity) {
@@ -276,31 +233,6 @@ TEST_CASE("A pass that keeps constants goes where it reads one, down a chain")
     CHECK(passNames(planOf(chain("0"), {}, keeping("no_op"))) == "ssao, x, y, light");
 }
 
-TEST_CASE("A pass that keeps constants stays for what else is needed of it")
-{
-    const Plan plan = planOf(
-        describe(Sketch{{R"(ssao: -> ao | "no_op": {"intensity": {"at": 0, "gives": {"ao": 1}}})",
-                         R"(x: ao -> blur edges | "preserves_constant": {"blur": "ao"})",
-                         R"(y: blur -> smooth | "preserves_constant": {"smooth": "blur"})",
-                         "light: smooth edges -> lit"},
-                        {{"color", "lit"}},
-                        {},
-                        kIntensity}));
-    CHECK(passNames(plan) == "x, y, light");
-    REQUIRE(plan.passes[0].inputs.size() == 1);
-    CHECK(plan.passes[0].inputs[0].kind == InputKind::constant);
-}
-
-TEST_CASE("A constant is kept of a sampler that the shader has")
-{
-    const Diagnostic error = onlyError(
-        describe(Sketch{{"ssao: -> ao", R"(x: ao -> blur | "preserves_constant": {"blur": "aoo"})"},
-                        {{"ao", "blur"}}}));
-    CHECK(error.code == Code::input_unused);
-    CHECK(error.pointer == "/passes/x/preserves_constant/blur");
-    CHECK_THAT(error.help, Catch::Contains("'ao'"));
-}
-
 TEST_CASE("An attachment that nobody reads gets no texture, and is listed as left out")
 {
     const Description description =
@@ -322,22 +254,4 @@ TEST_CASE("An attachment that nobody reads gets no texture, and is listed as lef
     CHECK(attachmentOf(kept, "albedo")->target >= 0);
     CHECK(attachmentOf(kept, "albedo")->store == StoreOp::discard);
     CHECK(leftOut(kept, "attachment albedo") == "");
-}
-
-TEST_CASE("A stand-in must hold the kind of values that it replaces")
-{
-    Sketch depth = filtered(R"("bypass": {"smooth": "ao"})");
-    depth.targets = {{"smooth", R"({"format": ["depth24"]})"}};
-    const Diagnostics errors = tryCompile(describe(depth)).diagnostics();
-    REQUIRE(errors.size() == 2);  // the first: depth is no colour attachment
-    CHECK(errors[1].code == Code::bypass_class);
-    CHECK(errors[1].pointer == "/passes/filter/bypass/smooth");
-    CHECK(textAt(errors[1].place) == "\"ao\"");
-
-    Sketch floats = filtered(kBypassed);  // may stand in for bytes where a pass is switched off
-    floats.targets = {{"ao", kHalf}};
-    CHECK(outcome(floats) == "ssao, light");
-    Sketch sizes = withNoOps("1", "0");
-    sizes.targets = {{"ao", R"({"format": ["r8"], "size": {"scale": 0.5}})"}};
-    CHECK(outcome(sizes) == "ssao, light");
 }

@@ -65,15 +65,6 @@ TEST_CASE("A pass is drawn whole where its mask is left out, off, constant or do
     CHECK(plan.passes[1].inputs.size() == 1);
 }
 
-TEST_CASE("A mask must be a depth target of another pass")
-{
-    Sketch color = masked();
-    color.passes[2] = R"(ao: normal -> ao | "mask": "normal", "clear": {"ao": 1})";
-    color.passes.erase(color.passes.begin() + 1);
-    color.targets.erase("mask");
-    CHECK(onlyError(describe(color)).code == Code::attachment_kind);
-}
-
 TEST_CASE("A bounded pass is drawn within the bounds of draws where all it reads comes from them")
 {
     const auto bounded = [](const Sketch& sketch, const CompileOptions& options = sized()) {

@@ -110,37 +110,6 @@ TEST_CASE("A near plane that leaves depth too coarse is reported once, with figu
     CHECK(warning.help == "store it with more bits, move the near plane out, or raise the radius");
 }
 
-TEST_CASE("What a warning advises is enough")
-{
-    const Setup setup = depthIn({Format::depth16}, 0.01);
-    REQUIRE(warnings(planFor(setup)) == 1);
-    Setup moved = setup;
-    moved.near_distance = 0.13;
-    CHECK(warnings(planFor(moved)) == 0);
-    Setup stored = setup;
-    stored.depth = {Format::depth24};
-    CHECK(warnings(planFor(stored)) == 0);
-    Setup larger = setup;
-    larger.overrides = {"radius=6.2"};
-    CHECK(warnings(planFor(larger)) == 0);
-}
-
-TEST_CASE("A warning stands at the format that the config names")
-{
-    MemorySources mine;
-    mine.add("configs/coarse.json", R"({
-  "format": 1, "name": "coarse", "extends": ["hemisphere_box"],
-  "targets": { "depth": { "format": ["depth16"] } }
-})");
-    const LayeredSources sources({&mine, &shippedSources()});
-    const Result<Plan> plan = planFor({"coarse", {}, 0.001, 20}, sources);
-    REQUIRE(warnings(plan) == 1);
-    const Place& place = findDiagnostic(plan.diagnostics(), Code::too_coarse)->place;
-    REQUIRE(place.source);
-    CHECK(place.source->name == "configs/coarse.json");
-    CHECK(place.line == 3);
-}
-
 TEST_CASE("Nothing is said where no pass looks about within a radius, or no camera is known")
 {
     CHECK(warnings(planFor({"hemisphere_box", {}, 1e-5, 1e4})) == 1);
@@ -177,43 +146,6 @@ TEST_CASE("Positions are stored in 32 bits where halves do not hold the units")
         }
 }
 
-TEST_CASE("What is read linearly keeps a format that filters")
-{
-    const char* const config = R"({
-  "format": 1, "name": "mixed", "params": {"reach": {"default": 0.5, "semantic": "length"}},
-  "imports": {"camera": {"type": "camera"}},
-  "targets": {"there": {"format": ["rgba16f", "rgba32f"], "semantic": "view_position"},
-              "ao": {"format": ["r8"]}},
-  "shaders": {"write": {"vertex": "full.vert", "fragment": "write.frag"},
-              "read": {"vertex": "full.vert", "fragment": "read.frag"}},
-  "passes": {"write": {"shader": "write", "color": "there"},
-             "read": {"shader": "read", "color": "ao", "inputs": {"there": {"filter": "nearest"}}}},
-  "outputs": {"ao": "ao"}
-})";
-    const auto chosen = [&](const std::string& filter) {
-        std::string text = config;
-        text.replace(text.find("nearest"), 7, filter);
-        const Description description =
-            describe(text, {{"full.vert", "#version 300 es\nvoid main() {}\n"},
-                            {"write.frag",
-                             "#version 300 es\nprecision highp float;\n"
-                             "layout(location = 0) out vec4 there;\n"},
-                            {"read.frag",
-                             "#version 300 es\nprecision highp float;\n"
-                             "uniform highp sampler2D there;\nuniform float reach;\n"
-                             "const vec2 steps = THERE_STEP;\n"
-                             "layout(location = 0) out float ao;\n"}});
-        const Result<Plan> plan =
-            compile(description, traitsFor({}), usualCaps(), {{960, 540}, {}, {}});
-        INFO(toText(plan.diagnostics()));
-        REQUIRE(plan.ok());
-        CHECK(warnings(plan) == (filter == "linear"));
-        return formatOf(*plan, "there");
-    };
-    CHECK(chosen("nearest") == Format::rgba32f);
-    CHECK(chosen("linear") == Format::rgba16f);
-}
-
 TEST_CASE("A host that reverses its float depth needs no warning")
 {
     const auto plan = [](const std::string& format, bool reversed) {
@@ -233,40 +165,6 @@ TEST_CASE("A host that reverses its float depth needs no warning")
     CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reversed depth") !=
           std::string::npos);
     CHECK(warnings(plan("depth24", true)) == 1);
-}
-
-TEST_CASE("A host's logarithmic depth is kept by a camera with reversed depth")
-{
-    const auto plan = [](bool reversed) {
-        MemorySources mine;
-        mine.add("configs/hosted.json", R"({
-  "format": 1, "name": "hosted",
-  "extends": ["geometry/host_log_depth", "ssao/hemisphere", "filter/box"] })");
-        const LayeredSources sources({&mine, &shippedSources()});
-        Setup setup = {"hosted", {}, 0.001, 1000};
-        setup.reversed = reversed;
-        return planFor(setup, sources);
-    };
-    CHECK(warnings(plan(true)) == 0);
-    const Result<Plan> straight = plan(false);
-    REQUIRE(warnings(straight) == 1);
-    CHECK(findDiagnostic(straight.diagnostics(), Code::too_coarse)->help.find("reversed depth") !=
-          std::string::npos);
-}
-
-TEST_CASE("A camera whose planes and zoom move is not planned again while formats hold")
-{
-    Rig rig;
-    const auto look = [&rig](double fov, double near_distance) {
-        rig.frame.camera.clip_from_view = glm::mat4(glm::perspective(fov, 1.5, near_distance, 1e3));
-        return rig.draw().find("createTexture") != std::string::npos;
-    };
-    look(1.0, 0.1);
-    for (int i = 0; i < 60; ++i) {
-        CAPTURE(i);
-        CHECK_FALSE(look(1.0 - 0.005 * i, 0.1 + 0.0015 * i));
-    }
-    CHECK_FALSE(look(1.0, 0.5));
 }
 
 TEST_CASE("A frame that is planned again reports the new plan's warnings once")
@@ -325,15 +223,6 @@ TEST_CASE("Where draws are known to lie, warnings go by that and not by the far 
     CHECK_FALSE(saidOfDraws(far, {}).empty());
     CHECK(saidOfDraws(far, {1, 0}).empty());
     CHECK_FALSE(saidOfDraws(far, {50, 0}).empty());
-}
-
-TEST_CASE("The depth test behind stored positions is looked at")
-{
-    const Diagnostics said = saidOfDraws({"learnopengl", {}, 1e-5, 1e4}, {5, 0});
-    REQUIRE(said.size() == 1);
-    CHECK(said[0].code == Code::too_coarse);
-    CHECK(said[0].pointer == "/targets/depth/format");
-    CHECK(saidOfDraws({"learnopengl", {}, 0.1, 1e4}, {5, 0}).empty());
 }
 
 TEST_CASE("A kernel's margin hides steps, and one all round the point sees finer ones")

@@ -51,29 +51,6 @@ TEST_CASE("A sampler binds to the generated texture or import of its name")
     CHECK(inputs[1].sampling.filter == Filter::nearest);
 }
 
-TEST_CASE("An input renames a sampler and says how it is sampled")
-{
-    const Plan plan = planOf(
-        body("uniform sampler2D grain;\n",
-             R"("inputs": {"grain": {"from": "noise", "filter": "linear", "wrap": "clamp"}})"));
-    const PlanInput& input = plan.passes[0].inputs.at(0);
-    CHECK(input.sampler == "grain");
-    CHECK(plan.generated.at(input.index).name == "noise");
-    CHECK(input.sampling.filter == Filter::linear);
-    CHECK(input.sampling.wrap == Wrap::clamp);
-}
-
-TEST_CASE("A material's texture is for draw passes")
-{
-    const std::string sampler = "uniform sampler2D base_color_map;\n";
-    const Plan plan = planOf(body(sampler, R"("type": "draw")"));
-    CHECK(plan.passes[0].inputs.at(0).kind == InputKind::material);
-    CHECK(plan.passes[0].inputs.at(0).sampling.wrap == Wrap::repeat);
-    const Diagnostic error = onlyError(body(sampler));
-    CHECK(error.code == Code::uniform_unbound);
-    CHECK(textAt(error.notes.at(0).place) == "base_color_map");
-}
-
 TEST_CASE(
     "A sampler of nothing is refused where the pass names its shader, with the nearest texture")
 {
@@ -85,34 +62,6 @@ TEST_CASE(
     CHECK(textAt(error.notes.at(0).place) == "noize");
     CHECK(error.pointer == "/passes/p/shader");
     CHECK(error.help.find("'noise'") != error.help.npos);
-}
-
-TEST_CASE("A sampler in both stages is one input")
-{
-    const std::string vertex = "#version 300 es\nuniform sampler2D noise;\nvoid main() {}\n";
-    const std::string fragment = kHead + "uniform sampler2D noise;\n" + kOut + "void main() {}\n";
-    CHECK(planOf(onePass(fragment, "", "", vertex)).passes[0].inputs.size() == 1);
-}
-
-TEST_CASE("An array of samplers is refused")
-{
-    const Diagnostic error = onlyError(body("uniform sampler2D noise[2];\n"));
-    CHECK(error.code == Code::uniform_type);
-    CHECK(textAt(error.notes.at(0).place) == "noise");
-}
-
-TEST_CASE("A mistake in GLSL that two passes share is one error")
-{
-    const Diagnostic error =
-        onlyError(describe(R"({"format": 1,
-        "targets": {"x": {"format": ["r8"]}, "y": {"format": ["r8"]}},
-        "shaders": {"s": {"vertex": "v", "fragment": "f"}},
-        "passes": {"a": {"shader": "s", "color": "x"}, "b": {"shader": "s", "color": "y"}},
-        "outputs": {"x": "x", "y": "y"}})",
-                           {{"v", kFullVertex},
-                            {"f", kHead + "uniform float raduis;\n" + kOut + "void main() {}\n"}}));
-    CHECK(error.code == Code::uniform_unbound);
-    CHECK(textAt(error.notes.at(0).place) == "raduis");
 }
 
 TEST_CASE("Uniforms of every source bind by name, and what they need is collected")
@@ -134,29 +83,6 @@ TEST_CASE("Uniforms of every source bind by name, and what they need is collecte
     CHECK(uniforms[3].count == 4);
     CHECK(uniforms[5].source == UniformSource::frame);
     CHECK(uniforms[5].count == kMaxLights);
-}
-
-TEST_CASE("A draw uses the draw list, and what is not used is not collected")
-{
-    CHECK(joined(namesOf(planOf(body("", R"("type": "draw")")).imports)) == "draws");
-    CHECK(planOf(body("")).imports.empty());
-}
-
-TEST_CASE("Values of a draw exist in draw passes alone")
-{
-    const std::string uniform = "uniform mat4 clip_from_model;\n";
-    CHECK(planOf(body(uniform, R"("type": "draw")")).passes.size() == 1);
-    const Diagnostic error = onlyError(body(uniform));
-    CHECK(error.code == Code::uniform_unbound);
-    CHECK(error.message.find("draw") != error.message.npos);
-}
-
-TEST_CASE("A uniform that nothing supplies is refused, with the GLSL and the nearest value")
-{
-    const Diagnostic error = onlyError(body("uniform float raduis;\n"));
-    CHECK(error.code == Code::uniform_unbound);
-    CHECK(textAt(error.notes.at(0).place) == "raduis");
-    CHECK(error.help.find("'radius'") != error.help.npos);
 }
 
 TEST_CASE("A uniform of another type or length than its value is refused")
@@ -237,14 +163,6 @@ TEST_CASE("Outputs of the shader are the pass's colour targets")
     CHECK(outcome(compiled(maybe, R"(["b", "a"])")) == "CV5008 /passes/p/color/1");
 }
 
-TEST_CASE("GLSL that cannot be read stops its pass and brings no further errors")
-{
-    const Diagnostic error =
-        onlyError(onePass(kHead + "#if (\n#endif\n" + kOut, R"("inputs": {"x": "noise"})"));
-    CHECK(error.code == Code::preprocessor);
-    CHECK(error.place.source->name == "p.frag");
-}
-
 TEST_CASE("More uniforms than the device holds are refused before the driver sees them")
 {
     Description description = body("uniform vec3 kernel[SAMPLES];\nuniform mat4 clip_from_view;\n");
@@ -264,12 +182,4 @@ TEST_CASE("More uniforms than the device holds are refused before the driver see
     description.generated[0].count = 221;
     description.generated[0].count_param = {};
     check("/generated/kernel", "lower its `count` to 220");
-}
-
-TEST_CASE("More uniforms than the device holds are the pass's fault where no kernel is to blame")
-{
-    const Description description = body("uniform mat4 clip_from_view;\n");
-    DeviceCaps caps = ampleCaps();
-    caps.max_fragment_uniform_vectors = 3;
-    CHECK(onlyError(description, {}, caps).pointer == "/passes/p");
 }

@@ -84,63 +84,6 @@ TEST_CASE("A border that a param gives ends where the device's textures do, and 
         }
 }
 
-TEST_CASE("A size may follow another target's")
-{
-    const Plan plan =
-        planOf(describe(Sketch{
-                   {"a: -> half", "b: half -> quarter"},
-                   {{"out", "quarter"}},
-                   {{"half", R"({"format": ["r8"], "size": {"scale": 0.5}})"},
-                    {"quarter", R"({"format": ["r8"], "size": {"of": "half", "scale": 0.5}})"}}}),
-               {}, sized(10, 6));
-    CHECK(plan.passes[0].extent == Extent{5, 3});
-    CHECK(plan.passes[1].extent == Extent{3, 2});
-}
-
-TEST_CASE("A linear read of what no device filters is refused, with formats that are")
-{
-    const auto reading = [](const std::string& format, const std::string& filter) {
-        return describe(
-            Sketch{{"a: -> x", R"(b: x -> y | "inputs": {"x": {"filter": ")" + filter + "\"}}"},
-                   {{"out", "y"}},
-                   {{"x", R"({"format": [")" + format + "\"]}"}}});
-    };
-    CHECK(outcome(reading("r32f", "linear")) == "CV2211 /passes/b/inputs/x");
-    CHECK_THAT(onlyError(reading("r32f", "linear")).help, Catch::Contains("nearest"));
-    CHECK(outcome(reading("r32f", "nearest")) == "a, b");
-    CHECK(outcome(reading("r16f", "linear")) == "a, b");
-}
-
-TEST_CASE("A size that is not positive, or that the device does not hold, is one error")
-{
-    const auto made = [](const Sketch& sketch, int width, int height) {
-        return outcome(describe(sketch), {}, sized(width, height));
-    };
-    const Sketch plain = oneTarget(R"({"format": ["r8"]})");
-    for (const auto& [width, height] : {std::pair{0, 32}, {64, 0}, {-5, 32}})
-        CHECK_THAT(made(plain, width, height), Catch::StartsWith("CV4005 "));
-    // The picture itself, whatever the number of its targets.
-    const Sketch two{{"a: -> x y"}, {{"out", "x"}, {"o", "y"}}};
-    const Diagnostic error = onlyError(describe(two), {}, ampleCaps(), sized(4000, 16));
-    CHECK(error.code == Code::too_big_for_device);
-    CHECK_THAT(error.message, Catch::Contains("2048"));
-    // A target whose scale or border is to blame, even at an absurd size.
-    CHECK(made(oneTarget(kLarge), 1000, 16) == "CV6007 /targets/x");
-    const Sketch bordered =
-        oneTarget(R"({"format": ["r8"], "size": {"scale": 4, "border": true}})");
-    CHECK(made(bordered, 1000, 16) == "CV6007 /targets/x");
-    CHECK(made(bordered, 2000, 16) == "CV6007 /targets/x");
-    CHECK_THAT(made(oneTarget(kLarge), 2147483647, 2147483647), Catch::StartsWith("CV6007 "));
-    // Once where another target follows its size, and there where it has none itself.
-    const auto following = [&](const std::vector<std::string>& passes) {
-        return Sketch{passes,
-                      {{"out", "x"}},
-                      {{"big", kLarge}, {"x", R"({"format": ["r8"], "size": {"of": "big"}})"}}};
-    };
-    CHECK(made(following({"first: -> big", "last: big -> x"}), 1000, 16) == "CV6007 /targets/big");
-    CHECK(made(following({"first: -> big", "last: -> x"}), 1000, 16) == "CV6007 /targets/x");
-}
-
 TEST_CASE("The first format that the device renders to is taken, and a fall-back is a warning")
 {
     const Description description =
@@ -152,38 +95,6 @@ TEST_CASE("The first format that the device renders to is taken, and a fall-back
     CHECK(plan.diagnostics()[0].severity == Severity::warning);
     CHECK(plan.diagnostics()[0].pointer == "/targets/x");
     CHECK(compile(description, {}, ampleCaps(), sized()).diagnostics().empty());
-}
-
-TEST_CASE("A target whose formats the device cannot render to is refused, if it is needed")
-{
-    Sketch sketch{
-        {"a: -> x y"}, {{"x", "x"}, {"y", "y"}}, {{"x", R"({"format": ["rgba32f", "r16f"]})"}}};
-    const Diagnostic error = onlyError(describe(sketch), {}, minimumCaps());
-    CHECK(error.code == Code::no_format);
-    CHECK(error.pointer == "/targets/x");
-    CHECK(error.message.find("rgba32f, r16f") != error.message.npos);
-    sketch.outputs.erase("x");
-    CHECK(compile(describe(sketch), {}, minimumCaps(), sized()).ok());
-}
-
-TEST_CASE("Attachments are of their kind, of one size, and as many as the device has")
-{
-    checkEach({
-        {"depth as colour", oneTarget(R"({"format": ["depth16"]})"), "CV2207 /passes/a/color/0"},
-        {"colour as depth",
-         {{R"(a: -> x | "type": "draw", "depth": "d")"},
-          {{"out", "x"}},
-          {{"d", R"({"format": ["depth24", "r32f"]})"}}},
-         "CV2207 /passes/a/depth"},
-        {"another size",
-         {{"a: -> x y"}, {{"out", "x"}}, {{"y", R"({"format": ["r8"], "size": {"scale": 0.5}})"}}},
-         "CV2206 /passes/a/color/1"},
-        {"five colours", {{"a: -> v w x y z"}, {{"out", "v"}}}, "CV6008 /passes/a"},
-    });
-    DeviceCaps caps = ampleCaps();
-    caps.max_texture_units = 2;
-    const Sketch samplers{{"a: -> x y z", "b: x y z -> w"}, {{"out", "w"}}};
-    CHECK(outcome(describe(samplers), {}, sized(), caps) == "CV6008 /passes/b");
 }
 
 TEST_CASE("A fullscreen pass loads nothing, and a draw and a test clear first")
@@ -242,18 +153,6 @@ TEST_CASE("Targets whose lifetimes do not meet share a texture")
     CHECK(plan.textures[0].targets == std::vector<std::string>{"w", "y"});
     CHECK(plan.texture_bytes == 2 * 64 * 32);
     CHECK(planOf(description, {}, keeping("aliasing")).textures.size() == 4);
-}
-
-TEST_CASE("Textures are not shared between formats or sizes")
-{
-    const auto textures = [](const std::string& y) {
-        return planOf(describe(Sketch{
-                          {"a: -> w", "b: w -> x", "c: x -> y"}, {{"out", "y"}}, {{"y", y}}}))
-            .textures.size();
-    };
-    CHECK(textures(R"({"format": ["r8"]})") == 2);
-    CHECK(textures(R"({"format": ["rg8"]})") == 3);
-    CHECK(textures(R"({"format": ["r8"], "size": {"scale": 0.5}})") == 3);
 }
 
 TEST_CASE("In graphs of every shape no two live targets share a texture and reads follow writes")

@@ -101,46 +101,6 @@ TEST_CASE("Two views are drawn one after the other, each as a frame of its camer
     CHECK(rig.device.misuse().empty());
 }
 
-TEST_CASE("A second view takes over the programs, and needs a texture for each output alone")
-{
-    Rig rig;
-    rig.draw();
-    const int programs = rig.device.live(ObjectId::Kind::program);
-    const int textures = rig.device.live(ObjectId::Kind::texture);
-    rig.frame.other_views.resize(1);
-    const std::string log = rig.draw();
-    CHECK(count(log, "createProgram") == 0);
-    CHECK(rig.device.live(ObjectId::Kind::program) == programs);
-    CHECK(rig.device.live(ObjectId::Kind::texture) == textures + 2);
-    rig.frame.other_views.clear();
-    rig.draw();
-    CHECK(rig.device.live(ObjectId::Kind::texture) == textures);
-    CHECK(rig.device.misuse().empty());
-}
-
-TEST_CASE("Each view has its outputs, and a view that is not there has none")
-{
-    StereoRig rig;
-    rig.draw();
-    for (const char* name : {"ao", "color"}) {
-        CHECK(rig.renderer->output(name).value == rig.renderer->output(name, 0).value);
-        CHECK(rig.renderer->output(name, 1));
-        CHECK(rig.renderer->output(name, 1).value != rig.renderer->output(name, 0).value);
-    }
-    CHECK_FALSE(rig.renderer->output("ao", 2));
-    CHECK_FALSE(rig.renderer->output("ao", -1));
-}
-
-TEST_CASE("An output that is a constant is that in each view")
-{
-    StereoRig rig;
-    REQUIRE(rig.renderer->setFeature("soft", "false").ok());
-    REQUIRE(rig.renderer->setParam("intensity", 0.0f).ok());
-    rig.draw();
-    CHECK(rig.renderer->output("ao"));
-    CHECK(rig.renderer->output("ao", 1).value == rig.renderer->output("ao").value);
-}
-
 TEST_CASE("Each view remembers its own last frame")
 {
     StereoRig rig(true);
@@ -173,33 +133,6 @@ TEST_CASE("Each view remembers its own last frame")
     CHECK(rig.renderer->output("ao").value == first);
     CHECK(rig.renderer->output("ao", 1).value == first_right);
     CHECK(rig.device.misuse().empty());
-}
-
-TEST_CASE("A cut and a frame's number count for all views")
-{
-    StereoRig rig(true);
-    const auto values = [&](const char* name) { return sent(rig.draw(), name); };
-    using Lines = std::vector<std::string>;
-    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 0"));
-    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 1"));
-    CHECK(values("frame_index") == Lines(2, "setUniform frame_index 2"));
-    rig.frame.camera_cut = true;
-    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 0"));
-    rig.frame.camera_cut = false;
-    rig.device.failFrame();
-    CHECK_FALSE(rig.renderer->render(rig.frame).ok());
-    CHECK(values("history_valid") == Lines(2, "setUniform history_valid 0"));
-    rig.frame.other_views.push_back(rig.frame.other_views[0]);
-    CHECK(values("history_valid") == Lines(3, "setUniform history_valid 0"));
-}
-
-TEST_CASE("A steady frame of two views creates nothing")
-{
-    StereoRig rig(GENERATE(false, true));
-    rig.draw();
-    const int attempts = rig.device.attempts();
-    rig.draw();
-    CHECK(rig.device.attempts() == attempts);
 }
 
 TEST_CASE("A view has its own textures for imports, and the frame's for the others")
@@ -252,29 +185,6 @@ TEST_CASE("A frame with a view that no shader could draw is refused")
     CHECK_FALSE(status.diagnostics().front().help.empty());
 }
 
-TEST_CASE("The views of a pass are timed together")
-{
-    StereoRig rig;
-    rig.draw();
-    const auto timed = [&] {
-        Result<FrameTimes> times = rig.renderer->renderTimed(rig.frame);
-        REQUIRE(times.ok());
-        return *times;
-    };
-    CHECK(timed().method == TimingMethod::wall_clock);
-    CHECK(timed().pass_ms.size() == 4);
-    rig.device.setTimers({1, 2, 3, 4, 10, 20, 30, 40});
-    CHECK(timed().pass_ms == std::vector<double>{11, 22, 33, 44});
-    CHECK(timed().total_ms == Approx(110));
-    rig.device.setTimers({1, 2, 3, 4, 10, -1, 30, 40});
-    CHECK(timed().pass_ms == std::vector<double>{11, -1, 33, 44});
-    CHECK(timed().total_ms == -1);
-    rig.frame.other_views.resize(kMaxTimers / 4, rig.frame.other_views[0]);
-    rig.device.setTimers(std::vector<double>(kMaxTimers, 1.0));
-    CHECK(timed().method == TimingMethod::wall_clock);
-    CHECK(rig.device.misuse().empty());
-}
-
 TEST_CASE("Views share what ends with them, and each keeps its outputs and histories")
 {
     const Plan one = chain({});
@@ -291,31 +201,4 @@ TEST_CASE("Views share what ends with them, and each keeps its outputs and histo
     CHECK(two.texture_bytes == one.texture_bytes + 64 * 32 * (1 + 2 + 4));  // y, kept twice, w
     CHECK(movedBytes(two).read == 2 * movedBytes(one).read);
     CHECK(movedBytes(two).written == 2 * movedBytes(one).written);
-}
-
-TEST_CASE("A plan says how many views it has and which textures each of them holds")
-{
-    const Plan one = chain({});
-    for (const std::string& text : {toText(one), toDot(one)})
-        CHECK(text.find("view") == std::string::npos);
-    CHECK(toJson(one).find("\"views\": 1,") != std::string::npos);
-
-    const Plan two = chain(twoViews());
-    CHECK(toText(two).find("sketch 64x32: 5 passes for each of 2 views, 9 textures, 30.0 KiB\n") !=
-          std::string::npos);
-    CHECK(toText(two).find("r8 64x32, one a view, 4.0 KiB: y\n") != std::string::npos);
-    CHECK(toJson(two).find("\"views\": 2,") != std::string::npos);
-    CHECK(toJson(two).find("\"bytes\": 4096, \"copies\": 2, \"targets\": [\"y\"]") !=
-          std::string::npos);
-    CHECK(toDot(two).find("64x32, 2 views\"") != std::string::npos);
-    CHECK(toDot(two).find("one a view") != std::string::npos);
-}
-
-TEST_CASE("The number of views can be a condition and a define")
-{
-    const Description description = describe(
-        Sketch{{"a: -> x", R"(b: x -> y | "when": {"camera.views": 2}, "bypass": {"y": "x"})"},
-               {{"out", "y"}}});
-    CHECK(passNames(planOf(description)) == "a");
-    CHECK(passNames(planOf(description, twoViews())) == "a, b");
 }

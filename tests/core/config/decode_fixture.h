@@ -100,14 +100,4 @@ inline void checkEach(const std::vector<BadConfig>& cases)
     }
 }
 
-/// The stretch of the text that a diagnostic underlines.
-inline std::string underlined(const Diagnostic& diagnostic)
-{
-    const std::string& text = diagnostic.place.source->text;
-    std::size_t begin = 0;
-    for (int line = 1; line < diagnostic.place.line; ++line) begin = text.find('\n', begin) + 1;
-    return text.substr(begin + static_cast<std::size_t>(diagnostic.place.column) - 1,
-                       static_cast<std::size_t>(diagnostic.place.length));
-}
-
 }  // namespace crevice

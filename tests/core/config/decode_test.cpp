@@ -16,51 +16,6 @@ Description decoded(const Sections& replaced)
 
 }  // namespace
 
-TEST_CASE("the base config decodes without a word", "[decode]")
-{
-    const Result<Description> result = decodeWith({});
-    CHECK(errorsOf(result) == "");
-    CHECK(result.ok());
-}
-
-TEST_CASE("a config of nothing but its format decodes to an empty description", "[decode]")
-{
-    const Result<Description> result = decode(parsed(R"({"format": 1})"), MemorySources());
-    REQUIRE(result.ok());
-    CHECK(result->format == 1);
-    CHECK(result->name.empty());
-    CHECK(result->passes.empty());
-    CHECK(result->files.empty());
-}
-
-TEST_CASE("names and places come from the keys", "[decode]")
-{
-    const Description d = decoded({{"name", "\"mine\""}, {"description", "\"For tests.\""}});
-    CHECK(d.name == "mine");
-    CHECK(d.text == "For tests.");
-    const TargetDesc* target = findNamed(d.targets, "ao");
-    REQUIRE(target);
-    CHECK(target->pointer == "/targets/ao");
-    REQUIRE(target->place.source);
-    CHECK(underlined({Code::internal, "", "", target->place}).find("ao") != std::string::npos);
-    CHECK(namesOf(d.targets) == std::vector<std::string>{"depth", "ao", "ao_filtered"});
-}
-
-TEST_CASE("a param has the documented defaults", "[decode]")
-{
-    const Description d = decoded({{"params", R"({"radius": {"default": 2},
-        "samples": {"type": "int", "default": 8}})"}});
-    const ParamDesc& p = d.params.at(0);
-    CHECK(p.type == ParamType::float_);
-    CHECK(p.value == std::array<float, 4>{2, 0, 0, 0});
-    CHECK(p.min == -1e30);
-    CHECK(p.max == 1e30);
-    CHECK(p.soft_max == 0.0);
-    CHECK(p.step == 0.0);
-    CHECK((p.unit + p.label + p.tooltip + p.group).empty());
-    CHECK(p.bind == Bind::uniform);
-}
-
 TEST_CASE("a param takes every key", "[decode]")
 {
     const Description d = decoded({{"params", R"({"samples": {"type": "int", "default": 8},
@@ -80,97 +35,6 @@ TEST_CASE("a param takes every key", "[decode]")
     CHECK(p.tooltip == "Colour.");
     CHECK(p.group == "Look");
     CHECK(d.params.at(2).bind == Bind::define);
-}
-
-TEST_CASE("a feature is a bool or one of its words", "[decode]")
-{
-    const Description d = decoded({{"features", R"({
-        "off": {}, "on": {"type": "bool", "default": true},
-        "first": {"type": "enum", "values": ["a", "b"]},
-        "second": {"type": "enum", "values": ["a", "b"], "default": "b"}})"}});
-    for (const FeatureDesc& each : d.features) {
-        const bool boolean = each.name == "off" || each.name == "on";
-        CHECK(each.boolean == boolean);
-        CHECK(each.value == (each.name == "on" || each.name == "second" ? 1 : 0));
-        CHECK(each.values == (boolean ? std::vector<std::string>{"false", "true"}
-                                      : std::vector<std::string>{"a", "b"}));
-    }
-}
-
-TEST_CASE("an import is there for certain unless it says otherwise", "[decode]")
-{
-    const Description d = decoded({{"imports", R"({"camera": {"type": "camera"},
-        "scene": {"type": "draw_list"}, "lights": {"type": "lights", "optional": true},
-        "photo": {"type": "texture"}})"}});
-    CHECK(d.imports.at(0).type == ImportType::camera);
-    CHECK(d.imports.at(1).type == ImportType::draw_list);
-    CHECK(d.imports.at(2).type == ImportType::lights);
-    CHECK(d.imports.at(3).type == ImportType::texture);
-    CHECK_FALSE(d.imports.at(0).optional);
-    CHECK(d.imports.at(2).optional);
-}
-
-TEST_CASE("a generated value counts by itself or by a param", "[decode]")
-{
-    const Description d = decoded({{"generated", R"({"plain": {"generator": "sphere_kernel"},
-        "kernel": {"generator": "hemisphere_kernel", "count": "samples",
-                   "shape": "cube", "lengths": "quadratic", "seed": 4294967295}})"}});
-    CHECK(d.generated.at(0).count == 16);
-    CHECK(d.generated.at(0).count_param.empty());
-    CHECK(d.generated.at(0).shape == "ball");
-    CHECK(d.generated.at(0).seed == 1);
-    CHECK(d.generated.at(1).generator == "hemisphere_kernel");
-    CHECK(d.generated.at(1).count_param.name == "samples");
-    CHECK(d.generated.at(1).count_param.pointer == "/generated/kernel/count");
-    CHECK(d.generated.at(1).shape + d.generated.at(1).lengths == "cubequadratic");
-    CHECK(d.generated.at(1).seed == 4294967295u);
-}
-
-TEST_CASE("a target follows the output unless it says otherwise", "[decode]")
-{
-    const Description d = decoded({{"targets", R"({"depth": {"format": "depth24"},
-        "ao": {"format": ["r8", "rgba8"]},
-        "ao_filtered": {"format": "r16f", "size": {"of": "ao", "scale": 0.5}},
-        "wide": {"format": "r16f", "size": {"scale": 1.5, "border": true}}})"}});
-    CHECK(d.targets.at(0).formats == std::vector<Format>{Format::depth24});
-    CHECK(d.targets.at(0).size.of.empty());
-    CHECK(d.targets.at(0).size.scale == 1.0f);
-    CHECK_FALSE(d.targets.at(0).size.border);
-    CHECK(d.targets.at(1).formats == std::vector<Format>{Format::r8, Format::rgba8});
-    CHECK(d.targets.at(2).size.of.name == "ao");
-    CHECK(d.targets.at(2).size.scale == 0.5f);
-    CHECK(d.targets.at(3).size.scale == 1.5f);
-    CHECK(d.targets.at(3).size.border);
-}
-
-TEST_CASE("defines are text as GLSL writes it", "[decode]")
-{
-    const Description d = decoded({{"shaders", R"json({"ao": {"vertex": "common/fullscreen.vert",
-        "fragment": "ssao/ao.frag", "defines": {"AXIS": "vec2(1.0, 0.0)", "TAPS": 4, "SCALE": 1.50,
-        "ON": true, "OFF": false}}})json"}});
-    const auto& defines = d.shaders.at(0).defines;
-    CHECK(defines.at("AXIS") == "vec2(1.0, 0.0)");
-    CHECK(defines.at("TAPS") == "4");
-    CHECK(defines.at("SCALE") == "1.50");
-    CHECK(defines.at("ON") == "1");
-    CHECK(defines.at("OFF") == "0");
-}
-
-TEST_CASE("a pass has the documented defaults", "[decode]")
-{
-    const PassDesc p = decoded({}).passes.at(0);
-    CHECK(p.type == PassType::fullscreen);
-    CHECK(p.shader.name == "ao");
-    CHECK(p.color.at(0).pointer == "/passes/ssao/color/0");
-    CHECK(p.depth.empty());
-    CHECK(p.clear.empty());
-    CHECK(p.when.terms.empty());
-    CHECK(p.bypass.empty());
-    CHECK(p.no_op.empty());
-    CHECK(p.inputs.empty());
-    CHECK(p.state.depth_test == Compare::always);
-    CHECK_FALSE(p.state.depth_write);
-    CHECK(p.state.cull == Cull::none);
 }
 
 TEST_CASE("only a draw pass with depth tests and writes depth by default", "[decode]")
@@ -232,18 +96,6 @@ TEST_CASE("a pass takes every key", "[decode]")
     CHECK(p.inputs.at(2).from.name == "noise");
     CHECK(p.inputs.at(3).from.pointer == "/passes/p/inputs/lowered/from");
     CHECK((p.inputs.at(3).has_filter && !p.inputs.at(3).has_wrap));
-}
-
-TEST_CASE("outputs and views name targets", "[decode]")
-{
-    const Description d = decoded({{"views", R"({"plain": {"target": "ao"},
-        "shifted": {"target": "depth", "scale": 0.1, "offset": -0.5}})"}});
-    CHECK(d.outputs.at(0).name == "ao");
-    CHECK(d.outputs.at(0).target.name == "ao_filtered");
-    CHECK(d.views.at(0).scale == 1.0f);
-    CHECK(d.views.at(0).offset == 0.0f);
-    CHECK(d.views.at(1).scale == 0.1f);
-    CHECK(d.views.at(1).offset == -0.5f);
 }
 
 TEST_CASE("keys that begin with x- are the host's at every level", "[decode]")

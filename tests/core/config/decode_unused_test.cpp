@@ -44,32 +44,6 @@ std::string namesIn(const Diagnostics& all)
 
 }  // namespace
 
-TEST_CASE("A misspelt name of each kind is found, and the right one is offered")
-{
-    const auto [members, message, help] = GENERATE(table<const char*, const char*, const char*>({
-        {R"("params": {"raduis": {"default": 1}})", "param 'raduis'", "did you mean 'radius'?"},
-        {R"("features": {"fats": {"default": true}})", "feature 'fats'", "did you mean 'fast'?"},
-        {R"("imports": {"foto": {"type": "texture"}})", "import 'foto'", "imports: camera, photo"},
-        {R"("generated": {"kernal": {"generator": "sphere_kernel", "count": 8}})",
-         "generated 'kernal'", "did you mean 'kernel'?"},
-        {R"("targets": {"ao_filterd": {"format": "r16f"}})", "target 'ao_filterd'",
-         "did you mean 'ao_filtered'?"},
-        {R"("shaders": {"aoo": {"vertex": "common/fullscreen.vert", "fragment": "ssao/ao.frag"}})",
-         "shader 'aoo'", "did you mean 'ao'?"},
-        {R"("interfaces": {"surfaec": "geometry/a.surface.glsl"})", "interface 'surfaec'",
-         "did you mean 'surface'?"},
-    }));
-    const Diagnostics unused = unusedIn(members);
-    INFO(toText(unused));
-    REQUIRE(unused.size() == 1);
-    const Diagnostic& error = unused[0];
-    CHECK(error.severity == Severity::error);
-    CHECK(error.code == Code::unused_name);
-    CHECK(error.message.find(message) == 0);
-    CHECK(error.help.find(help) == 0);
-    CHECK(error.place.source->name.find("mine.json") != std::string::npos);
-}
-
 TEST_CASE("A param that only a target is made by is used")
 {
     const auto with = [](const std::string& target) {
@@ -83,11 +57,6 @@ TEST_CASE("A param that only a target is made by is used")
     CHECK(with(R"("samples": "msaa", "size": {"scale": "share"})").empty());
     CHECK(with(R"("samples": "msaa")") == "share");
     CHECK(with(R"("size": {"scale": "share"})") == "msaa");
-}
-
-TEST_CASE("A name that only a comment in GLSL mentions is unused")
-{
-    CHECK(unusedIn(R"("params": {"normals": {"default": 1}})").size() == 1);
 }
 
 TEST_CASE("What a deleted pass of another file leaves behind is no mistake")
@@ -125,25 +94,4 @@ TEST_CASE("An unused name is reported where nothing else is wrong, since that mi
     CHECK(onlyError(description).code == Code::unused_name);
     description.outputs.clear();
     CHECK(onlyError(description).code == Code::no_outputs);
-}
-
-TEST_CASE("An override of a name that does not exist is an error in the override")
-{
-    for (const char* text :
-         {"/params/raduis/default=1", "/features/soff/default=true",
-          "/targets/ao_smoth={\"format\": [\"r8\"]}", "/imports/lihgts={\"type\": \"texture\"}",
-          "/interfaces/sruface=surface.glsl"}) {
-        INFO(text);
-        MemorySources all = sources();
-        all.add("configs/mine.json", R"({"format": 1, "name": "mine", "extends": ["base"]})");
-        const Result<Node> document = loadConfig(all, {"mine", "", {text}});
-        REQUIRE(document.ok());
-        const Result<Description> description = decode(*document, all);
-        Diagnostics found = description ? description->unused : description.diagnostics();
-        INFO(toText(found));
-        REQUIRE_FALSE(found.empty());
-        CHECK(found[0].severity == Severity::error);
-        REQUIRE(found[0].place.source);
-        CHECK(found[0].place.source->name == "--set " + std::string(text));
-    }
 }

@@ -138,17 +138,6 @@ TEST_CASE("a root allows what is below it, and one that does not exist allows no
         checkRefused(around.failureOf(text, {root}));
 }
 
-TEST_CASE("the variants of a config are found through its roots")
-{
-    const Neighbours around("roots_variants");
-    around.folder.write("base.json", file(R"("variants": {"low": {}})"));
-    const std::string config =
-        around.folder.write("mine/config.json", file(R"("extends": ["../base.json"])"));
-    CHECK(variantNames(smallCatalog(), {config}).empty());
-    CHECK(variantNames(smallCatalog(), {config, {}, {}, {around.folder.path.string()}}) ==
-          std::vector<std::string>{"low"});
-}
-
 TEST_CASE("GLSL is read below the config's folder alone, whatever names it")
 {
     const Neighbours around("roots_glsl");
@@ -202,43 +191,4 @@ TEST_CASE("what is no regular file is not opened, and nothing waits for it")
     }
     CHECK_THAT(readBytes(folder.path.string(), 10).failure, Catch::Contains("it is a folder"));
     CHECK(readBytes((folder.path / "none").string(), 10).missing);
-}
-
-TEST_CASE("a shader that is a pipe or a folder is reported as what it is")
-{
-    const Neighbours around("roots_pipe");
-    REQUIRE(mkfifo((around.folder.path / "mine/pipe.frag").c_str(), 0600) == 0);
-    const Diagnostics errors = shaderErrors(around, "./pipe.frag");
-    REQUIRE(errors.size() == 1);
-    CHECK(errors[0].code == Code::file_missing);
-    CHECK_THAT(errors[0].message, Catch::Contains("cannot be read: it is no regular file"));
-    CHECK_THAT(shaderErrors(around, "./none.frag").at(0).message,
-               Catch::Contains("does not exist"));
-}
-
-TEST_CASE("reading stops at the limit")
-{
-    const TemporaryFolder folder("roots_limit");
-    const std::string path = folder.write("ten", "0123456789");
-    CHECK(readBytes(path, 10).bytes == "0123456789");
-    CHECK(readBytes(path, 9).failure == "it has more than 9 bytes");
-    CHECK(readStart(path, 3).bytes == "012");
-    CHECK(readBytes("/proc/self/status", 1u << 20).bytes.size() > 100);  // it says that it has none
-    CHECK_FALSE(readBytes("/proc/self/status", 10));
-    const std::string huge = (folder.path / "huge.json").string();
-    folder.write("huge.json", "{");
-    fs::resize_file(huge, std::uintmax_t(1) << 40);
-    CHECK(failure(smallCatalog(), {huge}).code == Code::too_large);
-    CHECK(readFile(huge)->text.size() == kMaxDocumentBytes + 1);
-}
-
-TEST_CASE("GLSL of more than a mebibyte is refused unread")
-{
-    const Neighbours around("roots_large");
-    around.folder.write("mine/large.frag", "#version 300 es\n");
-    fs::resize_file(around.folder.path / "mine/large.frag", kMaxDocumentBytes + 1);
-    const Diagnostics errors = shaderErrors(around, "./large.frag");
-    REQUIRE(errors.size() == 1);
-    CHECK(errors[0].code == Code::too_large);
-    CHECK(errors[0].pointer == "/shaders/a/fragment");
 }

@@ -66,12 +66,4 @@ inline Diagnostic failure(const SourceSet& sources, const LoadRequest& request)
     return document.diagnostics().front();
 }
 
-/// The error when `text` is loaded as the config "bad".
-inline Diagnostic failureOf(const std::string& text)
-{
-    MemorySources sources = smallCatalog();
-    sources.add("configs/bad.json", text);
-    return failure(sources, {"bad"});
-}
-
 }  // namespace crevice

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Modules that take the place of others, and what is left out with those.
+#include <crevice/shipped.h>
+
 #include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
 #include "tests/support/temporary_folder.h"
@@ -82,26 +84,6 @@ TEST_CASE("Values for what is left out go with it, in levels and variants too, a
     CHECK(low->find("steps"));
 }
 
-TEST_CASE("What is left out is remembered with its reason")
-{
-    const Node document = mine(kOnHost);
-    std::vector<std::string> modules;
-    for (const Member& each : document.deleted) {
-        modules.push_back(each.key);
-        CHECK_THAT(each.value.text, Catch::Contains("'scene', which 'geometry/host"));
-        CHECK(each.key_place.source->name == "configs/mine.json");
-    }
-    CHECK(modules == std::vector<std::string>{"geometry/drawn", "light"});
-}
-
-TEST_CASE("What is named after that module stays, named again too")
-{
-    const Node document = mine(R"("extends": ["plain", "geometry/host", "light"])");
-    CHECK(at(document, "outputs/color"));
-    CHECK(at(document, "params/ambient/default")->number == 0.5);
-    CHECK_FALSE(at(document, "passes/geometry"));
-}
-
 TEST_CASE("A module that extends what replaces its own words takes its place whole")
 {
     const Node both = mine(R"("extends": ["plain", "geometry/host_normal"])");
@@ -110,29 +92,6 @@ TEST_CASE("A module that extends what replaces its own words takes its place who
     const Node again = mine(R"("extends": ["plain", "geometry/host_normal", "geometry/host"])");
     CHECK(at(again, "imports/depth"));
     REQUIRE(again.deleted.size() == 2);
-}
-
-TEST_CASE("Named before what it would replace, it is a clash that says where to name it")
-{
-    const Diagnostic error = failure(with(R"("extends": ["geometry/host", "plain"])"), {"mine"});
-    CHECK(error.code == Code::module_clash);
-    CHECK_THAT(error.help, Catch::Contains("name 'geometry/host.json' last in 'extends'"));
-}
-
-TEST_CASE("A value that a later file gives to what was left out is an error that shows where")
-{
-    const MemorySources sources =
-        with(R"("extends": ["plain", "geometry/host"], "params": {"band": 1.5})");
-    const Result<Description> description = decode(loaded(sources, {"mine"}), sources);
-    REQUIRE_FALSE(description);
-    const auto& errors = description.diagnostics();
-    const auto found = std::find_if(errors.begin(), errors.end(), [](const Diagnostic& each) {
-        return each.code == Code::unknown_param;
-    });
-    REQUIRE(found != errors.end());
-    REQUIRE(found->notes.size() == 1);
-    CHECK_THAT(found->notes[0].text, Catch::Contains("left out here"));
-    CHECK(placeName(found->notes[0].place) == "configs/mine.json:1:36");
 }
 
 TEST_CASE("An override with a plus adds a module at the end of what the config extends")
@@ -152,31 +111,6 @@ TEST_CASE("An override with a plus adds a module at the end of what the config e
     CHECK(gone.code == Code::unknown_param);
 }
 
-TEST_CASE("A module of one's own is added by its path, seen from the current folder")
-{
-    const TemporaryFolder folder("added_module");
-    folder.write("mine.json", file(R"("params": {"radius": 7})"));
-    const std::filesystem::path before = std::filesystem::current_path();
-    std::filesystem::current_path(folder.path);
-    const Result<Node> document = loadConfig(sceneCatalog(), {"plain", "", {"+./mine.json"}});
-    std::filesystem::current_path(before);
-    INFO(toText(document.diagnostics()));
-    REQUIRE(document);
-    CHECK(at(*document, "params/radius/default")->number == 7);
-}
-
-TEST_CASE("The words of needs and replaces are a list, and belong into a file")
-{
-    const Diagnostic word = failure(with(R"("extends": ["plain"], "needs": "scene")"), {"mine"});
-    CHECK(word.code == Code::wrong_type);
-    CHECK(word.pointer == "/needs");
-    const Diagnostic number = failure(with(R"("replaces": ["scene", 3])"), {"mine"});
-    CHECK(number.pointer == "/replaces/1");
-    const Diagnostic late = failure(
-        with(R"("extends": ["plain"], "variants": {"a": {"replaces": ["scene"]}})"), {"mine", "a"});
-    CHECK(late.code == Code::unknown_key);
-}
-
 TEST_CASE("A module named behind the config is laid over it, as if by an override")
 {
     const MemorySources sources = sceneCatalog();
@@ -193,20 +127,24 @@ TEST_CASE("A module named behind the config is laid over it, as if by an overrid
     CHECK(variantNames(sources, {"plain+geometry/host"}) == std::vector<std::string>{"bare"});
 }
 
-TEST_CASE("A module alone is no config, and the message says how to lay it over one")
-{
-    const Diagnostic alone = failure(sceneCatalog(), {"geometry/host"});
-    CHECK(alone.code == Code::module_missing);
-    CHECK(alone.help.find("+geometry/host'") != std::string::npos);
-    const Diagnostic misspelt = failure(sceneCatalog(), {"plain+geometry/hots"});
-    CHECK(misspelt.code == Code::module_missing);
-    CHECK(misspelt.help.find("did you mean 'geometry/host'") != std::string::npos);
-}
-
-TEST_CASE("JSON text is a config, and plus signs in it are its own")
+TEST_CASE("A swap changes the module and leaves out with a warning what was set for the old one")
 {
     const Node document =
-        loaded(sceneCatalog(), {file(R"("extends": ["plain"], "description": "a+b")")});
-    CHECK(at(document, "description")->text == "a+b");
-    CHECK(document.place.source->name == "(JSON text)");
+        need(loadConfig(shippedSources(), {"thesis", "", {"ssao/hemisphere=ssao/gtao"}}));
+    CHECK(at(document, "shaders/ssao/fragment")->text == "ssao/shaders/gtao.frag");
+    const Result<Description> description = decode(document, shippedSources());
+    REQUIRE(description.ok());
+    std::vector<std::string> elided;
+    for (const Diagnostic& each : description->unused) {
+        CHECK(each.severity == Severity::warning);
+        // thesis sets which generator makes rotation_noise, which gtao does not read
+        const bool unused = each.pointer == "/generated/rotation_noise";
+        CHECK(each.code == (unused ? Code::unused_name : Code::unknown_param));
+        elided.push_back(each.pointer);
+    }
+    CHECK(elided == std::vector<std::string>{"/params/bias_length", "/params/samples",
+                                             "/features/guards", "/features/basis",
+                                             "/features/range_check", "/generated/kernel",
+                                             "/generated/rotation_noise"});
+    CHECK_FALSE(findNamed(description->params, "samples"));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // "radius": 0.8 for {"radius": {"default": 0.8}}: what it sets, where errors point, and when it may
 // not stand.
-#include "core/json/merge.h"
 #include "tests/core/config/decode_fixture.h"
 #include "tests/core/config/load_fixture.h"
 #include "tests/support/need.h"
@@ -84,44 +83,4 @@ TEST_CASE("An error in a bare value points at it", "[decode]")
     CHECK(only(extended(R"("params": {"tint": 1})")).code == Code::wrong_type);
     CHECK(only(extended(R"("features": {"fast": 1})")).code == Code::wrong_type);
     CHECK(only(extended(R"("features": {"look": "lid"})")).code == Code::bad_enum);
-}
-
-TEST_CASE("A bare value for what no file declares is an error with the nearest name", "[decode]")
-{
-    const Diagnostic error = only(extended(R"("params": {"radus": 0.8})"));
-    CHECK(error.code == Code::unknown_param);
-    CHECK(error.pointer == "/params/radus");
-    CHECK((error.place.line == 2 && error.place.column == 12));
-    CHECK(error.help.find("did you mean 'radius'?") != std::string::npos);
-    CHECK(error.help.find(R"({"default": 0.8})") != std::string::npos);
-    CHECK(only(extended(R"("features": {"fats": true})")).code == Code::unknown_param);
-    CHECK(only(extended(R"("params": {"mine": [1, 2]})")).code == Code::unknown_param);
-    // One that an override names is no less unknown for standing in the file.
-    const Result<Description> twice = extended(R"("params": {"radus": 0.8})", {"radus=1"});
-    CHECK(only(twice).code == Code::unknown_param);
-    CHECK(only(extended("\"name\": \"mine\"", {"/params/radus=1"})).severity == Severity::error);
-}
-
-TEST_CASE("A bare value may be read before the file that declares its param", "[decode]")
-{
-    MemorySources sources;
-    sources.add("base.json", kBase);
-    sources.add("early.json", R"({"format": 1, "params": {"radius": 0.25}})");
-    sources.add("configs/mine.json", R"({"format": 1, "extends": ["early", "base"]})");
-    CHECK(at(loaded(sources, {"mine"}), "params/radius/default")->number == 0.5);
-    sources.add("configs/mine.json", R"({"format": 1, "extends": ["base", "early"]})");
-    CHECK(at(loaded(sources, {"mine"}), "params/radius/default")->number == 0.25);
-}
-
-TEST_CASE("A bare name for an input leaves how it is sampled", "[decode]")
-{
-    MemorySources sources;
-    sources.add("base.json", kBase);
-    sources.add("configs/mine.json", R"({"format": 1, "extends": ["base"],
-        "passes": {"blur": {"inputs": {"ao": "ao_far"}}}})");
-    const Node document = loaded(sources, {"mine"});
-    CHECK(at(document, "passes/blur/inputs/ao/from")->text == "ao_far");
-    CHECK(at(document, "passes/blur/inputs/ao/filter")->text == "linear");
-    const Diagnostic error = failure(sources, {"mine", "", {"/passes/blur/inputs=ao"}});
-    CHECK(error.code == Code::merge_kind);
 }

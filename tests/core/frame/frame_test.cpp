@@ -13,17 +13,6 @@
 
 using namespace crevice;
 
-TEST_CASE("A camera is orthographic by its last row alone")
-{
-    Camera camera;
-    camera.clip_from_view = glm::ortho(-2.0f, 3.0f, -1.0f, 1.0f, 0.1f, 50.0f);
-    CHECK(camera.orthographic());
-    camera.clip_from_view = glm::perspective(1.0f, 1.5f, 0.1f, 50.0f);
-    CHECK_FALSE(camera.orthographic());
-    camera.clip_from_view = glm::frustum(-0.1f, 0.3f, -0.1f, 0.1f, 0.1f, 50.0f);
-    CHECK_FALSE(camera.orthographic());
-}
-
 TEST_CASE("A camera reverses depth when what is farther has less of it")
 {
     Camera camera;
@@ -114,27 +103,6 @@ TEST_CASE("Of an upright camera no bit is turned")
     CHECK(seen.view_from_world == camera.view_from_world);
     CHECK(seen.view_from_host == glm::dmat3(1.0));
     CHECK_FALSE(isTurned(camera));
-}
-
-TEST_CASE("A projection times a number is the same projection")
-{
-    for (const glm::dmat4& lens : {kLens, kBox}) {
-        const Camera plain = {kView, glm::mat4(lens)};
-        const Camera scaled = {kView, glm::mat4(glm::dmat4(plain.clip_from_view) * 4.0)};
-        CHECK(scaled.orthographic() == plain.orthographic());
-        CHECK(cameraMatrices(scaled).clip_from_view == cameraMatrices(plain).clip_from_view);
-        CHECK_FALSE(isTurned(scaled));
-    }
-}
-
-TEST_CASE("A frame is turned where any of its views is")
-{
-    Frame frame;
-    frame.camera = {kView, glm::mat4(kLens)};
-    frame.other_views = {{frame.camera, {}}};
-    CHECK_FALSE(traitsOf(frame).turned);
-    frame.other_views[0].camera.clip_from_view = glm::mat4(ofPicture({1, 0}, {0, -1}) * kLens);
-    CHECK(traitsOf(frame).turned);
 }
 
 TEST_CASE("A projection is left-handed where it is made for a view along +z")
@@ -242,48 +210,6 @@ TEST_CASE("Traits come from the materials that something draws")
         frame.draws[0].material = -3;
         CHECK(traitsOf(frame) == traitsOf(Frame{}));
     }
-}
-
-TEST_CASE("No more lights count than a shader holds")
-{
-    Frame frame;
-    frame.lights.resize(kMaxLights + 5);
-    CHECK(traitsOf(frame).lights == kMaxLights);
-}
-
-TEST_CASE("Traits differ when any of them does")
-{
-    const SceneTraits none;
-    CHECK(none == SceneTraits{});
-    CHECK_FALSE(none == SceneTraits{1, false, false, false, false});
-    CHECK_FALSE(none == SceneTraits{0, true, false, false, false});
-    CHECK_FALSE(none == SceneTraits{0, false, true, false, false});
-    CHECK_FALSE(none == SceneTraits{0, false, false, true, false});
-    CHECK_FALSE(none == SceneTraits{0, false, false, false, true});
-    CHECK_FALSE(none == SceneTraits{0, false, false, false, false, true});
-    CHECK_FALSE(none == SceneTraits{0, false, false, false, false, false, true});
-    SceneTraits sheets;
-    sheets.sheets = true;
-    CHECK_FALSE(none == sheets);
-}
-
-TEST_CASE("A draw that becomes a sheet is another draw")
-{
-    DrawItem sheet;
-    sheet.sheet = true;
-    CHECK_FALSE(sheet == DrawItem{});
-}
-
-TEST_CASE("The least device renders to what OpenGL ES 3.0 promises and to nothing else")
-{
-    const DeviceCaps caps = minimumCaps();
-    for (const FormatInfo& info : allFormats()) {
-        CAPTURE(info.name);
-        CHECK(caps.canRender(info.format) == info.core_renderable);
-    }
-    CHECK(caps.canRender(Format::rgba8));
-    CHECK_FALSE(caps.canRender(Format::rgba32f));
-    CHECK(caps.max_color_attachments == 4);
 }
 
 TEST_CASE("The range of draws is of those in view, by what they cover, and unknown without bounds")

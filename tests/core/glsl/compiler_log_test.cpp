@@ -87,19 +87,6 @@ TEST_CASE("a driver's warning stays a warning")
     }
 }
 
-TEST_CASE("without a quoted name the column is the driver's, with the author's spaces and comments")
-{
-    // Mesa sees " x = foo + foobar; x = ;": each run of spaces is one column.
-    CHECK(only("0:5(24): error: syntax error, unexpected ';'").find("main.frag:5:39+1 ") == 0);
-    CHECK(only("0(5) : error C0000: syntax error").find("main.frag:5+1 ") == 0);
-}
-
-TEST_CASE("of several words the one nearest to the driver's column is meant")
-{
-    CHECK(only("0:5(2): error: `x' is bad").find("main.frag:5:15+1 ") == 0);
-    CHECK(only("0:5(21): error: `x' is bad").find("main.frag:5:35+1 ") == 0);
-}
-
 TEST_CASE("each message of a log is a diagnostic, and what Mesa indents belongs to the one before")
 {
     const Diagnostics diagnostics = explain(
@@ -113,32 +100,6 @@ TEST_CASE("each message of a log is a diagnostic, and what Mesa indents belongs 
           "float g(float); float g(vec2)");
     CHECK(diagnostics[1].message == "second");
     CHECK(diagnostics[1].place.line == 3);
-}
-
-TEST_CASE("a linker's error has no line but the stage's file")
-{
-    CHECK(only("error: unresolved reference to function `f'\n") ==
-          "main.frag+1 unresolved reference to function `f'");
-}
-
-TEST_CASE("headings and counts say nothing")
-{
-    const Diagnostics diagnostics = explain(
-        "Fragment info\n-------------\n0(5) : error C1: a\n"
-        "ERROR: 1 compilation errors.  No code generated.\n\n");
-    CHECK(diagnostics.size() == 1);
-}
-
-TEST_CASE("lines of no known form are kept as one error at the stage's file")
-{
-    CHECK(only("internal fault 17\nplease call the vendor.\n") ==
-          "main.frag+1 internal fault 17; please call the vendor");
-}
-
-TEST_CASE("a driver that says nothing gives one error that says so")
-{
-    for (const std::string& log : {std::string(), std::string("\n\n"), std::string(1, '\0')})
-        CHECK(only(log) == "main.frag+1 the driver gave no message");
 }
 
 TEST_CASE("places that are not in the text do no harm")

@@ -51,33 +51,12 @@ TEST_CASE("every uniform type is known by its GLSL name")
     CHECK_FALSE(isSampler(GlslType::vec4));
 }
 
-TEST_CASE("qualifiers, layouts and several names in one declaration are read")
-{
-    CHECK(uniformsOf("uniform highp sampler2D depth;") == "sampler2D depth");
-    CHECK(uniformsOf("layout(location = 3) uniform mediump vec3 color;") == "vec3 color");
-    CHECK(uniformsOf("uniform float a, b[2], c;\nuniform\n  int\n  d;") ==
-          "float a, float b[2], float c, int d");
-}
-
 TEST_CASE("array sizes may be defines and expressions of them")
 {
     CHECK(uniformsOf("uniform vec3 kernel[SAMPLES];", {{"SAMPLES", "64"}}) == "vec3 kernel[64]");
     CHECK(uniformsOf("uniform vec4 x[SAMPLES * 2 + 1];", {{"SAMPLES", "8"}}) == "vec4 x[17]");
     CHECK(uniformsOf("uniform vec4[3] x;") == "vec4 x[3]");
     CHECK(uniformsOf("uniform vec4 x[1];") == "vec4 x[1]");
-}
-
-TEST_CASE("an array size that is no number is an error at the bracket")
-{
-    for (const char* size : {"N", "", "0", "-1", "1.5", "99999999", "4"}) {
-        INFO(size);
-        const Result<GlslStage> stage = scan("uniform vec3 x[" + std::string(size) + "];\n");
-        CHECK(stage.ok() == (std::string(size) == "4"));
-        if (stage.ok()) continue;
-        REQUIRE(stage.diagnostics().size() == 1);
-        CHECK(stage.diagnostics()[0].code == Code::preprocessor);
-        CHECK(stage.diagnostics()[0].place.column == 15);
-    }
 }
 
 TEST_CASE("only active declarations at the outermost level are seen")
@@ -88,14 +67,6 @@ TEST_CASE("only active declarations at the outermost level are seen")
                      "struct S { float i; };\nuniform S j;\nconst float k = 1.0;\n"
                      "float l[2] = float[2](1.0, 2.0);\nuniform float m;") ==
           "float d, other j, float m");
-}
-
-TEST_CASE("a uniform's place is its name")
-{
-    const GlslStage stage = stageOf("\nuniform float radius, bias;\n");
-    CHECK(stage.uniforms[1].place.line == 3);
-    CHECK(stage.uniforms[1].place.column == 23);
-    CHECK(stage.uniforms[1].place.length == 4);
 }
 
 TEST_CASE("a uniform block is found by its name, and its members are no uniforms")
@@ -145,13 +116,6 @@ TEST_CASE("an output that is dropped becomes a variable on its line, with its pr
     CHECK(std::count(stage.text.begin(), stage.text.end(), '\n') == lines);
     REQUIRE(stage.outputs.size() == 2);
     CHECK(stage.outputs[0].name == "a");
-}
-
-TEST_CASE("a location that is no number is an error")
-{
-    const Result<GlslStage> stage = scan("layout(location = WHERE) out vec4 color;\n");
-    REQUIRE(stage.diagnostics().size() == 1);
-    CHECK(stage.diagnostics()[0].place.column == 19);
 }
 
 TEST_CASE("text that is no GLSL is left to the driver")

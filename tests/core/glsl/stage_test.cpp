@@ -75,25 +75,6 @@ TEST_CASE("a stage begins with #version, the used defines in order, and its line
     CHECK(stage.files[0]->name == "a/main.frag");
 }
 
-TEST_CASE("comments may stand above #version")
-{
-    const GlslStage stage = stageOf("// licence\n/* two\nlines */\n#version 310 es\nint x;\n");
-    CHECK(stage.text == "#version 310 es\n#line 5 0\nint x;\n");
-}
-
-TEST_CASE("a stage without a usable #version is an error that says what to write")
-{
-    for (const char* text : {"void main() {}\n", "#version 330 core\nvoid main() {}\n",
-                             "#version 100\n", "#define X 1\n#version 300 es\n"}) {
-        const Diagnostic error = errorOf(Texts{{"a/main.frag", text}});
-        CHECK(error.code == Code::preprocessor);
-        CHECK(error.place.line == 1);
-        CHECK(error.help.find("#version 300 es") != std::string::npos);
-    }
-    CHECK(errorOf(Texts{{"a/main.frag", "// nothing\n"}}).code == Code::preprocessor);
-    CHECK(errorOf(Texts{{"a/main.frag", ""}}).code == Code::preprocessor);
-}
-
 TEST_CASE("an include stands between line numbers of its file and of the one that includes it")
 {
     const GlslStage stage = stageOf({{"a/main.frag", kVersion + "#include \"b.glsl\"\nint y;\n"},
@@ -102,15 +83,6 @@ TEST_CASE("an include stands between line numbers of its file and of the one tha
           "#version 300 es\n#line 2 0\n#line 100001 1\n\nint x;\n#line 3 0\nint y;\n");
     REQUIRE(stage.files.size() == 2);
     CHECK(stage.files[1]->name == "b.glsl");
-}
-
-TEST_CASE("an include is found from the folder of the file that names it")
-{
-    const GlslStage stage = stageOf({{"a/main.frag", kVersion + "#include \"./sub/b.glsl\"\n"},
-                                     {"a/sub/b.glsl", "#include \"../c.glsl\"\n"},
-                                     {"a/c.glsl", "int c;\n"}});
-    REQUIRE(stage.files.size() == 3);
-    CHECK(stage.files[2]->name == "a/c.glsl");
 }
 
 TEST_CASE("a file that two others include is there once")
@@ -125,53 +97,6 @@ TEST_CASE("a file that two others include is there once")
     CHECK(stage.text.find("include") == std::string::npos);
 }
 
-TEST_CASE("an interface is the file that the config gives for it")
-{
-    const GlslStage stage = stageOf({{"a/main.frag", kVersion + "#include <surface>\n"},
-                                     {"geometry/surface.glsl", "uniform sampler2D depth;\n"}});
-    REQUIRE(stage.uniforms.size() == 1);
-    CHECK(stage.uniforms[0].name == "depth");
-    CHECK(stage.uniforms[0].place.source->name == "geometry/surface.glsl");
-}
-
-TEST_CASE("an include of nothing is an error at its name with the nearest one")
-{
-    const Diagnostic file = errorOf(
-        Texts{{"a/main.frag", kVersion + "\n  #include \"noise.gls\"\n"}, {"noise.glsl", ""}});
-    CHECK(file.code == Code::include_missing);
-    CHECK(file.place.line == 3);
-    CHECK(file.place.column == 13);
-    CHECK(file.place.length == 9);
-    CHECK(file.help.find("noise.glsl") != std::string::npos);
-
-    const Diagnostic interface = errorOf("#include <surfaces>\n");
-    CHECK(interface.code == Code::include_missing);
-    CHECK(interface.help.find("surface") != std::string::npos);
-    CHECK(errorOf("#include \"../../escape.glsl\"\n").code == Code::include_missing);
-}
-
-TEST_CASE("an include that leads back to itself is an error that shows the way round")
-{
-    const Diagnostic self = errorOf("#include \"a/main.frag\"\n");
-    CHECK(self.code == Code::include_cycle);
-    CHECK(self.message.find("a/main.frag -> a/main.frag") != std::string::npos);
-
-    const Diagnostic ring = errorOf(Texts{{"a/main.frag", kVersion + "#include \"b.glsl\"\n"},
-                                          {"b.glsl", "#include \"c.glsl\"\n"},
-                                          {"c.glsl", "\n#include \"b.glsl\"\n"}});
-    CHECK(ring.code == Code::include_cycle);
-    CHECK(ring.message.find("b.glsl -> c.glsl -> b.glsl") != std::string::npos);
-    CHECK(ring.place.source->name == "c.glsl");
-    CHECK(ring.place.line == 2);
-}
-
-TEST_CASE("an include that no condition reaches may name anything")
-{
-    const GlslStage stage =
-        stageOf(kVersion + "#if 0\n#include \"none.glsl\"\n#include x\n#endif\nint y;\n");
-    CHECK(stage.text == "#version 300 es\n#line 2 0\n#if 0\n\n\n#endif\nint y;\n");
-}
-
 TEST_CASE("a define counts as used by code, conditions, includes and other used defines")
 {
     const GlslDefines defines = {{"IN_CODE", "1"},  {"IN_IF", "1"},      {"IN_INCLUDE", "INDIRECT"},
@@ -184,20 +109,6 @@ TEST_CASE("a define counts as used by code, conditions, includes and other used 
         stageOf({{"a/main.frag", text}, {"b.glsl", "int z = IN_INCLUDE;\n"}}, defines);
     CHECK(stage.defines_used ==
           std::vector<std::string>{"INDIRECT", "IN_CODE", "IN_DEAD_CODE", "IN_IF", "IN_INCLUDE"});
-}
-
-TEST_CASE("defines that the text does not mention leave it as it is")
-{
-    const Texts texts = {{"a/main.frag", kVersion + "int x = SAMPLES;\n"}};
-    CHECK(stageOf(texts, {{"SAMPLES", "4"}}).text ==
-          stageOf(texts, {{"SAMPLES", "4"}, {"OTHER", "1"}}).text);
-}
-
-TEST_CASE("a define's value stays on its line")
-{
-    const GlslStage stage = stageOf(kVersion + "int x = A;\n", {{"A", "1 // one\n+ 2"}});
-    CHECK(stage.text.find("#define A 1       ") != std::string::npos);
-    CHECK(stage.text.find("+ 2\n#line") != std::string::npos);
 }
 
 TEST_CASE("conditions are evaluated as the driver evaluates them")
@@ -216,17 +127,6 @@ TEST_CASE("conditions are evaluated as the driver evaluates them")
     CHECK(holds("GL_ES && __VERSION__ == 300"));
     CHECK_FALSE(holds("defined(A) && 1 / A", {}));
     CHECK(holds("1 || 1 / 0"));
-}
-
-TEST_CASE("a name without a define is an error in a condition, reported once")
-{
-    const Diagnostic error =
-        errorOf(Texts{{"a/main.frag", kVersion + "#if SAMPELS > 4\n#elif SAMPELS > 2\n#endif\n"}},
-                {{"SAMPLES", "3"}});
-    CHECK(error.code == Code::preprocessor);
-    CHECK(error.place.line == 2);
-    CHECK(error.place.column == 5);
-    CHECK(error.help.find("'SAMPLES'") != std::string::npos);
 }
 
 TEST_CASE("of a chain of conditions the first that holds counts")
@@ -305,21 +205,6 @@ TEST_CASE("a directive that cannot be read is one error at its place")
         CHECK(error.place.line == one.line);
         CHECK(error.place.column == one.column);
     }
-}
-
-TEST_CASE("an #if that an included file leaves open is that file's error")
-{
-    const Diagnostic error = errorOf(
-        Texts{{"a/main.frag", kVersion + "#include \"b.glsl\"\n"}, {"b.glsl", "\n#if 1\n"}});
-    CHECK(error.place.source->name == "b.glsl");
-    CHECK(error.place.line == 2);
-}
-
-TEST_CASE("every broken directive of a text is reported")
-{
-    const Result<GlslStage> stage =
-        assemble({{"a/main.frag", kVersion + "#if 1 +\n#endif\n#include \"none\"\n#undef\n"}});
-    CHECK(stage.diagnostics().size() == 3);
 }
 
 TEST_CASE("endless nesting and macros without end are errors, not crashes")
