@@ -28,7 +28,7 @@ failing() {
     [[ ! -e $work/$1.before ]] || against=(--against "$work/$1.before")
     if [[ $1 == *_temporal ]]; then  # faults of the history alone, which other cases show no better
         size=256x144                 # below that `history` fails by noise alone
-        cases=(--case history --case cut --case still --case plane_near_far)
+        cases=(--case history --case cut --case still --case plane_near_far --case lights)
     fi
     "$crevice" stress "$1" --quick --size $size ${cases[@]+"${cases[@]}"} --effects "$2" --out "$2/stress" \
         ${against[@]+"${against[@]}"} >"$2/stdout" 2>"$2/stderr" || true

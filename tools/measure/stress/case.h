@@ -53,7 +53,7 @@ struct StressShot {
     double radius = 0.5;  ///< Scene units; what the config's param is set to.
     /// Further params, "intensity=0"; a config without one of them is left out.
     std::vector<std::string> settings = {};
-    int samples = 0;           ///< Depth taps a pixel; 0: the config's own, -1: the most.
+    int samples = 0;           ///< Depth taps a pixel; 0: the config's own.
     bool keep_no_ops = false;  ///< No pass is left out because of a param's value.
     bool draws = false;        ///< Asks about the config's own draws.
 

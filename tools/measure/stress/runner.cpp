@@ -156,7 +156,6 @@ Result<StressRunner::Ready> StressRunner::prepare(const StressTask& task, const 
     Result<Description> description = loadDescription(config, sources);
     if (!description) return description.diagnostics();
     ready.description = std::move(*description);
-    if (shot.samples < 0) takeAllSamples(ready.description);
     ready.options.extent = shot.extent;
     ready.options.disable = {"aliasing"};
     if (shot.keep_no_ops) ready.options.disable.push_back("no_op");

@@ -34,9 +34,8 @@ fi
 # At a quarter of the resolution that picture would leave 32x18 pixels.
 phone=0
 stress_at 256x144 phone mobile_low || phone=$?
-# What screen-space occlusion cannot do (docs/reference/stress.md): radii past the picture, one tap a pixel. Not solved:
-# a quarter of the resolution with the most taps.
-known='^  (corner_radius .*; breaks at 10000|samples +holds (from 16 to the most; breaks at 1|at 16; breaks at the most)): [0-9]+ % of '
+# What screen-space occlusion cannot do (docs/reference/stress.md): radii past the picture, one tap a pixel.
+known='^  (corner_radius .*; breaks at 10000|samples +holds at 16; breaks at 1): [0-9]+ % of '
 unknown=$(grep -E 'breaks at|VOID' stdout.txt | grep -vE "$known" || true)
 check "all else holds: $unknown" test -z "$unknown"
 check "what does not is a failure" test "$got" -eq 5 -a "$phone" -eq 5

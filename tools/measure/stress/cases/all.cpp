@@ -30,13 +30,6 @@ std::vector<StressStep> steps(std::initializer_list<double> values)
     return all;
 }
 
-std::vector<StressStep> taps(std::initializer_list<double> values)
-{
-    std::vector<StressStep> all = steps(values);
-    all.push_back({-1, "the most"});
-    return all;
-}
-
 std::vector<StressStep> decades(int first, int last)
 {
     std::vector<StressStep> all;
@@ -61,12 +54,6 @@ std::vector<StressStep> shapes()
 }
 
 Extent shapeOf(double kind) { return kShapes[static_cast<int>(kind)].size; }
-
-Extent sizeForTaps(double samples, Extent size)
-{
-    if (samples > 0) return size;
-    return {(size.width + 3) / 4, (size.height + 3) / 4};
-}
 
 int noiseBlock(Extent size) { return std::max(size.width / 8, 1); }
 

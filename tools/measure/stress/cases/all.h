@@ -18,15 +18,9 @@ std::vector<StressStep> decades(int first, int last);
 /// Kinds, whose values count from 0.
 std::vector<StressStep> kinds(std::initializer_list<const char*> labels);
 
-/// Depth taps a pixel; the last, "the most", has the value -1.
-std::vector<StressStep> taps(std::initializer_list<double> values);
-
 /// Sizes of pictures, and the one that a step's value stands for. The first is ordinary.
 std::vector<StressStep> shapes();
 Extent shapeOf(double kind);
-
-/// Smaller for the most taps, of which some configs take thousands.
-Extent sizeForTaps(double samples, Extent size);
 
 /// From 1:10 to 1e-4:1e7, by powers of ten of the near distance.
 std::vector<StressStep> nearFarSteps();

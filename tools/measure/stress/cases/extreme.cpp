@@ -29,7 +29,7 @@ StressShot cornerRadius(double radius, Extent size)
 
 StressShot sceneSamples(double samples, Extent size)
 {
-    StressShot shot = sceneShot(testView(), sizeForTaps(samples, size));
+    StressShot shot = sceneShot(testView(), size);
     shot.samples = static_cast<int>(samples);
     return shot;
 }
@@ -194,7 +194,7 @@ std::vector<StressCase> extremeCases()
          steps({0.001, 0.01, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 6.4, 25.6, 100, 1e4}), 6, E::darkens,
          cornerRadius, kTallRadius, kSmallRadius},
         {"samples", "The test scene by few and many depth taps a pixel.", "taps",
-         taps({1, 2, 4, 16}), 3, E::sound, sceneSamples, kManyTaps, kFewTaps},
+         steps({1, 2, 4, 16}), 3, E::sound, sceneSamples, kManyTaps, kFewTaps},
         {"no_op", "No intensity, no radius: planned away, and drawn all the same.", "",
          kinds({"intensity 0", "intensity 0, drawn", "radius 0", "radius 0, drawn"}), 0, E::one,
          noOp, with},

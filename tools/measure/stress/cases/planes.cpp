@@ -51,7 +51,7 @@ StressShot planeRadiusPixels(double pixels, Extent size)
 
 StressShot planeSamples(double samples, Extent size)
 {
-    StressShot shot = planeShot({}, sizeForTaps(samples, size), kDistance, 60);
+    StressShot shot = planeShot({}, size, kDistance, 60);
     shot.samples = static_cast<int>(samples);
     return shot;
 }
@@ -90,7 +90,7 @@ std::vector<StressCase> planeCases()
          steps({0, 0.01, 0.1, 0.5, 1, 2, 5, 20, 100, 1000}), 7, E::open, planeRadiusPixels,
          kTallRadius, kSmallRadius},
         {"plane_samples", "A plane by few and many depth taps a pixel.", "taps",
-         taps({1, 2, 4, 8, 16, 32, 64, 128}), 4, E::open, planeSamples, kManyTaps, kFewTaps},
+         steps({1, 2, 4, 8, 16, 32, 64, 128}), 4, E::open, planeSamples, kManyTaps, kFewTaps},
     };
 }
 
