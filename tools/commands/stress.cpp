@@ -30,7 +30,7 @@ struct StressCommand {
     std::string backend;
     std::string precision;
     std::string size = "256x144";
-    RunOptions run{"1/1", "", "stress"};
+    RunOptions run{"", "stress"};
     std::string against;  ///< The folder of another run.
     bool list = false;
     bool json = false;
@@ -252,11 +252,10 @@ int measureSteps(const StressCommand& command, const std::vector<StressTask>& ta
 
 int stress(StressCommand command)
 {
-    const Result<RunLimits> limits = limitsOf(command.run);
-    if (!limits) return report(limits.diagnostics(), command.json);
+    const Result<double> time_budget = timeBudgetOf(command.run);
+    if (!time_budget) return report(time_budget.diagnostics(), command.json);
     const Result<Extent> size = parseSize(command.size);
     if (!size) return report(size.diagnostics(), command.json);
-    command.stress.shard = limits->shard;
     command.stress.variant = command.config.variant;
     command.stress.overrides = command.config.overrides;
     command.stress.roots = command.config.roots;
@@ -264,7 +263,7 @@ int stress(StressCommand command)
     const Result<std::vector<StressTask>> tasks = planStress(command.stress, sources);
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);
-    return measureSteps(command, *tasks, *size, sources, limits->time_budget_s);
+    return measureSteps(command, *tasks, *size, sources, *time_budget);
 }
 
 }  // namespace

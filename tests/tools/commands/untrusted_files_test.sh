@@ -53,7 +53,7 @@ expect 1 'CV2104.*no regular file' validate learnopengl --set /shaders/ssao/frag
 for file in pipe.png zero.png /dev/zero; do
     expect 1 'CV7005.*no regular file' compare "$file" "$file"
 done
-for command in report 'choose --error 1' compare-bench; do
+for command in report 'choose --error 1' 'report mine --against'; do
     expect 1 'CV7009.*no regular file' $command mine mine
     expect 1 'CV7009.*no regular file' $command /dev/zero /dev/zero
 done
@@ -106,7 +106,7 @@ sed "s/\"quick\"/\"$(printf '%s' "$escaped" | sed 's/\\/\\\\/g')\"/g; s/device A
     results/results.jsonl >results/strange.jsonl
 quiet choose results/strange.jsonl --error 1
 quiet choose results/strange.jsonl --error 1 --json
-quiet compare-bench results/results.jsonl results/strange.jsonl
+quiet report results/strange.jsonl --against results/results.jsonl
 quiet report results/strange.jsonl --out page.html
 check "the page turns no text" bash -c '! LC_ALL=C grep -qE "$0" page.html' "$(printf '\302\233|\342\200\256')"
 
@@ -140,7 +140,7 @@ full explain learnopengl
 full explain learnopengl --why radius
 full choose results/results.jsonl --error 1
 full choose results/results.jsonl --error 1 --json
-full compare-bench results/results.jsonl results/results.jsonl
+full report results/results.jsonl --against results/results.jsonl
 full report results/results.jsonl
 full stress --list
 full bench --list --config learnopengl --scene plane

@@ -122,7 +122,6 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
     const std::vector<std::string> configs =
         options.configs.empty() ? configNames(sources) : options.configs;
     std::vector<StressTask> tasks;
-    std::size_t index = 0;
     for (const std::string& config : configs) {
         const ConfigOptions chosen = {
             config, options.variant, options.overrides, {}, options.roots};
@@ -131,7 +130,6 @@ Result<std::vector<StressTask>> planStress(const StressOptions& options, const S
         std::vector<std::string> formats = surfaceFormats(*description);
         for (const StressCase* stress : *cases) {
             const bool all_formats = stress->formats && !options.quick;
-            if (!options.shard.has(index++)) continue;
             for (std::size_t f = 0; f < (all_formats ? formats.size() : 1); ++f)
                 for (std::size_t step = 0; step < stress->steps.size(); ++step)
                     if (!options.quick || isQuick(*stress, step))

@@ -17,7 +17,6 @@ struct StressOptions {
     std::string variant = {};
     std::vector<std::string> overrides = {};
     bool quick = false;  ///< Two or three steps of each case, in the configs' own formats.
-    Shard shard = {};    ///< By config and case.
     std::vector<std::string> roots = {};  ///< As LoadRequest has them.
 };
 

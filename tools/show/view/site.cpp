@@ -32,14 +32,14 @@ namespace {
 constexpr const char* kJson = "application/json";
 constexpr std::size_t kMostPageBytes = 64u << 20;  // of one file
 
-std::string textOf(const nlohmann::json& json)
+std::string textOf(const nlohmann::json& value)
 {
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-SiteAnswer jsonAnswer(int status, const nlohmann::json& json)
+SiteAnswer jsonAnswer(int status, const nlohmann::json& value)
 {
-    return {status, kJson, std::make_shared<const std::string>(textOf(json))};
+    return {status, kJson, std::make_shared<const std::string>(textOf(value))};
 }
 
 SiteAnswer refused(int status, const std::string& message)

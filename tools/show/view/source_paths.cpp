@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kConfigs = "configs/";
-constexpr std::string_view kSuffix = ".json";
+constexpr std::string_view kConfigFolder = "configs/";
+constexpr std::string_view kConfigSuffix = ".json";
 
 // Links stay, since names are resolved without them.
 fs::path absolutePath(const fs::path& path)
@@ -36,7 +36,8 @@ bool hidesShipped(const fs::path& folder, const SourceSet& shipped)
 {
     std::error_code error;
     for (const std::string& path : shipped.list())
-        if (startsWith(path, kConfigs) && fs::exists(folder / path.substr(kConfigs.size()), error))
+        if (startsWith(path, kConfigFolder) &&
+            fs::exists(folder / path.substr(kConfigFolder.size()), error))
             return true;
     return false;
 }
@@ -51,8 +52,8 @@ SourcePaths::SourcePaths(const std::string& config_file, const std::vector<std::
     top_ = config.parent_path();
     for (const std::string& root : roots) top_ = commonFolder(top_, absolutePath(root));
     if (hidesShipped(top_, shipped)) folder_ += "mine/";
-    config_name_ = of(config_file).substr(kConfigs.size());
-    config_name_.resize(config_name_.size() - kSuffix.size());
+    config_name_ = of(config_file).substr(kConfigFolder.size());
+    config_name_.resize(config_name_.size() - kConfigSuffix.size());
 }
 
 std::string SourcePaths::of(const std::string& file) const

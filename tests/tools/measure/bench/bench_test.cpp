@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Benches without GL: their samples, keys, shards and figures.
+// Benches without GL: their samples, keys and figures.
 #include "tools/measure/bench/bench.h"
 
 #include <crevice/plan.h>
 
 #include "tests/tools/measure/bench/fixture.h"
 #include "tests/tools/measure/bench/small.h"
-#include "tools/measure/bench/errors.h"
 #include "tools/measure/bench/times.h"
 #include "tools/measure/bench/views.h"
 #include "tools/render/view_diagnosis.h"
@@ -68,7 +67,7 @@ TEST_CASE("The key of a sample is the same in every plan and changes with what d
         [](BenchOptions& other) { other.motion = true; }};
     for (const auto change : changes) CHECK(changed(change).key != first.front());
     // The same sample with more figures: measured again, compared with both.
-    CHECK(plannedId(changed(changes[5])) == plannedId(plan(options).tasks[0].sample));
+    CHECK(identityOf(changed(changes[5])) == identityOf(plan(options).tasks[0].sample));
 }
 
 TEST_CASE("What is timed and what is switched off are in ids, labels, titles and curves")
@@ -81,16 +80,13 @@ TEST_CASE("What is timed and what is switched off are in ids, labels, titles and
     CHECK(ao.family == "learnopengl");
     for (const auto& [sample, suffix] :
          {std::pair(color, " output=color"), {bare, " without no_op"}}) {
-        CHECK(plannedId(sample) != plannedId(ao));
+        CHECK(identityOf(sample) != identityOf(ao));
         CHECK(sample.family == std::string("learnopengl") + suffix);
         CHECK(sampleLabel(sample) == std::string("learnopengl samples=4") + suffix);
         CHECK(sampleTitle(sample) == sampleLabel(sample) + ", plane, 64x36");
     }
     CHECK(questionOf(bare) == questionOf(ao));  // so that a bench shows what it was worth
     BenchOptions options = smallOptions();
-    const std::string command = plan(options).planned.command;
-    options.output = "color";
-    CHECK(plan(options).planned.command != command);
     options.output = "colour";
     CHECK(plan(options).tasks[0].sample.failure ==
           "CV2209: 'learnopengl' exports no output 'colour': give --output ao or color");
@@ -106,23 +102,6 @@ TEST_CASE("An edited shader is another sample")
     const Result<BenchPlan> other = planBench(options, sources);
     REQUIRE(other.ok());
     CHECK(other->tasks[0].sample.key != keys(options)[0]);
-}
-
-TEST_CASE("Shards share the samples out exactly, whatever their number")
-{
-    BenchOptions options = smallOptions();
-    const std::vector<std::string> all = keys(options);
-    for (const int count : {1, 2, 3, static_cast<int>(all.size()) + 3}) {  // each plans them all
-        std::vector<std::string> together;
-        for (int index = 1; index <= count; ++index) {
-            options.shard = {index, count};
-            for (const std::string& key : keys(options)) together.push_back(key);
-        }
-        INFO(count);
-        CHECK(together.size() == all.size());
-        CHECK(std::set<std::string>(together.begin(), together.end()) ==
-              std::set<std::string>(all.begin(), all.end()));
-    }
 }
 
 TEST_CASE("Sample counts that a config cannot take are left out with a warning")
@@ -156,15 +135,6 @@ TEST_CASE("Scenes, cameras and configs that are unusable become failures")
     CHECK(failureOf(3) == "CV1201:");
     CHECK(failureOf(4).empty());
     CHECK(failureOf(7) == "CV7004:");
-}
-
-TEST_CASE("What is asked for twice is measured once")
-{
-    BenchOptions options = smallOptions();
-    options.configs = {"learnopengl", "learnopengl"};
-    options.sizes = {"64x36", "64x36"};
-    options.samples = {4, 4};
-    CHECK(plan(options).tasks.size() == 2);
 }
 
 TEST_CASE("Medians and quartiles lie between neighbours")
@@ -220,27 +190,6 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(20));
 }
 
-TEST_CASE("A budget has the change that each part makes, and what is left with all of them")
-{
-    std::string failure;
-    const ErrorBudget budget = budgetOf(
-        0.5,
-        [](unsigned ideal) -> Result<double> {
-            if (ideal == kIdealFormats) return Diagnostic{Code::no_backend, "too wide"};
-            if (ideal == kIdealLayers) return Diagnostic{Code::no_backend, "too deep"};
-            return ideal == kIdealFilter ? 0.75 : 0.5 - 0.0078125 * ideal;
-        },
-        failure);
-    CHECK(budget.taps == -0.0078125);
-    CHECK(budget.filter == 0.25);
-    CHECK(budget.half_size == -0.03125);
-    CHECK(budget.off_screen == -0.0625);
-    CHECK(budget.hidden_layers == 0);
-    CHECK(budget.precision == 0);
-    CHECK(budget.model == 0.0078125);
-    CHECK(failure == "too deep");
-}
-
 TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides cancel")
 {
     const std::vector<double> unit = {99, 10, 30, 10, 10};  // the first turn was another sample's
@@ -249,14 +198,6 @@ TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides 
     CHECK(ratio.q1 == 0.5);
     CHECK(ratioFigures({1, 2}, {0, 0}).median == 0.0);
     CHECK(ratioFigures({}, unit).median == 0.0);
-}
-
-TEST_CASE("The quickest turns are those that no slow moment reaches")
-{
-    std::vector<double> costs(20, 100.0);
-    costs[4] = costs[7] = costs[11] = 2.0;
-    CHECK(quickest(costs) == 2.0);
-    CHECK(quickest({3.0}) == 3.0);
 }
 
 TEST_CASE("A median is settled by more turns or by steadier ones")

@@ -63,21 +63,6 @@ TEST_CASE("a shader that was edited and fails now hides what it was before")
     CHECK(!read->front().failure.empty());
 }
 
-TEST_CASE("a bench sample of another output is another one, and old lines are of ao")
-{
-    const TemporaryFolder folder("bench_sample");
-    BenchSample color = benchSample("a", 4, 1, 0.1);
-    color.output = "color";
-    std::string old = line(benchSample("a", 4, 1, 0.1));
-    const std::string output = R"("output":"ao",)";
-    old.erase(old.find(output), output.size());
-    const auto read = readBenchSamples({folder.write("a.jsonl", old + line(color))});
-    REQUIRE(read.ok());
-    REQUIRE(read->size() == 2);
-    CHECK(read->at(0).output == "ao");
-    CHECK(read->at(1).output == "color");
-}
-
 TEST_CASE("motion comes back as it was written, and lines without it have none")
 {
     const TemporaryFolder folder("bench_sample");
@@ -100,15 +85,6 @@ TEST_CASE("motion comes back as it was written, and lines without it have none")
     CHECK(read->at(0).motion.uncovered.at(1).frames == 16);
     CHECK(read->at(1).motion_failure == failed.motion_failure);
     CHECK(read->at(2).motion.paths.empty());
-}
-
-TEST_CASE("a bench's folder stands for the results in it")
-{
-    const TemporaryFolder folder("bench_sample");
-    folder.write("mine/results.jsonl", line(benchSample("a", 4, 1, 0.1)));
-    const auto read = readBenchSamples({(folder.path / "mine").string()});
-    REQUIRE(read.ok());
-    CHECK(read->size() == 1);
 }
 
 TEST_CASE("a bench failure never hides figures, and figures end a failure")
@@ -155,16 +131,6 @@ TEST_CASE("a line that is no bench sample is an error at its place")
     }
 }
 
-TEST_CASE("bench results that cannot be read are errors, each of them")
-{
-    const TemporaryFolder folder("bench_sample");
-    const auto read =
-        readBenchSamples({(folder.path / "none.jsonl").string(), folder.path.string()});
-    REQUIRE(!read.ok());
-    REQUIRE(read.diagnostics().size() == 2);
-    CHECK(read.diagnostics()[1].code == Code::results_broken);
-}
-
 TEST_CASE("a bench figure that is not finite makes its sample a failure")
 {
     const TemporaryFolder folder("bench_sample");
@@ -185,13 +151,4 @@ TEST_CASE("bench pictures lie beside their results file")
     REQUIRE(read.ok());
     CHECK(read->front().ao_picture == (folder.path / "shard/pictures/a.png").string());
     CHECK(read->front().ground_truth_picture.empty());
-}
-
-TEST_CASE("text that is no UTF-8 does not lose a bench sample")
-{
-    const TemporaryFolder folder("bench_sample");
-    const auto read =
-        readBenchSamples({folder.write("a.jsonl", line(benchSample("a\xff", 4, 1, 0.1)))});
-    REQUIRE(read.ok());
-    CHECK(read->size() == 1);
 }

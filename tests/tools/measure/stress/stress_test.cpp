@@ -240,19 +240,6 @@ TEST_CASE("A stress run keeps what it drew, goes on from there and keeps picture
     CHECK(findBreakdown(*series[1].stress, series[1].steps).failures == 3);
 }
 
-TEST_CASE("Shards of a stress run share its cases out")
-{
-    StressOptions options;
-    options.configs = {"gtao", "learnopengl"};
-    const std::size_t all = plan(options).size();
-    std::set<std::string> titles;
-    for (int index = 1; index <= 3; ++index) {
-        options.shard = {index, 3};
-        for (const StressTask& task : plan(options)) CHECK(titles.insert(stepTitle(task)).second);
-    }
-    CHECK(titles.size() == all);
-}
-
 TEST_CASE("A case that does not exist is named with what was meant")
 {
     StressOptions options;

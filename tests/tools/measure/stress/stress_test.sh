@@ -12,8 +12,7 @@ expect 2 "there is no case 'plane_fvo'" stress gtao --case plane_fvo
 expect 1 "there is no config 'gtoa'|'gtoa'" stress gtoa --list
 expect 1 "" stress gtao --size 12 --list
 expect 2 "is not a length of time" stress gtao --time-budget never
-expect 2 "is not I/N" stress gtao --shard 3/2
-check "one message for a wrong shard" test "$(grep -c error stderr.txt)" -eq 1
+check "one message for a wrong time" test "$(grep -c error stderr.txt)" -eq 1
 
 got=0
 small=(--size 64x36)
