@@ -142,18 +142,6 @@ TEST_CASE("A warning of a measurement is said once and the task counts")
     CHECK(run.lines[0].find("the cache is full") != std::string::npos);
 }
 
-TEST_CASE("A line that was cut short is cut off, and its task measured again")
-{
-    const TemporaryFolder folder("measure_torn");
-    FakeRun().run(folder);
-    const std::string file = FakeRun::pathIn(folder);
-    std::filesystem::resize_file(file, std::filesystem::file_size(file) - 5);
-    FakeRun next;
-    CHECK(next.run(folder).measured == 1);
-    CHECK(next.order == "f");
-    CHECK(linesIn(folder) == 6);
-}
-
 TEST_CASE("Two runs cannot write to one file")
 {
     const TemporaryFolder folder("measure_locked");

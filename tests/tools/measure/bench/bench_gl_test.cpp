@@ -121,22 +121,13 @@ TEST_CASE("A bench of whole frames times the lighting too, and has the errors of
     BenchOptions options = smallOptions();
     const BenchSample ao = bench(options, shippedSources(), folder).at(0);
     options.output = "color";
-    const BenchSample deferred = bench(options, shippedSources(), folder).at(1);
-    CHECK(deferred.error.rmse == ao.error.rmse);
-    REQUIRE(deferred.passes.size() == ao.passes.size() + 1);
-    CHECK(deferred.passes.back().name == "lighting");
-    CHECK(deferred.bytes_written > ao.bytes_written);
-
     options.overrides = {"lighting/blinn_phong=lighting/forward"};
-    const BenchSample forward = bench(options, shippedSources(), folder).at(2);
-    REQUIRE(forward.passes.size() == deferred.passes.size());
+    const BenchSample forward = bench(options, shippedSources(), folder).at(1);
+    CHECK(forward.error.rmse == ao.error.rmse);
+    CHECK(forward.passes.size() == ao.passes.size() + 1);
     CHECK(forward.passes.back().name == "lighting");
-    const double drawn = forward.passes.front().ms.median + forward.passes.back().ms.median;
-    CHECK(forward.cost.median + 0.5 * drawn < forward.total.median);
-    CHECK(forward.cost_with_geometry.median >
-          forward.cost.median + 0.5 * forward.passes.front().ms.median);
-    CHECK(forward.cost_with_geometry.median + 0.5 * forward.passes.back().ms.median <
-          forward.total.median);
+    const double drawn = forward.passes.front().ms.median;
+    CHECK(forward.cost_with_geometry.median > forward.cost.median + 0.5 * drawn);
 }
 
 TEST_CASE("A bench measures motion: open pictures change as the truth alone, taps flicker")
@@ -169,26 +160,5 @@ TEST_CASE("A bench measures motion: open pictures change as the truth alone, tap
         INFO(path);
         CHECK(figures.rms == Approx(figures.truth));
         CHECK((figures.truth > 0.0) == (path != "still" && path != "disocclusion"));
-    }
-}
-
-TEST_CASE("Two benches find exactly the same errors, with all optimizations and without")
-{
-    const auto measured = [&](const char* name, std::vector<std::string> disable) {
-        const TemporaryFolder own(name);
-        BenchOptions options = smallOptions();
-        options.disable = std::move(disable);
-        return bench(options, shippedSources(), own).at(0);
-    };
-    const BenchSample first = measured("bench_gl_first", {});
-    const BenchSample second = measured("bench_gl_second", {});
-    const BenchSample bare = measured("bench_gl_bare", {"all"});
-    CHECK(first.key == second.key);
-    CHECK(bare.key != first.key);
-    CHECK(bare.texture_bytes > first.texture_bytes);
-    for (const BenchSample& other : {second, bare}) {
-        CHECK(other.error.rmse == first.error.rmse);
-        CHECK(other.error.p99 == first.error.p99);
-        CHECK(other.error.rmse_fit == first.error.rmse_fit);
     }
 }
