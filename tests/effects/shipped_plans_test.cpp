@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plans of shipped configs compared with the approved ones in tests/data/plans: six as
 // `crevice explain NAME` prints them, of all others what they run and take, a line each.
-// tools/scripts/approve.sh takes the new plans as the approved ones.
+// With CREVICE_APPROVE=1 it takes the new plans as the approved ones.
 #include <crevice/config.h>
 #include <crevice/shipped.h>
 
@@ -50,7 +50,7 @@ void checkApproved(const std::string& name, const std::string& now)
     while (std::getline(lines, line) && std::getline(approved_lines, wanted) && line == wanted) {
     }
     INFO("in " << path << ", from this line on:\n- " << wanted << "\n+ " << line << "\n"
-               << "where that was meant, tools/scripts/approve.sh approves it");
+               << "where that was meant, run it with CREVICE_APPROVE=1, which approves it");
     CHECK((now == approved.str()));
 }
 

@@ -28,9 +28,7 @@ struct BenchCommand {
     CacheOptions cache;
     std::string checkout;
     std::string backend;
-    RunOptions run{"1/1", "", "bench"};
-    std::string peers;
-    bool no_budget = false;
+    RunOptions run{"", "bench"};
     bool list = false;
 };
 
@@ -64,14 +62,12 @@ void printMotion(const BenchPlan& plan, const std::vector<BenchSample>& samples,
 int measureErrors(const BenchCommand& command, const BenchPlan& plan, const SourceSet& sources,
                   Device& device, double time_budget)
 {
-    PlannedBench planned = plan.planned;
-    planned.device = device.caps().name;
-    Result<BenchFile> file = openBench(command.run.out, planned);
+    const std::string& name = device.caps().name;
+    Result<BenchFile> file = openBench(command.run.out);
     if (!file) return report(file.diagnostics(), false);
     Progress progress;
     MeasureOptions measure = command.measure;
     measure.rays = command.bench.rays;
-    measure.budget = !command.no_budget;
     measure.motion = command.bench.motion;
     measure.cache_folder = command.cache.path();
     measure.out_folder = command.run.out;
@@ -79,14 +75,12 @@ int measureErrors(const BenchCommand& command, const BenchPlan& plan, const Sour
     measure.tracing = [&progress](double done) { progress.update(done); };
     BenchMeter meter(device, plan, sources, measure);
     const MeasureJob job =
-        benchJob(plan, planned.device, std::move(file->done),
+        benchJob(plan, name, std::move(file->done),
                  [&meter](const BenchTask& task) { return meter.measure(task); });
     const MeasureSummary summary = measureOnConsole(job, file->lines, time_budget, progress);
-    if (const Result<BenchResults> results = readBenchResults({file->lines.path()}); results) {
-        if (measure.motion) printMotion(plan, results->samples, planned.device);
-        if (const std::string part = coverageText(coverageOf(*results)); !part.empty())
-            printMessage("%s\n", part.c_str());
-    }
+    if (measure.motion)
+        if (const auto samples = readBenchSamples({file->lines.path()}); samples)
+            printMotion(plan, *samples, name);
     return exitCodeOf(summary);
 }
 
@@ -102,15 +96,9 @@ int measurePlan(const BenchCommand& command, const BenchPlan& plan, const Source
 
 int bench(BenchCommand command)
 {
-    const Result<RunLimits> limits = limitsOf(command.run);
-    if (!limits) return report(limits.diagnostics(), false);
-    command.bench.shard = limits->shard;
+    const Result<double> time_budget = timeBudgetOf(command.run);
+    if (!time_budget) return report(time_budget.diagnostics(), false);
     if (command.bench.scenes.empty()) command.bench.scenes = {"room"};
-    if (!command.peers.empty()) {
-        const auto peers = peersOf(command.peers);
-        if (!peers) return report(peers.diagnostics(), false);
-        command.bench.peers = *peers;
-    }
     const CheckoutSources sources(command.checkout, command.bench.roots);
     const Result<BenchPlan> plan = planBench(command.bench, sources);
     if (!plan) return report(plan.diagnostics(), false);
@@ -120,7 +108,7 @@ int bench(BenchCommand command)
         printMessage("there is nothing to measure\n");
         return exitCodeOf(plan->diagnostics);
     }
-    return measurePlan(command, *plan, sources, limits->time_budget_s);
+    return measurePlan(command, *plan, sources, *time_budget);
 }
 
 void addSampleOptions(CLI::App& app, BenchCommand& command)
@@ -129,10 +117,6 @@ void addSampleOptions(CLI::App& app, BenchCommand& command)
     app.add_option("--config", bench.configs,
                    "A shipped config's name or a file; may be repeated. Default: all shipped ones")
         ->allow_extra_args(false);
-    app.add_option("--peers", command.peers,
-                   "Measure what tools/scripts/peers.sh has left in this folder, too: the shaders "
-                   "of other libraries, for reports alone")
-        ->type_name("FOLDER");
     app.add_option("--scene", bench.scenes,
                    "A file or a built-in scene; may be repeated. Default: room")
         ->allow_extra_args(false);
@@ -183,8 +167,6 @@ void addBenchCommand(CLI::App& app, int& exit_code)
                      "cost ratios vary")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    command->add_flag("--no-budget", options->no_budget,
-                      "Do not measure what would change the error: much quicker");
     command->add_flag("--motion", options->bench.motion,
                       "Measure what changes while the camera moves, too, and print it; traces 13 "
                       "ground truths a view, so choose a small --size");
@@ -199,8 +181,7 @@ void addBenchCommand(CLI::App& app, int& exit_code)
     command->footer(
         "Examples:\n"
         "  crevice bench --config learnopengl --config thesis --samples 4,16,64\n"
-        "  crevice bench --scene model.glb --radius 0.5 --time-budget 10m --out mine\n"
-        "  crevice bench --samples 4,8,16,32,64 --shard 3/8 --out shard3");
+        "  crevice bench --scene model.glb --radius 0.5 --time-budget 10m --out mine");
     command->callback([options, &exit_code] { exit_code = bench(*options); });
 }
 

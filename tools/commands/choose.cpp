@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace crevice {
@@ -33,10 +34,9 @@ struct Answer {
     Candidates candidates;
     ChoiceLimit limit;
     Choice choice;
-    BenchCoverage coverage;
     Diagnostics warnings;
 
-    const Candidate& best() const { return candidates.list[choice.best]; }
+    const Candidate& best() const { return candidates.list[choice.within.front()]; }
 };
 
 Result<Answer> answerFor(ChooseOptions options)
@@ -53,11 +53,10 @@ Result<Answer> answerFor(ChooseOptions options)
         if (!extent) return extent.diagnostics();
         options.scope.extent = *extent;
     }
-    Result<BenchResults> results = readBenchResults(options.results);
-    if (!results) return results.diagnostics();
-    answer.warnings = results.diagnostics();
-    answer.coverage = coverageOf(*results);
-    answer.samples = std::move(results->samples);
+    Result<std::vector<BenchSample>> samples = readBenchSamples(options.results);
+    if (!samples) return samples.diagnostics();
+    answer.warnings = samples.diagnostics();
+    answer.samples = std::move(*samples);
     Result<Candidates> candidates = findCandidates(answer.samples, options.scope);
     if (!candidates) return candidates.diagnostics();
     answer.candidates = std::move(*candidates);
@@ -76,17 +75,20 @@ std::string renderCommand(const BenchSample& sample)
     return command + " --scene " + sample.scene;
 }
 
-void printOthers(const Answer& answer, const char* title, const std::vector<std::size_t>& others)
+/// From the one of that place on.
+void printOthers(const Answer& answer, const char* title, const std::vector<std::size_t>& others,
+                 std::size_t first)
 {
-    if (others.empty()) return;
+    if (others.size() <= first) return;
     print("%s\n", title);
-    for (std::size_t i = 0; i < others.size() && i < kOthersShown; ++i) {
+    const std::size_t end = std::min(others.size(), first + kOthersShown);
+    for (std::size_t i = first; i < end; ++i) {
         const Candidate& other = answer.candidates.list[others[i]];
         print("  %-44s error %s   %8s ms  %7s x copy\n", other.label.c_str(),
               fixed(other.error, 4).c_str(), fixed(other.ms, 3).c_str(),
               fixed(other.ratio, 1).c_str());
     }
-    if (others.size() > kOthersShown) print("  and %zu more\n", others.size() - kOthersShown);
+    if (others.size() > end) print("  and %zu more\n", others.size() - end);
 }
 
 void printAnswer(const Answer& answer)
@@ -94,7 +96,6 @@ void printAnswer(const Answer& answer)
     const bool by_error = answer.limit.kind == ChoiceLimit::Kind::error;
     const Candidate& best = answer.best();
     const Candidates& all = answer.candidates;
-    if (!answer.coverage.whole()) print("%s\n", coverageText(answer.coverage).c_str());
     print("%s\n", best.label.c_str());
     print("  error %s (%s); adds %s ms a frame (%s), %s times a depth copy\n",
           fixed(best.error, 4).c_str(), best.worst_view.c_str(), fixed(best.ms, 3).c_str(),
@@ -104,13 +105,13 @@ void printAnswer(const Answer& answer)
           all.views.size() > 1 ? "scenes" : "scene", extentName(all.views[0].extent).c_str(),
           all.device.c_str());
     print("why: of %zu configs, %zu have %s; this one %s of those\n", all.list.size(),
-          answer.choice.also.size() + 1, limitText(answer.limit).c_str(),
+          answer.choice.within.size(), limitText(answer.limit).c_str(),
           by_error ? "is the fastest" : "has the lowest error");
     printOthers(answer,
                 by_error ? "also within the error, but slower:"
                          : "also within the time, but with a larger error:",
-                answer.choice.also);
-    printOthers(answer, by_error ? "error too large:" : "too slow:", answer.choice.beyond);
+                answer.choice.within, 1);
+    printOthers(answer, by_error ? "error too large:" : "too slow:", answer.choice.beyond, 0);
     for (const std::string& elided : all.elided) print("left out: %s\n", elided.c_str());
     for (const std::string& label : all.harmful)
         print("left out: %s: no better than no ambient occlusion\n", label.c_str());
@@ -126,21 +127,17 @@ nlohmann::json toJson(const Candidate& candidate, const std::vector<BenchSample>
 
 void printAnswerJson(const Answer& answer)
 {
-    const auto list = [&answer](const std::vector<std::size_t>& others) {
+    const auto list = [&answer](const std::vector<std::size_t>& others, std::size_t first) {
         nlohmann::json json = nlohmann::json::array();
-        for (const std::size_t i : others)
-            json.push_back(toJson(answer.candidates.list[i], answer.samples));
+        for (std::size_t i = first; i < others.size(); ++i)
+            json.push_back(toJson(answer.candidates.list[others[i]], answer.samples));
         return json;
     };
     const nlohmann::json json = {{"limit", limitText(answer.limit)},
                                  {"device", answer.candidates.device},
-                                 {"bench_samples",
-                                  {{"measured", answer.coverage.measured},
-                                   {"failed", answer.coverage.failed},
-                                   {"planned", answer.coverage.planned}}},
                                  {"best", toJson(answer.best(), answer.samples)},
-                                 {"also_within", list(answer.choice.also)},
-                                 {"beyond", list(answer.choice.beyond)},
+                                 {"also_within", list(answer.choice.within, 1)},
+                                 {"beyond", list(answer.choice.beyond, 0)},
                                  {"elided", answer.candidates.elided},
                                  {"harmful", answer.candidates.harmful}};
     printAsJson(json);

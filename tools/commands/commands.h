@@ -18,7 +18,6 @@ void addReferenceCommand(CLI::App& app, int& exit_code);
 void addBenchCommand(CLI::App& app, int& exit_code);
 void addReportCommand(CLI::App& app, int& exit_code);
 void addChooseCommand(CLI::App& app, int& exit_code);
-void addCompareBenchCommand(CLI::App& app, int& exit_code);
 void addCostCommand(CLI::App& app, int& exit_code);
 void addSchemaCommand(CLI::App& app, int& exit_code);
 void addStressCommand(CLI::App& app, int& exit_code);

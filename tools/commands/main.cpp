@@ -39,7 +39,6 @@ int run(int argc, char** argv)
     crevice::addBenchCommand(app, exit_code);
     crevice::addReportCommand(app, exit_code);
     crevice::addChooseCommand(app, exit_code);
-    crevice::addCompareBenchCommand(app, exit_code);
     crevice::addCostCommand(app, exit_code);
     crevice::addSchemaCommand(app, exit_code);
     crevice::addStressCommand(app, exit_code);

@@ -34,23 +34,6 @@ Diagnostic cannotRecord(const std::string& path, const std::string& reason)
     return error;
 }
 
-/// Lines in a file that no path leads to would be lost.
-Diagnostic lostFile(const std::string& path)
-{
-    Diagnostic error = cannotRecord(path, "it was deleted or replaced meanwhile");
-    error.help = "put it back and run the same command again to go on";
-    return error;
-}
-
-/// False once the path is gone or leads to another file.
-bool isNamed(int file, const std::string& path)
-{
-    struct stat open = {};
-    struct stat named = {};
-    return fstat(file, &open) == 0 && stat(path.c_str(), &named) == 0 &&
-           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
-}
-
 /// Cuts off what follows the last line feed. Zero, or the errno of what failed.
 int cutTornLine(int file)
 {
@@ -132,7 +115,6 @@ LineFile::LineFile(LineFile&& other) noexcept
 
 Status LineFile::append(const std::string& line)
 {
-    if (!isNamed(file_, path_)) return lostFile(path_);
     const off_t before = lseek(file_, 0, SEEK_END);
     const int failure = writeAll(file_, line + "\n");
     if (failure == 0) return {};

@@ -23,7 +23,7 @@ public:
     LineFile(const LineFile&) = delete;
     LineFile& operator=(const LineFile&) = delete;
 
-    /// Adds a whole line, or nothing. Errors: CV7007, also when the file is no longer there.
+    /// Adds a whole line, or nothing. Errors: CV7007.
     Status append(const std::string& line);
 
     const std::string& path() const { return path_; }

@@ -2,31 +2,18 @@
 // The engine under bench: tasks with keys, measured one after the other into a file.
 //
 // What the file has under a task's key is not measured again, so a run that was stopped goes on
-// where it stopped, and shards from several machines merge by putting their files one after the
-// other. What a task is and how it is measured is the caller's; no GL is needed here.
+// where it stopped, and files from several machines merge by putting one after the other. What a
+// task is and how it is measured is the caller's; no GL is needed here.
 #pragma once
 
 #include "tools/measure/line_file.h"
 
-#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace crevice {
-
-/// The `index`th of `count` shares, from 1.
-struct Shard {
-    int index = 1;
-    int count = 1;
-
-    /// Whether the share has the task of that hash or number.
-    bool has(std::uint64_t task) const
-    {
-        return task % static_cast<std::uint64_t>(count) + 1 == static_cast<std::uint64_t>(index);
-    }
-};
 
 struct MeasureTask {
     std::string key;    ///< Changes with all that decides the figures.

@@ -8,27 +8,19 @@
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <cmath>
 
 namespace crevice {
 namespace {
 
-constexpr std::size_t kMostNamed = 20;
-
-Diagnostic usageError(std::string message, std::string help)
-{
-    Diagnostic error{Code::usage, std::move(message)};
-    error.help = std::move(help);
-    return error;
-}
+constexpr std::size_t kTitlesShown = 20;
 
 void printNamed(const char* what, const std::vector<std::string>& titles)
 {
-    for (std::size_t i = 0; i < titles.size() && i < kMostNamed; ++i)
+    for (std::size_t i = 0; i < titles.size() && i < kTitlesShown; ++i)
         printMessage("%s: %s\n", what, titles[i].c_str());
-    if (titles.size() > kMostNamed)
-        printMessage("%s: %zu more\n", what, titles.size() - kMostNamed);
+    if (titles.size() > kTitlesShown)
+        printMessage("%s: %zu more\n", what, titles.size() - kTitlesShown);
 }
 
 void printSummary(const MeasureSummary& summary, const std::string& file)
@@ -44,52 +36,28 @@ void printSummary(const MeasureSummary& summary, const std::string& file)
 
 }  // namespace
 
-void addRunOptions(CLI::App& app, RunOptions& options, const std::string& tasks,
+void addRunOptions(CLI::App& app, RunOptions& options, const std::string& task,
                    const std::string& kept)
 {
     app.add_option("--time-budget", options.time_budget,
-                   "Begin no " + tasks + " after this time: 90s, 5m, 1.5h");
-    app.add_option("--shard", options.shard, "Measure the Ith of N shares of the " + tasks + "s")
-        ->type_name("I/N");
+                   "Begin no " + task + " after this time: 90s, 5m, 1.5h");
     app.add_option("--out", options.out,
                    "Folder for " + kept + "; what is there already is not measured again")
         ->type_name("FOLDER")
         ->capture_default_str();
 }
 
-Result<Shard> parseShard(const std::string& text)
+Result<double> timeBudgetOf(const RunOptions& options)
 {
-    Shard shard;
-    const char* const end = text.data() + text.size();
-    const auto index = std::from_chars(text.data(), end, shard.index);
-    if (index.ec == std::errc() && index.ptr != end && *index.ptr == '/') {
-        const auto count = std::from_chars(index.ptr + 1, end, shard.count);
-        if (count.ec == std::errc() && count.ptr == end && shard.index >= 1 &&
-            shard.index <= shard.count)
-            return shard;
-    }
-    return usageError("--shard '" + text + "' is not I/N with 1 <= I <= N", "write --shard 3/8");
-}
-
-Result<double> parseDuration(const std::string& text)
-{
-    std::string_view unit = text;
+    if (options.time_budget.empty()) return 0.0;
+    std::string_view unit = options.time_budget;
     const double number = takeNumber(unit).value_or(0.0);
     const double factor = unit == "" || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
     const double seconds = number * factor;
     if (seconds > 0.0 && std::isfinite(seconds)) return seconds;
-    return usageError("'" + text + "' is not a length of time above 0",
-                      "write --time-budget 90s, 5m or 1.5h");
-}
-
-Result<RunLimits> limitsOf(const RunOptions& options)
-{
-    const Result<Shard> shard = parseShard(options.shard);
-    if (!shard) return shard.diagnostics();
-    if (options.time_budget.empty()) return RunLimits{*shard};
-    const Result<double> seconds = parseDuration(options.time_budget);
-    if (!seconds) return seconds.diagnostics();
-    return RunLimits{*shard, *seconds};
+    Diagnostic error{Code::usage, "'" + options.time_budget + "' is not a length of time above 0"};
+    error.help = "write --time-budget 90s, 5m or 1.5h";
+    return error;
 }
 
 MeasureSummary measureOnConsole(const MeasureJob& job, LineFile& file, double time_budget_s,

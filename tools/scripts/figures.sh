@@ -7,9 +7,7 @@
 #                                                 what `crevice bench` left there at 480x270 and radius 1
 #   tools/scripts/figures.sh stress [FOLDER]      where AO breaks: ten minutes; FOLDER keeps what is drawn
 #   tools/scripts/figures.sh authors              the variant `sound` of ports: a minute
-#   tools/scripts/figures.sh claims               what authors claim: two minutes
 #   tools/scripts/figures.sh precision            half floats against 32 bits: a minute
-#   tools/scripts/figures.sh program_cache        the time of Renderer::create: a minute
 #   tools/scripts/figures.sh cost                 costs on phones' GPUs, and docs/cost/phones.json: half a minute
 #   tools/scripts/figures.sh cost --check         changes nothing. Exit code 1 where a config spills, loses occupancy or
 #                                                 costs a tenth more than in phones.json; 77 without the compilers,
@@ -18,7 +16,7 @@
 # CREVICE may name a built command; otherwise the release preset is built.
 set -euo pipefail
 case "$*" in
-    methods | stress | authors | claims | precision | program_cache | cost | "cost --check") ;;
+    methods | stress | authors | precision | cost | "cost --check") ;;
     "methods "[!-]* | "stress "[!-]*) ;;
     *) sed -n 's/^#   //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
 esac
@@ -87,7 +85,7 @@ quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; touch "$work/failed
 # --- what is measured ---
 
 methods() {
-    local level bench=(bench --scene room --scene spheres --scene street --size 480x270 --radius 1 --no-budget)
+    local level bench=(bench --scene room --scene spheres --scene street --size 480x270 --radius 1)
     if (($# == 0)); then
         set -- "$work/bench"
         "$CREVICE" "${bench[@]}" --out "$1"
@@ -165,8 +163,6 @@ authors() {
     done | fill authors
 }
 
-source tools/scripts/figures_claims.sh
-
 precision() {
     local config kind figures=(render --scene room --size 256x144 --set radius=0.8 --frames 2)
     for config in $(configs_of precision); do
@@ -177,29 +173,6 @@ precision() {
         cell "\`$config\`" bias "$(printf %+.4f "$(difference bias full.pfm half.pfm)")"
         cell "\`$config\`" most "$(printf %.3f "$(difference max full.pfm half.pfm)")"
     done | fill precision
-}
-
-program_cache() {
-    local config run runs=15
-    created() {  # MESA_CACHE CONFIG [OPTION...]: milliseconds of Renderer::create
-        MESA_SHADER_CACHE_DIR=$1 "$CREVICE" render "$2" --scene spheres --size 64x36 --backend egl \
-            --out ao="$work/ao.pfm" --json "${@:3}" | sed -n 's/.*"create_ms": \([0-9.]*\).*/\1/p'
-    }
-    median() { sort -n "$1" | sed -n "$(((runs + 1) / 2))p" | xargs printf '%.1f'; }
-    for config in $(configs_of program_cache); do
-        rm -f -- "$work"/*.ms
-        for ((run = 0; run < runs; ++run)); do  # Mesa's own cache begins empty: without one it gives no binaries
-            rm -rf -- "$work"/{mesa,other,kept} && mkdir "$work"/{mesa,other}
-            created "$work/mesa" "$config" --program-cache "$work/kept" >>"$work/compiled.ms"
-            created "$work/other" "$config" --program-cache "$work/kept" >>"$work/kept.ms"
-            created "$work/mesa" "$config" >>"$work/mesa.ms"
-        done
-        cell "\`$config\`" programs "$(find "$work/kept" -type f | wc -l)"
-        cell "\`$config\`" KiB "$(cat "$work"/kept/* | wc -c | awk '{ printf "%.0f", $1 / 1024 }')"
-        cell "\`$config\`" compiled "$(median "$work/compiled.ms")"
-        cell "\`$config\`" kept "$(median "$work/kept.ms")"
-        cell "\`$config\`" "Mesa's own cache" "$(median "$work/mesa.ms")"
-    done | fill program_cache
 }
 
 cost() {

@@ -13,7 +13,7 @@
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
-bench=(--size 320x180 --radius 1 --no-budget)
+bench=(--size 320x180 --radius 1)
 sweeps=("--scene room --scene spheres --samples 8,32" "--scene street --samples 16")
 action=compare
 case ${1:-} in
@@ -36,7 +36,7 @@ for sweep in "${sweeps[@]}"; do
 done
 
 if [[ $action == compare ]]; then
-    "$CREVICE" compare-bench docs/bench "$fresh" "$@" || {
+    "$CREVICE" report "$fresh" --against docs/bench "$@" || {
         echo "If that is meant: tools/scripts/guard_bench.sh --update, and say why in the commit."
         exit 1
     }

@@ -8,7 +8,6 @@
 //   ao_filtered    the weighted mean; unchanged in the background and where no neighbour counts. With PACKS its depth
 //                  beside it
 //   AXIS           vec2(1.0, 0.0) or vec2(0.0, 1.0)
-//   UNFILTERED     the value as it comes: for error budgets
 //
 // Five taps, the outer ones by half: on a plane each of four neighbouring columns counts alike, so that
 // noise which repeats every four pixels vanishes, and the picture does not shift. The taps are ours, as is all of
@@ -55,9 +54,6 @@ void main()
     vec2 last = valueAt(pixel + 2 * axis, band);
     vec4 shares = vec4(first.y, before.y, after.y, last.y);
     mediump vec4 weights = weightsAlong(vec2(axis), here.y, shares, texelFetch(source_normal, pixel + band, 0));
-#ifdef UNFILTERED
-    weights = vec4(0.0);
-#endif
     mediump float sum = here.x + dot(weights, vec4(first.x, before.x, after.x, last.x));
     mediump float mean = sum / (1.0 + dot(weights, vec4(1.0)));
 #if PACKS

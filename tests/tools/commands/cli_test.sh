@@ -8,10 +8,7 @@ readme=$2
 
 # --- usage ---
 expect 2 "CV8001.*no camera path 'pam'" render gtao --path pam
-expect 2 "help: did you mean 'pan'" render gtao --path pam
 expect 2 "CV8001: the file 'ao.png'.*place for the frame" render gtao --path pan --out ao=ao.png
-expect 2 'frame_%03d.png' render gtao --path pan --out ao=%d%d.png
-expect 2 'not in range' render gtao --path pan --frames 0 --out ao=%d.png
 expect 2 'excludes --watch' render gtao --path pan --watch
 expect 0 '^crevice 0\.1\.0$' --version
 expect 0 'Exit codes' --help
@@ -24,8 +21,6 @@ expect 2 'crevice render --help' render
 expect 2 'CV8001' render learnopengl --backend vulkan
 expect 2 'CV8001' render learnopengl --effects nowhere
 expect 2 'CV8001.*two --out' render learnopengl --out color=a.png --out ao=a.png
-expect 2 'CV8001.*is not NAME=FILE' render learnopengl --out lit.png
-expect 2 'CV8001.*neither .png nor .pfm' render learnopengl --out color=lit.jpg
 expect 2 'CV8001' validate
 expect 2 'CV8001' explain learnopengl --format svg
 expect 2 'CV8001' compare a.png
@@ -35,15 +30,10 @@ expect 2 'CV8001.*--max-abs' compare a.png b.png --max-abs two
 expect 0 'learnopengl: ok \([0-9]+ passes\)' validate --all
 expect 0 '"ok": true' validate learnopengl --json
 expect 0 'thesis variant ambient_only: ok' validate thesis --variant ambient_only
-expect 0 'thesis variant ambient_only: ok' validate thesis
 printf '%s' '{"format": 1, "extends": ["learnopengl"], "variants": {"low": {"parms": {}}}}' >variant.json
 expect 1 "variant.json:.*CV3001: found the key 'parms'" validate variant.json
 expect 1 'CV1205' validate thesis --variant winter
 expect 1 'CV1201.*' validate learnopengle
-expect 1 "did you mean 'learnopengl'" validate learnopengle
-expect 1 'CV4004' validate learnopengl --set radus=1
-expect 1 'CV1206' validate learnopengl --set radius
-expect 1 'CV4001' validate learnopengl --set radius=-1
 printf '{ "format": 1, "name": "broken", "extends": ["learnopengl"],\n  "pases": {} }\n' >broken.json
 expect 1 'broken.json:2:3: error CV3001' validate broken.json
 expect 1 '"code": "CV3001"' validate broken.json --json
@@ -52,13 +42,11 @@ expect 1 '"\$schema": .*sarif' validate broken.json learnopengl --format sarif
 expect_json
 expect 1 '"startLine": 2' validate broken.json --format sarif
 expect 0 '"results": \[\]' validate learnopengl --format sarif
-expect 2 'CV8001' validate learnopengl --json --format text
 printf '{ "format": 1,' >cut.json
 expect 1 'cut.json:1:[0-9]+: error CV1001' validate cut.json
 
 # --- the README's examples ---
 from_readme mine.json
-expect 0 'mine.json: ok' validate mine.json
 from_readme cross.json effects/README.md
 from_readme cross.frag effects/README.md
 expect 0 'cross.json: ok' validate cross.json
@@ -72,8 +60,6 @@ expect 0 'checkout/configs/learnopengl.json:' explain learnopengl --why radius -
 expect 0 'effects/ssao/hemisphere.json:' explain learnopengl --why bias --effects checkout
 cp mine.json checkout/configs/another.json
 expect 0 'another: ok' validate --all --effects checkout
-cp "$(dirname -- "$readme")/configs/ports/thesis.json" checkout/configs
-expect 0 'thesis.*: ok' validate thesis --effects checkout --set filter/bilateral=filter/box
 
 # --- on a host's depth: a forward config, a deferred one with layers, one with a history ---
 configs=(mobile high balanced_temporal)
@@ -85,14 +71,11 @@ for config in "${configs[@]}"; do
 done
 expect 0 "module geometry/second_layer \\(replaced\\): it needs 'scene', which 'geometry/host_depth_normal" \
     explain high --host-depth=normals
-expect 0 'module lighting/forward \(replaced\)' explain mobile --host-depth
-expect 0 'depth: texture' explain mobile --set +geometry/host_depth
 expect 2 'CV8001.*--host-depth' explain mobile --host-depth=colour
 expect 1 "CV1201.*geometry/hostdepth" explain mobile --set +geometry/hostdepth
 expect 1 "CV1206.*\\+MODULE" explain mobile --set +
 printf '%s' '{"format": 1, "extends": ["mobile", "geometry/host_depth"], "params": {"guard_band": 1.4}}' >banded.json
 expect 1 "banded.json:1:[0-9]+: error CV4004: param 'guard_band'" validate banded.json
-expect 1 "note: banded.json:1:37: what declared it was left out here" validate banded.json
 
 # --- explain ---
 expect 0 'geometry' explain learnopengl
@@ -101,37 +84,22 @@ expect 0 '' explain learnopengl --format json
 expect_json
 expect 0 'configs/ports/learnopengl.json:[0-9]+:[0-9]+: 0.5' explain learnopengl --why radius
 expect 0 'command line|--set' explain learnopengl --why radius --set radius=2
-expect 0 'before that by' explain learnopengl --why /params/radius/default
 expect 1 'CV2102' explain learnopengl --why params.radus
-expect 0 'depth is target depth' explain sao --why passes.ssao.inputs.depth
-expect 0 'by default' explain gtao --why passes.ssao.state.cull --format json
-expect_json
-expect 1 'CV2102' explain gtao --why passes.ssao.inputs.deep
-expect 0 'from learnopengl 960x540 to gtao 960x540' explain --diff learnopengl gtao
-expect 0 'define SAMPLES: 64 -> 8' explain --diff learnopengl --set samples=8
 expect 0 'passes: 5 -> 5$' explain learnopengl --diff
 expect 0 '"texture_bytes"' explain --diff learnopengl gtao --format json
 expect_json
 expect 2 'CV8001.*--diff' explain learnopengl gtao
 expect 2 'CV8001' explain --diff learnopengl gtao --format dot
-expect 2 'CV8001' explain --diff learnopengl gtao --why radius
-expect 1 'CV1201' explain --diff learnopengl gtaoo
-expect 0 '1920x1080' explain learnopengl --size 1920x1080
 expect 0 'left out' explain learnopengl --set intensity=0 --output ao
 expect 1 'CV2209' explain learnopengl --output aoo
 expect 1 'CV4005' explain learnopengl --size 0x0
 expect 0 'for each of 2 views' explain learnopengl --views 2
-expect 2 'views' explain learnopengl --views 0
 
 # --- render, up to where a context is needed ---
-for size in 0x0 -5x3 abc 640 640x 640x480x3 99999999999x2; do
-    expect 1 'CV4005' render learnopengl --scene plane --size "$size"
-done
+expect 1 'CV4005' render learnopengl --scene plane --size 640x
 expect 1 'CV2209' render learnopengl --scene plane --out colour=a.png
-expect 1 "did you mean 'color'" render learnopengl --scene plane --out colour=a.png
 expect 1 'CV1201' render nothing.json
 expect 1 'CV7001' render learnopengl --scene nothing.glb
-expect 1 'CV7001' render learnopengl --scene castle
 expect 1 'CV7004' render learnopengl --scene plane --camera left
 echo 'no scene' >broken.glb
 expect 1 'CV7002' render learnopengl --scene broken.glb
@@ -139,7 +107,6 @@ printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >cut.ply
 expect 1 'CV7002.*ends within its header' render learnopengl --scene cut.ply
 printf 'ply\nformat ascii 1.0\ncomment end_header\nelement vertex 3\n' >cut.ply  # Assimp never returns from it
 expect 1 'CV7002.*longer than 1 s' render learnopengl --scene cut.ply --import-time 1
-expect 1 'CV7002.*longer than 1 s' bench --scene cut.ply --import-time 1 --out cut
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
 expect 1 'help: .*--any-format' explain learnopengl --scene triangle.off
 expect 0 'plan' explain learnopengl --scene triangle.off --any-format
@@ -160,7 +127,6 @@ expect 0 'draft-07' schema
 expect_json
 expect 0 '^\| .radius|^\| key' schema --format markdown
 expect 0 '"another"' schema --effects checkout
-expect 2 'CV8001' schema --format yaml
 
 # --- reference and compare ---
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 0.5 --rays 16 --out ground_truth.pfm
@@ -168,7 +134,6 @@ expect 1 'CV4001' reference --scene corner --rays 0 --out never.pfm
 expect 4 'CV7007' reference --scene corner --out nowhere/ground_truth.pfm
 expect 0 'rmse +0\.0+$' compare ground_truth.pfm ground_truth.pfm --max-rmse 0 --max-abs 0
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 5 --rays 16 --out far.pfm
-expect 0 'rmse' compare far.pfm ground_truth.pfm
 expect 5 'over the limit' compare far.pfm ground_truth.pfm --max-rmse 0.001
 expect 5 'over the limit' compare far.pfm ground_truth.pfm --max-abs 1/255
 expect 0 '"rmse"' compare far.pfm ground_truth.pfm --json --diff diff.png
@@ -176,14 +141,11 @@ check "compare --diff writes a picture" test -s diff.png
 expect 0 'wrote' reference --scene corner --size 16x24 --rays 1 --out small.pfm
 expect 1 'CV7006' compare small.pfm ground_truth.pfm
 expect 1 'CV7005' compare cut.json ground_truth.pfm
-expect 1 'CV7005' compare nothing.png ground_truth.pfm
 expect 2 'max-rmse' compare far.pfm ground_truth.pfm --max-rmse nan
-expect 2 'max-bad-fraction' compare far.pfm ground_truth.pfm --max-bad-fraction nan
 printf 'Pf\n1 1\n-1\n\0\0\300\177' >nan.pfm
 printf 'Pf\n1 1\n-1\n\0\0\200\077' >one.pfm
 expect 1 'CV7005.*no pixel is left' compare one.pfm nan.pfm --max-rmse 0.1
 printf 'Pf\n1 2\n-1\n\0\0\300\177\0\0\200\077' >half.pfm
 printf 'Pf\n1 2\n-1\n\0\0\200\077\0\0\200\077' >ones.pfm
-expect 0 '1 not finite' compare half.pfm ones.pfm
 expect 5 'not finite' compare half.pfm ones.pfm --max-bad-fraction 1
 finish

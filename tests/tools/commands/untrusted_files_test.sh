@@ -53,7 +53,7 @@ expect 1 'CV2104.*no regular file' validate learnopengl --set /shaders/ssao/frag
 for file in pipe.png zero.png /dev/zero; do
     expect 1 'CV7005.*no regular file' compare "$file" "$file"
 done
-for command in report 'choose --error 1' compare-bench; do
+for command in report 'choose --error 1' 'report mine --against'; do
     expect 1 'CV7009.*no regular file' $command mine mine
     expect 1 'CV7009.*no regular file' $command /dev/zero /dev/zero
 done
@@ -93,20 +93,17 @@ for format in text json dot; do
     quiet explain "$bad.json" --format "$format"
 done
 quiet explain "$bad.json" --why radius
-quiet explain "$bad.json" --diff
 quiet explain "$bad.json" --diff --format json
 quiet validate learnopengl --set "$bad=1" --json
 quiet validate "$bad"
 quiet compare "$bad" "$bad"
 quiet stress --list "$bad"
 printf '{"format": 1, "name": "a", "%s": 1, "extends": ["%s"]}\n' "$bad" "$escaped" >raw.json
-quiet validate raw.json
 quiet validate raw.json --json
 sed "s/\"quick\"/\"$(printf '%s' "$escaped" | sed 's/\\/\\\\/g')\"/g; s/device A/$(printf '%s' "$escaped" | sed 's/\\/\\\\/g')/" \
     results/results.jsonl >results/strange.jsonl
 quiet choose results/strange.jsonl --error 1
-quiet choose results/strange.jsonl --error 1 --json
-quiet compare-bench results/results.jsonl results/strange.jsonl
+quiet report results/strange.jsonl --against results/results.jsonl
 quiet report results/strange.jsonl --out page.html
 check "the page turns no text" bash -c '! LC_ALL=C grep -qE "$0" page.html' "$(printf '\302\233|\342\200\256')"
 
@@ -129,23 +126,15 @@ got=0
 "$crevice" validate learnopengl >&- 2>stderr.txt || got=$?
 check "exit code 4, not $got, where standard output is closed" test "$got" -eq 4
 full schema
-full schema --format markdown
 full --help
-full --version
 full validate learnopengl
-full validate --all --json
 full validate raw.json --json
-full validate raw.json --format sarif
 full explain learnopengl
-full explain learnopengl --why radius
 full choose results/results.jsonl --error 1
-full choose results/results.jsonl --error 1 --json
-full compare-bench results/results.jsonl results/results.jsonl
+full report results/results.jsonl --against results/results.jsonl
 full report results/results.jsonl
 full stress --list
-full bench --list --config learnopengl --scene plane
 full compare results/a4.png results/a4.png
-full compare results/a4.png results/a4.png --json
 got=$( (trap '' PIPE; "$crevice" schema 2>stderr.txt; echo $? >code.txt) | head -c1)
 check "a closed pipe prints no error" test ! -s stderr.txt
 check "its exit code is 4" test "$(cat code.txt)" -eq 4

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The engine without GL: failures, shards, the time budget, and going on after what may stop it.
+// The engine without GL: failures, the time budget, and going on after what may stop it.
 #include "tools/measure/run.h"
 
 #include "tests/support/catch.h"
@@ -77,6 +77,9 @@ TEST_CASE("A second run measures nothing again but tries failures once more")
     FakeRun first;
     first.fails = "c";
     first.job.tasks[4].failure = "there is no such scene";
+    first.job.failure_line = [](std::size_t task, const std::string& failure) {
+        return "{\"key\":\"" + std::to_string(task) + "\",\"failure\":\"" + failure + "\"}";
+    };
     const MeasureSummary broken = first.run(folder);
     CHECK(broken.measured == 4);
     CHECK(broken.failures ==
@@ -91,20 +94,7 @@ TEST_CASE("A second run measures nothing again but tries failures once more")
     CHECK(second.kept == 4);
     CHECK(second.measured == 2);
     CHECK(mended.order == "ce");
-    CHECK(linesIn(folder) == 6);
-}
-
-TEST_CASE("A failure has a line where the job gives it one")
-{
-    const TemporaryFolder folder("measure_failure");
-    FakeRun run;
-    run.fails = "c";
-    run.job.failure_line = [](std::size_t task, const std::string& failure) {
-        CHECK(task == 2);
-        return nlohmann::json(failure).dump();
-    };
-    CHECK(run.run(folder).failures.size() == 1);
-    CHECK(linesIn(folder) == 6);
+    CHECK(linesIn(folder) == 8);
 }
 
 TEST_CASE("The time budget, an interrupt and a full disk end a run that goes on from there")
@@ -141,27 +131,6 @@ TEST_CASE("The time budget, an interrupt and a full disk end a run that goes on 
     }
 }
 
-TEST_CASE("A results file that is deleted or replaced during the run ends it")
-{
-    const TemporaryFolder folder("measure_deleted");
-    const std::filesystem::path file = FakeRun::pathIn(folder);
-    const bool replace = GENERATE(false, true);
-    FakeRun run;
-    const auto measure = run.job.measure;
-    run.job.measure = [&](std::size_t task) {
-        if (task == 2) {
-            std::filesystem::rename(file, folder.path / "moved.jsonl");
-            if (replace) std::filesystem::copy_file(folder.path / "moved.jsonl", file);
-        }
-        return measure(task);
-    };
-    const MeasureSummary summary = run.run(folder);
-    REQUIRE_FALSE(summary.written.ok());
-    CHECK(summary.measured == 2);
-    CHECK(summary.missing.size() == 4);
-    CHECK(std::filesystem::exists(file) == replace);
-}
-
 TEST_CASE("A warning of a measurement is said once and the task counts")
 {
     const TemporaryFolder folder("measure_warned");
@@ -173,18 +142,6 @@ TEST_CASE("A warning of a measurement is said once and the task counts")
     CHECK(run.lines[0].find("the cache is full") != std::string::npos);
 }
 
-TEST_CASE("A line that was cut short is cut off, and its task measured again")
-{
-    const TemporaryFolder folder("measure_torn");
-    FakeRun().run(folder);
-    const std::string file = FakeRun::pathIn(folder);
-    std::filesystem::resize_file(file, std::filesystem::file_size(file) - 5);
-    FakeRun next;
-    CHECK(next.run(folder).measured == 1);
-    CHECK(next.order == "f");
-    CHECK(linesIn(folder) == 6);
-}
-
 TEST_CASE("Two runs cannot write to one file")
 {
     const TemporaryFolder folder("measure_locked");
@@ -192,14 +149,6 @@ TEST_CASE("Two runs cannot write to one file")
     const Result<LineFile> second = LineFile::open(FakeRun::pathIn(folder));
     REQUIRE_FALSE(second.ok());
     CHECK(second.diagnostics()[0].code == Code::cannot_write);
-}
-
-TEST_CASE("A task's key is another on another device, and each shard has its own tasks")
-{
-    CHECK(keyOnDevice("a", "one") == keyOnDevice("a", "one"));
-    CHECK(keyOnDevice("a", "one") != keyOnDevice("a", "another"));
-    for (std::uint64_t task = 0; task < 20; ++task)
-        CHECK(Shard{1, 3}.has(task) + Shard{2, 3}.has(task) + Shard{3, 3}.has(task) == 1);
 }
 
 TEST_CASE("A failure names the place of its first error and passes over warnings")
@@ -212,15 +161,12 @@ TEST_CASE("A failure names the place of its first error and passes over warnings
     CHECK(failureText({warning, error}) == "my.frag:2:3: CV5001: syntax error");
 }
 
-TEST_CASE("Shards and lengths of time are read strictly")
+TEST_CASE("Lengths of time are read strictly")
 {
-    CHECK(parseShard("3/8")->index == 3);
-    for (const char* text : {"", "3", "0/8", "9/8", "-1/8", "3/8x", "/8", "3/"})
-        CHECK_FALSE(parseShard(text).ok());
-    CHECK(*parseDuration("90") == 90);
-    CHECK(*parseDuration("90s") == 90);
-    CHECK(*parseDuration("5m") == 300);
-    CHECK(*parseDuration("1.5h") == 5400);
-    for (const char* text : {"", "m", "0", "-5m", "5 m", "5d", "inf", "nan"})
-        CHECK_FALSE(parseDuration(text).ok());
+    const auto read = [](const char* text) { return timeBudgetOf({text, ""}); };
+    CHECK(*read("90") == 90);
+    CHECK(*read("5m") == 300);
+    CHECK(*read("1.5h") == 5400);
+    for (const char* text : {"m", "0", "-5m", "5 m", "5d", "inf", "nan"})
+        CHECK_FALSE(read(text).ok());
 }

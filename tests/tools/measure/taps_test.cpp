@@ -41,15 +41,11 @@ TEST_CASE("taps a pixel are counted by samples or by slices both ways")
     CHECK(samplesOf({}) == 0);
 }
 
-TEST_CASE("another count of samples is one override within the range")
+TEST_CASE(
+    "another count is one override, or shared between slices and steps in the config's own ratio")
 {
     CHECK(overridesFor(counting(64), 16) == std::vector<std::string>{"samples=16"});
     CHECK(overridesFor(counting(64), 129).empty());
-    CHECK(overridesFor({}, 16).empty());
-}
-
-TEST_CASE("another count is shared between slices and steps in the config's own ratio")
-{
     const auto split = [](const Description& description, int count) {
         return overridesFor(description, count);
     };

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A bench: which samples are to be measured, and the file they go to.
 //
-// Planning needs no GL, so that each machine of a cluster finds the same list and takes its share.
-// What measures a sample is in tools/measure/bench/measure.h.
+// Planning needs no GL. What measures a sample is in tools/measure/bench/measure.h.
 #pragma once
 
 #include "tools/commands/cli/config_options.h"
@@ -20,7 +19,6 @@ namespace crevice {
 
 struct BenchOptions {
     std::vector<std::string> configs = {};  ///< Empty: every shipped config.
-    std::vector<std::string> peers = {};    ///< Configs of others, marked so; see peersOf.
     std::vector<std::string> scenes = {};
     ImportOptions import = {};  ///< Of those that are files.
     std::vector<std::string> sizes = {"960x540"};
@@ -32,8 +30,7 @@ struct BenchOptions {
     std::string camera = {};
     std::string output = kOcclusionOutput;  ///< The timed passes are those that it needs.
     int rays = 256;
-    bool motion = false;  ///< Measure what changes along camera paths, too.
-    Shard shard = {};
+    bool motion = false;       ///< Measure what changes along camera paths, too.
     std::string version = {};  ///< Of crevice; part of each key.
 };
 
@@ -61,23 +58,15 @@ struct BenchPlan {
     /// In an order in which neighbours share scene, size and ground truth; where no configs were
     /// named, the presets of all scenes come first.
     std::vector<BenchTask> tasks;
-    PlannedBench planned;     ///< All shards' samples; the device is the runner's to fill in.
     Diagnostics diagnostics;  ///< Unusable scenes (errors), values that do not fit (warnings).
 };
 
-/// The configs that tools/scripts/peers.sh has left in a folder: its .json files, by name.
-/// Errors: CV8001 where there are none.
-Result<std::vector<std::string>> peersOf(const std::string& folder);
-
-/// Crosses scenes, sizes, radii, configs and sample counts, and takes the shard's share: a task's
-/// key, which names no device, decides whose it is. What is asked for twice is one task. The tasks
-/// of a scene that cannot be loaded have its error as their failure, so that reports know of them.
+/// Crosses scenes, sizes, radii, configs and sample counts. What is asked for twice is one task.
+/// The tasks of a scene that cannot be loaded have its error as their failure, so that reports know
+/// of them.
 ///
 /// Errors: CV4005 for a size.
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources);
-
-/// "learnopengl samples=16, room, 960x540, radius 0.5".
-std::string sampleTitle(const BenchSample& sample);
 
 /// The results file of a bench, with the keys of what it has figures of.
 struct BenchFile {
@@ -85,10 +74,8 @@ struct BenchFile {
     std::set<std::string> done;
 };
 
-/// FOLDER/results.jsonl, to which what is planned is added unless it says just that already.
-///
-/// Errors: those of LineFile and readBenchResults.
-Result<BenchFile> openBench(const std::string& folder, const PlannedBench& planned);
+/// FOLDER/results.jsonl. Errors: those of LineFile and readBenchSamples.
+Result<BenchFile> openBench(const std::string& folder);
 
 /// What the engine needs to measure the tasks on a device. The plan must outlive it.
 MeasureJob benchJob(const BenchPlan& plan, const std::string& device, std::set<std::string> done,

@@ -63,7 +63,6 @@ public:
     {
         for (const std::size_t i : view.samples) {
             without_ao_ = std::max(without_ao_, samples_[i].error_without_ao);
-            if (samples_[i].peer) continue;  // nobody could take it
             addSample(view.name, i, samples_[i]);
         }
     }
@@ -136,10 +135,24 @@ void addOtherwiseMeasured(const std::vector<BenchSample>& samples,
         }
 }
 
+/// What a candidate spends of a limit.
+double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
+{
+    if (kind == ChoiceLimit::Kind::error) return candidate.error;
+    return kind == ChoiceLimit::Kind::time_ms ? candidate.ms : candidate.ratio;
+}
+
 /// The other figure: what is to be small once the limit is kept.
 double meritOf(const Candidate& candidate, ChoiceLimit::Kind kind)
 {
     return kind == ChoiceLimit::Kind::error ? candidate.ms : candidate.error;
+}
+
+std::string shortText(const Candidate& candidate)
+{
+    return candidate.label + ": " + significant(candidate.ms, 3) + " ms, " +
+           significant(candidate.ratio, 3) + " times the copy cost, error " +
+           fixed(candidate.error, 4);
 }
 
 }  // namespace
@@ -169,6 +182,40 @@ Result<Candidates> findCandidates(const std::vector<BenchSample>& samples, const
     return candidates;
 }
 
+std::vector<std::size_t> frontOf(const std::vector<Candidate>& list)
+{
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (list[i].ms > 0.0) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&list](std::size_t a, std::size_t b) {
+        return std::make_pair(list[a].ms, list[a].error) <
+               std::make_pair(list[b].ms, list[b].error);
+    });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order)
+        if (front.empty() || list[i].error < list[front.back()].error) front.push_back(i);
+    return front;
+}
+
+std::size_t balancedOf(const std::vector<Candidate>& list, const std::vector<std::size_t>& front)
+{
+    const Candidate &first = list[front.front()], &last = list[front.back()];
+    const double width = std::log(last.ms / first.ms), height = first.error - last.error;
+    const bool last_is_better = last.ms * last.error < first.ms * first.error;
+    std::size_t best = last_is_better ? front.back() : front.front();
+    double best_depth = 0.0;
+    for (const std::size_t i : front) {
+        // Both from 0 to 1 along the front, so that the line between the ends is at + down = 1.
+        const double along = std::log(list[i].ms / first.ms) / width;
+        const double up = (list[i].error - last.error) / height;
+        const double depth = 1.0 - along - up;
+        if (depth <= best_depth) continue;
+        best_depth = depth;
+        best = i;
+    }
+    return best;
+}
+
 Result<ChoiceLimit> parseBudget(const std::string& text)
 {
     std::string_view unit = text;
@@ -180,16 +227,6 @@ Result<ChoiceLimit> parseBudget(const std::string& text)
     }
     return scopeError("'" + text + "' is not a time above 0",
                       "write --budget 2ms, 500us, or 10x for ten times a depth copy");
-}
-
-double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind)
-{
-    switch (kind) {
-    case ChoiceLimit::Kind::time_ms: return candidate.ms;
-    case ChoiceLimit::Kind::copy_ratio: return candidate.ratio;
-    case ChoiceLimit::Kind::error: break;
-    }
-    return candidate.error;
 }
 
 std::string limitText(ChoiceLimit limit)
@@ -217,19 +254,13 @@ Result<Choice> choose(const Candidates& candidates, ChoiceLimit limit)
     std::sort(within.begin(), within.end(), [&](std::size_t a, std::size_t b) {
         return std::make_pair(merit(a), spends(a)) < std::make_pair(merit(b), spends(b));
     });
-    if (within.empty()) {
-        Diagnostic error{Code::out_of_range,
-                         "none of " + std::to_string(list.size() + candidates.harmful.size()) +
-                             " configs is better than no ambient occlusion and has " +
-                             limitText(limit)};
-        if (!beyond.empty())
-            error.help = "the nearest is " + list[beyond[0]].label + ": " +
-                         significant(list[beyond[0]].ms, 3) + " ms, " +
-                         significant(list[beyond[0]].ratio, 3) + " times the copy cost, error " +
-                         fixed(list[beyond[0]].error, 4);
-        return error;
-    }
-    return Choice{within.front(), {within.begin() + 1, within.end()}, std::move(beyond)};
+    if (!within.empty()) return Choice{std::move(within), std::move(beyond)};
+    Diagnostic error{Code::out_of_range,
+                     "none of " + std::to_string(list.size() + candidates.harmful.size()) +
+                         " configs is better than no ambient occlusion and has " +
+                         limitText(limit)};
+    if (!beyond.empty()) error.help = "the nearest is " + shortText(list[beyond[0]]);
+    return error;
 }
 
 }  // namespace crevice

@@ -46,6 +46,15 @@ struct Candidates {
 Result<Candidates> findCandidates(const std::vector<BenchSample>& samples,
                                   const ChoiceScope& scope);
 
+/// The candidates that no other beats: none is as cheap and less wrong, or as right and cheaper. By
+/// rising time, hence falling error; of equals the first one. Those without a time are left out.
+std::vector<std::size_t> frontOf(const std::vector<Candidate>& list);
+
+/// The one of a front where more time begins to buy little: furthest below the straight line
+/// between the ends, with time on a log scale; where none is below, the end with the smaller
+/// product of time and error. Requires a front that is not empty.
+std::size_t balancedOf(const std::vector<Candidate>& list, const std::vector<std::size_t>& front);
+
 /// What is asked of a choice.
 struct ChoiceLimit {
     enum class Kind { time_ms, copy_ratio, error };
@@ -57,13 +66,10 @@ struct ChoiceLimit {
 /// CV8001.
 Result<ChoiceLimit> parseBudget(const std::string& text);
 
-/// What a candidate spends of a limit.
-double spentOf(const Candidate& candidate, ChoiceLimit::Kind kind);
-
+/// Into Candidates::list.
 struct Choice {
-    std::size_t best = 0;             ///< Into Candidates::list.
-    std::vector<std::size_t> also;    ///< Within the limit as well, the next best first.
-    std::vector<std::size_t> beyond;  ///< Over the limit, the nearest first.
+    std::vector<std::size_t> within;  ///< The limit: the best first.
+    std::vector<std::size_t> beyond;  ///< The nearest first.
 };
 
 /// Errors: CV4001 when nothing is within the limit; the help names what comes nearest, if anything.

@@ -2,12 +2,13 @@
 // Compares two benches sample by sample.
 #include "tools/measure/bench/compare.h"
 
-#include "tools/measure/bench/views.h"
-
+#include <algorithm>
 #include <cmath>
 
 namespace crevice {
 namespace {
+
+using Kind = BenchChange::Kind;
 
 /// The same sample in other results, best from the same device and with the same switched off; null
 /// when there is none.
@@ -26,32 +27,31 @@ const BenchSample* findSame(const std::vector<BenchSample>& samples, const Bench
     return found;
 }
 
-std::string nameOf(const BenchSample& sample)
-{
-    return sampleLabel(sample) + ", " + viewName(sample.scene, sample.camera) + ", " +
-           extentName(sample.extent);
-}
-
 class Comparer {
 public:
-    explicit Comparer(const BenchLimits& limits) : limits_(limits) {}
+    explicit Comparer(bool errors_only) : errors_only_(errors_only) {}
 
     void compare(const BenchSample& before, const BenchSample& now)
     {
-        sample_ = nameOf(before);
+        sample_ = sampleTitle(before);
         if (!now.failure.empty()) {
-            result.failed.push_back(sample_ + ": " + now.failure);
+            result.changes.push_back({Kind::failed, sample_, now.failure});
             return;
         }
         ++result.compared;
         const bool same_device = before.device == now.device;
-        most_error_ =
-            same_device && before.version == now.version ? limits_.error : limits_.other_error;
+        same_error_ =
+            same_device && before.version == now.version ? kSameError : kSameErrorElsewhere;
         compareError("rmse", before.error.rmse, now.error.rmse);
         compareError("rmse_fit", before.error.rmse_fit, now.error.rmse_fit);
-        compareBias(before.error.bias, now.error.bias);
-        compareMotion(before.motion, now.motion);
-        if (limits_.errors_only) return;
+        compareError("bias", before.error.bias, now.error.bias);
+        for (const auto& [path, figures] : before.motion.paths) {
+            const auto same = now.motion.paths.find(path);
+            if (same == now.motion.paths.end()) continue;
+            compareError("motion " + path, figures.rms, same->second.rms);
+            compareError("motion " + path + " rmse", figures.rmse, same->second.rmse);
+        }
+        if (errors_only_) return;
         if (!same_device || before.clock != now.clock) {
             ++result.without_ratios;
             return;
@@ -65,59 +65,45 @@ public:
 private:
     void compareError(const std::string& figure, double before, double now)
     {
-        if (now > before + most_error_)
-            result.worse.push_back({sample_, figure, before, now, before + most_error_});
-        else if (now < before - most_error_)
-            result.better_errors.push_back({sample_, figure, before, now, before - most_error_});
-    }
-
-    /// Where both were measured.
-    void compareMotion(const MotionFigures& before, const MotionFigures& now)
-    {
-        for (const auto& [path, figures] : before.paths) {
-            const auto same = now.paths.find(path);
-            if (same == now.paths.end()) continue;
-            compareError("motion " + path, figures.rms, same->second.rms);
-            compareError("motion " + path + " rmse", figures.rmse, same->second.rmse);
-        }
-    }
-
-    /// Of the other sign it is another one, however small.
-    void compareBias(double before, double now)
-    {
-        if (std::abs(now - before) <= most_error_) return;
-        const double limit = before + (now > before ? most_error_ : -most_error_);
-        auto& changes = std::abs(now) < std::abs(before) ? result.better_errors : result.worse;
-        changes.push_back({sample_, "bias", before, now, limit});
+        if (std::abs(now - before) <= same_error_) return;
+        const Kind kind = std::abs(now) < std::abs(before) ? Kind::odd : Kind::worse;
+        result.changes.push_back({kind, sample_, figure, before, now});
     }
 
     void compareRatio(const char* figure, double before, double now)
     {
         if (!(before > 0.0) || !(now > 0.0)) return;  // one of the runs had nothing to divide by
-        const double most = 1.0 + limits_.ratio;
+        const double most = 1.0 + kSameRatio;
         if (now > before * most)
-            result.worse.push_back({sample_, figure, before, now, before * most});
+            result.changes.push_back({Kind::worse, sample_, figure, before, now});
         else if (now * most < before)
-            result.better.push_back({sample_, figure, before, now, before * most});
+            result.changes.push_back({Kind::cheaper, sample_, figure, before, now});
     }
 
-    BenchLimits limits_;
-    double most_error_ = 0;
+    bool errors_only_;
+    double same_error_ = 0;
     std::string sample_;
 };
 
 }  // namespace
 
-BenchComparison compareBenches(const std::vector<BenchSample>& before,
-                               const std::vector<BenchSample>& now, const BenchLimits& limits)
+bool BenchComparison::differs() const
 {
-    Comparer comparer(limits);
+    return std::any_of(changes.begin(), changes.end(), [](const BenchChange& change) {
+        return change.kind != BenchChange::Kind::cheaper;
+    });
+}
+
+BenchComparison compareBenches(const std::vector<BenchSample>& before,
+                               const std::vector<BenchSample>& now, bool errors_only)
+{
+    Comparer comparer(errors_only);
     for (const BenchSample& sample : before) {
         if (!sample.failure.empty()) continue;
         if (const BenchSample* same = findSame(now, sample))
             comparer.compare(sample, *same);
         else
-            comparer.result.missing.push_back(nameOf(sample));
+            comparer.result.changes.push_back({Kind::missing, sampleTitle(sample)});
     }
     return std::move(comparer.result);
 }

@@ -110,8 +110,6 @@ struct BenchMeter::Setting {
     std::unique_ptr<Renderer> yardstick;  ///< Null where the device cannot draw it.
     std::optional<TurnTaker> copy_turns;
     std::optional<TurnTaker> yardstick_turns;  ///< None without a yardstick.
-    /// Of a family with all taps and perhaps more made ideal.
-    std::map<std::pair<std::string, unsigned>, Result<double>> converged;
 };
 
 Status BenchMeter::Setting::makeCopy(Device& device, const SourceSet& sources, double radius)
@@ -231,7 +229,7 @@ Result<BenchSample> BenchMeter::measure(const BenchTask& task)
     if (!renderer) return renderer.diagnostics();
     if (const Status timed = measureTimes(task, **renderer, *frame, sample); !timed)
         return timed.diagnostics();
-    if (const Status known = measureErrors(task, *ao, sample); !known) return known.diagnostics();
+    if (const Status known = measureErrors(*ao, sample); !known) return known.diagnostics();
     if (const Status kept = writePictures(task, *ao, sample); !kept) return kept.diagnostics();
 
     const MovedBytes bytes = movedBytes((*renderer)->plan());
@@ -270,7 +268,7 @@ Status BenchMeter::measureTimes(const BenchTask& task, Renderer& renderer, const
     return {};
 }
 
-Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample)
+Status BenchMeter::measureErrors(const Image& ao, BenchSample& sample)
 {
     const Result<ImageDifference> figures = compareImages(ao, *setting_->ground_truth);
     if (!figures) return figures.diagnostics();
@@ -282,10 +280,6 @@ Status BenchMeter::measureErrors(const BenchTask& task, const Image& ao, BenchSa
     const Image open(ao.extent, 1, 1.0f);
     if (const auto without = compareImages(open, *setting_->ground_truth))
         sample.error_without_ao = without->rmse;
-    if (options_.budget)
-        sample.budget = budgetOf(
-            figures->rmse, [&](unsigned ideal) { return idealError(task, ideal); },
-            sample.budget_failure);
     return {};
 }
 
@@ -311,24 +305,6 @@ void BenchMeter::measureMotion(const BenchTask& task, Renderer& renderer, HostTe
         sample.motion = *figures;
     else
         sample.motion_failure = failureText(figures.diagnostics());
-}
-
-/// Kept with all taps, since the other sample counts of a config share it.
-Result<double> BenchMeter::idealError(const BenchTask& task, unsigned ideal)
-{
-    const auto measured = [&]() -> Result<double> {
-        const Stage stage = {device_, setting_->frame, setting_->view.extent, sources_};
-        const auto image = idealOcclusion(stage, task.description, ideal, options_.interrupted);
-        if (!image) return image.diagnostics();
-        const auto figures = compareImages(*image, *setting_->ground_truth);
-        if (!figures) return figures.diagnostics();
-        return figures->rmse;
-    };
-    if (!(ideal & kIdealTaps)) return measured();
-    const std::pair key(task.sample.family, ideal);
-    const auto known = setting_->converged.find(key);
-    if (known != setting_->converged.end()) return known->second;
-    return setting_->converged.emplace(key, measured()).first->second;
 }
 
 Status BenchMeter::writePictures(const BenchTask& task, const Image& ao, BenchSample& sample)

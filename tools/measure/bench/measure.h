@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measuring one sample of a bench on a device: its error, the parts of it, its time, its pictures.
+// Measuring one sample of a bench on a device: its error, its time, its pictures.
 //
 // What is timed are the passes that the sample's output needs, by default `ao`. The config, a plain
 // copy of the depth texture (effects/command/depth_copy.json) and `learnopengl` with the same
@@ -10,10 +10,9 @@
 #pragma once
 
 #include "tools/measure/bench/bench.h"
-#include "tools/measure/bench/errors.h"
 #include "tools/render/host_textures.h"
 
-#include <map>
+#include <crevice/renderer.h>
 
 namespace crevice {
 
@@ -21,7 +20,6 @@ struct MeasureOptions {
     int rays = 256;  ///< Per pixel of the ground truth.
     /// Timed turns, at least; up to four times as many where ratios do not settle.
     int repeats = 7;
-    bool budget = true;        ///< Measure the error budget.
     bool motion = false;       ///< Measure what changes along camera paths.
     std::string cache_folder;  ///< For ground truths; empty for none.
     std::string out_folder;    ///< Pictures go to its pictures/; empty for none.
@@ -46,13 +44,12 @@ private:
     struct Setting;
 
     Status enter(const BenchTask& task);
-    Status measureErrors(const BenchTask& task, const Image& ao, BenchSample& sample);
+    Status measureErrors(const Image& ao, BenchSample& sample);
     void measureMotion(const BenchTask& task, Renderer& renderer, HostTextures& host,
                        BenchSample& sample);
     Status measureTimes(const BenchTask& task, Renderer& renderer, const Frame& frame,
                         BenchSample& sample);
     Status writePictures(const BenchTask& task, const Image& ao, BenchSample& sample);
-    Result<double> idealError(const BenchTask& task, unsigned ideal);
 
     Device& device_;
     const BenchPlan& plan_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which samples a bench measures: the product of its lists, their keys and their shards.
+// Which samples a bench measures: the product of its lists, and their keys.
 #include "tools/measure/bench/bench.h"
 
-#include "tools/measure/bench/views.h"
 #include "tools/measure/reference/reference_cache.h"
 #include "tools/measure/taps.h"
 #include "tools/render/scene/camera_framing.h"
@@ -15,7 +14,6 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 namespace crevice {
@@ -35,27 +33,8 @@ bool isPreset(const BenchTask& task)
            std::end(kPresets);
 }
 
-/// What was asked for, whichever share of it is this machine's.
-std::string commandHash(const BenchOptions& options)
-{
-    ContentHash hash;
-    const auto add = [&hash](const auto& list, auto&& addOne) {
-        hash.add(list.size());
-        for (const auto& item : list) addOne(item);
-    };
-    for (const auto* texts : {&options.configs, &options.peers, &options.scenes, &options.sizes,
-                              &options.overrides, &options.disable})
-        add(*texts, [&hash](const std::string& text) { hash.addText(text); });
-    add(options.radii, [&hash](double radius) { hash.add(radius); });
-    add(options.samples, [&hash](int count) { hash.add(count); });
-    hash.addText(options.camera);
-    hash.add(options.rays);
-    if (options.output != kOcclusionOutput) hash.addText(options.output);
-    return hash.hex();
-}
-
 /// Over all that decides a sample's figures on a device.
-ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
+std::string keyOf(const BenchTask& task, double radius, const std::vector<std::string>& overrides,
                   const std::string& content, bool motion)
 {
     const BenchSample& sample = task.sample;
@@ -74,7 +53,7 @@ ContentHash keyOf(const BenchTask& task, double radius, const std::vector<std::s
     if (sample.output != kOcclusionOutput) hash.addText(sample.output);
     for (const std::string& name : sample.disable) hash.addText(name);
     if (motion) hash.addText("motion");
-    return hash;
+    return hash.hex();
 }
 
 class Planner {
@@ -100,7 +79,6 @@ private:
     void addView(const std::shared_ptr<const Scene>& scene, Place& place);
     void addConfigs(Place place);
     void addConfig(const Place& place, const std::string& config);
-    void markPeers(std::size_t first);
     std::vector<std::vector<std::string>> sampleOverrides(const std::string& config,
                                                           const Description& description);
     void addTask(const Place& place, const std::string& config, std::vector<std::string> overrides);
@@ -167,19 +145,6 @@ void Planner::addConfigs(Place place)
     for (const double radius : radii) {
         place.radius = radius;
         for (const std::string& config : configs) addConfig(place, config);
-        const std::size_t first = plan.tasks.size();
-        for (const std::string& peer : options_.peers) addConfig(place, peer);
-        markPeers(first);
-    }
-}
-
-/// The tasks from `first` on. A peer's family is its file's name.
-void Planner::markPeers(std::size_t first)
-{
-    for (std::size_t task = first; task < plan.tasks.size(); ++task) {
-        BenchSample& sample = plan.tasks[task].sample;
-        sample.peer = true;
-        sample.family = sampleLabel(sample);
     }
 }
 
@@ -288,13 +253,10 @@ void Planner::addTask(const Place& place, const std::string& config,
     const Status known = loaded ? describe(place, *loaded, task) : Status(loaded.diagnostics());
     if (!known && sample.failure.empty()) sample.failure = failureText(known.diagnostics());
 
-    const ContentHash hash = keyOf(task, place.radius, overrides,
-                                   loaded ? loaded->content : std::string(), options_.motion);
-    sample.key = hash.hex();
+    sample.key = keyOf(task, place.radius, overrides, loaded ? loaded->content : std::string(),
+                       options_.motion);
     sample.overrides = std::move(overrides);
-    if (!keys_.insert(sample.key).second) return;
-    plan.planned.bench_samples.push_back(plannedId(sample));
-    if (options_.shard.has(hash.value())) plan.tasks.push_back(std::move(task));
+    if (keys_.insert(sample.key).second) plan.tasks.push_back(std::move(task));
 }
 
 }  // namespace
@@ -302,29 +264,6 @@ void Planner::addTask(const Place& place, const std::string& config,
 Camera BenchView::matrices() const
 {
     return {camera.view_from_world, clipFromView(camera, extent, bounds)};
-}
-
-Result<std::vector<std::string>> peersOf(const std::string& folder)
-{
-    std::vector<std::string> files;
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
-        if (entry.path().extension() == ".json") files.push_back(entry.path().string());
-    if (files.empty()) {
-        Diagnostic error{Code::usage, "no configs of peers are in '" + folder + "'"};
-        error.help = "tools/scripts/peers.sh FOLDER makes them";
-        return error;
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::string sampleTitle(const BenchSample& sample)
-{
-    std::string title = sample.config;
-    for (const std::string& text : sample.overrides) title += " " + text;
-    return title + nameSuffix(sample) + ", " + sample.scene + ", " +
-           std::to_string(sample.extent.width) + "x" + std::to_string(sample.extent.height);
 }
 
 Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& sources)
@@ -337,7 +276,6 @@ Result<BenchPlan> planBench(const BenchOptions& options, const SourceSet& source
     }
     Planner planner(options, sources);
     for (const std::string& scene : options.scenes) planner.addScene(scene, extents);
-    planner.plan.planned.command = commandHash(options);
     if (options.configs.empty())
         std::stable_partition(planner.plan.tasks.begin(), planner.plan.tasks.end(), isPreset);
     return std::move(planner.plan);

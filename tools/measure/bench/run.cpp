@@ -4,7 +4,6 @@
 
 #include "core/base/numbers.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace crevice {
@@ -20,19 +19,15 @@ std::string figuresText(const BenchSample& sample)
 
 }  // namespace
 
-Result<BenchFile> openBench(const std::string& folder, const PlannedBench& planned)
+Result<BenchFile> openBench(const std::string& folder)
 {
     Result<LineFile> lines = LineFile::open(folder + "/results.jsonl");
     if (!lines) return lines.diagnostics();
-    const Result<BenchResults> known = readBenchResults({lines->path()});
+    const Result<std::vector<BenchSample>> known = readBenchSamples({lines->path()});
     if (!known) return known.diagnostics();
     BenchFile file{std::move(*lines), {}};
-    for (const BenchSample& sample : known->samples)
+    for (const BenchSample& sample : *known)
         if (sample.failure.empty()) file.done.insert(sample.key);
-    const std::string line = toJsonLine(planned);
-    const auto same = [&line](const PlannedBench& each) { return toJsonLine(each) == line; };
-    if (std::any_of(known->planned.begin(), known->planned.end(), same)) return file;
-    if (const Status written = file.lines.append(line); !written) return written.diagnostics();
     return file;
 }
 

@@ -2,16 +2,12 @@
 // Bench results as JSON Lines. The keys are the fields' names.
 #include "tools/measure/bench/sample.h"
 
-#include "core/base/content_hash.h"
 #include "core/base/text.h"
-#include "tools/commands/cli/output.h"
 #include "tools/measure/line_file.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
 #include <unordered_map>
 
 namespace crevice {
@@ -20,26 +16,19 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extent, width, height)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeFigures, median, q1, q3)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassTime, name, ms)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorFigures, rmse, bias, p99, rmse_fit, power_fit, pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ErrorBudget, taps, filter, half_size, off_screen, hidden_layers,
-                                   precision, model)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChangeFigures, rms, p99, p999, truth, rmse, changes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UncoveredFigures, frames, rmse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionFigures, paths, settled_after, uncovered, uncovered_rest,
                                    uncovered_pixels)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, peer, overrides, disable,
-                                   family, output, scene, camera, extent, radius, rays, radius_px,
-                                   samples, triangles, device, software, version, error,
-                                   error_without_ao, budget, budget_failure, motion, motion_failure,
-                                   clock, repeats, total, cost, cost_with_geometry, passes,
-                                   ratio_copy, ratio_learnopengl, ratio_with_geometry,
-                                   texture_bytes, bytes_read, bytes_written, ao_picture,
-                                   ground_truth_picture, difference_picture)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlannedBench, device, command, bench_samples)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchSample, key, failure, config, overrides, disable, family,
+                                   output, scene, camera, extent, radius, rays, radius_px, samples,
+                                   triangles, device, software, version, error, error_without_ao,
+                                   motion, motion_failure, clock, repeats, total, cost,
+                                   cost_with_geometry, passes, ratio_copy, ratio_learnopengl,
+                                   ratio_with_geometry, texture_bytes, bytes_read, bytes_written,
+                                   ao_picture, ground_truth_picture, difference_picture)
 
 namespace {
-
-/// The key of a line that is no sample but what is planned.
-const char* const kPlanned = "planned";
 
 /// JSON has no NaN: it is written as null. True where there was one; it becomes 0.
 bool replaceNulls(nlohmann::json& value)
@@ -58,7 +47,6 @@ BenchSample parseSample(nlohmann::json value)
 {
     const bool not_finite = replaceNulls(value);
     value.emplace("output", kOcclusionOutput);  // lines of earlier versions have none
-    value.emplace("peer", false);
     value.emplace("disable", std::vector<std::string>());
     value.emplace("motion", MotionFigures());
     value.emplace("motion_failure", "");
@@ -84,58 +72,26 @@ std::string resultsFile(const std::string& path)
     return (std::filesystem::path(path) / "results.jsonl").string();
 }
 
+/// Samples by what they are of.
 class Reader {
 public:
-    void readFile(const std::string& path)
-    {
-        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-        append(diagnostics_,
-               readLines(path, {"bench sample", "crevice bench"}, [&](nlohmann::json&& json) {
-                   if (json.is_object() && json.contains(kPlanned))
-                       return add(json[kPlanned].get<PlannedBench>());
-                   BenchSample sample = parseSample(std::move(json));
-                   sample.folder = folder.string();
-                   resolvePictures(sample, folder);
-                   add(std::move(sample));
-               }));
-    }
-
-    Result<BenchResults> take()
-    {
-        if (hasErrors(diagnostics_)) return std::move(diagnostics_);
-        return {{std::move(samples_), std::move(planned_)}, std::move(diagnostics_)};
-    }
-
-private:
-    void add(PlannedBench planned)
-    {
-        const auto same = [&planned](const PlannedBench& known) {
-            return known.device == planned.device && known.command == planned.command;
-        };
-        const auto known = std::find_if(planned_.begin(), planned_.end(), same);
-        if (known == planned_.end())
-            planned_.push_back(std::move(planned));
-        else
-            *known = std::move(planned);
-    }
-
     void add(BenchSample sample)
     {
         const auto [place, is_new] =
-            places_.emplace(sample.device + identityOf(sample), samples_.size());
+            places_.emplace(sample.device + identityOf(sample), samples.size());
         if (is_new) {
-            samples_.push_back(std::move(sample));
+            samples.push_back(std::move(sample));
             return;
         }
-        BenchSample& known = samples_[place->second];
+        BenchSample& known = samples[place->second];
         const bool hides_figures = !sample.failure.empty() && known.failure.empty();
         if (!hides_figures || sample.key != known.key) known = std::move(sample);
     }
 
-    std::vector<BenchSample> samples_;
-    std::vector<PlannedBench> planned_;
+    std::vector<BenchSample> samples;
+
+private:
     std::unordered_map<std::string, std::size_t> places_;
-    Diagnostics diagnostics_;
 };
 
 }  // namespace
@@ -154,17 +110,30 @@ std::string identityOf(const BenchSample& sample)
     return questionOf(sample) + disabled;
 }
 
-std::string plannedId(const BenchSample& sample)
-{
-    ContentHash hash;
-    hash.addText(identityOf(sample));
-    return hash.hex();
-}
-
 std::string nameSuffix(const BenchSample& sample)
 {
     const std::string output = sample.output == kOcclusionOutput ? "" : " output=" + sample.output;
     return output + (sample.disable.empty() ? "" : " without " + joined(sample.disable));
+}
+
+std::string sampleLabel(const BenchSample& sample)
+{
+    std::string label = sample.config;
+    for (const std::string& value : sample.overrides)
+        if (!startsWith(value, "radius=")) label += " " + value;
+    return label + nameSuffix(sample);
+}
+
+std::string sampleTitle(const BenchSample& sample)
+{
+    std::string title = sample.config;
+    for (const std::string& text : sample.overrides) title += " " + text;
+    return title + nameSuffix(sample) + ", " + sample.scene + ", " + extentName(sample.extent);
+}
+
+std::string extentName(Extent extent)
+{
+    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
 std::string toJsonLine(const BenchSample& sample)
@@ -176,57 +145,24 @@ std::string toJsonLine(const BenchSample& sample)
     return jsonLine(json);
 }
 
-std::string toJsonLine(const PlannedBench& planned)
-{
-    nlohmann::json json;
-    json[kPlanned] = planned;
-    return jsonLine(json);
-}
-
-BenchCoverage coverageOf(const BenchResults& results)
-{
-    BenchCoverage coverage;
-    std::set<std::pair<std::string, std::string>> all;
-    for (const BenchSample& sample : results.samples) {
-        all.insert({sample.device, plannedId(sample)});
-        ++(sample.failure.empty() ? coverage.measured : coverage.failed);
-        std::vector<std::string>& configs = coverage.configs;
-        if (sample.failure.empty() &&
-            std::find(configs.begin(), configs.end(), sample.config) == configs.end())
-            configs.push_back(sample.config);
-    }
-    for (const PlannedBench& planned : results.planned)
-        for (const std::string& id : planned.bench_samples) all.insert({planned.device, id});
-    coverage.planned = all.size();
-    return coverage;
-}
-
-std::string coverageText(const BenchCoverage& coverage)
-{
-    constexpr std::size_t kMostNamed = 8;
-    if (coverage.whole()) return "";
-    const std::vector<std::string>& all = coverage.configs;
-    const std::size_t named = std::min(all.size(), kMostNamed);
-    std::string text = std::to_string(coverage.measured) + " of " +
-                       std::to_string(coverage.planned) + " bench samples measured";
-    if (coverage.failed > 0) text += ", " + std::to_string(coverage.failed) + " failed";
-    if (named > 0) text += ": " + joined({all.begin(), all.begin() + static_cast<long>(named)});
-    if (named < all.size()) text += " and " + std::to_string(all.size() - named) + " more configs";
-    return text + "; what to take may change with the rest";
-}
-
 Result<std::vector<BenchSample>> readBenchSamples(const std::vector<std::string>& paths)
 {
-    Result<BenchResults> results = readBenchResults(paths);
-    if (!results) return results.diagnostics();
-    return {std::move(results->samples), results.diagnostics()};
-}
-
-Result<BenchResults> readBenchResults(const std::vector<std::string>& paths)
-{
     Reader reader;
-    for (const std::string& path : paths) reader.readFile(resultsFile(path));
-    return reader.take();
+    Diagnostics diagnostics;
+    for (const std::string& each : paths) {
+        const std::string path = resultsFile(each);
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        append(diagnostics,
+               readLines(path, {"bench sample", "crevice bench"}, [&](nlohmann::json&& json) {
+                   if (json.is_object() && json.contains("planned")) return;  // of earlier versions
+                   BenchSample sample = parseSample(std::move(json));
+                   sample.folder = folder.string();
+                   resolvePictures(sample, folder);
+                   reader.add(std::move(sample));
+               }));
+    }
+    if (hasErrors(diagnostics)) return diagnostics;
+    return {std::move(reader.samples), std::move(diagnostics)};
 }
 
 }  // namespace crevice

@@ -4,9 +4,7 @@
 //
 // Results are JSON Lines, one bench sample a line, appended as they are measured. A line's key is a
 // hash over everything that decides its figures, so a run that was interrupted goes on where it
-// stopped, and shards from several machines merge by putting their files one after the other. A
-// line before them has what the run is to measure, so that a part of a bench is not taken for the
-// whole.
+// stopped, and files from several machines merge by putting one after the other.
 #pragma once
 
 #include "tools/measure/motion/figures.h"
@@ -41,18 +39,6 @@ struct ErrorFigures {
     long long pixels = 0;
 };
 
-/// By how much the rmse changes when one thing is made ideal and the rest stays: below 0 the error
-/// falls. 0 where there is nothing to make ideal, or no budget was measured.
-struct ErrorBudget {
-    double taps = 0;           ///< As many as the config's ranges allow, the mean over seeds.
-    double filter = 0;         ///< No filter.
-    double half_size = 0;      ///< Occlusion at the size of the view.
-    double off_screen = 0;     ///< Geometry off the screen known, half a view on each side.
-    double hidden_layers = 0;  ///< Back faces and a second layer of depth known.
-    double precision = 0;      ///< Every target of 32 bits.
-    double model = 0;          ///< No change but the rmse that is left when all of them are.
-};
-
 /// Whose error is measured, and whose passes are timed unless another output is asked for.
 constexpr const char* kOcclusionOutput = "ao";
 
@@ -61,7 +47,6 @@ struct BenchSample {
     std::string failure;  ///< Why there are no figures; empty when there are.
 
     std::string config;
-    bool peer = false;  ///< Another's shaders, by --peers: shown to compare, never to take.
     std::vector<std::string> overrides;  ///< As --set has them.
     std::vector<std::string> disable;    ///< Optimizations that are switched off.
     std::string family;  ///< Bench samples that differ only in `samples` share it: "learnopengl".
@@ -81,8 +66,6 @@ struct BenchSample {
 
     ErrorFigures error;
     double error_without_ao = 0;  ///< The rmse that no ambient occlusion at all has here.
-    ErrorBudget budget;
-    std::string budget_failure;  ///< Why a part of it could not be measured; else empty.
 
     MotionFigures motion;        ///< Without paths where it was not asked for.
     std::string motion_failure;  ///< Why it could not be measured; else empty.
@@ -112,16 +95,8 @@ struct BenchSample {
     std::string folder;  ///< Of the results file; empty for the working folder. Not written.
 };
 
-/// What a command was to measure on a device, all shards together.
-struct PlannedBench {
-    std::string device;
-    std::string command;                     ///< 16 hex digits over what was asked for.
-    std::vector<std::string> bench_samples;  ///< plannedId of each.
-};
-
 /// One line, without the line feed.
 std::string toJsonLine(const BenchSample& sample);
-std::string toJsonLine(const PlannedBench& planned);
 
 /// What was measured, the same in every run and on every device: config, overrides, scene, camera,
 /// size, radius, rays, the output, unless that is `ao`, and what is switched off. A key says more:
@@ -131,33 +106,19 @@ std::string identityOf(const BenchSample& sample);
 /// The same but for what is switched off, which may change no pixel: what two benches compare.
 std::string questionOf(const BenchSample& sample);
 
-/// A hash of that, 16 hex digits.
-std::string plannedId(const BenchSample& sample);
-
 /// " output=color" and " without cached" after a sample's name; nothing where `ao` is timed with
 /// all optimizations.
 std::string nameSuffix(const BenchSample& sample);
 
-struct BenchResults {
-    std::vector<BenchSample> samples;
-    std::vector<PlannedBench> planned;  ///< Of one device and command the last.
-};
+/// "bitmask samples=16": the config, what was set in it, but for the radius, which is part of the
+/// question and not of the answer, and the suffix.
+std::string sampleLabel(const BenchSample& sample);
 
-/// How much of a bench its results hold.
-struct BenchCoverage {
-    std::size_t measured = 0;  ///< Samples with figures.
-    std::size_t failed = 0;
-    std::size_t planned = 0;                ///< These two, and samples that nobody began.
-    std::vector<std::string> configs = {};  ///< That have figures, each once.
+/// "bitmask radius=0.5 samples=16, room, 960x540".
+std::string sampleTitle(const BenchSample& sample);
 
-    bool whole() const { return measured + failed == planned; }
-};
-
-BenchCoverage coverageOf(const BenchResults& results);
-
-/// "3 of 78 bench samples measured: mobile, balanced, high; what to take may change with the rest".
-/// Empty of a whole bench.
-std::string coverageText(const BenchCoverage& coverage);
+/// "960x540".
+std::string extentName(Extent extent);
 
 /// Reads results files; a folder stands for the results.jsonl in it. Of two lines about one sample
 /// on one device the later one holds, but a failure never hides figures of its own key. A line that
@@ -165,9 +126,6 @@ std::string coverageText(const BenchCoverage& coverage);
 /// folder. A figure that was not finite makes its sample a failure.
 ///
 /// Errors: CV7009 for a file that cannot be read or a line that is no sample.
-Result<BenchResults> readBenchResults(const std::vector<std::string>& paths);
-
-/// The samples alone. Errors: those of readBenchResults.
 Result<std::vector<BenchSample>> readBenchSamples(const std::vector<std::string>& paths);
 
 }  // namespace crevice

@@ -3,7 +3,6 @@
 #include "tools/measure/bench/views.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
@@ -103,20 +102,6 @@ std::vector<std::string> benchDevices(const std::vector<BenchSample>& samples)
 std::string viewName(const std::string& scene, const std::string& camera)
 {
     return camera.empty() ? scene : scene + " from " + camera;
-}
-
-std::string sampleLabel(const BenchSample& sample)
-{
-    std::string label = sample.config;
-    if (sample.peer) label = std::filesystem::path(sample.config).stem().string() + " (peer)";
-    for (const std::string& value : sample.overrides)
-        if (value.rfind("radius=", 0) != 0) label += " " + value;
-    return label + nameSuffix(sample);
-}
-
-std::string extentName(Extent extent)
-{
-    return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
 }  // namespace crevice

@@ -39,12 +39,4 @@ std::vector<std::string> benchDevices(const std::vector<BenchSample>& samples);
 /// "room from above", or "room" where the camera has no name.
 std::string viewName(const std::string& scene, const std::string& camera);
 
-/// "bitmask samples=16": the config, what was set in it, but for the radius, which is part of the
-/// question and not of the answer, and the output unless it is `ao`. Of a peer, "n8ao_medium
-/// (peer)".
-std::string sampleLabel(const BenchSample& sample);
-
-/// "960x540".
-std::string extentName(Extent extent);
-
 }  // namespace crevice

@@ -26,7 +26,7 @@ std::string environment(const char* name)
 }
 
 template <typename Matrix>
-void addMatrix(ContentHash& hash, const Matrix& matrix)
+void addTransform(ContentHash& hash, const Matrix& matrix)
 {
     hash.addBytes(&matrix[0][0], sizeof(matrix));
 }
@@ -52,12 +52,12 @@ void addCutout(ContentHash& hash, const Scene& scene, const SceneMaterial& mater
     for (std::size_t k = 3; k < image.pixels.size(); k += 4) hash.add(image.pixels[k]);
 }
 
-void addScene(ContentHash& hash, const Scene& scene)
+void addTracedScene(ContentHash& hash, const Scene& scene)
 {
     for (const MeshDesc& mesh : scene.meshes) addMesh(hash, mesh);
     for (const SceneInstance& instance : scene.instances) {
         hash.add(instance.mesh);
-        addMatrix(hash, instance.world_from_model);
+        addTransform(hash, instance.world_from_model);
         addCutout(hash, scene, scene.materials[instance.material]);
     }
 }
@@ -121,9 +121,9 @@ std::string referenceKey(const Scene& scene, const Camera& camera, Extent extent
 {
     ContentHash hash;
     hash.add(kTracerVersion);
-    addScene(hash, scene);
-    addMatrix(hash, camera.view_from_world);
-    addMatrix(hash, camera.clip_from_view);
+    addTracedScene(hash, scene);
+    addTransform(hash, camera.view_from_world);
+    addTransform(hash, camera.clip_from_view);
     hash.add(extent.width);
     hash.add(extent.height);
     hash.add(options.radius);

@@ -1,86 +1,92 @@
 // SPDX-License-Identifier: MIT
-// Lays out the report: which config to take, each scene, what is missing.
+// Lays out the report: which config to take; for each view the plot, the chosen bench sample's pictures and all figures;
+// what is missing.
 "use strict";
-const CLOCKS = {
-  query: "the GPU's timer", cpu: "the processor time of the process", wall: "wall clock"
-};
-const ROLES = {
-  cheapest: "Cheapest",
-  balanced: data.coverage.whole ? "Take this" : "Take this of these",
-  "most accurate": "Most accurate"
-};
-const stepOf = (advice, role) => advice.steps.find(s => s.roles.includes(role));
-const costText = step => `${ms(step.ms)} a frame` +
-  (step.ratio > 0 ? `, ${three(step.ratio)} times a copy of the depth texture` : "");
+const benchSamples = data.bench_samples;
+const families = [...new Set(benchSamples.map(s => s.family))];
+const colorOf = family => `var(--f${families.indexOf(family) % 8})`;
+const three = x => x >= 1000 ? Math.round(x).toLocaleString("en") : String(Number(x.toPrecision(3)));
+const ms = x => three(x) + " ms";
+const error = x => x.toFixed(x < 0.01 ? 4 : 3);
+const times = x => x > 0 ? three(x) + "×" : "–";
+// "learnopengl /generated/kernel/shape=cube" as "learnopengl shape=cube".
+const brief = label => label.replace(/ \/\S*\/(?=[^\s/]+=)/g, " ");
+const CLOCKS = {query: "the GPU's timer", cpu: "the processor time of the process", wall: "wall clock"};
+const ROLES = {cheapest: "Cheapest", balanced: "Take this", "most accurate": "Most accurate"};
 
-function showAnswer(parent, advice) {
-  const take = stepOf(advice, "balanced"), without = advice.error_without_ao;
-  const box = add(parent, "section", {class: "card answer"});
-  if (!take)
-    return add(box, "p", {class: "take"},
-      advice.elided.length ?
-        "No config that was measured alike in every scene is better than no ambient occlusion." :
-        "None of these configs is better than no ambient occlusion.");
-  const line =
-    add(box, "p", {class: "take"}, data.coverage.whole ? "Take " : "Of what is measured, take ");
+function showAdvice(parent, advice) {
+  const take = advice.steps.find(s => s.roles.includes("balanced")), without = advice.error_without_ao;
+  const box = add(parent, "section", {class: "card answer"}), line = add(box, "p", {class: "take"});
+  if (!take) return line.append("None of these configs is better than no ambient occlusion in every scene.");
+  line.append("Take ");
   add(line, "strong", {}, brief(take.label));
-  add(box, "p", {},
-    `It is off by ${error(take.error)} from ray-traced ambient occlusion, where no ambient ` +
-      `occlusion at all is off by ${error(without)}. It adds ${costText(take)}.`);
-  for (const role of ["cheapest", "most accurate"]) {
-    const step = stepOf(advice, role), own = step === take, item = add(box, "p", {class: "other"});
-    add(item, "strong", {}, `${ROLES[role]}: `);
-    item.append(own ? "this one as well." :
-                      `${brief(step.label)}, off by ${error(step.error)}, adds ${costText(step)}.`);
-  }
-  const scenes = advice.views.length > 1 ?
-    `in the worst of ${advice.views.length} scenes (${advice.views.join(", ")})` :
-    `in the scene ${advice.views[0]}`;
+  add(box, "p", {}, `It is off by ${error(take.error)} from ray-traced ambient occlusion, where no ambient occlusion at ` +
+    `all is off by ${error(without)}. It adds ${ms(take.ms)} a frame.`);
   const renderer = advice.software ? "a software renderer, " : "";
-  add(box, "p", {class: "soft"},
-    `Measured at ${advice.size}, ${scenes}, on ${advice.device} (${renderer}timed by ${CLOCKS[advice.clock]}).`);
-}
-function showSteps(parent, advice) {
-  if (!advice.steps.length) return;
-  const without = advice.error_without_ao, longest = Math.max(without, ...advice.steps.map(s => s.error));
-  add(parent, "h2", {}, "What each further cost buys");
-  add(parent, "p", {class: "soft"}, "Every config that no other beats in both error and cost.");
-  const errorBar = (value, kind) => cell => bar(cell, value, longest, kind, error(value));
-  table(parent, [["config", "label"], ["error", "wider"], ["adds", "num"], ["× copy", "num"], ["", "wide role"]], [
-    {cells: ["no ambient occlusion", errorBar(without, "soft"), "0", "0", ""]},
+  add(box, "p", {class: "soft"}, `Measured at ${advice.size} in ${advice.views.join(", ")}, where each config counts with ` +
+    `its worst, on ${advice.device} (${renderer}timed by ${CLOCKS[advice.clock]}).`);
+  add(parent, "p", {class: "soft"}, "What each further cost buys: the configs that no other beats in both error and cost.");
+  table(parent, [["config", "label"], ["error"], ["adds", "num"], ["× copy", "num"], [""]], [
+    {cells: ["no ambient occlusion", error(without), "0", "0", ""]},
     ...advice.steps.map(s => ({
-      class: "step" + (s.roles.includes("balanced") ? " on" : ""),
-      cells: [
-        brief(s.label), errorBar(s.error, "accent"), ms(s.ms), times(s.ratio), s.roles.map(r => ROLES[r]).join(", ")
-      ]
+      class: "step" + (s === take ? " on" : ""),
+      cells: [brief(s.label), cell => bar(cell, s.error, without, "accent", error(s.error)), ms(s.ms), times(s.ratio),
+        s.roles.map(role => ROLES[role]).join(", ")]
     }))
   ], {class: "advice"});
-  if (advice.harmful.length)
-    add(parent, "p", {class: "soft"},
-      `Worse than no ambient occlusion in at least one scene: ${
-        sampleLists(advice.harmful).join("; ")}.`);
 }
-// "a samples=4" and "a samples=8" as "a samples=4, 8".
-function sampleLists(labels) {
-  const lists = new Map();
-  for (const label of labels.map(brief)) {
-    const [, before, count = "", after = ""] =
-      /^(.*? samples=)(\d+)(.*)$/.exec(label) || [label, label];
-    const key = before + after, list = lists.get(key) || {before, after, counts: []};
-    list.counts.push(count);
-    lists.set(key, list);
-  }
-  return [...lists.values()].map(({before, after, counts}) => before + counts.join(", ") + after);
+
+function showSample(panel, s) {
+  panel.replaceChildren();
+  add(panel, "h3", {}, brief(s.label));
+  pictures(panel, "pictures", [
+    [s.ao_picture, "this config"], [s.ground_truth_picture, "ray-traced ground truth"],
+    [s.difference_picture, "difference: red is too bright, blue too dark"]
+  ].map(([picture, caption]) => [picture, caption, `${caption}: ${s.label}`]));
+  const quoted = word => /^[\w.,\/=:+-]+$/.test(word) ? word : `'${word}'`;
+  const set = s.overrides.map(o => " --set " + quoted(o)).join("");
+  add(panel, "code", {}, `crevice render ${quoted(s.config)}${set} --scene ${quoted(s.scene)} --out ao=ao.png`);
+}
+
+const COLUMNS = [
+  ["error", s => error(s.error.rmse)], ["bias", s => s.error.bias.toFixed(4)], ["p99", s => s.error.p99.toFixed(3)],
+  ["fitted (power)", s => `${error(s.error.rmse_fit)} (${s.error.power_fit.toFixed(2)})`],
+  ["cost, ms", s => three(s.cost.median)], ["middle half", s => `${three(s.cost.q1)}–${three(s.cost.q3)}`],
+  ["× copy", s => times(s.ratio_copy)], ["× learnopengl", s => times(s.ratio_learnopengl)],
+  ["with its geometry, ms", s => three(s.cost_with_geometry.median)], ["frame, ms", s => three(s.total.median)],
+  ["MB", s => (s.texture_bytes / 1e6).toFixed(1)],
+  ["passes, ms", s => s.passes.map(pass => `${pass.name} ${three(pass.ms.median)}`).join(" · ")]
+];
+const PATHS = ["still", "sub-pixel", "pan", "strafe", "disocclusion"];
+const MOTION = PATHS.map(path => [path, s => s.motion?.paths[path]?.rms.toFixed(4) ?? "–"]);
+
+function showView(parent, view, open) {
+  const all = view.bench_samples.map(i => benchSamples[i]).sort((a, b) => costOf(a) - costOf(b) || a.error.rmse - b.error.rmse);
+  let least = view.error_without_ao;
+  const front = all.filter(s => costOf(s) > 0 && s.error.rmse < least && (least = s.error.rmse, true));
+  const section = add(parent, "details", {class: "view", open: open ? "" : null});
+  add(section, "summary", {}, `${view.name}, ${view.size}, radius ${view.radius}`);
+  const card = add(section, "div", {class: "card"}), plot = add(card, "div", {class: "pareto"});
+  const panel = add(card, "div", {class: "panel", "aria-live": "polite"}), select = s => showSample(panel, s);
+  drawPlot(plot, view, front, select);
+  if (front.length) select(front[0]);
+  const columns = [...COLUMNS, ...(all.some(s => s.motion) ? MOTION : [])];
+  const link = s => cell => {
+    add(cell, "span", {class: "dot", style: `background:${colorOf(s.family)}`});
+    add(cell, "button", {class: "link", type: "button", onclick: () => select(s)}, s.label + (front.includes(s) ? " ★" : ""));
+  };
+  table(section, [["config (★: no other beats it)", "label"], ...columns.map(([name]) => [name, "num"])],
+    all.map(s => ({cells: [link(s), ...columns.map(([, text]) => text(s))]})), {class: "bench-samples"});
 }
 
 function showMissing(parent) {
-  const measured = benchSamples.filter(p => !p.failure);
-  const lacking = (what, failure) => measured.filter(p => p[failure])
-    .map(p => `${p.label}, ${p.scene}: ${what}: ${p[failure]}`);
   const lines = [
-    ...data.failures.map(({title, reason}) => `${title}: ${reason}`),
-    ...lacking("a part of its error", "budget_failure"), ...lacking("its motion", "motion_failure"),
-    ...data.advice.flatMap(a => a.elided).map(text => `Not among those to choose from: ${text}`)
+    ...benchSamples.filter(s => s.failure).map(s => `${s.title}: ${s.failure}`),
+    ...benchSamples.filter(s => s.motion_failure).map(s => `${s.title}: its motion: ${s.motion_failure}`),
+    ...data.advice.flatMap(a => [
+      ...a.elided.map(text => `Not among those to choose from: ${text}`),
+      ...a.harmful.map(label => `Worse than no ambient occlusion in at least one scene: ${label}`)
+    ])
   ];
   if (!lines.length) return;
   add(parent, "h2", {id: "missing"}, "What is missing");
@@ -88,29 +94,15 @@ function showMissing(parent) {
   for (const text of lines) add(list, "li", {}, text);
 }
 
-// --- the page ---
 const main = document.getElementById("main"), summary = document.getElementById("summary");
 main.replaceChildren();
-const measured = benchSamples.length - data.failures.length;
-const versions = [...new Set(benchSamples.map(p => p.version))].join(", ");
-const devices = data.advice.map(a => a.device).join("; ") || "no device";
-summary.append(`${plural(measured, "bench sample")} measured by crevice ${versions} on ${devices}.`);
-if (data.failures.length) {
-  summary.append(" ");
-  add(summary, "a", {class: "warn", href: "#missing"},
-    `${plural(data.failures.length, "bench sample")} failed.`);
-}
-if (!data.coverage.whole)
-  add(main, "p", {class: "warn part"}, `A part of a bench: ${data.coverage.text}.`);
-if (!measured) add(main, "p", {class: "warn"}, "There are no figures to show.");
+const measured = benchSamples.filter(s => !s.failure).length, failed = benchSamples.length - measured;
+summary.append(`${plural(measured, "bench sample")} measured by crevice ` +
+  `${[...new Set(benchSamples.map(s => s.version))].join(", ")}. `);
+if (failed) add(summary, "a", {class: "warn", href: "#missing"}, `${plural(failed, "bench sample")} failed.`);
 for (const advice of data.advice) {
   if (data.advice.length > 1) add(main, "h2", {}, advice.device);
-  showAnswer(main, advice);
-  const scenes = new Map(), take = stepOf(advice, "balanced")?.label;
-  for (const view of data.views.filter(v => v.device === advice.device))
-    scenes.set(view.name, [...(scenes.get(view.name) || []), view]);
-  showSteps(main, advice);
-  for (const views of scenes.values()) showScene(main, views, take);
-  showCurves(main, advice.curves, "Across scenes");
+  showAdvice(main, advice);
+  for (const view of data.views) if (view.device === advice.device) showView(main, view, view.main);
 }
 showMissing(main);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Writes the report's page, JSON and CSV.
+// Writes the report's page and CSV.
 #include "tools/show/report/bench_report.h"
 
 #include "core/base/text.h"
-#include "tools/show/report/bench_model.h"
+#include "tools/measure/bench/choice.h"
 #include "tools/show/report/page.h"
 #include "tools/show/report/page_data.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string_view>
 
 namespace crevice {
@@ -43,23 +44,55 @@ private:
     json found_ = json::object();
 };
 
-std::string dump(const json& value, int indent)
+std::string dump(const json& value)
 {
-    return printable(value.dump(indent, ' ', false, json::error_handler_t::replace));
+    return printable(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-json modelOf(const std::vector<BenchSample>& samples, const BenchCoverage& coverage)
+/// The candidates worth taking, by rising cost, with the part each plays.
+json stepsOf(const std::vector<Candidate>& list)
 {
-    json model = reportModel(samples);
-    model["coverage"] = {{"measured", coverage.measured}, {"failed", coverage.failed},
-                         {"planned", coverage.planned},   {"configs", coverage.configs},
-                         {"whole", coverage.whole()},     {"text", coverageText(coverage)}};
-    return model;
+    json steps = json::array();
+    const std::vector<std::size_t> front = frontOf(list);
+    if (front.empty()) return steps;
+    const std::size_t balanced = balancedOf(list, front);
+    for (const std::size_t i : front) {
+        json roles = json::array();
+        if (i == front.front()) roles.push_back("cheapest");
+        if (i == balanced) roles.push_back("balanced");
+        if (i == front.back()) roles.push_back("most accurate");
+        steps.push_back({{"label", list[i].label},
+                         {"ms", list[i].ms},
+                         {"ratio", list[i].ratio},
+                         {"error", list[i].error},
+                         {"roles", std::move(roles)}});
+    }
+    return steps;
+}
+
+/// Requires a device that has samples with figures.
+json adviceFor(const std::vector<BenchSample>& samples, const std::string& device)
+{
+    std::vector<BenchSample> own;
+    for (const BenchSample& sample : samples)
+        if (sample.device == device) own.push_back(sample);
+    const Result<Candidates> candidates = findCandidates(own, {});
+    json views = json::array();
+    for (const ResultView& view : candidates->views) views.push_back(view.name);
+    return {{"device", device},
+            {"software", own.front().software},
+            {"clock", own.front().clock},
+            {"size", extentName(candidates->views.front().extent)},
+            {"views", std::move(views)},
+            {"steps", stepsOf(candidates->list)},
+            {"elided", candidates->elided},
+            {"harmful", candidates->harmful},
+            {"error_without_ao", candidates->error_without_ao}};
 }
 
 std::string quoted(const json& value)
 {
-    if (!value.is_string()) return dump(value, -1);
+    if (!value.is_string()) return dump(value);
     const std::string text = printable(value.get<std::string>());
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string safe = "\"";
@@ -89,13 +122,6 @@ constexpr const char* kColumns[][2] = {
     {"rmse_fit", "/error/rmse_fit"},
     {"power_fit", "/error/power_fit"},
     {"rmse_without_ao", "/error_without_ao"},
-    {"taps", "/budget/taps"},
-    {"filter", "/budget/filter"},
-    {"half_size", "/budget/half_size"},
-    {"off_screen", "/budget/off_screen"},
-    {"hidden_layers", "/budget/hidden_layers"},
-    {"precision", "/budget/precision"},
-    {"model", "/budget/model"},
     {"still_rms", "/motion/paths/still/rms"},
     {"sub_pixel_rms", "/motion/paths/sub-pixel/rms"},
     {"pan_rms", "/motion/paths/pan/rms"},
@@ -133,16 +159,41 @@ json flat(const json& value)
         if (item.is_string())
             text += item.get<std::string>();
         else
-            text += item["name"].get<std::string>() + "=" + dump(item["ms"]["median"], -1);
+            text += item["name"].get<std::string>() + "=" + dump(item["ms"]["median"]);
     }
     return text;
 }
 
 }  // namespace
 
-std::string reportJson(const std::vector<BenchSample>& samples, const BenchCoverage& coverage)
+json reportModel(const std::vector<BenchSample>& samples)
 {
-    return dump(modelOf(samples, coverage), 1) + "\n";
+    json model = {
+        {"bench_samples", json::array()}, {"views", json::array()}, {"advice", json::array()}};
+    for (const BenchSample& sample : samples) {
+        json item = json::parse(toJsonLine(sample));
+        item["label"] = sampleLabel(sample);
+        item["title"] = sampleTitle(sample);
+        model["bench_samples"].push_back(std::move(item));
+    }
+    for (const std::string& device : benchDevices(samples))
+        model["advice"].push_back(adviceFor(samples, device));
+    const std::vector<ResultView> views = benchViews(samples);
+    for (const ResultView& view : views) {
+        const auto main = mainViews(views, view.device);
+        const bool is_main = std::any_of(main.begin(), main.end(), [&view](const ResultView& each) {
+            return each.samples == view.samples;
+        });
+        model["views"].push_back(
+            {{"device", view.device},
+             {"name", view.name},
+             {"size", extentName(view.extent)},
+             {"radius", view.radius},
+             {"main", is_main},
+             {"bench_samples", view.samples},
+             {"error_without_ao", samples[view.samples.front()].error_without_ao}});
+    }
+    return model;
 }
 
 std::string reportCsv(const std::vector<BenchSample>& samples)
@@ -164,8 +215,7 @@ std::string reportCsv(const std::vector<BenchSample>& samples)
     return csv;
 }
 
-Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures,
-                               const BenchCoverage& coverage)
+Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures)
 {
     Pictures pictures;
     if (with_pictures) {
@@ -174,9 +224,8 @@ Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool wit
                  {sample.ao_picture, sample.ground_truth_picture, sample.difference_picture})
                 pictures.add(path, sample.folder);
     }
-    json model = modelOf(samples, coverage);
+    json model = reportModel(samples);
     model["pictures"] = pictures.take();
-
     return {pageWith(benchPage(), model), std::move(pictures.warnings)};
 }
 

@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The report on bench results: one HTML file that needs no network, and its figures as JSON
-// and CSV. The page is in tools/show/report.*; this puts the figures into it.
+// The report on bench results: one HTML file that needs no network, and its figures as CSV. The
+// page is in tools/show/report/bench.html; this puts the figures into it.
 #pragma once
 
 #include "tools/measure/bench/sample.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
 
 namespace crevice {
 
-/// The figures with what follows from them: views, Pareto fronts, advice, curves, failures.
-std::string reportJson(const std::vector<BenchSample>& samples, const BenchCoverage& coverage = {});
+/// What the page reads:
+///
+///     bench_samples  every bench sample as in the results, with its label and its title
+///     views          what can be compared, by indexes of bench samples; `main` where it is its
+///                    scene's first
+///     advice         for each device, which configs to take over all of its scenes, by rising
+///                    cost, and which do more harm than good
+nlohmann::json reportModel(const std::vector<BenchSample>& samples);
 
 /// One row a sample, failures too; RFC 4180 with a header row.
 std::string reportCsv(const std::vector<BenchSample>& samples);
 
 /// The page. Pictures are read from the paths in the samples and become part of it; one that cannot
 /// be read is left out with a warning CV7005.
-Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures = true,
-                               const BenchCoverage& coverage = {});
+Result<std::string> reportHtml(const std::vector<BenchSample>& samples, bool with_pictures = true);
 
 }  // namespace crevice

@@ -11,8 +11,6 @@
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene_upload.h"
 
-#include <cmath>
-
 using namespace crevice;
 
 namespace {
@@ -40,15 +38,14 @@ std::vector<BenchSample> bench(const BenchOptions& options, const SourceSet& sou
     if (options.motion) measure.cache_folder = (folder.path / "cache").string();
     measure.out_folder = folder.path.string();
     BenchMeter meter(*gl.device, plan, sources, measure);
-    PlannedBench planned = plan.planned;
-    planned.device = gl.device->caps().name;
-    BenchFile file = need(openBench(folder.path.string(), planned));
+    BenchFile file = need(openBench(folder.path.string()));
     MeasureWorld world;
     world.seconds = [] { return 0.0; };
     world.interrupted = [] { return false; };
     world.begin = world.say = [](const std::string&) {};
     const auto one = [&meter](const BenchTask& task) { return meter.measure(task); };
-    need(measureAll(benchJob(plan, planned.device, file.done, one), file.lines, world).written);
+    const MeasureJob job = benchJob(plan, gl.device->caps().name, file.done, one);
+    need(measureAll(job, file.lines, world).written);
     return need(readBenchSamples({(folder.path / "results.jsonl").string()}));
 }
 
@@ -59,14 +56,6 @@ void checkErrors(const BenchSample& sample)
     CHECK(sample.error.rmse > 0.01);
     CHECK(sample.error.rmse < 0.3);
     CHECK(sample.error.rmse_fit <= sample.error.rmse);
-    CHECK(sample.budget.taps != 0.0);
-    CHECK(sample.budget.filter < 0.0);  // at this size it blurs more than it mends
-    CHECK(sample.budget.half_size == 0.0);
-    CHECK(sample.budget.hidden_layers == 0.0);
-    CHECK(std::abs(sample.budget.precision) < 0.05);
-    CHECK(sample.budget.model > 0.01);
-    CHECK(sample.budget.model < 0.3);
-    CHECK(sample.budget_failure.empty());
     CHECK(sample.error_without_ao > 0.01);
     CHECK(sample.repeats >= 3);
 }
@@ -89,7 +78,7 @@ void checkMotion(const MotionFigures& motion)
 
 }  // namespace
 
-TEST_CASE("A bench measures error, budget, times and bytes, and goes on past a config that fails")
+TEST_CASE("A bench measures error, times and bytes, and goes on past a config that fails")
 {
     MemorySources mine;
     mine.add("configs/broken.json", R"({
@@ -132,22 +121,13 @@ TEST_CASE("A bench of whole frames times the lighting too, and has the errors of
     BenchOptions options = smallOptions();
     const BenchSample ao = bench(options, shippedSources(), folder).at(0);
     options.output = "color";
-    const BenchSample deferred = bench(options, shippedSources(), folder).at(1);
-    CHECK(deferred.error.rmse == ao.error.rmse);
-    REQUIRE(deferred.passes.size() == ao.passes.size() + 1);
-    CHECK(deferred.passes.back().name == "lighting");
-    CHECK(deferred.bytes_written > ao.bytes_written);
-
     options.overrides = {"lighting/blinn_phong=lighting/forward"};
-    const BenchSample forward = bench(options, shippedSources(), folder).at(2);
-    REQUIRE(forward.passes.size() == deferred.passes.size());
+    const BenchSample forward = bench(options, shippedSources(), folder).at(1);
+    CHECK(forward.error.rmse == ao.error.rmse);
+    CHECK(forward.passes.size() == ao.passes.size() + 1);
     CHECK(forward.passes.back().name == "lighting");
-    const double drawn = forward.passes.front().ms.median + forward.passes.back().ms.median;
-    CHECK(forward.cost.median + 0.5 * drawn < forward.total.median);
-    CHECK(forward.cost_with_geometry.median >
-          forward.cost.median + 0.5 * forward.passes.front().ms.median);
-    CHECK(forward.cost_with_geometry.median + 0.5 * forward.passes.back().ms.median <
-          forward.total.median);
+    const double drawn = forward.passes.front().ms.median;
+    CHECK(forward.cost_with_geometry.median > forward.cost.median + 0.5 * drawn);
 }
 
 TEST_CASE("A bench measures motion: open pictures change as the truth alone, taps flicker")
@@ -181,38 +161,4 @@ TEST_CASE("A bench measures motion: open pictures change as the truth alone, tap
         CHECK(figures.rms == Approx(figures.truth));
         CHECK((figures.truth > 0.0) == (path != "still" && path != "disocclusion"));
     }
-}
-
-TEST_CASE("Two benches find exactly the same errors, with all optimizations and without")
-{
-    const auto measured = [&](const char* name, std::vector<std::string> disable) {
-        const TemporaryFolder own(name);
-        BenchOptions options = smallOptions();
-        options.disable = std::move(disable);
-        return bench(options, shippedSources(), own).at(0);
-    };
-    const BenchSample first = measured("bench_gl_first", {});
-    const BenchSample second = measured("bench_gl_second", {});
-    const BenchSample bare = measured("bench_gl_bare", {"all"});
-    CHECK(first.key == second.key);
-    CHECK(bare.key != first.key);
-    CHECK(bare.texture_bytes > first.texture_bytes);
-    for (const BenchSample& other : {second, bare}) {
-        CHECK(other.error.rmse == first.error.rmse);
-        CHECK(other.error.p99 == first.error.p99);
-        CHECK(other.error.rmse_fit == first.error.rmse_fit);
-        CHECK(other.budget.taps == first.budget.taps);
-        CHECK(other.budget.model == first.budget.model);
-        CHECK(other.budget.precision == first.budget.precision);
-    }
-}
-
-TEST_CASE("A view without a surface fails each of its samples and says why")
-{
-    const TemporaryFolder folder("bench_gl_nothing");
-    BenchOptions options = smallOptions();
-    options.camera = "eye=0,50,0;at=0,100,0;up=0,0,1";
-    const std::vector<BenchSample> samples = bench(options, shippedSources(), folder);
-    REQUIRE(samples.size() == 1);
-    CHECK(samples[0].failure.find("no surface") != std::string::npos);
 }

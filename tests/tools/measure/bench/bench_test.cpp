@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Benches without GL: their samples, keys, shards and figures.
+// Benches without GL: their samples, keys and figures, failures and what comes first.
 #include "tools/measure/bench/bench.h"
 
 #include <crevice/plan.h>
+#include <crevice/shipped.h>
 
+#include "tests/support/need.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/tools/measure/bench/fixture.h"
-#include "tests/tools/measure/bench/small.h"
-#include "tools/measure/bench/errors.h"
 #include "tools/measure/bench/times.h"
 #include "tools/measure/bench/views.h"
 #include "tools/render/view_diagnosis.h"
@@ -18,6 +19,24 @@
 using namespace crevice;
 
 namespace {
+
+BenchOptions smallOptions()
+{
+    BenchOptions options;
+    options.configs = {"learnopengl", "thesis"};
+    options.scenes = {"plane", "spheres"};
+    options.sizes = {"64x36"};
+    options.samples = {4, 16};
+    return options;
+}
+
+BenchPlan plan(const BenchOptions& options)
+{
+    const Result<BenchPlan> made = planBench(options, shippedSources());
+    INFO(toText(made.diagnostics()));
+    REQUIRE(made.ok());
+    return *made;
+}
 
 std::vector<std::string> keys(const BenchOptions& options)
 {
@@ -33,6 +52,24 @@ BenchSample changed(const Change& change)
     BenchOptions options = smallOptions();
     change(options);
     return plan(options).tasks.at(0).sample;
+}
+
+/// On a device on which one config fails.
+MeasureSummary run(const TemporaryFolder& folder, const BenchPlan& plan,
+                   const std::string& fails = "")
+{
+    BenchFile file = need(openBench(folder.path.string()));
+    MeasureWorld world;
+    world.seconds = [] { return 0.0; };
+    world.interrupted = [] { return false; };
+    world.begin = world.say = [](const std::string&) {};
+    const auto measure = [&](const BenchTask& task) -> Result<BenchSample> {
+        if (task.sample.config == fails) return Diagnostic{Code::gl_error, "it broke"};
+        BenchSample sample = task.sample;
+        sample.error.rmse = 0.125;
+        return sample;
+    };
+    return measureAll(benchJob(plan, "fake", file.done, measure), file.lines, world);
 }
 
 }  // namespace
@@ -68,7 +105,7 @@ TEST_CASE("The key of a sample is the same in every plan and changes with what d
         [](BenchOptions& other) { other.motion = true; }};
     for (const auto change : changes) CHECK(changed(change).key != first.front());
     // The same sample with more figures: measured again, compared with both.
-    CHECK(plannedId(changed(changes[5])) == plannedId(plan(options).tasks[0].sample));
+    CHECK(identityOf(changed(changes[5])) == identityOf(plan(options).tasks[0].sample));
 }
 
 TEST_CASE("What is timed and what is switched off are in ids, labels, titles and curves")
@@ -81,16 +118,13 @@ TEST_CASE("What is timed and what is switched off are in ids, labels, titles and
     CHECK(ao.family == "learnopengl");
     for (const auto& [sample, suffix] :
          {std::pair(color, " output=color"), {bare, " without no_op"}}) {
-        CHECK(plannedId(sample) != plannedId(ao));
+        CHECK(identityOf(sample) != identityOf(ao));
         CHECK(sample.family == std::string("learnopengl") + suffix);
         CHECK(sampleLabel(sample) == std::string("learnopengl samples=4") + suffix);
         CHECK(sampleTitle(sample) == sampleLabel(sample) + ", plane, 64x36");
     }
     CHECK(questionOf(bare) == questionOf(ao));  // so that a bench shows what it was worth
     BenchOptions options = smallOptions();
-    const std::string command = plan(options).planned.command;
-    options.output = "color";
-    CHECK(plan(options).planned.command != command);
     options.output = "colour";
     CHECK(plan(options).tasks[0].sample.failure ==
           "CV2209: 'learnopengl' exports no output 'colour': give --output ao or color");
@@ -108,23 +142,6 @@ TEST_CASE("An edited shader is another sample")
     CHECK(other->tasks[0].sample.key != keys(options)[0]);
 }
 
-TEST_CASE("Shards share the samples out exactly, whatever their number")
-{
-    BenchOptions options = smallOptions();
-    const std::vector<std::string> all = keys(options);
-    for (const int count : {1, 2, 3, static_cast<int>(all.size()) + 3}) {  // each plans them all
-        std::vector<std::string> together;
-        for (int index = 1; index <= count; ++index) {
-            options.shard = {index, count};
-            for (const std::string& key : keys(options)) together.push_back(key);
-        }
-        INFO(count);
-        CHECK(together.size() == all.size());
-        CHECK(std::set<std::string>(together.begin(), together.end()) ==
-              std::set<std::string>(all.begin(), all.end()));
-    }
-}
-
 TEST_CASE("Sample counts that a config cannot take are left out with a warning")
 {
     BenchOptions options = smallOptions();
@@ -135,6 +152,41 @@ TEST_CASE("Sample counts that a config cannot take are left out with a warning")
     CHECK(planned.tasks.size() == 1);
     REQUIRE(planned.diagnostics.size() == 1);
     CHECK(planned.diagnostics[0].severity == Severity::warning);
+}
+
+TEST_CASE("What is unusable fails, the rest is measured, and a second run tries failures again")
+{
+    BenchOptions options = smallOptions();
+    options.scenes = {"nowhere", "plane"};
+    const BenchPlan planned = plan(options);
+    const TemporaryFolder folder("bench_broken");
+    const MeasureSummary summary = run(folder, planned, "thesis");
+    CHECK(summary.measured == 2);
+    REQUIRE(summary.failures.size() == 6);
+    CHECK(summary.failures[0].find("learnopengl samples=4, nowhere, 64x36: CV7001: ") == 0);
+    const std::vector<BenchSample> samples = need(readBenchSamples({folder.path.string()}));
+    CHECK(samples.size() == 8);
+    CHECK(samples[0].device == "fake");
+    const MeasureSummary again = run(folder, planned);
+    CHECK(again.kept == 2);
+    CHECK(again.measured == 2);
+}
+
+TEST_CASE("Presets are measured first, in all scenes, unless configs were named")
+{
+    BenchOptions options = smallOptions();
+    options.configs = {};
+    options.samples = {};
+    const std::set<std::string> presets = {"mobile_low", "mobile", "balanced", "high"};
+    std::set<std::string> first;
+    const std::vector<BenchTask> tasks = plan(options).tasks;
+    for (std::size_t i = 0; i < 2 * presets.size(); ++i) {
+        CHECK(presets.count(tasks[i].sample.config) == 1);
+        first.insert(tasks[i].sample.config + tasks[i].sample.scene);
+    }
+    CHECK(first.size() == 2 * presets.size());
+    options.configs = {"thesis", "mobile"};
+    CHECK(plan(options).tasks[0].sample.config == "thesis");
 }
 
 TEST_CASE("Scenes, cameras and configs that are unusable become failures")
@@ -156,15 +208,6 @@ TEST_CASE("Scenes, cameras and configs that are unusable become failures")
     CHECK(failureOf(3) == "CV1201:");
     CHECK(failureOf(4).empty());
     CHECK(failureOf(7) == "CV7004:");
-}
-
-TEST_CASE("What is asked for twice is measured once")
-{
-    BenchOptions options = smallOptions();
-    options.configs = {"learnopengl", "learnopengl"};
-    options.sizes = {"64x36", "64x36"};
-    options.samples = {4, 4};
-    CHECK(plan(options).tasks.size() == 2);
 }
 
 TEST_CASE("Medians and quartiles lie between neighbours")
@@ -220,27 +263,6 @@ TEST_CASE("The radius on screen is that of the median depth, for both kinds of p
     CHECK(pixelsOf(1, *medianDistance(depth, camera), camera, depth.extent) == Approx(20));
 }
 
-TEST_CASE("A budget has the change that each part makes, and what is left with all of them")
-{
-    std::string failure;
-    const ErrorBudget budget = budgetOf(
-        0.5,
-        [](unsigned ideal) -> Result<double> {
-            if (ideal == kIdealFormats) return Diagnostic{Code::no_backend, "too wide"};
-            if (ideal == kIdealLayers) return Diagnostic{Code::no_backend, "too deep"};
-            return ideal == kIdealFilter ? 0.75 : 0.5 - 0.0078125 * ideal;
-        },
-        failure);
-    CHECK(budget.taps == -0.0078125);
-    CHECK(budget.filter == 0.25);
-    CHECK(budget.half_size == -0.03125);
-    CHECK(budget.off_screen == -0.0625);
-    CHECK(budget.hidden_layers == 0);
-    CHECK(budget.precision == 0);
-    CHECK(budget.model == 0.0078125);
-    CHECK(failure == "too deep");
-}
-
 TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides cancel")
 {
     const std::vector<double> unit = {99, 10, 30, 10, 10};  // the first turn was another sample's
@@ -249,14 +271,6 @@ TEST_CASE("A ratio is taken turn by turn, so that moments which slow both sides 
     CHECK(ratio.q1 == 0.5);
     CHECK(ratioFigures({1, 2}, {0, 0}).median == 0.0);
     CHECK(ratioFigures({}, unit).median == 0.0);
-}
-
-TEST_CASE("The quickest turns are those that no slow moment reaches")
-{
-    std::vector<double> costs(20, 100.0);
-    costs[4] = costs[7] = costs[11] = 2.0;
-    CHECK(quickest(costs) == 2.0);
-    CHECK(quickest({3.0}) == 3.0);
 }
 
 TEST_CASE("A median is settled by more turns or by steadier ones")

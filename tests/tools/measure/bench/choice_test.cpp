@@ -5,6 +5,8 @@
 #include "tests/support/catch.h"
 #include "tests/tools/measure/bench/fixture.h"
 
+#include <tuple>
+
 using namespace crevice;
 
 namespace {
@@ -25,7 +27,7 @@ std::string chosen(const std::vector<BenchSample>& samples, Kind kind, double mo
     REQUIRE(candidates.ok());
     const auto choice = choose(*candidates, {kind, most});
     REQUIRE(choice.ok());
-    return candidates->list[choice->best].label;
+    return candidates->list[choice->within.front()].label;
 }
 
 Code refusal(const std::vector<BenchSample>& samples, const ChoiceScope& scope)
@@ -64,7 +66,7 @@ TEST_CASE("everything within and beyond a limit is reported, the nearest first")
     const auto candidates = findCandidates(twoScenes(), {});
     const auto choice = choose(*candidates, {Kind::error, 0.09});
     REQUIRE(choice.ok());
-    CHECK(choice->also == std::vector<std::size_t>{2});
+    CHECK(choice->within == std::vector<std::size_t>{1, 2});
     CHECK(choice->beyond == std::vector<std::size_t>{0});
     const auto none = choose(*candidates, {Kind::time_ms, 0.5});
     REQUIRE(!none.ok());
@@ -99,18 +101,6 @@ TEST_CASE("what is no better than no ambient occlusion in one scene is no candid
     CHECK(!choose(*candidates, {Kind::time_ms, 1.5}).ok());
 }
 
-TEST_CASE("a config without samples can be chosen, and a host's own geometry costs nothing")
-{
-    auto samples = twoScenes();
-    for (BenchSample& sample : samples) sample.total.median = 100;
-    CHECK(chosen(samples, Kind::time_ms, 4) == "middle samples=8");
-    for (const char* scene : {"room", "hall"}) {
-        samples.push_back(benchSample("horizons", 0, 0.5, 0.07, scene));
-        samples.back().overrides = {"radius=1"};
-    }
-    CHECK(chosen(samples, Kind::time_ms, 1) == "horizons");
-}
-
 TEST_CASE("sweeps of size and radius stay out of a choice, and a size can be asked for")
 {
     auto samples = twoScenes();
@@ -142,6 +132,23 @@ TEST_CASE("scenes have radii of their own, and a config with another one than th
     CHECK(candidates->list.size() == 3);
     REQUIRE(candidates->elided.size() == 1);
     CHECK(candidates->elided[0] == "wide samples=4: measured at 960x540 and radius 1.5 alone");
+}
+
+TEST_CASE("a front is what nothing beats, each figure once, and its knee is the balanced one")
+{
+    const auto listOf = [](const std::vector<std::pair<double, double>>& points) {
+        std::vector<Candidate> list(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            std::tie(list[i].ms, list[i].error) = points[i];
+        return list;
+    };
+    const auto knee = listOf({{16, 2}, {2, 3}, {4, 2.5}, {1, 10}, {2, 3}, {2, 4}, {3, 3}, {0, 0}});
+    const std::vector<std::size_t> front = {3, 1, 2, 0};
+    CHECK(frontOf(knee) == front);
+    CHECK(balancedOf(knee, front) == 1);
+    CHECK(balancedOf(listOf({{1, 1}}), {0}) == 0);
+    CHECK(balancedOf(listOf({{10, 2}, {11, 1}}), {0, 1}) == 1);
+    CHECK(balancedOf(listOf({{10, 2}, {30, 1}}), {0, 1}) == 0);
 }
 
 TEST_CASE("a choice refuses what the results do not hold")

@@ -32,7 +32,6 @@ inline BenchSample benchSample(const std::string& config, int samples, double ms
     sample.error.p99 = 3 * rmse;
     sample.error.pixels = 500000;
     sample.error_without_ao = 0.35;
-    sample.budget = {-rmse / 2, rmse / 4, -rmse / 8, -0.002, 0, -0.001, rmse * 0.8};
     sample.clock = "query";
     sample.repeats = 9;
     sample.total = {2 * ms, ms * 1.8, ms * 2.2};

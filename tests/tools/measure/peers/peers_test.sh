@@ -8,7 +8,7 @@ tools=$2
 command -v node >/dev/null || { echo "SKIPPED: no node; apt-get install nodejs"; exit 77; }
 source "$here/../../../support/cli_checks.sh"
 
-mkdir peers empty
+mkdir peers
 node "$here/made_up.mjs" "$tools" peers
 expect 0 'ok' validate peers/made_up.json
 expect 0 'wrote ao.pfm' render peers/made_up.json --scene plane --size 32x18 --out ao=ao.pfm
@@ -18,15 +18,7 @@ check "uniforms, arrays, chunks and noise have the library's values" node -e '
     const value = bytes.readFloatLE(bytes.length - 4);
     process.exit(Math.abs(value - (0.5 * 0.375 + 0.25 * 128 / 255)) < 1e-6 ? 0 : 1)'
 
-expect 0 '2 measured' bench --config hemisphere_box --peers peers --scene spheres --size 32x18 --rays 4 \
-    --repeats 1 --no-budget --no-cache --out bench
-check "a peer is marked" grep -q '"config":"peers/made_up.json".*"peer":true' bench/results.jsonl
-check "ours is not" grep -q '"config":"hemisphere_box".*"peer":false' bench/results.jsonl
-expect 0 'wrote' report bench
-check "the report has the peer's short name" grep -q 'made_up (peer)' report.html
-expect 0 '.' choose bench --error 1
-check "no peer is offered" bash -c '! grep -q made_up stdout.txt'
-expect 2 "no configs of peers are in 'empty'" bench --peers empty
-expect 2 'tools/scripts/peers.sh FOLDER makes them' bench --peers nowhere
+expect 0 '2 measured' bench --config hemisphere_box --config peers/made_up.json --scene spheres --size 32x18 --rays 4 \
+    --repeats 1 --no-cache --out bench
 
 finish
