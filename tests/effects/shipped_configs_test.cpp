@@ -3,12 +3,39 @@
 #include <crevice/compile.h>
 #include <crevice/recording_device.h>
 
+#include "core/run/dirty_passes.h"
 #include "tests/support/shipped_subjects.h"
 #include "tools/show/plan/planning.h"
 
 #include <algorithm>
 
 using namespace crevice;
+
+TEST_CASE("A still frame of a config without history runs no pass, and the last one new runs alone")
+{
+    for (const std::string& name : configNames(shippedSources())) {
+        INFO(name);
+        SceneTraits traits;
+        traits.lights = 1;
+        const Plan plan =
+            need(compile(descriptionOf({name}), traits, generousCaps(), {{256, 144}}));
+        const bool remembers =
+            std::any_of(plan.targets.begin(), plan.targets.end(),
+                        [](const PlanTarget& each) { return each.history_texture >= 0; });
+        if (remembers) continue;
+        PassCache cache(plan);
+        const auto runs = [&cache](const std::vector<char>& changed) {
+            const std::vector<char>& chosen = cache.choose(changed);
+            return std::count(chosen.begin(), chosen.end(), 1);
+        };
+        std::vector<char> changed(plan.passes.size(), 1);
+        runs(changed);
+        changed.assign(changed.size(), 0);
+        CHECK(runs(changed) == 0);
+        changed.back() = 1;
+        CHECK(runs(changed) == 1);
+    }
+}
 
 TEST_CASE("Every shipped config plans on a full and on a bare device")
 {

@@ -18,7 +18,7 @@ cat >depth_alone.json <<'EOF'
 EOF
 configs=(gtao stored.json depth_alone.json)
 cases=(plane_near_far plane_fov plane_grazing plane_orthographic plane_radius_px plane_samples
-    units near_far projection offset radius_to_zero corner_radius samples no_op sizes empty meshes lights inputs host_depth host_normal)
+    units near_far projection offset radius_to_zero corner_radius samples no_op sizes empty meshes lights orientation inputs host_depth host_normal)
 # stress_at SIZE FOLDER CONFIG...: adds to stdout.txt and stderr.txt.
 stress_at() {
     "$crevice" stress "${@:3}" "${cases[@]/#/--case=}" --quick --size "$1" --backend "$backend" \
