@@ -13,8 +13,6 @@ namespace crevice::compiler {
 
 namespace {
 
-bool isDepth(Format format) { return formatInfo(format).format_class == FormatClass::depth; }
-
 std::string figure(double value) { return significant(value, 3); }
 
 std::string valueOf(const ParamDesc& radius)
@@ -22,40 +20,9 @@ std::string valueOf(const ParamDesc& radius)
     return "the " + radius.name + " " + shortest(radius.value[0]);
 }
 
-// "resolves 6.12 at distance 20, and a tenth of the radius 0.5 up to 1.81 alone"
-std::string reachText(const SceneTraits& traits, const ParamDesc& radius, const PrecisionNeed& need,
-                      const StoredSurface& surface, double reach)
-{
-    const double step = viewStep(traits, surface, need.distance);
-    const bool of_draws = traits.draws.distance > 0;
-    return (std::isfinite(step) ? "resolves " + figure(step) + " at distance "
-                                : std::string("does not hold distance ")) +
-           figure(need.distance) +
-           (of_draws ? " of what is drawn, and 1/" + figure(radius.value[0] / need.step)
-                     : std::string(", and a tenth")) +
-           " of " + valueOf(radius) +
-           (reach > 0 ? " up to " + figure(reach) + " alone" : " nowhere");
-}
-
-std::string cameraText(const SceneTraits& traits)
-{
-    return traits.orthographic ? "its planes " + figure(traits.camera.far_distance) + " apart"
-                               : "near " + figure(traits.camera.near_distance);
-}
-
-std::string helpFor(const SceneTraits& traits, const ParamDesc& radius,
-                    const StoredSurface& surface)
-{
-    const FormatInfo& info = formatInfo(surface.format);
-    const bool depth = isDepth(surface.format);
-    std::string help = info.bytes < 4 * info.channels ? "store it with more bits, " : "";
-    if (depth)
-        help += traits.orthographic ? "bring the planes closer together, "
-                                    : "move the near plane out, ";
-    if (depth && !surface.drawn && !traits.reversed_depth)
-        help += "take reversed depth in depth32f, ";
-    return help + (help.empty() ? "" : "or ") + "raise the " + radius.name;
-}
+constexpr const char* kPrecisionHelp =
+    "store it with more bits, of a host's depth as reversed depth in depth32f; move the near plane "
+    "out, or raise the radius";
 
 const PlanUniform* kernelOf(const Pass& pass)
 {
@@ -147,11 +114,14 @@ void Lint::checkTexture(StoredSurface surface, const Reference& at)
         radius.value[0], share);
     const double reach = resolvedDistance(state.traits, surface, need);
     if (!(share > 0) || reach >= need.distance) return;
+    const double step = viewStep(state.traits, surface, need.distance);
     report(state, Code::too_coarse,
-           std::string(formatInfo(surface.format).name) + " of '" + at.name + "'" +
-               (isDepth(surface.format) ? " with " + cameraText(state.traits) : "") + " " +
-               reachText(state.traits, radius, need, surface, reach),
-           at, helpFor(state.traits, radius, surface))
+           std::string(formatInfo(surface.format).name) + " of '" + at.name +
+               (std::isfinite(step) ? "' resolves " + figure(step) + " at distance "
+                                    : "' does not hold distance ") +
+               figure(need.distance) + ", and " + valueOf(radius) + " wants " + figure(need.step) +
+               (reach > 0 ? ", as it has up to " + figure(reach) : ""),
+           at, kPrecisionHelp)
         .severity = Severity::warning;
 }
 

@@ -7,7 +7,6 @@
 #include "core/sampling/generators.h"
 
 #include <algorithm>
-#include <set>
 
 namespace crevice::compiler {
 
@@ -52,21 +51,13 @@ std::vector<std::string> texturesOf(const State& state)
     return names;
 }
 
-// Looks through every file that the shader could include, whatever the #ifs say.
-bool mentionedAnywhere(const State& state, const std::string& path, std::string_view word,
-                       std::set<std::string>& seen)
+// Whether any GLSL has the word, also where an #if hides it.
+bool isMentioned(const State& state, std::string_view word)
 {
-    const auto file = state.description.files.find(path);
-    if (file == state.description.files.end() || !seen.insert(path).second) return false;
-    if (findWord(file->second->text, word) != std::string::npos) return true;
-    for (const GlslInclude& include : findIncludes(file->second)) {
-        const InterfaceDesc* interface = findNamed(state.description.interfaces, include.name);
-        const std::string next = !include.interface ? resolvePath(path, include.name)
-                                 : interface        ? interface->file.name
-                                                    : std::string();
-        if (mentionedAnywhere(state, next, word, seen)) return true;
-    }
-    return false;
+    const auto& files = state.description.files;
+    return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+        return findWord(file.second->text, word) != std::string::npos;
+    });
 }
 
 // Checks a name of the shader's by which the pass says `what`, and that `from` is not meant.
@@ -74,9 +65,7 @@ void checkMentioned(State& state, const Pass& pass, const Reference& name, const
                     const char* what)
 {
     const ShaderDesc& shader = state.description.shaders[pass.shader];
-    std::set<std::string> seen;
-    if (mentionedAnywhere(state, shader.vertex.name, name.name, seen)) return;
-    if (mentionedAnywhere(state, shader.fragment.name, name.name, seen)) return;
+    if (isMentioned(state, name.name)) return;
     std::vector<std::string> names;
     for (const GlslStage* stage :
          {&state.shaders[pass.shader].vertex, &state.shaders[pass.shader].fragment})

@@ -98,18 +98,6 @@ const Shader& assembled(State& state, int index)
     return shader;
 }
 
-// True when the outputs have the targets' names, but in another order: surely not meant.
-bool shuffled(const std::vector<GlslOutput>& outputs, const std::vector<Reference>& color)
-{
-    std::vector<std::string> written(color.size()), wanted = namesOf(color);
-    for (const GlslOutput& output : outputs) {
-        const auto at = static_cast<std::size_t>(output.location);
-        if (at >= written.size()) return false;  // reported already
-        written[at] = output.name;
-    }
-    return written != wanted && std::is_permutation(written.begin(), written.end(), wanted.begin());
-}
-
 bool writes(const GlslStage& fragment, int location)
 {
     return std::any_of(fragment.outputs.begin(), fragment.outputs.end(),
@@ -152,11 +140,6 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
                    pass.color[i].name + "'",
                pass.color[i], "add: layout(location = " + std::to_string(i) + ") out ...");
     }
-    if (shuffled(fragment.outputs, pass.color))
-        reportGlsl(state, Code::output_mismatch,
-                   who + "the shader's outputs have the targets' names in another order", reader,
-                   fragment.outputs.front().place,
-                   "give `color` and the output locations one order");
 }
 
 // Nobody fills a block but a host that draws by itself.

@@ -7,7 +7,21 @@
 #include "core/config/fields.h"
 #include "core/config/values.h"
 
+#include <algorithm>
+
 namespace crevice {
+
+namespace {
+
+// What such a section declares is not there, and all that refers to it would be reported.
+bool hasMisspeltSection(const Node& document, const table::Report& report)
+{
+    return std::any_of(document.members.begin(), document.members.end(), [&](const Member& each) {
+        return each.value.kind == Node::Kind::object && report.errorAt("/" + each.key);
+    });
+}
+
+}  // namespace
 
 int componentCount(ParamType type)
 {
@@ -30,8 +44,10 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
     table::read(report, table::Cursor{document, "", document.place}, description, {});
     table::checkNames(document, description, report);
     table::readLevels(document, description, report);
-    table::checkReferences(document, sources, description, report);
-    table::readShaderFiles(document, sources, description, report);
+    if (!hasMisspeltSection(document, report)) {
+        table::checkReferences(document, sources, description, report);
+        table::readShaderFiles(sources, description, report);
+    }
     description.deleted = table::deletedNames(document);
     for (const Member& each : document.deleted)
         if (each.value.kind == Node::Kind::string)

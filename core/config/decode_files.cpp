@@ -54,12 +54,10 @@ std::string suggestFile(const SourceSet& sources, const std::string& name,
 
 class FileReader {
 public:
-    FileReader(const Node& document, const SourceSet& sources, Description& description,
-               Report& report)
+    FileReader(const SourceSet& sources, Description& description, Report& report)
         : sources_(sources),
           description_(description),
-          report_(report),
-          stray_(strayNames(document, report))
+          report_(report)
     {
     }
 
@@ -95,7 +93,8 @@ private:
     {
         for (const GlslInclude& include : findIncludes(file.source)) {
             if (include.interface) {
-                if (!isGiven(include) && !takeDefault(include.name, waiting))
+                if (!findNamed(description_.interfaces, include.name) &&
+                    !takeDefault(include.name, waiting))
                     expectInterface(include, pointer);
                 continue;
             }
@@ -115,12 +114,6 @@ private:
     {
         report_.at(reference, why.code, why.message, why.help);
         report_.sameMistake(why.message);
-    }
-
-    bool isGiven(const GlslInclude& include) const
-    {
-        return contains(namesOf(description_.interfaces), include.name) ||
-               contains(stray_, include.name);
     }
 
     // An interface that no module gives is the file of its name under common/, where there is one.
@@ -158,15 +151,13 @@ private:
     const SourceSet& sources_;
     Description& description_;
     Report& report_;
-    std::vector<std::string> stray_;
 };
 
 }  // namespace
 
-void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
-                     Report& report)
+void readShaderFiles(const SourceSet& sources, Description& description, Report& report)
 {
-    FileReader reader(document, sources, description, report);
+    FileReader reader(sources, description, report);
     for (ShaderDesc& each : description.shaders) {
         reader.readFrom(each.vertex, "shader '" + each.name + "'", ".vert");
         reader.readFrom(each.fragment, "shader '" + each.name + "'", ".frag");

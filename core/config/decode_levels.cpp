@@ -30,7 +30,6 @@ private:
     bool isDeclared(const FeatureDesc& feature, const Setting& setting);
     void readValue(const FeatureDesc& feature, Setting& setting);
     void complete(FeatureDesc& feature, const Setting& first);
-    void warnOverruled(const FeatureDesc& feature, const Setting& first);
 
     const Node& document_;
     Description& description_;
@@ -88,28 +87,6 @@ void LevelReader::readValue(const FeatureDesc& feature, Setting& setting)
     setting.value[0] = static_cast<float>(index);
 }
 
-// A default in the config's own file counts for the words that leave it: the initial one may not.
-void LevelReader::warnOverruled(const FeatureDesc& feature, const Setting& first)
-{
-    const SourceRef& own = document_.place.source;
-    const bool is_param = findNamed(description_.params, first.name) != nullptr;
-    const std::string pointer = (is_param ? "/params/" : "/features/") + first.name + "/default";
-    const Node* given = locate(document_, pointer).node;
-    if (!given || given->place.source != own) return;
-    const std::string& word = feature.values[feature.value];
-    for (const Level& level : feature.sets) {
-        const Setting* setting = findNamed(level.settings, first.name);
-        if (level.word.name != word || !setting) continue;
-        if (locate(document_, setting->pointer).node->place.source == own) continue;
-        report_
-            .at(referenceAt(document_, pointer), Code::unused_name,
-                feature.name + " '" + word + "' sets '" + first.name +
-                    "', so this is not its value",
-                "write it under /features/" + feature.name + "/sets/" + word)
-            .severity = Severity::warning;
-    }
-}
-
 // Gives every word a value of what one of them sets.
 void LevelReader::complete(FeatureDesc& feature, const Setting& first)
 {
@@ -119,7 +96,6 @@ void LevelReader::complete(FeatureDesc& feature, const Setting& first)
                    "features '" + setter->second + "' and '" + feature.name + "' both set '" +
                        first.name + "'",
                    "let one of the two set it");
-    warnOverruled(feature, first);
     Setting initial = first;
     if (const ParamDesc* param = findNamed(description_.params, first.name))
         initial.value = param->value;

@@ -6,7 +6,6 @@
 #include "core/sampling/generators.h"
 
 #include <algorithm>
-#include <set>
 
 namespace crevice::table {
 
@@ -115,60 +114,26 @@ void checkTakers(const Node& document, const Description& description, Report& r
     }
 }
 
-void reportSizeCycle(std::vector<const TargetDesc*> cycle, Report& report)
-{
-    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
-    const TargetDesc& first = *cycle[0];
-    Diagnostic& error = report.at(first.size.of, Code::cycle,
-                                  "target '" + first.name + "' follows the size of '" +
-                                      first.size.of.name + "', which leads back to it",
-                                  "let one of them follow the output: leave out its 'of'");
-    for (std::size_t i = 1; i < cycle.size(); ++i)
-        error.notes.push_back({cycle[i]->size.of.place, "'" + cycle[i]->name + "' follows '" +
-                                                            cycle[i]->size.of.name + "'"});
-}
-
-// Walks along `size.of` from each target that no walk has come by, until one is met again.
+// Follows `size.of` from each target for as many steps as there are targets.
 void checkSizeCycles(const Description& description, Report& report)
 {
-    std::map<std::string, const TargetDesc*> named;
-    for (const TargetDesc& each : description.targets) named.emplace(each.name, &each);
-    std::set<const TargetDesc*> met;
     for (const TargetDesc& start : description.targets) {
-        std::vector<const TargetDesc*> chain;
-        const TargetDesc* at = &start;
-        while (at && met.insert(at).second) {
-            chain.push_back(at);
-            const Reference& of = at->size.of;
-            const auto next = of.pointer.empty() ? named.end() : named.find(of.name);
-            at = next == named.end() ? nullptr : next->second;
-        }
-        const auto again = std::find(chain.begin(), chain.end(), at);
-        if (again != chain.end()) reportSizeCycle({again, chain.end()}, report);
+        const TargetDesc* at = findNamed(description.targets, start.size.of.name);
+        for (std::size_t i = 0; at && at != &start && i < description.targets.size(); ++i)
+            at = findNamed(description.targets, at->size.of.name);
+        if (at != &start) continue;
+        report.at(start.size.of, Code::cycle,
+                  "target '" + start.name + "' follows the size of '" + start.size.of.name +
+                      "', which leads round in a circle",
+                  "let one of them follow the output: leave out its 'of'");
+        report.sameMistake("sizes in a circle");
     }
-}
-
-// A default that was fine until a later file moved a bound over it: the bound is the mistake.
-void blameBound(const Node& document, const ParamDesc& param, Report& report)
-{
-    Diagnostic* error = report.firstWithin(param.pointer + "/default");
-    if (!error || error->code != Code::out_of_range) return;
-    const Node& value = *locate(document, error->pointer).node;
-    const Node& whole = *locate(document, param.pointer + "/default").node;
-    const std::string key = value.number < param.min ? "min" : "max";
-    const Node* bound = locate(document, param.pointer + "/" + key).node;
-    if (!bound || bound->origins.size() <= whole.origins.size()) return;
-    error->code = Code::bad_range;
-    error->pointer = param.pointer + "/" + key;
-    error->help = "change the default as well, or write " + value.text;
-    blame(*error, bound->place, "the default is here");
 }
 
 }  // namespace
 
 void checkNames(const Node& document, const Description& description, Report& report)
 {
-    for (const ParamDesc& each : description.params) blameBound(document, each, report);
     checkTakers(document, description, report);
     checkSizeCycles(description, report);
     checkCollisions(description, report);

@@ -39,7 +39,6 @@ private:
     void checkPass(const PassDesc& pass);
     void checkWrites(const PassDesc& pass);
     void checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb);
-    void checkClear(const PassDesc& pass, const ClearDesc& clear);
     void checkUndrawn(const PassDesc& pass);
     void checkTerm(const PassDesc& pass, const Condition::Term& term);
     void checkInput(const PassDesc& pass, const InputDesc& input);
@@ -48,7 +47,6 @@ private:
     const SourceSet& sources_;
     const Description& description_;
     Report& report_;
-    std::vector<std::string> stray_;
     Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
     Names inputs_ = {
         "target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
@@ -62,8 +60,7 @@ Checker::Checker(const Node& document, const SourceSet& sources, const Descripti
     : document_(document),
       sources_(sources),
       description_(description),
-      report_(report),
-      stray_(strayNames(document, report))
+      report_(report)
 {
     targets_.all = inputs_.all = namesOf(description.targets);
     for (const TargetDesc& each : description.targets)
@@ -105,7 +102,6 @@ bool Checker::known(const Reference& reference, const Names& names) const
 {
     const auto broken = [&](const std::string& section) { return report_.errorAt("/" + section); };
     return reference.pointer.empty() || contains(names.all, reference.name) ||
-           contains(stray_, reference.name) ||
            std::any_of(names.sections.begin(), names.sections.end(), broken);
 }
 
@@ -139,7 +135,7 @@ void Checker::checkPass(const PassDesc& pass)
     const std::string who = "pass '" + pass.name + "' ";
     expect(pass.shader, who + "runs", shaders_);
     checkWrites(pass);
-    for (const ClearDesc& each : pass.clear) checkClear(pass, each);
+    for (const ClearDesc& each : pass.clear) checkAttached(pass, each.target, "clears");
     checkUndrawn(pass);
     for (const Condition::Term& each : pass.when.terms) checkTerm(pass, each);
     for (const BypassDesc& each : pass.bypass) {
@@ -189,20 +185,6 @@ void Checker::checkAttached(const PassDesc& pass, const Reference& target, const
     report_.at(target, Code::reference_missing,
                who + " target '" + target.name + "', which it does not write",
                suggestName(target.name, written, "its targets"));
-}
-
-void Checker::checkClear(const PassDesc& pass, const ClearDesc& clear)
-{
-    checkAttached(pass, clear.target, "clears");
-    const std::string& pointer = clear.target.pointer;
-    if (clear.target.name != pass.depth.name || report_.errorAt(pointer)) return;
-    if (locate(document_, pointer).node->kind == Node::Kind::array)
-        report_.at(referenceAt(document_, pointer), Code::bad_length,
-                   "clear: found a list, wanted one number for depth",
-                   "write 1, which is far away");
-    else if (clear.value[0] < 0.0f || clear.value[0] > 1.0f)
-        report_.at(referenceAt(document_, pointer), Code::out_of_range,
-                   "clear of depth is outside [0, 1]", "write 1, which is far away");
 }
 
 // What a pass is not drawn everywhere for, and that it says what is elsewhere.
@@ -311,16 +293,6 @@ std::vector<Named> deletedNames(const Node& document)
         const std::string pointer = memberPointer("", section.key);
         for (const Member& each : section.value.deleted)
             names.push_back({each.key, each.key_place, memberPointer(pointer, each.key)});
-    }
-    return names;
-}
-
-std::vector<std::string> strayNames(const Node& document, const Report& report)
-{
-    std::vector<std::string> names;
-    for (const Member& section : document.members) {
-        if (!report.errorAt(memberPointer("", section.key))) continue;
-        for (const Member& member : section.value.members) names.push_back(member.key);
     }
     return names;
 }

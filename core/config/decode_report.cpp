@@ -90,18 +90,14 @@ Diagnostic& Report::at(const Reference& reference, Code code, std::string messag
 
 Diagnostic& Report::add(Diagnostic diagnostic)
 {
-    if (entries_.size() < kMaxErrors) {
-        entries_.push_back({std::move(diagnostic)});
-    } else {
-        spare_ = {std::move(diagnostic)};
-        ++dropped_;
-    }
-    return last().diagnostic;
+    if (entries_.size() == kMaxErrors) entries_.pop_back();
+    entries_.push_back({std::move(diagnostic)});
+    return entries_.back().diagnostic;
 }
 
-void Report::sameMistake(std::string mistake) { last().mistake = std::move(mistake); }
+void Report::sameMistake(std::string mistake) { entries_.back().mistake = std::move(mistake); }
 
-void Report::causedBy(const Place& place) { last().cause = place; }
+void Report::causedBy(const Place& place) { entries_.back().cause = place; }
 
 bool Report::errorAt(std::string_view pointer) const
 {
@@ -109,11 +105,11 @@ bool Report::errorAt(std::string_view pointer) const
                        [&](const Entry& entry) { return entry.diagnostic.pointer == pointer; });
 }
 
-Diagnostic* Report::firstWithin(std::string_view pointer)
+bool Report::errorWithin(std::string_view pointer) const
 {
-    for (Entry& entry : entries_)
-        if (isWithin(entry.diagnostic.pointer, pointer)) return &entry.diagnostic;
-    return nullptr;
+    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+        return isWithin(entry.diagnostic.pointer, pointer);
+    });
 }
 
 Diagnostics Report::take(const Node& document)
@@ -141,9 +137,6 @@ Diagnostics Report::take(const Node& document)
     }
     for (std::size_t i = 0; i < causes.size(); ++i)
         if (causes[i].source) blame(diagnostics[i], causes[i], "it is named here");
-    if (dropped_ > 0)
-        diagnostics.back().notes.push_back(
-            {{}, std::to_string(dropped_) + " more errors were found and are not listed"});
     return diagnostics;
 }
 

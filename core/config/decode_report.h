@@ -25,7 +25,8 @@ struct Cursor {
 /// explains.
 constexpr std::size_t kMaxErrors = 1000;
 
-/// Errors in any order, to be put into that of the document. Those past kMaxErrors are counted.
+/// Errors in any order, to be put into that of the document. Of those past kMaxErrors the last
+/// stays.
 class Report {
 public:
     /// A variant, a swapped module or a pointer's override was laid over the config where
@@ -57,12 +58,9 @@ public:
     /// Says that the last error comes of what stands at `place`, which is its place then.
     void causedBy(const Place& place);
 
-    /// The first error at the pointer or below, or null; valid until the next one is added.
-    Diagnostic* firstWithin(std::string_view pointer);
-
     /// Whether an error was reported at the pointer, or at it or below.
     bool errorAt(std::string_view pointer) const;
-    bool errorWithin(std::string_view pointer) { return firstWithin(pointer) != nullptr; }
+    bool errorWithin(std::string_view pointer) const;
 
     /// Everything, in the order of the document, each mistake once.
     Diagnostics take(const Node& document);
@@ -73,12 +71,9 @@ private:
         std::string mistake = {};
         Place cause = {};
     };
-    Entry& last() { return dropped_ > 0 ? spare_ : entries_.back(); }
 
     bool patched_;
     std::vector<Entry> entries_;
-    Entry spare_;  // the last one that was dropped
-    std::size_t dropped_ = 0;
 };
 
 /// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among

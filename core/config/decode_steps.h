@@ -18,14 +18,12 @@ void checkReferences(const Node& document, const SourceSet& sources, const Descr
                      Report& report);
 
 /// Reads the values under `sets` of features, of which CV2105, CV2106, CV2107, CV2204, CV4004 and
-/// those of values are reported, and gives each word what any of them sets. Warns with CV2108 of a
-/// default in the config's own file that the initial word overrules.
+/// those of values are reported, and gives each word what any of them sets.
 void readLevels(const Node& document, Description& description, Report& report);
 
 /// Reads each GLSL file that a shader or interface names, and what it includes, into
 /// `description.files`; the references become the keys there. Reports CV2104 and CV5005.
-void readShaderFiles(const Node& document, const SourceSet& sources, Description& description,
-                     Report& report);
+void readShaderFiles(const SourceSet& sources, Description& description, Report& report);
 
 /// Errors CV2108 about params, targets and the like that the config's own file declares and nothing
 /// uses; warnings where a variant or a pointer's override was laid over the file. Requires the GLSL
@@ -34,9 +32,6 @@ Diagnostics unusedNames(const Node& document, const Description& description);
 
 /// What patches deleted: whole sections, and the entries of those that are there.
 std::vector<Named> deletedNames(const Node& document);
-
-/// Names declared in what looks like a misspelt section ("targts"). They count as known.
-std::vector<std::string> strayNames(const Node& document, const Report& report);
 
 /// The modules of `sources` that declare a name in a section themselves, a target with its format:
 /// "filter/box, filter/none" for the target "ao_filtered". Empty where none does.

@@ -154,7 +154,6 @@ private:
     void loadExtended(const Node& list);
     void loadEntry(const Node& entry, const std::string& pointer);
     void checkFormat(const Node& document);
-    void checkKeys(const Node& document);
     std::vector<std::string> takeWords(Node& document, const char* key);
     std::vector<Member> takeVariants(Node& document);
 
@@ -206,7 +205,6 @@ void FileLoader::load(const SourceRef& found, const Asked& asked)
     append(errors, document.diagnostics());
     if (document) {
         checkFormat(*document);
-        checkKeys(*document);
         takeMember(*document, "$schema");  // by which editors find what checks the file
         const std::optional<Node> extends = takeMember(*document, "extends");
         file.needs = takeWords(*document, "needs");
@@ -292,16 +290,6 @@ std::optional<std::string> madeByBoth(const Node& one, const Node& other)
     return std::nullopt;
 }
 
-// One that replaces the other takes its place only where it is named later.
-std::string clashHelp(const LoadedFile& first, const LoadedFile& later)
-{
-    const bool early =
-        std::any_of(later.needs.begin(), later.needs.end(),
-                    [&](const std::string& need) { return contains(first.replaces, need); });
-    return early ? "name '" + first.name + "' last in 'extends', so that it takes the other's place"
-                 : "keep one of the two in 'extends'";
-}
-
 // Reports one clash, that of the files read last: those before are often what they extend.
 void FileLoader::checkClashes()
 {
@@ -311,13 +299,14 @@ void FileLoader::checkClashes()
             if (files[later].extended.count(files[first].identity) > 0) continue;
             const auto made = madeByBoth(files[first].body, files[later].body);
             if (!made) continue;
-            errors.push_back({Code::module_clash,
-                              "'" + files[later].name + "' and '" + files[first].name +
-                                  "' both make " + *made + ", and neither extends the other",
-                              clashHelp(files[first], files[later]),
-                              files[later].asked.place,
-                              files[later].asked.pointer,
-                              {{files[first].asked.place, "the other one was asked for here"}}});
+            errors.push_back(
+                {Code::module_clash,
+                 "'" + files[later].name + "' and '" + files[first].name + "' both make " + *made +
+                     ", and neither extends the other",
+                 "keep one of the two in 'extends'; one that replaces the other is named last",
+                 files[later].asked.place,
+                 files[later].asked.pointer,
+                 {{files[first].asked.place, "the other one was asked for here"}}});
             return;
         }
 }
@@ -421,18 +410,6 @@ void FileLoader::checkFormat(const Node& document)
                           "found format " + brief(*format) + " where 1 was wanted",
                           "write \"format\": 1, or update crevice to read a later one",
                           format->place, "/format"});
-}
-
-// A key that was meant as `extends` is reported before all that is not there without it.
-void FileLoader::checkKeys(const Node& document)
-{
-    for (const Member& member : document.members) {
-        std::string help = suggestName(member.key, {"extends"}, "keys");
-        if (member.key == "extends" || !startsWith(help, "did you mean")) continue;
-        errors.push_back({Code::unknown_key,
-                          "found the key '" + member.key + "', which the format does not have here",
-                          std::move(help), member.key_place, memberPointer("", member.key)});
-    }
 }
 
 // A list of words of a file, `needs` or `replaces`.

@@ -106,41 +106,14 @@ std::string_view quotedName(std::string_view message)
     return {};
 }
 
-/// The column of the whole word `name` that is nearest to `column`; 0 when it is not there.
-int findName(std::string_view text, std::string_view name, int column)
-{
-    int nearest = 0;
-    if (name.empty()) return nearest;
-    for (std::size_t at = 0; (at = findWord(text, name, at)) != std::string_view::npos; ++at) {
-        const int found = int(at) + 1;
-        if (nearest == 0 || std::abs(found - column) < std::abs(nearest - column)) nearest = found;
-    }
-    return nearest;
-}
-
-/// The column of the author's line for one that Mesa counted after each run of spaces became one.
-int authorColumn(std::string_view text, int column)
-{
-    const auto space = [&](std::size_t i) { return text[i] == ' ' || text[i] == '\t'; };
-    int counted = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (i == 0 || !space(i) || !space(i - 1)) ++counted;
-        if (counted == column && (i + 1 == text.size() || !space(i) || !space(i + 1)))
-            return int(i) + 1;
-    }
-    return column;
-}
-
-/// Points at the name that the message quotes, or else where the driver does.
+/// Points at the name that the message quotes, or else where the driver does, which may count in
+/// the line as preprocessed.
 void refine(Place& place, std::string_view message)
 {
-    const BlankedText blanked = blankComments(place.source->text);
-    const std::string_view text = lineOf(blanked.text, place.line);
-    if (place.column > 0) place.column = authorColumn(text, place.column);
     const std::string_view name = quotedName(message);
-    const int column = findName(text, name, place.column);
-    if (column == 0) return;
-    place.column = column;
+    const std::size_t at = findWord(lineOf(place.source->text, place.line), name);
+    if (name.empty() || at == std::string_view::npos) return;
+    place.column = int(at) + 1;
     place.length = int(name.size());
 }
 

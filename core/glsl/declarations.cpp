@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Declarations of GLSL: enough of its grammar to read uniforms and outputs.
-#include "core/glsl/declarations.h"
+#include "core/glsl/preprocessor.h"
 
 #include <algorithm>
 #include <optional>

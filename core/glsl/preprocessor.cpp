@@ -46,7 +46,6 @@ private:
     void readLine(const GlslLine& line);
     void readFirstLine(const GlslLine& line);
     void readDirective(const GlslLine& line);
-    void readActiveDirective(const GlslLine& line);
     bool readBranch(const GlslLine& line);
     void openBranch(const GlslLine& line);
     void turnBranch(const GlslLine& line);
@@ -154,29 +153,9 @@ void Preprocessor::readDirective(const GlslLine& line)
     if (line.directive() == "include") return readIncludeLine(line);
     unit_.text += line.text;
     for (const GlslToken& token : line.tokens) mention(token);
-    if (!readBranch(line) && active()) readActiveDirective(line);
-}
-
-void Preprocessor::readActiveDirective(const GlslLine& line)
-{
-    const std::string_view name = line.directive();
-    if (name == "define") return readDefine(line);
-    if (name == "undef") return readUndef(line);
-    if (name == "error") {
-        const std::size_t at = line.text.find("error") + 5;
-        std::string text = line.text.substr(at, line.text.size() - at - 1);
-        text.erase(0, text.find_first_not_of(" \t"));
-        return fail("#error: " + text, line.tokens[1]);
-    }
-    if (name == "version")
-        return fail("#version stands in the middle of the text", line.tokens[0],
-                    "only the file that a shader names begins with #version");
-    if (!name.empty() && name != "extension" && name != "pragma" && name != "line")
-        fail("there is no directive '#" + std::string(name) + "'", line.tokens[1],
-             suggestName(name,
-                         {"define", "elif", "else", "endif", "error", "extension", "if", "ifdef",
-                          "ifndef", "include", "pragma", "undef", "version"},
-                         "directives"));
+    if (readBranch(line) || !active()) return;
+    if (line.directive() == "define") readDefine(line);
+    if (line.directive() == "undef") readUndef(line);
 }
 
 /// True when the line is one of the directives of an #if.

@@ -2,7 +2,6 @@
 // Shader stages from GLSL files.
 #include <crevice/glsl_stage.h>
 
-#include "core/glsl/declarations.h"
 #include "core/glsl/preprocessor.h"
 
 namespace crevice {
@@ -40,21 +39,6 @@ GlslDefines cleaned(const GlslDefines& defines)
         clean[name] = std::move(text);
     }
     return clean;
-}
-
-/// The text up to its last #include, with all the line that it stands on: they come first, and what
-/// follows is most of a file.
-std::string_view throughIncludes(std::string_view text)
-{
-    const std::size_t last = text.rfind("include");
-    if (last == text.npos) return {};
-    std::size_t end = text.find('\n', last);
-    const auto continued = [&] {
-        const std::size_t before = text[end - 1] == '\r' ? end - 2 : end - 1;
-        return text[before] == '\\';
-    };
-    while (end != text.npos && continued()) end = text.find('\n', end + 1);
-    return text.substr(0, end);
 }
 
 /// The defines that the text mentions, or that the values of such defines mention.
@@ -104,7 +88,7 @@ bool isSampler(GlslType type)
 std::vector<GlslInclude> findIncludes(const SourceRef& source)
 {
     std::vector<GlslInclude> includes;
-    const BlankedText blanked = blankComments(throughIncludes(source->text));
+    const BlankedText blanked = blankComments(source->text);
     GlslLines lines(blanked.text, 0);
     for (GlslLine line; lines.next(line);) {
         GlslInclude include;

@@ -21,14 +21,6 @@ bool isSame(const Node& a, const Node& b)
            (a.kind == Node::Kind::array || toJson(a) == toJson(b));
 }
 
-// "an object", for a sentence.
-std::string oneOf(const Node& node)
-{
-    const std::string name = kindName(node.kind);
-    const bool vowel = isObject(node) || node.kind == Node::Kind::array;
-    return node.kind == Node::Kind::null ? name : (vowel ? "an " : "a ") + name;
-}
-
 // `there` is how many of the base's members were there before the patch.
 Diagnostic missingKey(const Node& base, std::size_t there, const Member& patch, std::string pointer)
 {
@@ -57,11 +49,13 @@ std::string_view mainKey(std::string_view pointer)
 
 Diagnostic wrongKind(const Node& base, const Node& patch, const std::string& pointer)
 {
-    Diagnostic diagnostic{
-        Code::merge_kind, "found " + oneOf(patch) + " where " + oneOf(base) + " is to be changed",
-        isObject(base) ? "write an object with the keys to change, or null to delete"
-                       : "write the whole value: only objects change key by key",
-        patch.place, pointer};
+    Diagnostic diagnostic{Code::merge_kind,
+                          std::string("found ") + kindName(patch.kind) + " where " +
+                              kindName(base.kind) + " is to be changed",
+                          isObject(base)
+                              ? "write an object with the keys to change, or null to delete"
+                              : "write the whole value: only objects change key by key",
+                          patch.place, pointer};
     if (base.place.source) diagnostic.notes.push_back({base.place, "the base value is here"});
     return diagnostic;
 }

@@ -51,39 +51,6 @@ TEST_CASE("A scale's own rounding adds no pixel")
     }
 }
 
-TEST_CASE("A border that a param gives ends where the device's textures do, and the plan says so")
-{
-    const auto plan = [](int width, int height, int limit) {
-        Sketch sketch =
-            oneTarget(R"({"format": ["r8"], "size": {"border": true, "scale": "band"}})");
-        sketch.extra =
-            R"("params": {"band": {"default": 1.4, "min": 1, "max": 2, "bind": "define"}})";
-        DeviceCaps caps = ampleCaps();
-        caps.max_texture_size = limit;
-        Result<Plan> made = compile(describe(sketch), {}, caps, sized(width, height));
-        INFO(toText(made.diagnostics()));
-        REQUIRE(made);
-        return *made;
-    };
-    CHECK(plan(480, 270, 672).textures[0].extent == Extent{672, 378});
-    CHECK(plan(480, 270, 672).elided.empty());
-    const Plan shrunk = plan(480, 270, 540);
-    CHECK(shrunk.textures[0].extent == Extent{540, 304});
-    REQUIRE(elided(shrunk, "part of band"));
-    CHECK(elided(shrunk, "part of band")->optimization == "device");
-    CHECK_THAT(elided(shrunk, "part of band")->reason, Catch::Contains("1.125 instead of 1.4"));
-    CHECK(plan(270, 480, 540).textures[0].extent == Extent{304, 540});
-    CHECK(plan(480, 270, 481).textures[0].extent == Extent{480, 270});
-    for (int size = 300; size < 400; ++size)
-        for (const int limit : {400, 401}) {
-            INFO(size << " in " << limit);
-            const int width = plan(size, 16, limit).textures[0].extent.width;
-            CHECK(width <= limit);
-            CHECK((width + 2 > limit || width >= size * 1.4f));
-            CHECK((width - size) % 2 == 0);
-        }
-}
-
 TEST_CASE("The first format that the device renders to is taken, and a fall-back is a warning")
 {
     const Description description =

@@ -42,16 +42,11 @@ TEST_CASE("every error of a file is reported, in its order", "[decode]")
     }
 }
 
-TEST_CASE("a document of nothing but mistakes gets a thousand errors, and the number of the rest",
-          "[decode]")
+TEST_CASE("a document of nothing but mistakes gets a thousand errors", "[decode]")
 {
     std::string params = R"("samples": {"type": "int", "default": 16})";
     for (int i = 0; i < 1500; ++i)
         params += ", \"p" + std::to_string(i) + R"(": {"default": 1, "mni": 0})";
     const Result<Description> result = decodeWith({{"params", "{" + params + "}"}});
     REQUIRE(result.diagnostics().size() == 1000);
-    const Diagnostic& last = result.diagnostics().back();
-    CHECK(last.pointer == "/params/p999/mni");
-    REQUIRE_FALSE(last.notes.empty());
-    CHECK(last.notes.back().text == "500 more errors were found and are not listed");
 }

@@ -105,24 +105,6 @@ TEST_CASE("An override of a param or feature stands over all levels", "[decode]"
     CHECK(paramOf(d, "taps") == 9);
 }
 
-TEST_CASE("A default in the config's own file that the initial level overrules is a warning",
-          "[decode]")
-{
-    const std::string all = R"({"low": {"taps": 1}, "mid": {"taps": 2}, "high": {"taps": 3}})";
-    const auto over = [&](const std::string& sets, const std::string& own) {
-        MemorySources sources;
-        sources.add("base.json", kBase);
-        sources.add("levels.json", file("\"extends\": [\"base\"], " + quality(sets)));
-        sources.add("configs/mine.json", file("\"extends\": [\"levels\"]" + own));
-        return found(decode(loaded(sources, {"mine"}), sources));
-    };
-    const std::string own = R"(, "params": {"taps": 5})";
-    CHECK(over(all, own) == "CV2108 /params/taps/default");
-    CHECK(over(all, "") == "");
-    CHECK(over(R"({"low": {"taps": 1}})", own) == "CV2108 /params/taps/default");
-    CHECK(over(R"({"high": {"taps": 1}})", own) == "");
-}
-
 TEST_CASE("A level's names and values are checked as those of params and features are", "[decode]")
 {
     CHECK(found(withLevels(R"({"lov": {"taps": 2}})")) == "CV2106 " + kSets + "lov");

@@ -192,9 +192,6 @@ TEST_CASE("a directive that cannot be read is one error at its place")
         {"#undef\n", 2, 2},
         {"#include x\n", 2, 2},
         {"#include \"x\n", 2, 2},
-        {"#version 300 es\n", 2, 1},
-        {"  #inculde \"x\"\n", 2, 4},
-        {"#error no such mode\n", 2, 2},
         {"int x; /* open\n", 2, 1},
     };
     for (const auto& one : kCases) {
