@@ -12,6 +12,7 @@
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
 #include "tools/render/target_diagnosis.h"
+#include "tools/render/view_diagnosis.h"
 
 #include "core/base/numbers.h"
 
@@ -41,7 +42,7 @@ struct Checkup {
     Plan plan;  ///< Of the config as it is.
     std::vector<TargetHealth> health;
     std::string device;
-    Diagnostics warnings;  ///< Of the plan and of the machine.
+    Diagnostics warnings;  ///< Of the plan, the machine and the view.
 };
 
 /// Draws in memory that holds the poison and reads back all that is watched.
@@ -109,6 +110,9 @@ Result<Checkup> checkUp(const DoctorOptions& options, const SceneView& view,
         checkup.health.back().target = watched[i].target;
         checkup.health.back().pass = watched[i].pass;
     }
+    if (const Result<Image> depth = drawDepth(device, frame, view.extent))
+        append(checkup.warnings, checkView(description, *plan, view.scene, frame.camera,
+                                           medianDistance(*depth, frame.camera), nullptr));
     checkup.plan = std::move(*plan);
     if (open->programs) append(checkup.warnings, open->programs->warnings());
     return checkup;

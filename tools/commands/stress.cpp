@@ -141,15 +141,11 @@ nlohmann::json casesJson(const std::vector<StressSeries>& all)
     return cases;
 }
 
-/// What the run differs in from that of --against; nothing without that option.
-Result<std::vector<std::string>> compareRuns(const StressCommand& command,
-                                             const std::vector<StressSeries>& all)
+/// The records of the run to compare with; none without --against.
+Result<std::vector<StressRecord>> recordsBefore(const StressCommand& command)
 {
-    if (command.against.empty()) return std::vector<std::string>();
-    const Result<std::vector<StressRecord>> before =
-        readStressRecords(command.against + "/stress.jsonl");
-    if (!before) return before.diagnostics();
-    return differencesSince(seriesOf(*before), all);
+    if (command.against.empty()) return std::vector<StressRecord>();
+    return readStressRecords(command.against + "/stress.jsonl");
 }
 
 void printJson(const std::vector<StressSeries>& all, const std::string& device,
@@ -165,25 +161,23 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device,
 }
 
 /// The table and the page. Returns how the command ends.
-int showAll(const StressCommand& command, const std::vector<StressRecord>& records,
-            const std::string& device)
+int showAll(const StressCommand& command, const std::vector<StressRecord>& before,
+            const std::vector<StressRecord>& records, const std::string& device)
 {
     const std::vector<StressSeries> all = seriesOf(records);
-    const Result<std::vector<std::string>> differences = compareRuns(command, all);
-    if (!differences) return report(differences.diagnostics(), command.json);
+    const std::vector<std::string> differences = differencesSince(seriesOf(before), all);
     if (command.json)
-        printJson(all, device, *differences);
+        printJson(all, device, differences);
     else
         printTable(all);
     if (!command.json && !command.against.empty()) {
-        for (const std::string& each : *differences) print("  %s\n", each.c_str());
-        print("%zu steps differ from %s\n", differences->size(), command.against.c_str());
+        for (const std::string& each : differences) print("  %s\n", each.c_str());
+        print("%zu steps differ from %s\n", differences.size(), command.against.c_str());
     }
     const Status page = writeFile(command.out + "/stress.html", stressHtml(records, command.out));
     report(page.diagnostics(), false);
     if (!page) return kExitOutput;
-    const bool differs =
-        command.against.empty() ? totalsOf(all).failing > 0 : !differences->empty();
+    const bool differs = command.against.empty() ? totalsOf(all).failing > 0 : !differences.empty();
     return differs ? kExitDiffers : kExitOk;
 }
 
@@ -199,6 +193,8 @@ int stress(StressCommand command)
     if (!tasks) return report(tasks.diagnostics(), command.json);
     if (command.list) return listCases(*tasks);
 
+    const Result<std::vector<StressRecord>> before = recordsBefore(command);
+    if (!before) return report(before.diagnostics(), command.json);
     const Result<OpenDevice> open = openDevice(command.backend, command.precision);
     if (!open) return report(open.diagnostics(), command.json);
     report(open.diagnostics(), false);
@@ -217,7 +213,7 @@ int stress(StressCommand command)
     const Result<std::vector<StressRecord>> records = runStress(*tasks, command.out, draw);
     progress.wipe();
     if (!records) return report(records.diagnostics(), command.json);
-    return showAll(command, *records, device);
+    return showAll(command, *before, *records, device);
 }
 
 }  // namespace

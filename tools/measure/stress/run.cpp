@@ -133,7 +133,8 @@ std::vector<StressSeries> seriesOf(const std::vector<StressRecord>& records)
         const auto stress =
             std::find_if(stressCases().begin(), stressCases().end(),
                          [&](const StressCase& each) { return each.name == record.case_name; });
-        if (stress == stressCases().end() || record.step >= static_cast<int>(stress->steps.size()))
+        if (stress == stressCases().end() || record.step < 0 ||
+            record.step >= static_cast<int>(stress->steps.size()))
             continue;
         const auto [place, is_new] =
             places.emplace(std::pair(record.config, record.case_name), all.size());
