@@ -13,7 +13,7 @@
 namespace crevice {
 namespace {
 
-constexpr std::size_t kMostNamed = 4;  // other cases in one sentence
+constexpr std::size_t kMostOthers = 4;  // other cases in one sentence
 
 /// A point, and what others are joined with it by.
 struct Found {
@@ -233,7 +233,7 @@ std::string sceneText(const BreakdownPoint& point)
     const std::size_t count = point.others.size();
     if (count == 0) return text;
     text += text.empty() ? "also " : "; also ";
-    if (count > kMostNamed) return text + std::to_string(count) + " other cases";
+    if (count > kMostOthers) return text + std::to_string(count) + " other cases";
     for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + point.others[i];
     return text;
 }
