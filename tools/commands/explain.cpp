@@ -127,7 +127,7 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     addPlanOptions(*command, *options);
     command->add_option("--why", options->why,
                         "Print which files set this value: a param's or feature's name, "
-                        "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");
+                        "passes.ssao.shader or /passes/ssao/shader");
     command->add_option("--format", options->format, "text, json or dot")
         ->check(CLI::IsMember({"text", "json", "dot"}))
         ->capture_default_str();
