@@ -60,7 +60,6 @@ BAD = [
     {"shaders": {"ssao": {"defines": {"GL_x": 1}}}},
     {"passes": {"ssao": {"state": {"cull": "both"}}}},
     {"passes": {"ssao": {"when": {"fade": []}}}},
-    {"variants": {"cheap": {"params": {"radius": {"defalt": 1}}}}},
 ]
 for case in GOOD:
     for error in validator.iter_errors({"format": 1, **case}):

@@ -33,8 +33,6 @@ struct Config {
     const std::string radius, mine;
 };
 
-std::string textOf(const std::string& path) { return readFile(path)->text; }
-
 std::vector<std::string> pathsOf(const std::vector<UserFile>& files)
 {
     std::vector<std::string> paths;
@@ -115,7 +113,7 @@ TEST_CASE("a file that is not UTF-8 is shown and not written")
     const Save save = files.save(path, versionOf(files, path), kRadius);
     REQUIRE(save.end == Save::End::failed);
     CHECK(save.why[0].code == Code::bad_utf8);
-    CHECK(textOf(config.radius) == text);
+    CHECK(readFile(config.radius)->text == text);
 }
 
 TEST_CASE("a config below its root, and one that is named like a shipped one, load in the page")
