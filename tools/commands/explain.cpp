@@ -7,7 +7,6 @@
 #include "tools/render/output_source.h"
 #include "tools/render/scene/options.h"
 #include "tools/render/scene_upload.h"
-#include "tools/show/plan/diff.h"
 #include "tools/show/plan/explain_value.h"
 #include "tools/show/plan/planning.h"
 #include "tools/show/plan/print.h"
@@ -24,8 +23,6 @@ namespace {
 
 struct ExplainOptions {
     ConfigOptions config;
-    std::vector<std::string> configs;  ///< One, or two to compare.
-    bool diff = false;
     SceneOptions scene;
     std::string backend;
     std::vector<std::string> outputs;
@@ -84,55 +81,15 @@ int explainValue(const ExplainOptions& options, const SourceSet& sources)
     const Result<Node> document = loadConfig(sources, requestOf(options.config));
     if (!document) return report(document.diagnostics(), json);
     const Result<FoundValue> value = findValue(*document, options.why);
-    if (value) {
-        printLines(json ? explainJson(*value) : explainText(*value));
-        return kExitOk;
-    }
-    const Result<Plan> plan = makePlan(options, sources);
-    const auto unset = findUnset(*document, options.why, plan ? &*plan : nullptr);
-    if (!unset) return report(value.diagnostics(), json);
-    printLines(json ? explainJson(*unset) : explainText(*unset));
+    if (!value) return report(value.diagnostics(), json);
+    printLines(json ? explainJson(*value) : explainText(*value));
     return kExitOk;
 }
 
-/// The plan of the first config as it is, and of the second, or the same again, with --variant and
-/// --set.
-int explainDiff(const ExplainOptions& options, const SourceSet& sources)
+int explain(const ExplainOptions& options)
 {
-    const bool json = options.format == "json";
-    ExplainOptions first = options, second = options;
-    first.config.variant.clear();
-    first.config.overrides.clear();
-    second.config.config = options.configs.back();
-    const Result<Plan> before = makePlan(first, sources);
-    if (!before) return report(before.diagnostics(), json);
-    const Result<Plan> after = makePlan(second, sources);
-    if (!after) return report(after.diagnostics(), json);
-    PlanDiff diff = diffPlans(*before, *after);
-    if (!options.config.variant.empty()) diff.after += " --variant " + options.config.variant;
-    for (const std::string& each : options.config.overrides) diff.after += " --set " + each;
-    printLines(json ? toJson(diff) : toText(diff));
-    return kExitOk;
-}
-
-/// What the arguments say together; empty where it makes sense.
-std::string misuse(const ExplainOptions& options)
-{
-    if (options.configs.size() > 1 && !options.diff) return "two configs need --diff";
-    if (!options.diff) return {};
-    if (!options.why.empty()) return "--why explains one config, --diff compares two";
-    if (options.format != "text" && options.format != "json") return "--diff prints text or json";
-    return {};
-}
-
-int explain(ExplainOptions& options)
-{
-    if (const std::string wrong = misuse(options); !wrong.empty())
-        return report({{Code::usage, wrong, "see crevice explain --help"}}, false);
-    options.config.config = options.configs.front();
     const CheckoutSources sources(options.config.checkout, options.config.roots);
     if (!options.why.empty()) return explainValue(options, sources);
-    if (options.diff) return explainDiff(options, sources);
     const Result<Plan> plan = makePlan(options, sources);
     if (!plan) return report(plan.diagnostics(), options.format == "json");
     report(plan.diagnostics(), false);
@@ -162,22 +119,15 @@ void addExplainCommand(CLI::App& app, int& exit_code)
     CLI::App* command = app.add_subcommand("explain", "Show what a config does, and why");
     auto options = std::make_shared<ExplainOptions>();
     options->scene.scene.clear();
-    command
-        ->add_option("CONFIG", options->configs,
-                     "A shipped config's name, or a file; two with --diff")
-        ->required()
-        ->expected(1, 2);
-    command->add_flag(
-        "--diff", options->diff,
-        "Compare two plans: that of the first CONFIG, and that of the second, or of the "
-        "same, with --variant and --set");
+    command->add_option("CONFIG", options->config.config, "A shipped config's name, or a file")
+        ->required();
     addConfigOptions(*command, options->config);
     addSceneOptions(*command, options->scene);
     addBackendOption(*command, options->backend);
     addPlanOptions(*command, *options);
     command->add_option("--why", options->why,
                         "Print which files set this value: a param's or feature's name, "
-                        "passes.ssao.inputs.depth or /passes/ssao/inputs/depth");
+                        "passes.ssao.shader or /passes/ssao/shader");
     command->add_option("--format", options->format, "text, json or dot")
         ->check(CLI::IsMember({"text", "json", "dot"}))
         ->capture_default_str();
@@ -186,8 +136,6 @@ void addExplainCommand(CLI::App& app, int& exit_code)
         "  crevice explain learnopengl\n"
         "  crevice explain learnopengl --set intensity=0 --output ao\n"
         "  crevice explain my.json --why radius\n"
-        "  crevice explain --diff learnopengl gtao\n"
-        "  crevice explain --diff gtao --set slices=1\n"
         "  crevice explain thesis --format dot | dot -Tsvg > thesis.svg");
     command->callback([options, &exit_code] { exit_code = explain(*options); });
 }

@@ -2,7 +2,6 @@
 // crevice validate: reads, decodes and plans configs with no GL at all.
 #include "tools/commands/cli/config_options.h"
 #include "tools/commands/cli/output.h"
-#include "tools/commands/cli/sarif.h"
 #include "tools/commands/commands.h"
 #include "tools/show/plan/planning.h"
 
@@ -19,7 +18,7 @@ namespace {
 struct ValidateOptions : ConfigOptions {
     std::vector<std::string> configs;
     bool all = false;
-    std::string format = "text";
+    bool json = false;
 };
 
 /// One config, or one of its variants.
@@ -71,12 +70,11 @@ int validate(ValidateOptions options)
         options.config = config;
         for (const Checked& each : check(options, sources)) {
             append(all, each.plan.diagnostics());
-            if (options.format == "text") printText(each);
+            if (!options.json) printText(each);
             results.push_back(toJson(each));
         }
     }
-    if (options.format == "json") printAsJson(results);
-    if (options.format == "sarif") printLines(toSarif(all, CREVICE_VERSION));
+    if (options.json) printAsJson(results);
     return exitCodeOf(all);
 }
 
@@ -91,20 +89,12 @@ void addValidateCommand(CLI::App& app, int& exit_code)
     auto* all = command->add_flag("--all", options->all, "Check every shipped config");
     configs->excludes(all);
     addConfigOptions(*command, *options);
-    auto* format = command
-                       ->add_option("--format", options->format,
-                                    "text, json, or sarif (SARIF 2.1.0, for editors and CI)")
-                       ->check(CLI::IsMember({"text", "json", "sarif"}))
-                       ->capture_default_str();
-    command
-        ->add_flag_callback(
-            "--json", [options] { options->format = "json"; }, "The same as --format json")
-        ->excludes(format);
+    command->add_flag("--json", options->json, "Print results and diagnostics as JSON");
     command->footer(
         "Examples:\n"
         "  crevice validate my.json\n"
         "  crevice validate learnopengl --set radius=0.8\n"
-        "  crevice validate --all --format sarif > configs.sarif");
+        "  crevice validate --all --json");
     command->callback([options, all, configs, &exit_code] {
         if (all->empty() && configs->empty()) throw CLI::RequiredError("CONFIG or --all");
         exit_code = validate(*options);

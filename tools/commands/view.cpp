@@ -9,7 +9,6 @@
 #include "tools/render/scene/scene_bytes.h"
 #include "tools/show/view/browser.h"
 #include "tools/show/view/server.h"
-#include "tools/show/view/token.h"
 
 #include "core/base/text.h"
 

@@ -29,10 +29,10 @@ for name in ./../secret.env ../missing.env ./link.frag ./include.frag; do
     config '' ", \"shaders\": {\"ssao\": {\"fragment\": \"$name\"}}"
     ln -sf ../secret.env mine/link.frag
     printf '#version 300 es\n#include "./../secret.env"\nvoid main() {}\n' >mine/include.frag
-    for format in text json sarif; do
-        expect 1 'CV1204' validate mine/mine.json --format "$format"
-        never_shows hunter2
-    done
+    expect 1 'CV1204' validate mine/mine.json
+    never_shows hunter2
+    expect 1 'CV1204' validate mine/mine.json --json
+    never_shows hunter2
 done
 expect 1 'CV1204' validate learnopengl --set /shaders/ssao/fragment=../secret.env
 expect 1 'CV1204' validate learnopengl --set "/shaders/ssao/fragment=./../secret.env"
@@ -86,14 +86,12 @@ quiet() {
 escaped='x\u001b]0;title\u0007\u009b\u202e\u007fy'
 printf '{"format": 1, "name": "%s", "extends": ["learnopengl"], "variants": {"%s": {}},
   "params": {"radius": {"label": "%s", "tooltip": "%s"}}}\n' "$escaped" "$escaped" "$escaped" "$escaped" >"$bad.json"
-for format in text json sarif; do
-    quiet validate "$bad.json" --format "$format"
-done
+quiet validate "$bad.json"
+quiet validate "$bad.json" --json
 for format in text json dot; do
     quiet explain "$bad.json" --format "$format"
 done
 quiet explain "$bad.json" --why radius
-quiet explain "$bad.json" --diff --format json
 quiet validate learnopengl --set "$bad=1" --json
 quiet validate "$bad"
 quiet compare "$bad" "$bad"

@@ -3,15 +3,11 @@
 #include "tools/show/plan/explain_value.h"
 
 #include "core/base/text.h"
-#include "core/config/field_types.h"
 #include "core/json/override.h"
-#include "tools/show/plan/names.h"
-#include "tools/show/schema/schema.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace crevice {
 namespace {
@@ -161,65 +157,6 @@ nlohmann::json jsonOf(const FoundValue& value)
     return json;
 }
 
-std::string dumped(const nlohmann::json& json)
-{
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
-
-/// The declaration of that name in either stage, or null.
-const GlslUniform* declarationOf(const PlanProgram& program, const std::string& name)
-{
-    for (const GlslStage* stage : {&program.vertex, &program.fragment})
-        for (const GlslUniform& uniform : stage->uniforms)
-            if (uniform.name == name) return &uniform;
-    return nullptr;
-}
-
-/// The word for a key of a pass's `inputs.NAME`; empty where there is no such key.
-std::string samplingWord(const SamplerDesc& sampling, const std::string& key)
-{
-    if (key == "filter") return table::word(sampling.filter);
-    return key == "wrap" ? table::word(sampling.wrap) : "";
-}
-
-/// The same for a pass's `state`.
-std::string stateWord(const StateDesc& state, const std::string& key)
-{
-    if (key == "depth_test") return table::word(state.depth_test);
-    if (key == "depth_write") return state.depth_write ? "true" : "false";
-    return key == "cull" ? table::word(state.cull) : "";
-}
-
-/// What a sampler or uniform of a pass in the plan is bound to, and its fixed-function state.
-std::optional<UnsetValue> findBound(const Plan& plan, const std::vector<std::string>& parts)
-{
-    const bool input = parts.size() > 3 && parts[0] == "passes" && parts[2] == "inputs";
-    const bool uniform = parts.size() == 4 && parts[0] == "passes" && parts[2] == "uniforms";
-    const bool state = parts.size() == 4 && parts[0] == "passes" && parts[2] == "state";
-    const PlanPass* pass = input || uniform || state ? findNamed(plan.passes, parts[1]) : nullptr;
-    if (!pass) return std::nullopt;
-    if (const std::string found = state ? stateWord(pass->state, parts[3]) : ""; !found.empty())
-        return UnsetValue{pointerOf(parts), found,
-                          "by default for such a pass, since no file sets it"};
-    const GlslUniform* declared = declarationOf(plan.programs[pass->program], parts[3]);
-    if (!declared || isSampler(declared->type) != input) return std::nullopt;
-    const std::string where = placeName(declared->place);
-    UnsetValue bound{pointerOf(parts), "", "by name, since no file sets it: declared at " + where};
-    if (const PlanUniform* fed = findNamed(pass->uniforms, parts[3]); fed && uniform) {
-        bound.value = nameOf(fed->source) + (" " + fed->name);
-        return bound;
-    }
-    for (const PlanInput& each : pass->inputs) {
-        if (each.sampler != parts[3]) continue;
-        bound.value = nameOf(each.kind) + (" " + sourceName(plan, each));
-        if (parts.size() == 4 || (parts.size() == 5 && parts[4] == "from")) return bound;
-        bound.value = samplingWord(each.sampling, parts[4]);
-        bound.reason = "by default, since no file sets it: the sampler is declared at " + where;
-        return parts.size() == 5 && !bound.value.empty() ? std::optional(bound) : std::nullopt;
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 Result<FoundValue> findValue(const Node& document, const std::string& path)
@@ -251,28 +188,6 @@ Result<FoundValue> findValue(const Node& document, const std::string& path)
     return found;
 }
 
-std::optional<UnsetValue> findUnset(const Node& document, const std::string& path, const Plan* plan)
-{
-    const std::vector<std::string> parts = expandBareName(document, partsOf(path));
-    if (const auto bound = plan ? findBound(*plan, parts) : std::nullopt) return bound;
-    const Node* node = &document;
-    std::vector<std::string> reached;
-    std::string since = "no file sets it";
-    for (const std::string& part : parts) {
-        reached.push_back(part);
-        const Node* parent = std::exchange(node, node ? child(*node, part) : nullptr);
-        const Member* gone = parent && !node ? deletedFrom(*parent, part) : nullptr;
-        if (gone) since = placeName(gone->key_place) + " deletes it";
-        const auto key = findFormatKey(reached);
-        if (!key || (!node && key->named)) return std::nullopt;
-    }
-    const FormatKey key = *findFormatKey(parts);
-    return UnsetValue{pointerOf(parts), key.value,
-                      (key.value.empty() ? since + ", and the format has no default: "
-                                         : "by default, since " + since + ": ") +
-                          key.meaning};
-}
-
 std::string explainText(const FoundValue& value)
 {
     std::string text;
@@ -292,20 +207,10 @@ std::string explainText(const FoundValue& value)
     return text;
 }
 
-std::string explainText(const UnsetValue& value)
+std::string explainJson(const FoundValue& value)
 {
-    return value.pointer + (value.value.empty() ? " has no value" : " is " + value.value) + "\n  " +
-           value.reason + '\n';
-}
-
-std::string explainJson(const FoundValue& value) { return dumped(jsonOf(value)); }
-
-std::string explainJson(const UnsetValue& value)
-{
-    return dumped({{"pointer", value.pointer},
-                   {"value", value.value},
-                   {"places", nlohmann::json::array()},
-                   {"reason", value.reason}});
+    const auto replaced = nlohmann::json::error_handler_t::replace;
+    return jsonOf(value).dump(2, ' ', false, replaced) + '\n';
 }
 
 }  // namespace crevice

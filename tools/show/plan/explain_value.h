@@ -3,9 +3,7 @@
 #pragma once
 
 #include <crevice/document.h>
-#include <crevice/plan.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,28 +23,12 @@ struct FoundValue {
 /// Errors: CV2102 that names the last part found and what it holds, or what else has the name.
 Result<FoundValue> findValue(const Node& document, const std::string& path);
 
-/// What holds for a path that no file sets: a sampler or uniform that binds by its name, or the
-/// format's default.
-struct UnsetValue {
-    std::string pointer;
-    std::string value;   ///< "target depth"; empty where there is none.
-    std::string reason;  ///< One sentence.
-};
-
-/// The value of a path that findValue does not find; nothing where the format has no such key, or
-/// what would have it does not exist. Without a plan only defaults are known.
-std::optional<UnsetValue> findUnset(const Node& document, const std::string& path,
-                                    const Plan* plan);
-
 /// The value, and each place that set it, the newest first, then the same of what it overrules; of
 /// an object, those of all values in it.
 std::string explainText(const FoundValue& value);
-std::string explainText(const UnsetValue& value);
 
 /// The same as {"pointer", "value", "places": [{"file", "line", "column", "text"}]}, where an
-/// object has "members" and what overrules a default "overruled", lists of these, and what is not
-/// set has "reason".
+/// object has "members" and what overrules a default "overruled", lists of these.
 std::string explainJson(const FoundValue& value);
-std::string explainJson(const UnsetValue& value);
 
 }  // namespace crevice

@@ -5,94 +5,11 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
+#include <set>
 
 namespace crevice {
 
 namespace {
-
-enum class Shape { pass, texture, output };
-
-struct GraphNode {
-    std::string id;
-    Shape shape;
-    std::string label;
-    std::string detail = {};
-};
-
-struct Graph {
-    std::vector<GraphNode> nodes;
-    std::vector<std::pair<std::string, std::string>> edges;
-
-    std::string add(GraphNode node);
-};
-
-std::string Graph::add(GraphNode node)
-{
-    const auto same = [&](const GraphNode& each) { return each.id == node.id; };
-    const auto known = std::find_if(nodes.begin(), nodes.end(), same);
-    if (known != nodes.end()) return known->id;
-    nodes.push_back(std::move(node));
-    return nodes.back().id;
-}
-
-GraphNode targetNode(const Plan& plan, int index)
-{
-    const PlanTarget& target = plan.targets[index];
-    const PlanTexture& texture = textureOf(plan, index);
-    return {"target_" + target.name, Shape::texture, target.name,
-            std::string(formatInfo(texture.format).name) + " " + sizeText(texture.extent) +
-                ", texture " + std::to_string(target.texture) +
-                (texture.copies > 1 ? ", one a view" : "")};
-}
-
-GraphNode constantNode(const Plan& plan, int index)
-{
-    const PlanInput input{"", InputKind::constant, index, {}};
-    const std::string id = "constant_" + std::to_string(index);
-    return {id, Shape::texture, sourceName(plan, input), "constant"};
-}
-
-GraphNode inputNode(const Plan& plan, const PlanInput& input)
-{
-    if (input.kind == InputKind::target) return targetNode(plan, input.index);
-    if (input.kind == InputKind::constant) return constantNode(plan, input.index);
-    const std::string name = sourceName(plan, input);
-    if (input.kind == InputKind::history)
-        return {"history_" + name, Shape::texture, name, "of the last frame"};
-    const std::string kind = nameOf(input.kind);
-    return {kind + "_" + name, Shape::texture, name, kind};
-}
-
-void addPass(const Plan& plan, const PlanPass& pass, Graph& graph)
-{
-    std::string detail =
-        plan.programs[pass.program].label + " " + sizeText(pass.extent) + samplesText(pass.samples);
-    if (plan.views > 1) detail += ", " + std::to_string(plan.views) + " views";
-    const std::string id = graph.add({"pass_" + pass.name, Shape::pass, pass.name, detail});
-    for (const PlanInput& input : pass.inputs)
-        graph.edges.emplace_back(graph.add(inputNode(plan, input)), id);
-    const auto write = [&](const PlanAttachment& attachment) {
-        if (attachment.target < 0) return;
-        graph.edges.emplace_back(id, graph.add(targetNode(plan, attachment.target)));
-    };
-    for (const PlanAttachment& color : pass.color) write(color);
-    if (pass.has_depth && !isMasked(pass)) write(pass.depth);
-}
-
-Graph graphOf(const Plan& plan)
-{
-    Graph graph;
-    for (const PlanPass& pass : plan.passes) addPass(plan, pass, graph);
-    for (const PlanOutput& output : plan.outputs) {
-        const std::string id = graph.add({"output_" + output.name, Shape::output, output.name});
-        graph.edges.emplace_back(
-            graph.add(output.constant >= 0 ? constantNode(plan, output.constant)
-                                           : targetNode(plan, output.target)),
-            id);
-    }
-    return graph;
-}
 
 // `text` in double quotes, as Graphviz reads it.
 std::string quoted(const std::string& text)
@@ -105,24 +22,92 @@ std::string quoted(const std::string& text)
     return result + "\"";
 }
 
-std::string dotNode(const GraphNode& node)
+// Nodes and edges as Graphviz reads them.
+class Drawing {
+public:
+    explicit Drawing(const Plan& plan) : plan_(plan) {}
+
+    void addPass(const PlanPass& pass);
+    void addOutput(const PlanOutput& output);
+    std::string text() const;
+
+private:
+    // The quoted name of a node, which is drawn once.
+    std::string node(const std::string& id, const char* shape, const std::string& label);
+    std::string target(int index);
+    std::string source(const PlanInput& input);
+    void edge(const std::string& from, const std::string& to)
+    {
+        edges_ += "  " + from + " -> " + to + ";\n";
+    }
+
+    const Plan& plan_;
+    std::set<std::string> drawn_;
+    std::string nodes_, edges_;
+};
+
+std::string Drawing::node(const std::string& id, const char* shape, const std::string& label)
 {
-    const char* const shape = node.shape == Shape::pass      ? "box"
-                              : node.shape == Shape::texture ? "ellipse"
-                                                             : "plaintext";
-    const std::string label = node.detail.empty() ? node.label : node.label + "\n" + node.detail;
-    return "  \"" + node.id + "\" [shape=" + shape + ", label=" + quoted(label) + "];\n";
+    if (drawn_.insert(id).second)
+        nodes_ += "  " + quoted(id) + " [shape=" + shape + ", label=" + quoted(label) + "];\n";
+    return quoted(id);
+}
+
+std::string Drawing::target(int index)
+{
+    const std::string& name = plan_.targets[index].name;
+    const PlanTexture& texture = textureOf(plan_, index);
+    return node("target_" + name, "ellipse",
+                name + "\n" + formatInfo(texture.format).name + " " + sizeText(texture.extent) +
+                    ", texture " + std::to_string(plan_.targets[index].texture) +
+                    (texture.copies > 1 ? ", one a view" : ""));
+}
+
+std::string Drawing::source(const PlanInput& input)
+{
+    if (input.kind == InputKind::target) return target(input.index);
+    const std::string name = sourceName(plan_, input), kind = nameOf(input.kind);
+    const bool history = input.kind == InputKind::history;
+    return node(kind + "_" + name, "ellipse", name + "\n" + (history ? "of the last frame" : kind));
+}
+
+void Drawing::addPass(const PlanPass& pass)
+{
+    const std::string views =
+        plan_.views > 1 ? ", " + std::to_string(plan_.views) + " views" : std::string();
+    const std::string box = node("pass_" + pass.name, "box",
+                                 pass.name + "\n" + plan_.programs[pass.program].label + " " +
+                                     sizeText(pass.extent) + samplesText(pass.samples) + views);
+    for (const PlanInput& input : pass.inputs) edge(source(input), box);
+    const auto write = [&](const PlanAttachment& attachment) {
+        if (attachment.target >= 0) edge(box, target(attachment.target));
+    };
+    for (const PlanAttachment& color : pass.color) write(color);
+    if (pass.has_depth && !isMasked(pass)) write(pass.depth);
+}
+
+void Drawing::addOutput(const PlanOutput& output)
+{
+    const bool constant = output.constant >= 0;
+    const std::string name = node("output_" + output.name, "plaintext", output.name);
+    edge(constant ? source({"", InputKind::constant, output.constant, {}}) : target(output.target),
+         name);
+}
+
+std::string Drawing::text() const
+{
+    return "digraph " + quoted(printableLine(plan_.config)) + " {\n  rankdir=LR;\n" + nodes_ +
+           edges_ + "}\n";
 }
 
 }  // namespace
 
 std::string toDot(const Plan& plan)
 {
-    const Graph graph = graphOf(plan);
-    std::string text = "digraph " + quoted(printableLine(plan.config)) + " {\n  rankdir=LR;\n";
-    for (const GraphNode& node : graph.nodes) text += dotNode(node);
-    for (const auto& [from, to] : graph.edges) text += "  \"" + from + "\" -> \"" + to + "\";\n";
-    return text + "}\n";
+    Drawing drawing(plan);
+    for (const PlanPass& pass : plan.passes) drawing.addPass(pass);
+    for (const PlanOutput& output : plan.outputs) drawing.addOutput(output);
+    return drawing.text();
 }
 
 }  // namespace crevice

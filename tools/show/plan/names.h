@@ -23,9 +23,6 @@ std::string bytesText(double bytes);
 /// ", 4 samples"; nothing for one.
 std::string samplesText(int samples);
 
-/// Within what a fullscreen pass is drawn: "everything", "the bounds of draws".
-std::string boundsText(const Plan& plan, const PlanPass& pass);
-
 /// The texture behind a target of the plan.
 const PlanTexture& textureOf(const Plan& plan, int target);
 

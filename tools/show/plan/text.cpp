@@ -77,20 +77,20 @@ std::string bytesText(double bytes)
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + units[unit];
 }
 
-std::string boundsText(const Plan& plan, const PlanPass& pass)
-{
-    if (!pass.scissor) return "everything";
-    if (pass.cull_below_pixel < 0) return "the bounds of all draws";
-    return "the bounds of draws at which " + plan.params[pass.cull_below_pixel].name +
-           " is a pixel or more";
-}
-
 const PlanTexture& textureOf(const Plan& plan, int target)
 {
     return plan.textures[plan.targets[target].texture];
 }
 
 namespace {
+
+// Within what a pass with a scissor is drawn.
+std::string boundsText(const Plan& plan, const PlanPass& pass)
+{
+    if (pass.cull_below_pixel < 0) return "the bounds of all draws";
+    return "the bounds of draws at which " + plan.params[pass.cull_below_pixel].name +
+           " is a pixel or more";
+}
 
 std::string counted(std::size_t count, const std::string& what)
 {

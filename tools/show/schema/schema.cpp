@@ -10,7 +10,6 @@
 #include "core/base/text.h"
 
 #include <map>
-#include <set>
 
 namespace crevice {
 
@@ -51,17 +50,29 @@ std::string textOf(const Node& document, std::string_view key)
     return value && value->kind == Node::Kind::string ? value->text : "";
 }
 
-/// What `extends` may name, as "ssao/gtao" and "learnopengl", with what each says of itself.
-Json extendsForm(const SourceSet& sources)
+/// The JSON files that can be read, by their names in `extends`: "ssao/gtao", "learnopengl".
+using Files = std::map<std::string, Node>;
+
+Files filesOf(const SourceSet& sources)
 {
-    Json names = Json::array(), texts = Json::array();
+    Files files;
     for (const std::string& path : sources.list()) {
         if (!endsWith(path, kSuffix)) continue;
-        const auto document = parseDocument(sources.find(path));
-        if (!document) continue;
+        Result<Node> document = parseDocument(sources.find(path));
         const std::size_t begin = startsWith(path, kConfigs) ? kConfigs.size() : 0;
-        names.push_back(path.substr(begin, path.size() - begin - kSuffix.size()));
-        texts.push_back(textOf(*document, "description"));
+        const std::string name = path.substr(begin, path.size() - begin - kSuffix.size());
+        if (document) files[name] = std::move(*document);
+    }
+    return files;
+}
+
+/// What `extends` may name, with what each says of itself.
+Json extendsForm(const Files& files)
+{
+    Json names = Json::array(), texts = Json::array();
+    for (const auto& [name, document] : files) {
+        names.push_back(name);
+        texts.push_back(textOf(document, "description"));
     }
     return {{"title", "extends"},
             {"description",
@@ -72,20 +83,12 @@ Json extendsForm(const SourceSet& sources)
              {{"anyOf", {{{"enum", names}, {"enumDescriptions", texts}}, {{"type", "string"}}}}}}};
 }
 
-/// A list of words, of which those of the shipped files are offered.
-Json wordsForm(const SourceSet& sources, const char* key, const char* description)
+Json wordsForm(const char* key, const char* description)
 {
-    std::set<std::string> words;
-    for (const std::string& path : sources.list()) {
-        if (!endsWith(path, kSuffix)) continue;
-        const auto document = parseDocument(sources.find(path));
-        const Node* list = document ? document->find(key) : nullptr;
-        for (const Node& word : list ? list->items : std::vector<Node>()) words.insert(word.text);
-    }
     return {{"title", key},
             {"description", description},
             {"type", "array"},
-            {"items", {{"anyOf", {{{"enum", words}}, {{"type", "string"}}}}}}};
+            {"items", {{"type", "string"}}}};
 }
 
 /// The words of a feature, for people: " One of: view, normal."
@@ -99,23 +102,20 @@ std::string valuesOf(const Node& feature)
     return text.empty() ? text : text + '.';
 }
 
-/// The names that the modules declare in a section, so that an editor can offer them.
-Json offeredNames(const SourceSet& sources, const std::string& section, const char* definition)
+/// The names that modules declare in a section, so that an editor can offer them.
+Json offeredNames(const Files& files, const std::string& section, const char* definition)
 {
     Json names = Json::object();
-    for (const std::string& path : sources.list()) {
-        if (!endsWith(path, kSuffix) || startsWith(path, kConfigs)) continue;
-        const auto document = parseDocument(sources.find(path));
-        const Node* entries = document ? document->find(section) : nullptr;
-        if (!entries) continue;
-        for (const Member& entry : entries->members) {
+    for (const auto& [file, document] : files) {
+        const bool is_module = file.find('/') != std::string::npos;
+        const Node* entries = is_module ? document.find(section) : nullptr;
+        for (const Member& entry : entries ? entries->members : std::vector<Member>()) {
             if (names.contains(entry.key)) continue;
-            const std::string module = path.substr(0, path.size() - kSuffix.size());
             const std::string tooltip = textOf(entry.value, "tooltip");
             names[entry.key] = {
                 {"title", section + '.' + entry.key},
-                {"description", (tooltip.empty() ? "Declared by " + module + '.' : tooltip) +
-                                    valuesOf(entry.value)},
+                {"description",
+                 (tooltip.empty() ? "Declared by " + file + '.' : tooltip) + valuesOf(entry.value)},
                 {"allOf", Json::array({reference(definition)})}};
         }
     }
@@ -123,9 +123,9 @@ Json offeredNames(const SourceSet& sources, const std::string& section, const ch
 }
 
 /// A name of a target or shader: those of the shipped modules for completion, and any other.
-Json nameForm(const SourceSet& sources, const std::string& section)
+Json nameForm(const Files& files, const std::string& section)
 {
-    const Json offered = offeredNames(sources, section, "");
+    const Json offered = offeredNames(files, section, "");
     Json names = Json::array();
     for (const auto& [name, form] : offered.items()) names.push_back(name);
     return {{"anyOf", {{{"enum", names}}, {{"type", "string"}}}}};
@@ -162,67 +162,29 @@ void offerNames(Json& form)
             for (Json& each : form[list]) offerNames(each);
 }
 
-/// "Where `type` is the word, `default` has this form", or is deleted.
-Json typeRule(const std::string& word, Json form)
-{
-    return {
-        {"if", {{"properties", {{"type", {{"const", word}}}}}, {"required", {"type"}}}},
-        {"then",
-         {{"properties", {{"default", table::anyForm({std::move(form), {{"type", "null"}}})}}}}}};
-}
-
-Json paramTypeRules()
-{
-    Json rules = Json::array();
-    const auto words = table::spellings(ParamType{});
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        ParamDesc param;
-        param.type = static_cast<ParamType>(i);
-        Json form = table::formOf(param, {}, "")["properties"]["default"];
-        if (form.contains("anyOf")) form = Json(form["anyOf"].front());
-        for (const char* key : {"title", "description", "x-required"}) form.erase(key);
-        rules.push_back(typeRule(words[i], std::move(form)));
-    }
-    return rules;
-}
-
-Json featureTypeRules()
-{
-    return Json::array(
-        {typeRule("bool", {{"type", "boolean"}}), typeRule("enum", {{"type", "string"}})});
-}
-
 /// The entry of an object keyed by name: the form of "targets.NAME" for "targets".
 Json& entryOf(Json& form) { return form["patternProperties"].back(); }
 
 /// What every file has and the merged config has not.
-Json fileProperties(const SourceSet& sources)
+Json fileProperties(const Files& files)
 {
     return {{"$schema",
              {{"type", "string"},
               {"description", "The JSON Schema that editors check this file with; not read."}}},
-            {"extends", extendsForm(sources)},
-            {"needs", wordsForm(sources, "needs",
+            {"extends", extendsForm(files)},
+            {"needs", wordsForm("needs",
                                 "What this file is nothing without: where a later one replaces "
                                 "one of these words, this one is left out.")},
-            {"replaces", wordsForm(sources, "replaces",
+            {"replaces", wordsForm("replaces",
                                    "What this file takes the place of: earlier files that need "
                                    "one of these words are left out, and so are values for what "
                                    "only they declare.")},
             {"variants", table::keyedForm("^(?!x-)", reference("patch"))}};
 }
 
-Json descriptionForm()
-{
-    Description description;
-    return table::formOf(description, {}, "");
-}
-
 /// A param or feature may be its default alone.
 void allowBareValues(Json& definitions)
 {
-    definitions["param"]["allOf"] = paramTypeRules();
-    definitions["feature"]["allOf"] = featureTypeRules();
     for (const char* tunable : {"param", "feature"}) {
         Json bare = definitions[tunable]["properties"]["default"];
         for (const char* key : {"title", "x-required"}) bare.erase(key);
@@ -234,17 +196,19 @@ void allowBareValues(Json& definitions)
 
 std::string schemaJson(const SourceSet& sources)
 {
-    Json form = descriptionForm();
+    const Files files = filesOf(sources);
+    Description description;
+    Json form = table::formOf(description, {}, "");
     offerNames(form);
     allowNulls(form);
-    Json definitions = {{"target_name", nameForm(sources, "targets")},
-                        {"shader_name", nameForm(sources, "shaders")}};
+    Json definitions = {{"target_name", nameForm(files, "targets")},
+                        {"shader_name", nameForm(files, "shaders")}};
     Json keys = Json::object();
     for (const auto& [section, definition] :
          {std::pair{"params", "param"}, {"features", "feature"}}) {
         Json& all = form["properties"][section];
         definitions[definition] = std::exchange(entryOf(all), reference(definition));
-        all["properties"] = offeredNames(sources, section, definition);
+        all["properties"] = offeredNames(files, section, definition);
     }
     allowBareValues(definitions);
     for (const auto& [key, value] : form["properties"].items()) {
@@ -254,7 +218,7 @@ std::string schemaJson(const SourceSet& sources)
     definitions["patch"] = table::objectForm(keys);
     definitions["patch"]["description"] = "A patch over all else: only what differs.";
 
-    Json own = fileProperties(sources);
+    Json own = fileProperties(files);
     own["variants"]["title"] = "variants";
     own["variants"]["description"] = "Named patches, of which --variant chooses one.";
     own.update(keys);
@@ -266,27 +230,6 @@ std::string schemaJson(const SourceSet& sources)
     schema["required"] = {"format"};
     schema["definitions"] = definitions;
     return schema.dump(2) + '\n';
-}
-
-std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts)
-{
-    Json form = descriptionForm();
-    bool named = false;
-    for (const std::string& part : parts) {
-        if (form.contains("anyOf"))
-            form = Json(form["anyOf"].front());  // what has keys comes first
-        const bool fixed = form.contains("properties");
-        named = !fixed && form.contains("patternProperties");
-        if (fixed && form["properties"].contains(part))
-            form = Json(form["properties"][part]);
-        else if (named)
-            form = Json(entryOf(form));
-        else
-            return std::nullopt;
-    }
-    const bool has_default = form.contains("default");
-    return FormatKey{form.value("description", ""), has_default ? form["default"].dump() : "",
-                     named};
 }
 
 }  // namespace crevice

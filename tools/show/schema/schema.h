@@ -5,9 +5,7 @@
 
 #include <crevice/source.h>
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace crevice {
 
@@ -20,15 +18,5 @@ std::string schemaJson(const SourceSet& sources);
 
 /// Tables in Markdown: for each kind of object its keys, types, defaults, ranges and meaning.
 std::string schemaMarkdown();
-
-/// What the format says of a key.
-struct FormatKey {
-    std::string meaning;
-    std::string value;   ///< The default, as JSON; empty where there is none.
-    bool named = false;  ///< It stands for any name: "ao" in ("targets", "ao").
-};
-
-/// The key that the parts of a path ("targets", "ao", "format") lead to, or nothing.
-std::optional<FormatKey> findFormatKey(const std::vector<std::string>& parts);
 
 }  // namespace crevice

@@ -18,18 +18,9 @@ constexpr struct {
     const char* type;
 } kTypes[] = {
     {".css", "text/css; charset=utf-8"},
-    {".glb", "model/gltf-binary"},
     {".html", "text/html; charset=utf-8"},
-    {".ico", "image/x-icon"},
     {".js", "text/javascript; charset=utf-8"},
-    {".json", "application/json"},
-    {".map", "application/json"},
-    {".mjs", "text/javascript; charset=utf-8"},
-    {".png", "image/png"},
-    {".svg", "image/svg+xml"},
-    {".txt", "text/plain; charset=utf-8"},
     {".wasm", "application/wasm"},
-    {".woff2", "font/woff2"},
 };
 
 bool isPage(const fs::path& folder)

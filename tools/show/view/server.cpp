@@ -19,6 +19,8 @@ namespace {
 constexpr int kThreads = 32;      // a stream of events holds one
 constexpr int kMostStreams = 16;  // open pages
 constexpr std::size_t kLongestTarget = 2048;
+// Of a comment that keeps streams of events open, and finds those whose page is gone.
+constexpr std::chrono::milliseconds kHeartbeat(15000);
 
 std::vector<std::string> headersOf(const httplib::Request& request, const char* name)
 {
@@ -69,8 +71,6 @@ private:
 }  // namespace
 
 struct Server::Impl {
-    explicit Impl(std::chrono::milliseconds beat) : heartbeat(beat) {}
-
     void fill(httplib::Response& response, const SiteAnswer& answer);
     void stream(httplib::Response& response);
 
@@ -79,7 +79,6 @@ struct Server::Impl {
     const Site* site = nullptr;
     Events* events = nullptr;
     std::atomic<int> streams{0};
-    const std::chrono::milliseconds heartbeat;
 };
 
 void Server::Impl::stream(httplib::Response& response)
@@ -92,7 +91,7 @@ void Server::Impl::stream(httplib::Response& response)
     const auto send = [this, open, seen = events->count(), begun = false](
                           std::size_t, httplib::DataSink& sink) mutable {
         const std::optional<std::string> event =
-            begun ? events->next(seen, heartbeat) : std::optional<std::string>("");
+            begun ? events->next(seen, kHeartbeat) : std::optional<std::string>("");
         begun = true;
         if (!event) return false;
         const std::string text = event->empty() ? ": here\n\n" : *event;
@@ -114,7 +113,7 @@ void Server::Impl::fill(httplib::Response& response, const SiteAnswer& answer)
         });
 }
 
-Server::Server(std::chrono::milliseconds heartbeat) : impl_(std::make_unique<Impl>(heartbeat))
+Server::Server() : impl_(std::make_unique<Impl>())
 {
     httplib::Server& http = impl_->http;
     http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };

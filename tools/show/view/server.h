@@ -5,18 +5,13 @@
 #include "tools/show/view/events.h"
 #include "tools/show/view/site.h"
 
-#include <chrono>
-#include <functional>
 #include <memory>
 
 namespace crevice {
 
 class Server {
 public:
-    /// A comment that keeps streams of events open, and finds those whose page is gone.
-    static constexpr std::chrono::milliseconds kHeartbeat{15000};
-
-    explicit Server(std::chrono::milliseconds heartbeat = kHeartbeat);
+    Server();
     ~Server();  ///< Stops.
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;

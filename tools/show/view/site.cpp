@@ -3,11 +3,13 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "tools/show/view/token.h"
 
 #include <nlohmann/json.hpp>
 
+#include <sys/random.h>
+
 #include <algorithm>
+#include <cstddef>
 
 namespace crevice {
 
@@ -54,6 +56,16 @@ SiteAnswer pageFile(const std::string& name, const std::string& path)
     return {200, mimeType(name), std::make_shared<const std::string>(std::move(file.bytes))};
 }
 
+// Whether both are the same, in a time that says nothing of where they differ.
+bool sameSecret(std::string_view given, std::string_view secret)
+{
+    if (given.size() != secret.size()) return false;
+    unsigned differing = 0;
+    for (std::size_t k = 0; k < secret.size(); ++k)
+        differing |= static_cast<unsigned char>(given[k]) ^ static_cast<unsigned char>(secret[k]);
+    return differing == 0;
+}
+
 // An If-Match may have its quotes, or not.
 std::string unquoted(const std::string& version)
 {
@@ -62,6 +74,20 @@ std::string unquoted(const std::string& version)
 }
 
 }  // namespace
+
+Result<std::string> randomToken()
+{
+    constexpr char kDigits[] = "0123456789abcdef";
+    unsigned char bytes[16];
+    if (getrandom(bytes, sizeof(bytes), 0) != static_cast<ssize_t>(sizeof(bytes)))
+        return Diagnostic{Code::cannot_serve, "the system gives no random numbers"};
+    std::string token;
+    for (const unsigned char byte : bytes) {
+        token += kDigits[byte >> 4];
+        token += kDigits[byte & 15];
+    }
+    return token;
+}
 
 Site::Site(std::string token, int port, PageFiles page, UserFiles& files, SiteView view)
     : token_(std::move(token)),

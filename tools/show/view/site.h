@@ -47,9 +47,13 @@ struct SiteView {
     std::shared_ptr<const std::string> scene_bytes = {};  ///< Null for a built-in scene.
 };
 
+/// The secret in an address, 32 hex digits: 128 random bits of the system's. Errors: CV6022 where
+/// it has none to give.
+Result<std::string> randomToken();
+
 class Site {
 public:
-    /// `files` must outlive this.
+    /// Who does not know the token is shown nothing. `files` must outlive this.
     Site(std::string token, int port, PageFiles page, UserFiles& files, SiteView view);
 
     /// "http://127.0.0.1:PORT/TOKEN/"

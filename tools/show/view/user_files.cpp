@@ -40,11 +40,6 @@ Diagnostics refusal(const std::string& file, const FileBytes& present)
              "convert it, as with iconv"}};
 }
 
-Diagnostics diagnosticsOf(const ConfigOptions& options, const SourceSet& sources)
-{
-    return loadDescription(options, sources).diagnostics();
-}
-
 }  // namespace
 
 UserFiles::UserFiles(ConfigOptions options, const SourceSet& shipped)
@@ -140,27 +135,6 @@ std::vector<UserFile> UserFiles::changes()
     return files;
 }
 
-Diagnostics UserFiles::check() const
-{
-    const std::lock_guard<std::mutex> lock(mutex_);
-    Diagnostics found = diagnosticsOf(options_, shipped_);
-    if (!paths_ || hasErrors(found)) return found;
-    MemorySources mine;
-    for (const auto& [file, text] : watched_.texts())
-        if (const std::string path = paths_->of(file); !path.empty()) mine.add(path, text, file);
-    ConfigOptions in_page = options_;
-    in_page.config = config_name_;
-    const Diagnostics there = diagnosticsOf(in_page, LayeredSources({&mine, &shipped_}));
-    if (hasErrors(there))
-        found.push_back(
-            {Code::module_escape,
-             "the page cannot load '" + options_.config + "': " + there.front().message,
-             "give it a name without a plus, and name files below its folder or a --root",
-             there.front().place,
-             there.front().pointer,
-             {},
-             Severity::warning});
-    return found;
-}
+Diagnostics UserFiles::check() const { return loadDescription(options_, shipped_).diagnostics(); }
 
 }  // namespace crevice

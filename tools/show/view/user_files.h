@@ -56,7 +56,7 @@ public:
     /// named since. To be asked several times a second.
     std::vector<UserFile> changes();
 
-    /// What is wrong with the config; and where the page cannot load what the command can.
+    /// What is wrong with the config.
     Diagnostics check() const;
 
 private:

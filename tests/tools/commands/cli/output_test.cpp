@@ -27,10 +27,4 @@ TEST_CASE("the first error chooses the exit code, whatever warnings stand before
     CHECK(exitCodeOf({machine, input}) == kExitMachine);
     CHECK(exitCodeOf({{Code::usage, "x"}}) == kExitUsage);
     CHECK(exitCodeOf({{Code::cannot_write, "x"}}) == kExitOutput);
-    for (const Code code : {Code::no_egl, Code::no_osmesa, Code::gl_function, Code::gl_version,
-                            Code::no_format, Code::out_of_memory, Code::no_backend})
-        CHECK(exitCodeOf({{code, "x"}}) == kExitMachine);
-    for (const Code code : {Code::bad_size, Code::too_big_for_device, Code::scene_missing,
-                            Code::shader_compile, Code::syntax, Code::image_size})
-        CHECK(exitCodeOf({{code, "x"}}) == kExitBadInput);
 }

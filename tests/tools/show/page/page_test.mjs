@@ -4,7 +4,6 @@ import assert from 'node:assert/strict';
 import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {Document, NodeIO} from '@gltf-transform/core';
 import {crevice, differing, open, quiet, readPfm, rest, start, stop, work} from './browser.mjs';
 
 before(start);
@@ -13,7 +12,7 @@ after(stop);
 // Planes of its own, so that depth is fine; no silhouette but the picture's, since two rasterisers differ there.
 const VIEW = {scene: 'corner', camera: 'eye=0.8,1.4,2.8;at=0,0.45,0;near=1;far=12'};
 const SIZE = [480, 270];
-const [FIRST_PICTURE_MS, LEAST_FPS, ACTIONS] = [3000, 10, 200];
+const [FIRST_PICTURE_MS, ACTIONS] = [3000, 200];
 
 // The ordinary run compares each kind of config with this machine's picture, and turns the knobs of two.
 const NIGHTLY = 'CREVICE_NIGHTLY' in process.env;
@@ -31,7 +30,7 @@ const look = (page, view, size) => page.evaluate(async (seen, [width, height]) =
 
 // What a config draws in a slot of its own; of a temporal one `most` frames.
 const drawn = (page, config, camera, most) => page.evaluate((name, at, most) => {
-  const {engine} = crevice, slot = 3;
+  const {engine} = crevice, slot = 1;
   const loaded = engine.load(slot, {config: name, outputs: ['ao']});
   if (!loaded.ok) return {failed: loaded.diagnostics[0].message};
   const frames = engine.plan(slot).targets.some(each => each.history_texture !== null) ? most : 1;
@@ -151,7 +150,8 @@ test('Each tab shows what the engine says', async () => {
   const words = selector => page.$$eval(selector, nodes => nodes.map(node => node.textContent));
   await page.click('#tab-plan');
   await rest(page);
-  assert.deepEqual((await words('.graph .pass .strong')).sort(), [...passes].sort());
+  const plan = (await words('#plan-text'))[0];
+  for (const name of passes) assert.match(plan, new RegExp(`^  ${name}: `, 'm'));
   await page.click('#tab-cost');
   await page.waitForSelector('#bars tr');
   assert.deepEqual(await words('#bars th'), passes);
@@ -161,19 +161,6 @@ test('Each tab shows what the engine says', async () => {
   const [knobs, params] = [await page.$$('[data-param]'), await page.evaluate(() => crevice.engine.state(0).params.length)];
   assert.equal(knobs.length, params);
   assert.match((await words('.command'))[0], /^crevice render balanced --scene corner --size 96x54 --out color=color.png/);
-  quiet(page);
-  await page.close();
-});
-
-test('Measure all has time and error of every config', nightly, async () => {
-  const page = await open('#config=mobile&scene=corner&size=96x54');
-  await page.click('#tab-cost');
-  await rest(page);
-  await page.click('#measure-all');
-  await rest(page);
-  const rows = await page.$$eval('#all-configs tr:not(:first-child)', nodes => nodes.map(node => node.textContent));
-  const failures = await page.$$eval('#all-configs > p:not(:first-child)', nodes => nodes.map(node => node.textContent));
-  assert.equal(rows.length, (await configs(page)).length, failures.join('\n'));
   quiet(page);
   await page.close();
 });
@@ -259,56 +246,6 @@ test('A link holds what was changed', async () => {
   }
 });
 
-// A PNG of one texel, 255, 128, 64.
-const ORANGE = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP43+AAAARBAcAyLD49AAAAAElFTkSuQmCC';
-
-// An orange cube without normals, half a metre under its node, and a camera that looks at it.
-async function boxGlb() {
-  const document = new Document(), buffer = document.createBuffer();
-  const corners = Array.from({length: 24}, (_, i) => (i % 3 === 0 ? i / 3 & 1 : i % 3 === 1 ? i / 6 & 1 : i / 12 & 1) - 0.5);
-  const faces = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5];
-  const accessor = (type, array) => document.createAccessor().setType(type).setArray(array).setBuffer(buffer);
-  const orange = document.createTexture('orange').setImage(Buffer.from(ORANGE, 'base64')).setMimeType('image/png');
-  const primitive = document.createPrimitive()
-    .setMaterial(document.createMaterial().setBaseColorTexture(orange))
-    .setAttribute('POSITION', accessor('VEC3', new Float32Array(corners)))
-    .setIndices(accessor('SCALAR', new Uint16Array(faces)));
-  const node = document.createNode('box').setMesh(document.createMesh().addPrimitive(primitive)).setTranslation([0, -0.5, 0]);
-  const camera = document.createCamera('front').setType('perspective').setYFov(0.8).setAspectRatio(1.5).setZNear(0.1);
-  const eye = document.createNode('eye').setCamera(camera).setTranslation([0, -0.5, 3]);
-  document.createScene().addChild(node).addChild(eye);
-  return Buffer.from(await new NodeIO().writeBinary(document));
-}
-
-test('A dropped .glb appears, and one that is broken is told', async () => {
-  const page = await open();
-  const glb = (await boxGlb()).toString('base64');
-  const drop = bytes => page.evaluate(text => {
-    const data = new DataTransfer();
-    data.items.add(new File([Uint8Array.from(atob(text), c => c.charCodeAt(0))], 'box.glb'));
-    for (const type of ['dragenter', 'dragover', 'drop'])
-      document.body.dispatchEvent(new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}));
-  }, bytes);
-  await drop(glb);
-  await page.waitForFunction(() => crevice.engine.scene.name.startsWith('box'));
-  await rest(page);
-  const seen = camera => page.evaluate(async at => {
-    crevice.app.setCamera(at);
-    await crevice.app.whenIdle();
-    const {answer: {extent: [w, h], channels}, values} = crevice.engine.readBack(0, 'color');
-    return {shades: new Set(values).size, middle: [...values.slice(channels * (w * (h >> 1) + (w >> 1)))]};
-  }, camera);
-  const {shades} = await seen('eye=1.5,0.7,2;at=0,-0.5,0');
-  assert(shades > 10, `${shades} different values`);
-  assert.deepEqual(await page.evaluate(() => crevice.engine.scene.cameras), ['front']);
-  const [red, green] = (await seen('front')).middle;
-  assert(Math.abs(green / red - 128 / 255) < 0.02, `red ${red}, green ${green}`);  // sRGB, as the picture is
-  await drop(glb.slice(0, 400));
-  await page.waitForFunction(() => crevice.app.message?.kind === 'error');
-  quiet(page);
-  await page.close();
-});
-
 test('The heat map says what crevice compare says', async () => {
   const page = await open('#config=balanced&scene=spheres&show=ao');
   const camera = 'eye=1,1.7,3.2;at=0.15,0.4,0';
@@ -329,25 +266,6 @@ test('The heat map says what crevice compare says', async () => {
   await page.close();
 });
 
-test('mobile is drawn at 10 frames a second and more', nightly, async () => {
-  const page = await open('#config=mobile&scene=street');
-  const fps = await page.evaluate(() => {
-    const {engine} = crevice, gl = engine.canvas.getContext('webgl2');
-    engine.setSize(480, 270);
-    const times = [];
-    for (let i = 0; i < 20; ++i) {
-      const begin = performance.now();
-      engine.draw({camera: `eye=${0.01 * i},1.6,6;at=0,1.2,0`, left: {slot: 0, show: 'color'}});
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-      times.push(performance.now() - begin);
-    }
-    return 1000 / times.sort((x, y) => x - y)[times.length >> 1];  // the first frames have drivers compile for the size
-  });
-  console.log(`${fps.toFixed(1)} frames a second`);
-  assert(fps >= LEAST_FPS);
-  await page.close();
-});
-
 test('200 random actions leave the page working', nightly, async () => {
   const page = await open('#config=mobile_low&scene=corner');
   await look(page, VIEW, [96, 54]);
@@ -361,7 +279,6 @@ test('200 random actions leave the page working', nightly, async () => {
   };
   for (let i = 0; i < ACTIONS; ++i) {
     const node = await page.evaluateHandle(pick, random(1000));
-    if (process.env.TRACE) console.log(i, Date.now(), await node.evaluate(each => each.id || each.textContent || each.name));
     const [kind, type] = await node.evaluate(each => [each.tagName, each.type]);
     if (kind === 'SELECT') await node.evaluate((each, n) => {
       each.selectedIndex = n % each.length;

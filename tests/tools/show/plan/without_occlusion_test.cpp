@@ -33,26 +33,12 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE(
-    "Deferred light shares the G-buffer: back faces and further layers are the occlusion's own")
+TEST_CASE("Geometry is the occlusion's own where the lit picture does without it")
 {
-    CHECK(ownPasses({"gtao", "", {}, ""}).empty());
-    CHECK(ownPasses({"balanced", "", {}, ""}) == Names{"back_faces"});
+    CHECK(ownPasses({"gtao", "", {}, ""}).empty());  // deferred light needs the G-buffer itself
     CHECK(ownPasses({"high", "", {}, ""}) == Names{"back_faces", "second_layer", "second_back"});
-}
-
-TEST_CASE("Forward light needs no depth before it, and draws what it does itself")
-{
-    CHECK(ownPasses({"mobile", "", {}, ""}) == Names{"geometry"});
+    CHECK(ownPasses({"mobile", "", {}, ""}) == Names{"geometry"});  // forward light: no depth first
     CHECK(ownPasses({"mobile", "", {}, ""}, "color") == Names{"geometry"});
-}
-
-TEST_CASE("A host's own depth is nobody's geometry")
-{
     CHECK(ownPasses({"balanced+geometry/host_depth", "", {}, ""}).empty());
-}
-
-TEST_CASE("Occlusion that is off already has no geometry of its own")
-{
     CHECK(ownPasses({"high", "", {"intensity=0"}, ""}, "color").empty());
 }

@@ -4,12 +4,10 @@
 
 #include "tests/support/catch.h"
 
-#include <thread>
-
 using namespace crevice;
 
 namespace {
-constexpr std::chrono::milliseconds kNow(0), kLong(20000);
+constexpr std::chrono::milliseconds kNow(0);
 }
 
 TEST_CASE("who waits for events gets those that come, in order")
@@ -33,17 +31,4 @@ TEST_CASE("who is far behind goes on with the oldest event that is kept")
     for (int k = 0; k < 100; ++k) events.push("n", std::to_string(k));
     CHECK(events.next(seen, kNow) == "event: n\ndata: 36\n\n");
     CHECK(seen == 37);
-}
-
-TEST_CASE("a wait for events ends when one comes, and for good when they are closed")
-{
-    Events events;
-    std::uint64_t seen = 0;
-    std::thread pusher([&] { events.push("file", "x"); });
-    CHECK(events.next(seen, kLong) == "event: file\ndata: x\n\n");
-    pusher.join();
-    std::thread closer([&] { events.close(); });
-    CHECK_FALSE(events.next(seen, kLong).has_value());
-    closer.join();
-    CHECK_FALSE(events.next(seen, kLong).has_value());
 }

@@ -46,18 +46,3 @@ TEST_CASE("what lies above a config is a source where a root allows it")
           paths.of(at + "/shared/x.frag"));
     CHECK(SourcePaths(at + "/mine.json", {at + "/"}, shipped).configName() == "mine");
 }
-
-TEST_CASE("a file that is named like a shipped config does not hide it")
-{
-    const TemporaryFolder folder("source_paths");
-    const MemorySources shipped = shippedMobile();
-    const std::string file = folder.write("mobile.json", "{}");
-    const SourcePaths paths(file, {}, shipped);
-    CHECK(paths.configName() == "mine/mobile");
-    CHECK(paths.of(file) == "configs/mine/mobile.json");
-
-    const TemporaryFolder later("source_paths_later");
-    const SourcePaths before(later.write("mine.json", "{}"), {}, shipped);
-    CHECK(before.configName() == "mine");
-    CHECK(before.of(later.write("mobile.json", "{}")).empty());
-}

@@ -33,8 +33,6 @@ struct Config {
     const std::string radius, mine;
 };
 
-std::string textOf(const std::string& path) { return readFile(path)->text; }
-
 std::vector<std::string> pathsOf(const std::vector<UserFile>& files)
 {
     std::vector<std::string> paths;
@@ -74,16 +72,6 @@ TEST_CASE("a page gets the files on disk that a config is made of, and no others
           Paths{"configs/a.frag", "configs/b.glsl", "configs/mine.json"});
 }
 
-TEST_CASE("a shipped config has no files, whatever lies in the current folder")
-{
-    UserFiles files({"learnopengl", "", {}, ""}, shippedSources());
-    CHECK_FALSE(files.editable());
-    CHECK(files.configName() == "learnopengl");
-    CHECK(files.all().empty());
-    CHECK(files.changes().empty());
-    CHECK(files.save("configs/learnopengl.json", "", "{}").end == Save::End::unknown);
-}
-
 TEST_CASE("a file of the current folder that is named like a shipped module is not the config's")
 {
     const Config config;
@@ -94,69 +82,6 @@ TEST_CASE("a file of the current folder that is named like a shipped module is n
     UserFiles files({"mine.json", "", {}, ""}, shippedSources());
     CHECK(pathsOf(files.all()) == Paths{"configs/mine.json", "configs/more/radius.json"});
     std::filesystem::current_path(before);
-}
-
-TEST_CASE("a config that does not load has its files all the same")
-{
-    const Config broken(R"({"format": 1, "extends": ["./more/radius.json", "nowhere"]})");
-    UserFiles files = broken.files();
-    CHECK(files.editable());
-    CHECK(hasErrors(files.check()));
-    CHECK(versionOf(files, "configs/mine.json") != "none");
-}
-
-TEST_CASE("a save replaces the version that it names, and tells nobody")
-{
-    const Config config;
-    UserFiles files = config.files();
-    const std::string path = "configs/more/radius.json";
-    const std::string text = R"({"format": 1, "params": {"radius": 0.5}})";
-    const std::string before = versionOf(files, path);
-
-    const Save save = files.save(path, before, text);
-    CHECK(save.end == Save::End::done);
-    CHECK(save.file.version != before);
-    CHECK(textOf(config.radius) == text);
-    CHECK(files.changes().empty());
-
-    const Save late = files.save(path, before, "{}");
-    CHECK(late.end == Save::End::changed);
-    CHECK(late.file.text == text);
-    CHECK(late.file.version == save.file.version);
-    CHECK(textOf(config.radius) == text);
-    CHECK(files.save(path, save.file.version, kRadius).end == Save::End::done);
-}
-
-TEST_CASE("no other file is written")
-{
-    const Config config;
-    const std::string other = config.folder.write("other.json", "other");
-    UserFiles files = config.files();
-    const std::string version = versionOf(files, "configs/mine.json");
-    for (const std::string& path :
-         {std::string("configs/other.json"), other, std::string("other.json"), std::string(),
-          std::string("configs/../configs/mine.json"), std::string("configs/more/../mine.json"),
-          std::string("../mine.json"), config.mine, std::string("configs/mine.json/")})
-        CHECK(files.save(path, version, "x").end == Save::End::unknown);
-    CHECK(textOf(other) == "other");
-    CHECK(textOf(config.mine) == kMine);
-}
-
-TEST_CASE("an edit by others is told once, by whatever way it was saved")
-{
-    const Config config;
-    UserFiles files = config.files();
-    CHECK(files.changes().empty());
-    config.folder.write("more/radius.json", "{}");
-    const std::vector<UserFile> changed = files.changes();
-    REQUIRE(pathsOf(changed) == Paths{"configs/more/radius.json"});
-    CHECK(changed[0].text == "{}");
-    CHECK(files.changes().empty());
-
-    const std::string renamed = config.folder.write("new", kRadius);
-    std::filesystem::rename(renamed, config.radius);
-    CHECK(pathsOf(files.changes()) == Paths{"configs/more/radius.json"});
-    CHECK(files.changes().empty());
 }
 
 TEST_CASE("a file is told once the config names it, and once it exists")
@@ -188,17 +113,7 @@ TEST_CASE("a file that is not UTF-8 is shown and not written")
     const Save save = files.save(path, versionOf(files, path), kRadius);
     REQUIRE(save.end == Save::End::failed);
     CHECK(save.why[0].code == Code::bad_utf8);
-    CHECK(textOf(config.radius) == text);
-}
-
-TEST_CASE("what the command can load and the page cannot is a warning")
-{
-    const Config config;
-    const std::string odd = config.folder.write("my+own.json", kMine);  // "own" laid over "my"
-    const Diagnostics found = UserFiles({odd, "", {}, ""}, shippedSources()).check();
-    REQUIRE(found.size() == 1);
-    CHECK(found[0].severity == Severity::warning);
-    CHECK(found[0].code == Code::module_escape);
+    CHECK(readFile(config.radius)->text == text);
 }
 
 TEST_CASE("a config below its root, and one that is named like a shipped one, load in the page")

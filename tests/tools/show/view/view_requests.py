@@ -64,26 +64,36 @@ def check_page():
     for name, value in [("Content-Type", "text/html; charset=utf-8"), ("Cache-Control", "no-store"),
                         ("X-Content-Type-Options", "nosniff"), ("Referrer-Policy", "no-referrer")]:
         check("its " + name, page.getheader(name) == value)
-    check("WebAssembly has its bytes", ask("GET", base + "crevice_page.wasm").data == b"\0asm")
+    wasm = ask("GET", base + "crevice_page.wasm")
+    check("WebAssembly has its type and bytes",
+          wasm.getheader("Content-Type") == "application/wasm" and wasm.data == b"\0asm")
     check("a query does not matter", status("GET", base + "page.js?x=1") == 200)
     head = ask("HEAD", base + "page.js")
     check("HEAD has no body", head.status == 200 and not head.data)
 
 
-# site_test.cpp has more names, hosts, methods and origins: here are those that HTTP decodes, and one of each kind.
 def check_refusals():
-    for target in ["/", base[:-1], "/" + "0" * 32 + "/", "*", "//"]:
+    for target in ["/", base[:-1], "/" + "0" * 32 + "/", "*", "//", "/index.html", "/view.json", base[:-2] + "/",
+                   base[:-2] + ("0" if base[-2] != "0" else "1") + "/", base.upper(), "/" + base, "/0" + base[1:]]:
         answer = ask("GET", target)
         check("404 without detail: " + target, answer.status == 404 and not answer.data)
     for target in ["../secret.txt", "%2e%2e/secret.txt", "..%2fsecret.txt", "..%5csecret.txt", "%2fetc%2fpasswd",
-                   "%252e%252e/secret.txt", "page.js%00.txt", "%2e", escaped_folder + "/secret.txt", "a" * 4000]:
+                   "%252e%252e/secret.txt", "page.js%00.txt", "%2e", escaped_folder + "/secret.txt", "a" * 4000,
+                   ".hidden", "link.txt", "./page.js", "page.js/", "PAGE.JS", "mine.json", "configs/mine.json"]:
         check("no file: " + target[:40], status("GET", base + target) == 404)
-    check("403 for another host", status("GET", base, host="evil.example:%d" % port) == 403)
+    for host in ["evil.example", "evil.example:%d" % port, "127.0.0.1", "127.0.0.1:1", "[::1]:%d" % port]:
+        check("403 for host " + host, status("GET", base, host=host) == 403)
+        check("403 for a save to host " + host, status("PUT", base + "files/x", b"", host=host) == 403)
     check("localhost is this machine", status("GET", base, host="localhost:%d" % port) == 200)
-    check("no host is refused", " 403 " in sent_as_is(b"GET " + base.encode() + b" HTTP/1.1\r\n\r\n"))
+    here = b"Host: 127.0.0.1:%d\r\n" % port
+    for hosts in [b"", here + here, here + b"Host: evil.example\r\n"]:
+        check("no host, or two, are refused",
+              " 403 " in sent_as_is(b"GET " + base.encode() + b" HTTP/1.1\r\n" + hosts + b"\r\n"))
     check("nonsense is refused", " 400 " in sent_as_is(b"nonsense\r\n\r\n"))
     for method in ["POST", "PUT", "DELETE", "OPTIONS", "PATCH"]:
-        check("405 for " + method, status(method, base, b"") == 405)
+        answer = ask(method, base, b"")
+        check("405 for " + method, answer.status == 405 and answer.getheader("Allow") == "GET, HEAD")
+    check("405 for a look at a file", status("GET", base + "files/configs/mine.json") == 405)
     others = [line for line in os.popen("cat /proc/net/tcp /proc/net/tcp6") if ":%04X " % port in line.split(" 0A ")[0]]
     listening = [line for line in others if " 0A " in line]
     check("it listens on the loopback address alone",
@@ -102,9 +112,12 @@ def check_saves():
     path = "configs/more/radius.json"
     version = view()["files"][path]["version"]
     text = '{"format": 1, "params": {"radius": 0.5}}\n'
-    check("403 for another origin", put(path, text, version, Origin="http://evil.example").status == 403)
-    for other in ["configs/%2e%2e/mine.json", "%2fetc%2fpasswd", escaped_folder + "/mine.json", ""]:
+    for origin in ["http://evil.example", "null", "https://127.0.0.1:%d" % port, "http://127.0.0.1:1"]:
+        check("403 for origin " + origin, put(path, text, version, Origin=origin).status == 403)
+    for other in ["configs/%2e%2e/mine.json", "%2fetc%2fpasswd", escaped_folder + "/mine.json", "", "configs/other.json",
+                  "configs/more/../mine.json", "configs/mine.json/", "mine.json", "../mine.json"]:
         check("404 for a save to " + other, put(other, text, version).status == 404)
+    check("409 for any version", put(path, text, "*").status == 409)
     check("428 without a version", status("PUT", base + "files/" + path, text.encode()) == 428)
     check("413 for more than a file may have", put(path, "x" * (1 << 20) + "x", version).status == 413)
     chunked = ("PUT %sfiles/%s HTTP/1.1\r\nHost: 127.0.0.1:%d\r\nIf-Match: %s\r\nTransfer-Encoding: chunked\r\n\r\n"
@@ -119,8 +132,8 @@ def check_saves():
     now = json.loads(late.data)
     check("a save of an old version is refused", late.status == 409 and lines_of("more/radius.json") == text)
     check("with the text and version", now == {"text": text, "version": json.loads(saved.data)["version"]})
-    again = put(urllib.parse.quote(path, safe=""), text + " ", now["version"])
-    check("the whole path may be escaped", again.status == 200)
+    again = put(urllib.parse.quote(path, safe=""), text + " ", '"%s"' % now["version"])
+    check("path and version may be quoted", again.status == 200)
 
 
 class Stream(threading.Thread):
@@ -181,6 +194,7 @@ def check_view():
     check("the config has its name", shown["config"] == "mine" and shown["editable"])
     check("and its files", sorted(shown["files"]) == ["configs/mine.json", "configs/more/radius.json"])
     check("with their texts", shown["files"]["configs/mine.json"]["text"] == lines_of("mine.json"))
+    check("the camera is told", shown["camera"] == "eye=1,2,3")
     check("the scene comes as bytes", shown["scene"] == {"name": "model.obj", "bytes": True})
     scene = ask("GET", base + "scene").data
     check("which are a scene's", scene[:8] == b"crvs\1\0\0\0" and len(scene) > 200)

@@ -11,7 +11,8 @@ mkdir page empty bin
 echo '<!doctype html><title>page</title>' >page/index.html
 echo 'export {};' >page/page.js
 printf '\0asm' >page/crevice_page.wasm
-echo secret >secret.txt
+echo secret | tee secret.txt page/.hidden >other.json
+ln -s ../secret.txt page/link.txt
 printf '{"format": 1, "extends": ["learnopengl", "./more/radius.json"]}\n' >mine.json
 mkdir more
 printf '{"format": 1, "params": {"radius": 0.8}}\n' >more/radius.json
@@ -66,7 +67,7 @@ check "without xdg-open the user is told" grep -q 'no xdg-open' messages.txt
 check "and nothing else is wrong" test "$(wc -l <messages.txt)" = 2
 check "SIGTERM ends this one too" stopped TERM
 
-serve "$PATH" mine.json --scene model.obj --page page --no-browser
+serve "$PATH" mine.json --scene model.obj --camera eye=1,2,3 --page page --no-browser
 python3 "$here/view_requests.py" "$address" "$work" || failures=$((failures + 1))
 check "an interrupt ends it in peace while pages are open" stopped INT
 
@@ -81,8 +82,10 @@ mkdir -p prefix/bin prefix/share/crevice
 cp "$crevice" prefix/bin/crevice
 cp -r page prefix/share/crevice
 crevice=prefix/bin/crevice
-serve "$PATH" --no-browser
-check "the installed page is served" env no_proxy=* python3 -c \
-    'import sys, urllib.request as r; sys.exit(b"<title>page" not in r.urlopen(sys.argv[1]).read())' "$address"
+serve "$PATH" gtao --scene street --no-browser
+read_from() { no_proxy=* python3 -c 'import sys, urllib.request as r; print(r.urlopen(sys.argv[1]).read())' "$address$1"; }
+check "the installed page is served" grep -q '<title>page' <(read_from '')
+check "a shipped config has no files" grep -q '"editable":false,"files":{}' <(read_from view.json)
+check "a built-in scene has its name" grep -q '"scene":{"builtin":"street"}' <(read_from view.json)
 check "an interrupt ends the installed one" stopped INT
 finish

@@ -27,7 +27,7 @@ struct DrawRequest {
 
 class Engine {
 public:
-    static constexpr int kSlots = 4;
+    static constexpr int kSlots = 3;
 
     /// Makes a WebGL 2 context on the canvas that the selector names. Errors: those of makeGlDevice
     /// and Display::create; CV6004 where the browser gives no context.
@@ -41,7 +41,6 @@ public:
     Extent extent() const { return extent_; }
 
     Status load(int slot, const SlotRequest& request);
-    void unload(int slot) { slots_[slot] = Slot(); }
 
     /// Of the display and of all slots. Errors: those of Renderer::resize.
     Status resize(Extent extent);

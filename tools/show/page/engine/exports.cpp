@@ -26,6 +26,7 @@ namespace {
 
 std::string scene_bytes;
 Image read_image;
+
 /// What was drawn, planned or compiled, and how long that took.
 template <class Change>
 Json measured(Change&& change)
@@ -33,16 +34,6 @@ Json measured(Change&& change)
     const double begin = emscripten_get_now();
     Json json = answer(change());
     json["ms"] = emscripten_get_now() - begin;
-    return json;
-}
-
-/// ... and whether the slot's plan is another now.
-template <class Change>
-Json planned(int slot, Change&& change)
-{
-    const std::string before = toJson(engine.slot(slot).renderer().plan());
-    Json json = measured(change);
-    json["planned"] = toJson(engine.slot(slot).renderer().plan()) != before;
     return json;
 }
 
@@ -158,8 +149,6 @@ EXPORT const char* page_load(int slot, const char* text)
     return say(measured([&] { return engine.load(slot, request); }));
 }
 
-EXPORT void page_unload(int slot) { engine.unload(slot); }
-
 EXPORT const char* page_state(int slot)
 {
     return say(engine.slot(slot).loaded() ? engine.slot(slot).state() : Json(nullptr));
@@ -167,15 +156,20 @@ EXPORT const char* page_state(int slot)
 
 EXPORT const char* page_plan(int slot) { return say(toJson(engine.slot(slot).renderer().plan())); }
 
+EXPORT const char* page_plan_text(int slot)
+{
+    return say(toText(engine.slot(slot).renderer().plan()));
+}
+
 EXPORT const char* page_set_param(int slot, const char* name, const char* values)
 {
     const auto numbers = Json::parse(values).get<std::vector<float>>();
-    return say(planned(slot, [&] { return engine.slot(slot).setParam(name, numbers); }));
+    return say(measured([&] { return engine.slot(slot).setParam(name, numbers); }));
 }
 
 EXPORT const char* page_set_feature(int slot, const char* name, const char* word)
 {
-    return say(planned(slot, [&] { return engine.slot(slot).setFeature(name, word); }));
+    return say(measured([&] { return engine.slot(slot).setFeature(name, word); }));
 }
 
 EXPORT const char* page_patch(int slot)

@@ -7,7 +7,7 @@ namespace crevice {
 Result<Scene> importScene(const std::string& path, const ImportOptions&)
 {
     return Diagnostic{Code::scene_missing, "a page reads no file '" + path + "'",
-                      "drop a .glb on it"};
+                      "serve it by crevice view --scene FILE"};
 }
 
 }  // namespace crevice

@@ -4,7 +4,7 @@ import {debounce} from "./dom.js";
 import {Drawing} from "./drawing.js";
 import {Knobs} from "./knobs.js";
 
-export const SLOT = {a: 0, b: 1, without: 2, measure: 3};
+export const SLOT = {a: 0, b: 1, without: 2};
 const OUTPUTS = ["color", "ao"];
 const NO_SUCH_TARGET = "CV2209";
 const APPLY_AFTER_MS = 250;  // of the last key in an editor
@@ -234,11 +234,6 @@ export class App {
   }
   chooseScene(name) {
     if (this.must(() => this.engine.loadBuiltinScene(name)).ok) this.sceneChanged(name);
-  }
-  async openModel(bytes, name) {
-    const answer = await this.engine.loadGltf(bytes, name);
-    this.say(answer.ok ? null : describe(answer.diagnostics), "error");
-    if (answer.ok) this.sceneChanged(null);
   }
   setCamera(text) {
     this.camera = text;

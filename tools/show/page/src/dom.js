@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Making elements, and waiting. Text goes in as text, never as markup.
-const SVG = "http://www.w3.org/2000/svg";
-
 export const $ = id => document.getElementById(id);
 
 /// Appends a new element; a name that begins with "on" is a listener, null leaves an attribute out.
 export function add(parent, tag, attributes = {}, ...children) {
-  const svg = parent.namespaceURI === SVG || tag === "svg";
-  const node = svg ? document.createElementNS(SVG, tag) : document.createElement(tag);
+  const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith("on"))
       node.addEventListener(name.slice(2), value);

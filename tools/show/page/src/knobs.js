@@ -7,7 +7,7 @@ import {SLOT, describe} from "./app.js";
 export class Knobs {
   constructor(app) {
     this.app = app;
-    this.cost = null;     // of the last change: {name, planned, compiled, ms}
+    this.cost = null;     // of the last change: {name, compiled, ms}
     this.gesture = 0;     // edits of one drag are undone together
     this.written = null;  // the name that the present drag has written already
     app.on("loaded", () => this.cost = null);
@@ -27,7 +27,7 @@ export class Knobs {
     const answer = app.ask(() => app.engine[call](SLOT.a, name, value));
     if (!answer.ok) return this.refused(answer);
     if (app.message?.kind === "error" && app.loadedWell) app.say(null);
-    this.cost = {name, planned: answer.planned, compiled: answer.compiled ?? [], ms: answer.ms};
+    this.cost = {name, compiled: answer.compiled ?? [], ms: answer.ms};
     this.write(kind, name, value);
     app.keepShow();
     app.loadOthers();
@@ -94,9 +94,8 @@ function jsonOf(text) {
 }
 
 /// "compiled 'ssao', 'blur', 34 ms"; the engine's sentences end with what was compiled.
-export function costText({name, planned, compiled, ms}) {
+export function costText({name, compiled, ms}) {
   const took = `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms`;
   const passes = compiled.map(each => /compiled ('.*)$/.exec(each)?.[1] ?? each);
-  if (passes.length) return `${name}: compiled ${passes.join(", ")}, ${took}`;
-  return planned || ms > 1 ? `${name}: planned again, nothing compiled, ${took}` : `${name}: changed at no cost`;
+  return `${name}: ${passes.length ? "compiled " + passes.join(", ") : "nothing compiled"}, ${took}`;
 }

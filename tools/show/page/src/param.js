@@ -10,12 +10,10 @@ let serial = 0;
 export class Param {
   constructor(app, parent, param) {
     Object.assign(this, {app, param, id: `knob-${++serial}`});
-    this.diagonal = app.engine.scene?.diagonal ?? 0;
-    this.scale = scaleOf(param, this.diagonal);
+    this.scale = scaleOf(param, app.engine.scene?.diagonal);
     this.row = add(parent, "div", {class: "knob", "data-param": param.name, role: "group", "aria-labelledby": this.id});
     this.buildHead();
     this.parts = param.value.map((_, i) => this.buildPart(i));
-    if (param.semantic === "length" && this.diagonal > 0) this.buildPercent();
   }
 
   buildHead() {
@@ -57,19 +55,10 @@ export class Param {
     });
     return {slider, field};
   }
-  buildPercent() {
-    const line = add(this.row, "label", {class: "percent"});
-    this.percent = add(line, "input", {
-      type: "number", step: "any", min: 0,
-      onchange: () => this.typed(0, this.percent, this.diagonal / 100)
-    });
-    line.append(" % of the scene's diagonal");
-  }
-
-  typed(i, field, times = 1) {
+  typed(i, field) {
     this.app.knobs.begin();
     if (field.value === "" || !Number.isFinite(field.valueAsNumber)) return this.update(this.now, !this.reset.disabled);
-    this.turn(i, round(field.valueAsNumber * times, times === 1 ? 7 : 4));
+    this.turn(i, round(field.valueAsNumber, 7));
   }
   turn(i, number) {
     const value = this.now.value.map(v => round(v, 7));
@@ -86,7 +75,6 @@ export class Param {
       slider.setAttribute("aria-valuetext", `${shown(value)} ${this.param.unit === "1" ? "" : this.param.unit}`.trim());
       if (Number(field.value) !== Number(shown(value)) || field.value === "") field.value = shown(value);
     });
-    if (this.percent) this.percent.value = String(round(100 * now.value[0] / this.diagonal, 3));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The choices above the picture: scene, configs, views, and models that are dropped on the page.
+// The choices above the picture: scene, configs and views.
 import {SLOT} from "./app.js";
 import {$, copyText, fillSelect, press} from "./dom.js";
 import {shareLink} from "./link.js";
@@ -12,9 +12,7 @@ export function makeToolbar(app) {
   makeScene(app);
   makeSides(app);
   $("split").addEventListener("click", () => app.setSplit(!app.split.on));
-  $("copy-to-b").addEventListener("click", () => app.guard(() => copyToB(app)));
   $("share").addEventListener("click", e => app.during(() => share(app, e.target)));
-  makeDrop(app);
 }
 
 export async function share(app, pressed) {
@@ -27,7 +25,7 @@ export async function share(app, pressed) {
 }
 
 function makeScene(app) {
-  const select = $("scene"), file = $("model-file");
+  const select = $("scene");
   const show = () => {
     const names = app.engine.builtinScenes().map(value => ({value}));
     const own = app.builtin || !app.engine.scene ? [] : [{value: OWN_MODEL, text: app.engine.scene.name}];
@@ -37,27 +35,7 @@ function makeScene(app) {
     if (select.value !== OWN_MODEL) app.chooseScene(select.value);
     show();
   });
-  $("open-model").addEventListener("click", () => file.click());
-  file.addEventListener("change", () => {
-    if (file.files[0]) openFile(app, file.files[0]);
-    file.value = "";
-  });
   app.on("scene", show);
-}
-
-function openFile(app, file) {
-  if (!/\.glb$/i.test(file.name)) return app.say(`${file.name} is no .glb. Other formats: crevice view --scene FILE.`, "error");
-  return app.during(async () => app.openModel(new Uint8Array(await file.arrayBuffer()), file.name));
-}
-
-function makeDrop(app) {
-  const files = e => [...e.dataTransfer?.types ?? []].includes("Files");
-  addEventListener("dragover", e => files(e) && e.preventDefault());
-  addEventListener("drop", e => {
-    if (!files(e)) return;
-    e.preventDefault();
-    if (e.dataTransfer.files[0]) openFile(app, e.dataTransfer.files[0]);
-  });
 }
 
 function makeSides(app) {
@@ -81,7 +59,7 @@ function makeSides(app) {
     $("name-a").textContent = (on ? "A: " : "") + nameOfSide(app, app.a);
     $("name-b").textContent = "B: " + nameOfSide(app, app.b);
   };
-  for (const event of ["config", "sides", "configs"]) app.on(event, showConfigs);
+  for (const event of ["config", "sides"]) app.on(event, showConfigs);
   for (const event of ["loaded", "loadedB", "sides", "values"]) app.on(event, showViews);
 }
 
@@ -94,20 +72,4 @@ function viewsOf(app, state) {
 function nameOfSide(app, {config, variant, show}) {
   if (!config) ({config, variant} = app.a);
   return `${config}${variant ? ":" + variant : ""} · ${nameOf(show)}`;
-}
-
-/// B keeps A's present text under a name of its own; the modules that it extends stay shared.
-function copyToB(app) {
-  const {config, variant, show} = app.a, {engine} = app;
-  const stem = config.replace(/_b\d*$/, "");
-  const free = name => name !== config && (engine.source(app.path(name)) === null || engine.shippedSource(app.path(name)) === null);
-  const name = ["", 2, 3, 4, 5].map(n => `${stem}_b${n}`).find(free);
-  const text = engine.source(app.path());
-  app.flushText();
-  app.putText(app.path(name), text.replace(/("name"\s*:\s*)"[^"]*"/, (all, key) => key + JSON.stringify(name)));
-  app.rememberFirst(app.path(name));
-  app.b = {config: name, variant, show};
-  if (!app.split.on) app.setSplit(true);
-  else app.chooseB(name, variant);
-  app.emit("configs");
 }

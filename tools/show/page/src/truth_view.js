@@ -9,13 +9,11 @@ const TRACE_AFTER_MS = 300;      // of the last move
 const SHOW_EVERY_MS = 150;       // while rays come in
 const DEFAULT_RADIUS_SHARE = 0.05;  // of the scene's diagonal, for configs without a length
 
-/// The radius of a slot's config: its param "radius", else its first length.
-export function radiusParam(state) {
-  const lengths = state?.params.filter(p => p.semantic === "length") ?? [];
-  return lengths.find(p => p.name === "radius") ?? lengths[0] ?? null;
-}
-export function radiusOf(app) {
-  return radiusParam(app.stateA())?.value[0] ?? DEFAULT_RADIUS_SHARE * app.engine.scene.diagonal;
+// That of A: its param "radius", else its first length.
+function radiusOf(app) {
+  const lengths = app.stateA()?.params.filter(p => p.semantic === "length") ?? [];
+  const param = lengths.find(p => p.name === "radius") ?? lengths[0];
+  return param?.value[0] ?? DEFAULT_RADIUS_SHARE * app.engine.scene.diagonal;
 }
 
 export class TruthView {
@@ -102,8 +100,8 @@ export class TruthView {
     this.bar.value = 0;
     app.guard(() => {
       this.tracer ??= new Truth(app.engine);
-      const started = this.tracer.start({camera, size, radius, rays}, progress => app.guard(() => this.progress(key, progress)));
-      started?.catch?.(e => this.failed(key, e));
+      this.tracer.start({camera, size, radius, rays}, progress => app.guard(() => this.progress(key, progress)),
+        error => this.failed(key, error));
     });
   }
   failed(key, error) {

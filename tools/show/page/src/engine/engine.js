@@ -41,9 +41,9 @@ class Engine {
       schema: json('schema'),
       builtinScenes: json('builtin_scenes'),
       resolveCamera: json('resolve_camera', s, n),  // (text, aspect)
-      unload: bare('unload', null, n),  // (slot), as the next three
-      state: json('state', n),
+      state: json('state', n),  // (slot), as the next three
       plan: json('plan', n),
+      planText: bare('plan_text', s, n),
       patch: json('patch', n)
     });
     this.calls = {
@@ -51,7 +51,6 @@ class Engine {
       source: json('source', s, n),
       showBuiltinScene: json('show_builtin_scene', s),
       showSceneBytes: json('show_scene_bytes', n, n, s),
-      showModel: json('show_model', s, n),
       scene: json('scene'),
       sceneBytes: bare('scene_bytes', n),
       bytes: bare('bytes', n),
@@ -89,14 +88,6 @@ class Engine {
 
   loadSceneBytes(bytes, name) {
     return this.withBytes(bytes, (at, size) => this.shown(this.calls.showSceneBytes(at, size, name)));
-  }
-
-  async loadGltf(bytes, name) {
-    const {loadGltf} = await import('./gltf.js');  // half of the page's scripts
-    return loadGltf(this, bytes, name);
-  }
-  loadModel(scene, bytes) {
-    return this.withBytes(bytes, at => this.shown(this.calls.showModel(JSON.stringify(scene), at)));
   }
 
   shown(answer) {

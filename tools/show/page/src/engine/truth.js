@@ -13,43 +13,34 @@ export class Truth {
 
   /// Calls onProgress({done: 0 to 1, image}) as rows come in; `image` holds size[0] * size[1] visibilities, lowest row
   /// first, NaN where there is no surface or nothing has been traced yet. At done = 1 it is that of
-  /// `crevice reference --radius R --rays N`. Resolves once it is whole; to null where another took its place.
-  start({camera, size: [width, height], radius, rays = 256}, onProgress = () => {}) {
+  /// `crevice reference --radius R --rays N`. Nothing is called any more once another has taken its place.
+  start({camera, size: [width, height], radius, rays}, onProgress, onError) {
     this.cancel();
     const job = ++this.job;
     this.giveScene();
     const image = new Float32Array(width * height).fill(NaN);
-    return new Promise((resolve, reject) => {
-      this.superseded = () => resolve(null);
-      let finished = 0, passes = 1, traced = 0;
-      const listen = ({data}) => {
-        if (data.job !== job) return;
-        if (data.error) return reject(new Error(data.error));
-        if (data.passes) passes = data.passes;
-        if (data.rows) {
-          data.rows.forEach((y, k) => image.set(data.values[k], y * width));
-          traced += data.rows.length;
-        }
-        if (data.done) ++finished;
-        const whole = finished === this.workers.length;
-        onProgress({done: whole ? 1 : Math.min(0.999, traced / (passes * height)), image});
-        if (!whole) return;
-        this.superseded = null;
-        resolve(image);
-      };
-      this.workers.forEach((worker, first) => {
-        worker.onmessage = listen;
-        worker.onerror = event => reject(new Error(event.message || 'the tracer did not start'));
-        worker.postMessage({job, camera, width, height, radius, rays, first, step: this.workers.length});
-      });
+    let finished = 0, passes = 1, traced = 0;
+    const listen = ({data}) => {
+      if (data.job !== job || job !== this.job) return;
+      if (data.error) return onError(new Error(data.error));
+      if (data.passes) passes = data.passes;
+      if (data.rows) {
+        data.rows.forEach((y, k) => image.set(data.values[k], y * width));
+        traced += data.rows.length;
+      }
+      if (data.done) ++finished;
+      onProgress({done: finished === this.workers.length ? 1 : Math.min(0.999, traced / (passes * height)), image});
+    };
+    this.workers.forEach((worker, first) => {
+      worker.onmessage = listen;
+      worker.onerror = event => onError(new Error(event.message || 'the tracer did not start'));
+      worker.postMessage({job, camera, width, height, radius, rays, first, step: this.workers.length});
     });
   }
 
   cancel() {
     ++this.job;
     for (const worker of this.workers) worker.postMessage({cancel: this.job});
-    this.superseded?.();
-    this.superseded = null;
   }
 
   giveScene() {

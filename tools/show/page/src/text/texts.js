@@ -13,7 +13,7 @@ export class Texts {
     add(this.place, "p", {class: "soft"}, "The editor is loading…");
     this.list = add(root, "ol", {class: "diagnostics", id: "diagnostics", "aria-live": "polite"});
     app.on("config", () => this.open(app.path()));
-    for (const event of ["loaded", "text", "configs"]) app.on(event, () => this.showFiles());
+    for (const event of ["loaded", "text"]) app.on(event, () => this.showFiles());
     app.on("text", (path, joined) => this.editor?.follow(path, joined));
     app.on("diagnostics", () => this.showDiagnostics());
   }
