@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Numbers to text and back. The only place that does so: printf, strtod and streams write and read
-// a decimal comma once the host has called setlocale, as every Qt and GTK program does, and libc++
-// 13 (Emscripten, iOS, Android) has no <charconv> of floats, whose texts these are.
+// Numbers to text and back, whatever the locale is. The only place that does so: printf, strtod and
+// streams write and read a decimal comma once the host has called setlocale, as every Qt and GTK
+// program does, and libc++ 13 (Emscripten, iOS, Android) has no <charconv> of floats.
 //
 // What is not finite becomes "nan", "inf" or "-inf".
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace crevice {
 
-/// The fewest digits that read back as the same number: "0.5", "1", "1e-09".
+/// The fewest digits that read back as the same number, of a power of two at most one more: "0.5".
 std::string shortest(float value);
 std::string shortest(double value);
 

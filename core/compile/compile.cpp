@@ -156,7 +156,9 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     std::vector<Elided> elided;
     for (const Description::LeftOut& each : description.left_out)
         elided.push_back({"module " + each.module, "replaced", each.reason});
-    State state = begin(description, traits, caps, options);
+    const std::optional<Description> fitted =
+        fitBorders({description, traits, caps, options}, elided);
+    State state = begin(fitted ? *fitted : description, traits, caps, options);
     state.elided = std::move(elided);
     checkExtent(state);
     checkRules(state);

@@ -145,6 +145,26 @@ void checkOutputs(State& state, std::vector<bool>& reported)
     }
 }
 
+// A target that one pass writes and another one, which is off, passes on: two chains with one end.
+void checkBypasses(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        if (pass.active) continue;
+        for (const BypassDesc& bypass : pass.desc->bypass) {
+            const int target = indexOf(state.description.targets, bypass.output.name);
+            if (target < 0 || state.targets[target].writer < 0) continue;
+            const Pass& writer = state.passes[state.targets[target].writer];
+            Diagnostic& error = report(
+                state, Code::two_writers,
+                quoted(pass) + " passes on '" + bypass.output.name + "' while it is off, which " +
+                    quoted(writer) + " writes",
+                bypass.output, "take one of the two out, or let one write a target of its own");
+            error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
+            blame(error, ownPlace(error.place), "it is passed on here");
+        }
+    }
+}
+
 }  // namespace
 
 void findWriters(State& state)
@@ -171,6 +191,7 @@ void findWriters(State& state)
             blame(error, ownPlace(error.place), "the second writer");
         }
     }
+    checkBypasses(state);
 }
 
 void orderPasses(State& state)

@@ -64,6 +64,10 @@ std::optional<Source> resolve(const State& state, const Source& source);
 std::optional<Source> resolveTarget(const State& state, int target);
 
 // target_sizes.cpp
+/// The description with params lowered whose borders make targets larger than the device's
+/// textures, and what that leaves out; nothing where all fit. The first step: all others see the
+/// result.
+std::optional<Description> fitBorders(const State& state, std::vector<Elided>& elided);
 /// How large the target is, in pixels.
 Extent sizeOf(const State& state, int target);
 /// How many views a target shows that has a border or follows one, in the direction in which that

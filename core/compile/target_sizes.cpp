@@ -53,6 +53,28 @@ Extent followedExtent(const State& state, const SizeDesc& size)
     return {factor(extent.width, scale), factor(extent.height, scale)};
 }
 
+// The scale itself, or one at which the border ends where the device's textures do.
+float fittingScale(int size, float scale, int limit)
+{
+    if (bordered(size, scale) <= limit) return scale;
+    return static_cast<float>(1.0 + 2.0 * std::max(0, (limit - size) / 2) / size);
+}
+
+// As fittingScale, of all targets whose borders the param gives.
+float fittingScale(const State& state, const ParamDesc& param)
+{
+    float scale = param.value[0];
+    for (const TargetDesc& target : state.description.targets) {
+        if (!target.size.border || target.size.scale_param.name != param.name) continue;
+        const TargetDesc* followed = findNamed(state.description.targets, target.size.of.name);
+        const Extent inner =
+            followed ? followedExtent(state, followed->size) : state.options.extent;
+        for (const int size : {inner.width, inner.height})
+            scale = std::min(scale, fittingScale(size, scale, state.caps.max_texture_size));
+    }
+    return scale;
+}
+
 void checkKind(State& state, const Reference& at, bool depth)
 {
     const TargetDesc* target = findNamed(state.description.targets, at.name);
@@ -117,6 +139,24 @@ void checkFormat(State& state, const TargetDesc& desc, Format chosen)
 }
 
 }  // namespace
+
+std::optional<Description> fitBorders(const State& state, std::vector<Elided>& elided)
+{
+    std::optional<Description> fitted;
+    for (std::size_t i = 0; i < state.description.params.size(); ++i) {
+        const ParamDesc& param = state.description.params[i];
+        if (param.bind != Bind::define) continue;  // what a host sets does not pass by here
+        const float scale = fittingScale(state, param);
+        if (scale >= param.value[0] || scale < param.min) continue;
+        if (!fitted) fitted = state.description;
+        fitted->params[i].value[0] = scale;
+        const std::string limit = std::to_string(state.caps.max_texture_size);
+        elided.push_back({"part of " + param.name, "device",
+                          "the device's textures end at " + limit + "x" + limit + ", so it is " +
+                              shortest(scale) + " instead of " + shortest(param.value[0])});
+    }
+    return fitted;
+}
 
 Extent sizeOf(const State& state, int target)
 {
