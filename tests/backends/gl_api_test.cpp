@@ -39,15 +39,6 @@ GlLoader loaderWithout(const std::string& missing)
     };
 }
 
-std::vector<std::string> functionNames()
-{
-    return {
-#define CREVICE_GL_NAME(name, upper, required) #name,
-        CREVICE_GL_FUNCTIONS(CREVICE_GL_NAME)
-#undef CREVICE_GL_NAME
-    };
-}
-
 Diagnostic errorFor(const char* gl_version, const std::string& missing = "")
 {
     version = gl_version;
@@ -68,13 +59,6 @@ T valueAt(const std::vector<std::uint8_t>& bytes, std::size_t index)
 
 }  // namespace
 
-TEST_CASE("the list of GL functions is in order and holds each once")
-{
-    const std::vector<std::string> names = functionNames();
-    CHECK(std::is_sorted(names.begin(), names.end()));
-    CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
-}
-
 TEST_CASE("a context that lacks a function is refused by the function's name")
 {
     const Diagnostic error = errorFor("OpenGL ES 3.0", "glTexStorage2D");
@@ -88,20 +72,6 @@ TEST_CASE("a loader that finds nothing is told that no context is current")
     REQUIRE(gl.diagnostics().size() == 1);
     CHECK(gl.diagnostics()[0].code == Code::gl_version);
     CHECK(gl.diagnostics()[0].message.find("no GL context is current") != std::string::npos);
-}
-
-TEST_CASE("an empty loader is refused")
-{
-    const Result<GlApi> gl = loadGlApi({});
-    REQUIRE_FALSE(gl.ok());
-    CHECK(gl.diagnostics()[0].code == Code::gl_function);
-}
-
-TEST_CASE("functions that not every context has may be missing")
-{
-    version = "OpenGL ES 3.0";
-    for (const char* name : {"glObjectLabel", "glInvalidateFramebuffer", "glEnablei"})
-        CHECK(loadGlApi(loaderWithout(name)).ok());
 }
 
 TEST_CASE("a context that is too old, or not there, is refused")
@@ -133,26 +103,6 @@ TEST_CASE("a GL object is deleted once, by its last owner")
     }
     std::sort(deleted.begin(), deleted.end());
     CHECK(deleted == std::vector<GLuint>{7, 8, 9});
-}
-
-TEST_CASE("ids count from 1 and are given out again")
-{
-    GlPool<int> pool;
-    CHECK(pool.add(10) == 1);
-    CHECK(pool.add(20) == 2);
-    pool.retire(1);
-    pool.retire(0);
-    CHECK(pool.add(30) == 1);
-    CHECK(pool.at(1) == 30);
-    CHECK(pool.at(2) == 20);
-}
-
-TEST_CASE("the GL table of formats follows the core's")
-{
-    for (const FormatInfo& info : allFormats()) {
-        INFO(info.name);
-        CHECK(glFormat(info.format).format == info.format);
-    }
 }
 
 TEST_CASE("pixels are clamped and rounded to normalised formats")
