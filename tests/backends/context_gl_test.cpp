@@ -58,13 +58,6 @@ void takeTurns(Room& first, Room& second)
 
 }  // namespace
 
-TEST_CASE("two contexts of one backend live side by side")
-{
-    Room first(need(makeContext(testBackend())));
-    Room second(need(makeContext(testBackend())));
-    takeTurns(first, second);
-}
-
 TEST_CASE("EGL and OSMesa live in one process")
 {
     Result<std::unique_ptr<Context>> egl = makeEglContext();

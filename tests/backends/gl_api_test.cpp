@@ -4,7 +4,6 @@
 
 #include "backends/gl/api.h"
 #include "backends/gl/formats.h"
-#include "backends/gl/objects.h"
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -16,16 +15,8 @@ namespace crevice {
 namespace {
 
 const char* version = nullptr;
-std::vector<GLuint> deleted;
 
 const GLubyte* GL_APIENTRY getString(GLenum) { return reinterpret_cast<const GLubyte*>(version); }
-
-void GL_APIENTRY deleteTextures(GLsizei count, const GLuint* names)
-{
-    deleted.insert(deleted.end(), names, names + count);
-}
-
-void GL_APIENTRY deleteShader(GLuint name) { deleted.push_back(name); }
 
 GLenum GL_APIENTRY getError() { return GL_NO_ERROR; }
 
@@ -82,27 +73,6 @@ TEST_CASE("a context that is too old, or not there, is refused")
     CHECK(errorFor("2.1 Mesa").code == Code::gl_version);
     CHECK(errorFor("").code == Code::gl_version);
     CHECK(errorFor(nullptr).code == Code::gl_version);
-}
-
-TEST_CASE("a GL object is deleted once, by its last owner")
-{
-    deleted.clear();
-    GlApi gl;
-    gl.DeleteTextures = deleteTextures;
-    gl.DeleteShader = deleteShader;
-    {
-        GlTexture first(gl, 7);
-        GlTexture second(std::move(first));
-        CHECK(first.name() == 0);  // NOLINT: moved-from is zero
-        CHECK(second.name() == 7);
-        GlTexture third(gl, 8);
-        third = std::move(second);
-        CHECK(third.name() == 7);
-        GlShader shader(gl, 9);
-        GlTexture nothing;
-    }
-    std::sort(deleted.begin(), deleted.end());
-    CHECK(deleted == std::vector<GLuint>{7, 8, 9});
 }
 
 TEST_CASE("pixels are clamped and rounded to normalised formats")

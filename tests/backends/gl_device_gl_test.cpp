@@ -151,27 +151,6 @@ TEST_CASE_METHOD(GlFixture, "what cannot be made or written is refused by name a
         checkSaid(device->adoptTexture({none}).diagnostics(), Code::bad_input);
 }
 
-TEST_CASE_METHOD(GlFixture, "an adopted texture is drawn from and survives the device")
-{
-    GLuint name = 0;
-    gl.GenTextures(1, &name);
-    gl.BindTexture(GL_TEXTURE_2D, name);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1);
-    const std::uint8_t pixel[] = {255, 0, 255, 0};
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-
-    const TextureId id = need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}));
-    CHECK(device->nativeName(id) == name);
-    CHECK(read(id).pixels == std::vector<float>{1, 0, 1, 0});
-    device->destroy(id);
-    CHECK(gl.IsTexture(name));
-    need(device->adoptTexture({name, "host", Format::rgba8, {1, 1}}));
-    device.reset();
-    CHECK(gl.IsTexture(name));
-    gl.DeleteTextures(1, &name);
-}
-
 TEST_CASE_METHOD(GlFixture, "objects carry their labels where the context has labels")
 {
     auto get_label =

@@ -163,16 +163,6 @@ TEST_CASE("What makes no sense is blamed, in words that say which object and why
         {"does not exist", [](Rig& rig) { rig.device.destroy(TextureId{99}); }},
         {"does not exist", [](Rig& rig) { rig.device.destroy(MeshId{rig.program.value}); }},
         {"before framebuffer 'draw'", [](Rig& rig) { rig.device.destroy(rig.target); }},
-        {"before framebuffer 'resolving'",
-         [](Rig& rig) {
-             const auto depth = [&rig](int samples) {
-                 return need(rig.device.createTexture({"d", Format::depth24, {8, 4}, samples}));
-             };
-             const TextureId resolved = depth(1);
-             need(rig.device.createFramebuffer({"resolving", {}, depth(4), {}, resolved}));
-             REQUIRE(rig.device.misuse().empty());
-             rig.device.destroy(resolved);
-         }},
         // calls out of order
         {"outside a pass", [](Rig& rig) { rig.device.drawFullscreen(); }},
         {"outside a frame", [](Rig& rig) { rig.device.beginPass(rig.pass()); }},
@@ -257,17 +247,4 @@ TEST_CASE("What makes no sense is blamed, in words that say which object and why
     rig.device.destroy(TextureId{});  // null is nothing to blame
     rig.presentAfter(StoreOp::store);
     CHECK(rig.device.misuse().empty());
-}
-
-TEST_CASE("Attachments of two sizes are blamed on a device that wants one")
-{
-    for (const bool equal : {false, true}) {
-        DeviceCaps caps = generousCaps();
-        caps.equal_attachments = equal;
-        RecordingDevice device(caps);
-        const TextureId color = need(device.createTexture({"color", Format::rgba8, {8, 4}}));
-        const TextureId depth = need(device.createTexture({"depth", Format::depth24, {9, 4}}));
-        need(device.createFramebuffer({"draw", {color}, depth}));
-        CHECK(device.misuse().size() == (equal ? 1 : 0));
-    }
 }
