@@ -40,18 +40,6 @@ void comparePictures(const Images& got, const Images& wanted)
     }
 }
 
-/// A loader that knows nothing of several draw buffers or viewports.
-GlLoader withoutIndices(const GlLoader& load)
-{
-    return [load](const char* name) -> void* {
-        const std::string text = name;
-        const bool indexed = text.find("Indexed") != text.npos || text == "glColorMaski" ||
-                             text == "glBlendEquationi" ||
-                             (text.find("glBlend") == 0 && text.back() == 'i');
-        return indexed ? nullptr : load(name);
-    };
-}
-
 }  // namespace
 
 TEST_CASE("Hosts get the same pictures from depth wherever it lies")
@@ -87,25 +75,6 @@ TEST_CASE("Hosts in random states keep them, and get the pictures of a fresh con
         const Images pictures = life.live(kind, after);
         comparePictures(pictures, wanted[kind]);
         need(own->makeCurrent());
-    }
-}
-
-TEST_CASE("A context without state per draw buffer has the host's put back too")
-{
-    GlDeviceOptions options;
-    options.ignore_extensions = true;
-    const auto own = need(makeContext(testBackend()));
-    GlFixture bare(options, *own);
-    settleOptional(bare.gl, need(readInfo(bare.gl, true)), own->loader());
-    RandomHost host(bare.gl, withoutIndices(own->loader()));
-    for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
-        INFO(seed);
-        host.randomize(seed);
-        const Snapshot before = host.snapshot();
-        bare.texture(Format::r8);
-        need(bare.device->beginFrame());
-        need(bare.device->endFrame());
-        CHECK(difference(before, host.snapshot()) == "");
     }
 }
 
