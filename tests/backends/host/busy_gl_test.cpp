@@ -112,3 +112,13 @@ TEST_CASE_METHOD(BusyHost, "A device tells the clip control of the context")
     clip_control(GL_LOWER_LEFT_EXT, GL_NEGATIVE_ONE_TO_ONE_EXT);
     CHECK(device->clipControl() == ClipControl());
 }
+
+TEST_CASE_METHOD(BusyHost, "An error that the host left is a warning of the next frame alone")
+{
+    gl.Enable(0xFFFF);
+    need(device->beginFrame());
+    const Status status = device->endFrame();
+    CHECK(status.ok());
+    CHECK(onlyCode(status) == Code::gl_error);
+    CHECK(refusal().empty());
+}
