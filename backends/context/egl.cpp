@@ -9,6 +9,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <cstdio>
+
 namespace crevice {
 
 namespace {
@@ -39,26 +41,11 @@ using Notes = std::vector<Note>;
 const char* const kEglHelp =
     "EGL is in Debian's packages libegl1 and libgl1-mesa-dri; the backend 'osmesa' needs neither";
 
-const char* eglErrorName(EGLint error)
+std::string errorText(const EglApi& egl)
 {
-    switch (error) {
-    case EGL_SUCCESS: return "no error given";
-    case EGL_NOT_INITIALIZED: return "EGL_NOT_INITIALIZED";
-    case EGL_BAD_ACCESS: return "EGL_BAD_ACCESS";
-    case EGL_BAD_ALLOC: return "EGL_BAD_ALLOC";
-    case EGL_BAD_ATTRIBUTE: return "EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONFIG: return "EGL_BAD_CONFIG";
-    case EGL_BAD_CONTEXT: return "EGL_BAD_CONTEXT";
-    case EGL_BAD_CURRENT_SURFACE: return "EGL_BAD_CURRENT_SURFACE";
-    case EGL_BAD_DISPLAY: return "EGL_BAD_DISPLAY";
-    case EGL_BAD_MATCH: return "EGL_BAD_MATCH";
-    case EGL_BAD_NATIVE_PIXMAP: return "EGL_BAD_NATIVE_PIXMAP";
-    case EGL_BAD_NATIVE_WINDOW: return "EGL_BAD_NATIVE_WINDOW";
-    case EGL_BAD_PARAMETER: return "EGL_BAD_PARAMETER";
-    case EGL_BAD_SURFACE: return "EGL_BAD_SURFACE";
-    case EGL_CONTEXT_LOST: return "EGL_CONTEXT_LOST";
-    default: return "an unknown EGL error";
-    }
+    char text[32];
+    std::snprintf(text, sizeof text, "EGL error 0x%04X", egl.GetError());
+    return text;
 }
 
 /// True when the space-separated list that EGL gives for `display` holds `name`.
@@ -114,8 +101,7 @@ private:
     Status bind() override
     {
         if (egl_.MakeCurrent(display_, surface_, surface_, handle_)) return {};
-        const char* error = eglErrorName(egl_.GetError());
-        return failure(Code::no_egl, std::string("eglMakeCurrent failed: ") + error, kEglHelp);
+        return failure(Code::no_egl, "eglMakeCurrent failed: " + errorText(egl_), kEglHelp);
     }
 
     void release() override
@@ -148,7 +134,7 @@ std::unique_ptr<Context> openDisplay(const EglApi& egl, EGLDisplay display, cons
                                      Notes& notes)
 {
     auto fail = [&](const char* call) {
-        notes.push_back({{}, way + ": " + call + " failed: " + eglErrorName(egl.GetError())});
+        notes.push_back({{}, way + ": " + call + " failed: " + errorText(egl)});
         return nullptr;
     };
     if (display == EGL_NO_DISPLAY) return fail("getting the display");

@@ -15,18 +15,15 @@
 namespace crevice {
 
 // Of desktop OpenGL alone.
-typedef void(GL_APIENTRYP PFNGLCLAMPCOLORPROC)(GLenum target, GLenum clamp);
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEPROC)(double near_value, double far_value);
 typedef void(GL_APIENTRYP PFNGLDEPTHRANGEINDEXEDPROC)(GLuint index, double near_value,
                                                       double far_value);
-typedef void(GL_APIENTRYP PFNGLPIXELTRANSFERFPROC)(GLenum parameter, GLfloat value);
 
 // X(name, NAME, required): a context that lacks a required one is refused. The others are null
 // where the context does not promise them; `settleOptional` sees to that.
 #define CREVICE_GL_FUNCTIONS(X) \
     X(ActiveTexture, ACTIVETEXTURE, true) \
     X(AttachShader, ATTACHSHADER, true) \
-    X(BeginConditionalRender, BEGINCONDITIONALRENDERNV, false) \
     X(BeginQuery, BEGINQUERY, false) \
     X(BindBuffer, BINDBUFFER, true) \
     X(BindFramebuffer, BINDFRAMEBUFFER, true) \
@@ -43,7 +40,6 @@ typedef void(GL_APIENTRYP PFNGLPIXELTRANSFERFPROC)(GLenum parameter, GLfloat val
     X(BlitFramebuffer, BLITFRAMEBUFFER, true) \
     X(BufferData, BUFFERDATA, true) \
     X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS, true) \
-    X(ClampColor, CLAMPCOLOR, false) \
     X(Clear, CLEAR, true) \
     X(ClearBufferfv, CLEARBUFFERFV, true) \
     X(ClipControl, CLIPCONTROLEXT, false) \
@@ -77,7 +73,6 @@ typedef void(GL_APIENTRYP PFNGLPIXELTRANSFERFPROC)(GLenum parameter, GLfloat val
     X(Enable, ENABLE, true) \
     X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY, true) \
     X(Enablei, ENABLEI, false) \
-    X(EndConditionalRender, ENDCONDITIONALRENDERNV, false) \
     X(EndQuery, ENDQUERY, false) \
     X(Finish, FINISH, true) \
     X(FramebufferRenderbuffer, FRAMEBUFFERRENDERBUFFER, true) \
@@ -126,7 +121,6 @@ typedef void(GL_APIENTRYP PFNGLPIXELTRANSFERFPROC)(GLenum parameter, GLfloat val
     X(ObjectLabel, OBJECTLABEL, false) \
     X(PauseTransformFeedback, PAUSETRANSFORMFEEDBACK, false) \
     X(PixelStorei, PIXELSTOREI, true) \
-    X(PixelTransferf, PIXELTRANSFERF, false) \
     X(PolygonMode, POLYGONMODENV, false) \
     X(ProgramBinary, PROGRAMBINARY, false) \
     X(ProgramParameteri, PROGRAMPARAMETERI, false) \

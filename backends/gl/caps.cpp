@@ -162,7 +162,6 @@ void dropWhatIsMissing(GlApi& gl, const GlInfo& info)
     if (lacks(400, "GL_ARB_transform_feedback2"))
         gl.PauseTransformFeedback = gl.ResumeTransformFeedback = nullptr;
     if (!info.desktop && info.native_version < 310) gl.GetTexLevelParameteriv = nullptr;
-    if (!info.desktop || info.bare) gl.BeginConditionalRender = nullptr;
     if (info.desktop && info.native_version < 410 && !info.has("GL_ARB_get_program_binary")) {
         gl.GetProgramBinary = nullptr;
         gl.ProgramBinary = nullptr;

@@ -43,11 +43,9 @@ Status GlDevice::checkCurrent()
         deleteRetired();
         return {};
     }
-    HostErrors of_other;
-    of_other.take(gl_);
+    noticeReset(gl_);
     const Status status = takeErrors(gl_, "the device");
     if (tellsLoss(status.diagnostics())) return status;
-    of_other.raise(gl_);
     const bool none = !gl_.GetString(GL_VERSION);
     return failure(Code::gl_version,
                    none ? "no GL context is current on this thread"
@@ -192,7 +190,7 @@ Status GlDevice::refresh(TextureId id)
     const TextureSlot& texture = textures_.at(id.value);
     if (texture.copy.texture() == 0) return {};
     Scope scope(*this);
-    if (Status status = state_.checkHost(check_errors_); !status) return status;
+    if (Status status = state_.checkHost(); !status) return status;
     const Status status = texture.copy.update(gl_);
     return status ? status : unlessLost(status, "refresh");
 }
@@ -278,7 +276,7 @@ Result<FramebufferId> GlDevice::createFramebuffer(const FramebufferDesc& desc)
 Result<ProgramId> GlDevice::createProgram(const ProgramDesc& desc)
 {
     if (Status status = checkCurrent(); !status) return status.diagnostics();
-    const ErrorScope scope(*this);
+    takeHostErrors();
     Result<GlLinkedProgram> program = makeProgram(gl_, program_cache_, desc);
     if (!program) return program.diagnostics();
     return ProgramId{programs_.add(std::move(*program))};
@@ -340,7 +338,7 @@ Result<Image> GlDevice::readTexture(TextureId id)
     if (Status status = checkReadable(*this, id); !status) return status.diagnostics();
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
-    if (Status status = state_.checkHost(check_errors_); !status) return status.diagnostics();
+    if (Status status = state_.checkHost(); !status) return status.diagnostics();
     const GLuint nearest = sampler({Filter::nearest, Wrap::clamp}, texture.format);
     Result<Image> rgba = copier_.read(gl_, state_, texture.name, nearest, texture.extent);
     if (!rgba) return rgba;

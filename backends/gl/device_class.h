@@ -5,7 +5,6 @@
 #include <crevice/gl_device.h>
 
 #include "backends/gl/copy.h"
-#include "backends/gl/host/host_errors.h"
 #include "backends/gl/host/host_texture.h"
 #include "backends/gl/timers.h"
 
@@ -97,38 +96,18 @@ private:
         bool uv = true;
     };
 
-    /// Sets the host's errors aside in a call that may come outside of a frame.
-    class ErrorScope {
-    public:
-        explicit ErrorScope(GlDevice& device)
-            : device_(device),
-              outermost_(!device.state_.entered())
-        {
-            if (outermost_) device_.host_errors_.take(device_.gl_);
-        }
-        ~ErrorScope()
-        {
-            if (outermost_) device_.host_errors_.raise(device_.gl_);
-        }
-        ErrorScope(const ErrorScope&) = delete;
-
-    private:
-        GlDevice& device_;
-        bool outermost_;
-    };
-
-    /// The same with the host's state.
+    /// Sets the host's state and errors aside in a call that may come outside of a frame.
     class Scope {
     public:
-        explicit Scope(GlDevice& device) : errors_(device), state_(device.state_)
+        explicit Scope(GlDevice& device) : state_(device.state_)
         {
+            if (!state_.entered()) device.takeHostErrors();
             state_.enter();
         }
         ~Scope() { state_.leave(); }
         Scope(const Scope&) = delete;
 
     private:
-        ErrorScope errors_;
         GlState& state_;
     };
 
@@ -162,6 +141,9 @@ private:
     /// Sets where in its framebuffer a pass draws.
     void setArea(const PassInfo& pass);
 
+    /// Takes the errors that the host left pending, for endFrame to warn of.
+    void takeHostErrors();
+
     /// Keeps the errors of a call that returns none, for endFrame.
     void noteErrors(const char* what, const char* label = "");
 
@@ -182,8 +164,8 @@ private:
     GlPool<GlLinkedProgram> programs_;
     GlPool<FramebufferSlot> framebuffers_;
     PassInfo pass_ = {};
-    HostErrors host_errors_;
-    Diagnostics errors_;  // of this frame's passes
+    Diagnostics host_errors_;  // a warning of what the host left pending
+    Diagnostics errors_;       // of this frame's passes
 };
 
 }  // namespace crevice

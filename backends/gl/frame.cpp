@@ -58,16 +58,23 @@ void GlDevice::noteErrors(const char* what, const char* label)
     append(errors_, status.diagnostics());
 }
 
+void GlDevice::takeHostErrors()
+{
+    noticeReset(gl_);
+    Diagnostics left = takeErrors(gl_, "what the host did before").diagnostics();
+    if (left.empty() || tellsLoss(left)) return;
+    left[0].severity = Severity::warning;
+    left[0].help = "ask glGetError after your own calls to find which it was";
+    host_errors_ = std::move(left);
+}
+
 Status GlDevice::beginFrame()
 {
     if (check_errors_) {
         if (Status status = checkCurrent(); !status) return status;
-        host_errors_.take(gl_);
+        takeHostErrors();
     }
-    if (Status status = state_.checkHost(check_errors_); !status) {
-        host_errors_.raise(gl_);
-        return status;
-    }
+    if (Status status = state_.checkHost(); !status) return status;
     timers_.beginFrame(gl_);
     state_.enter();
     return {};
@@ -77,10 +84,9 @@ Status GlDevice::endFrame()
 {
     state_.leave();
     noteErrors("endFrame");
-    Diagnostics errors = host_errors_.takeMemoryWarning();
+    Diagnostics errors = std::exchange(host_errors_, {});
     append(errors, errors_);
     errors_.clear();
-    host_errors_.raise(gl_);
     return errors;
 }
 
@@ -182,7 +188,7 @@ Status GlDevice::present(TextureId id, const HostFramebuffer& host)
     if (Status status = checkRectangle(host); !status) return status;
     const TextureSlot& texture = textures_.at(id.value);
     Scope scope(*this);
-    if (Status status = state_.checkHost(check_errors_); !status) return status;
+    if (Status status = state_.checkHost(); !status) return status;
     const GlFramebuffer own = bindHostTarget(gl_, host);
     if (Status status = check_errors_ ? checkHostTarget(gl_, host) : Status(); !status)
         return unlessLost(status, "present");

@@ -46,7 +46,6 @@ constexpr GLenum kPackSwapBytes = 0x0D00;
 constexpr GLenum kUnpackSwapBytes = 0x0CF0;
 constexpr GLenum kPackInvert = 0x8758;       // of GL_MESA_pack_invert
 constexpr GLenum kPackReverseRows = 0x93A4;  // of GL_ANGLE_pack_reverse_row_order
-constexpr GLenum kClampFragmentColor = 0x891B;
 
 // Wanted off but for two; passes turn on what they need. Blending stands with the draw buffers. In
 // WebGL 2 fixed-index restart is always on, and no index of a mesh is the one that restarts.
@@ -86,16 +85,6 @@ constexpr PixelStore kPixelStores[] = {
     {kPackInvert, 0, Where::inverted_rows},        {kPackReverseRows, 0, Where::reversed_rows},
 };
 
-/// What a compatibility profile does to the pixels of a texture that is written.
-constexpr std::pair<GLenum, GLfloat> kTransfers[] = {
-    {0x0D10, 0.0f},                  // GL_MAP_COLOR
-    {0x0D14, 1.0f}, {0x0D15, 0.0f},  // GL_RED_SCALE, GL_RED_BIAS, and so on
-    {0x0D18, 1.0f}, {0x0D19, 0.0f},  // green
-    {0x0D1A, 1.0f}, {0x0D1B, 0.0f},  // blue
-    {0x0D1C, 1.0f}, {0x0D1D, 0.0f},  // alpha
-    {0x0D1E, 1.0f}, {0x0D1F, 0.0f},  // depth
-};
-
 }  // namespace
 
 GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
@@ -117,7 +106,6 @@ GlState::GlState(const GlApi& gl, const GlInfo& info, bool restore)
     scissor_count_ = std::clamp(scissor_count_, 0, 32);
     static_assert(std::size(kSwitches) <= kMaxSwitches);
     static_assert(std::size(kPixelStores) <= kMaxPixelStores);
-    static_assert(std::size(kTransfers) <= kMaxTransfers);
     static_assert(kMaxTextureUnits <= 32);
     GLint count = 1;
     gl_.GetIntegerv(GL_MAX_DRAW_BUFFERS, &count);
@@ -167,7 +155,6 @@ void GlState::neutralize()
     gl_.FrontFace(GL_CCW);
     setDepthRange(gl_, 0.0f, 1.0f);
     neutralizeClipping();
-    neutralizeTransfers();
     unmask();
 }
 
@@ -240,7 +227,6 @@ void GlState::save()
     for (int i = 0; i < mask_count_; ++i) saveMask(i);
     for (int i = 0; i < blend_count_; ++i) saveBlend(i);
     saveClipping();
-    saveTransfers();
     s.pauses_feedback = gl_.PauseTransformFeedback && feedbackRuns();
     if (s.pauses_feedback) gl_.PauseTransformFeedback();
 }
@@ -273,7 +259,6 @@ void GlState::restore()
     for (int i = 0; i < mask_count_; ++i) restoreMask(i);
     for (int i = 0; i < blend_count_; ++i) restoreBlend(i);
     restoreClipping();
-    restoreTransfers();
     if (s.pauses_feedback) gl_.ResumeTransformFeedback();
 }
 
@@ -316,29 +301,6 @@ void GlState::restoreClipping() const
         (s.scissor_tests >> i & 1 ? gl_.Enablei : gl_.Disablei)(GL_SCISSOR_TEST, i);
     for (int i = 0; i < clip_distance_count_; ++i)
         setEnabled(kClipDistance0 + i, s.clip_distances >> i & 1);
-}
-
-void GlState::saveTransfers()
-{
-    if (!has(Where::compatibility)) return;
-    for (std::size_t i = 0; i < std::size(kTransfers); ++i)
-        gl_.GetFloatv(kTransfers[i].first, &saved_.transfers[i]);
-    gl_.GetIntegerv(kClampFragmentColor, &saved_.fragment_clamp);
-}
-
-void GlState::neutralizeTransfers() const
-{
-    if (!has(Where::compatibility)) return;
-    for (const auto& [parameter, value] : kTransfers) gl_.PixelTransferf(parameter, value);
-    gl_.ClampColor(kClampFragmentColor, GL_FALSE);
-}
-
-void GlState::restoreTransfers() const
-{
-    if (!has(Where::compatibility)) return;
-    for (std::size_t i = 0; i < std::size(kTransfers); ++i)
-        gl_.PixelTransferf(kTransfers[i].first, saved_.transfers[i]);
-    gl_.ClampColor(kClampFragmentColor, saved_.fragment_clamp);
 }
 
 ClipControl GlState::clipControl() const

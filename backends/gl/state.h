@@ -14,9 +14,8 @@
 //                index
 //   pixels       alignment, row length, skipped pixels and rows, for packing and unpacking
 //   desktop      logic operation, primitive restart, swapped bytes, polygon mode, smoothing and
-//                offsets of lines and points; in a compatibility profile the alpha test, polygon
-//                stipple, what is done to pixels on their way and the clamping of fragments'
-//                colours
+//                offsets of lines and points; in a compatibility profile the alpha test and
+//                polygon stipple
 //   extensions   depth clamp, multisampling, sample alpha to one, rows that are read from the top;
 //                sRGB framebuffer: desktop OpenGL writes what shaders give, OpenGL ES encodes it
 //   clip space   clip control, clip distances
@@ -64,11 +63,9 @@ public:
     bool entered() const { return depth_ > 0; }
 
     /// Whether the host may be drawn beside. Errors: CV6017 for an active query that would count
-    /// what is drawn, for conditional rendering, for transform feedback that cannot be paused, and
-    /// for a program that is current and marked for deletion, since it would end with another one's
-    /// use.
-    /// `asks_errors` off leaves out what asks glGetError.
-    Status checkHost(bool asks_errors);
+    /// what is drawn, for transform feedback that cannot be paused, and for a program that is
+    /// current and marked for deletion, since it would end with another one's use.
+    Status checkHost() const;
 
     /// The host's clip control now.
     ClipControl clipControl() const;
@@ -84,7 +81,6 @@ public:
 private:
     static constexpr int kMaxSwitches = 26;
     static constexpr int kMaxPixelStores = 12;
-    static constexpr int kMaxTransfers = 12;
 
     struct DrawBuffer {
         bool blend;
@@ -112,8 +108,6 @@ private:
         GLboolean depth_mask;
         bool switches[kMaxSwitches];
         GLint pixel_stores[kMaxPixelStores];
-        GLfloat transfers[kMaxTransfers];
-        GLint fragment_clamp;
         DrawBuffer draw_buffers[kMaxColorAttachments];
     };
 
@@ -128,11 +122,7 @@ private:
     void neutralizeClipping() const;
     void restoreClipping() const;
     bool feedbackRuns() const;
-    bool rendersConditionally();
     Status checkQueries() const;
-    void saveTransfers();
-    void neutralizeTransfers() const;
-    void restoreTransfers() const;
     void findExtensions(const GlInfo& info);
     bool has(GlWhere where) const { return has_[static_cast<int>(where)]; }
 
@@ -149,7 +139,6 @@ private:
     int depth_ = 0;
     Saved saved_ = {};
     Unit units_[kMaxTextureUnits] = {};
-    GlQuery probe_;                         // tells whether rendering is conditional
     std::uint32_t saved_units_ = 0;         // a bit for each
     std::uint32_t saved_multisampled_ = 0;  // likewise
 };

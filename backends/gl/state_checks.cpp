@@ -7,11 +7,8 @@ namespace crevice {
 
 namespace {
 
-// Desktop names that the OpenGL ES headers do not have.
+// A desktop name that the OpenGL ES headers do not have.
 constexpr GLenum kSamplesPassed = 0x8914;
-constexpr GLenum kFirstStatistic = 0x82EE;  // GL_VERTICES_SUBMITTED, the first of eleven
-constexpr GLenum kLastStatistic = 0x82F8;
-constexpr GLenum kQueryNoWait = 0x8E14;
 
 Diagnostic busy(const std::string& what, const char* help)
 {
@@ -26,21 +23,6 @@ bool GlState::feedbackRuns() const
     if (asks_feedback_) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
     if (active) gl_.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
     return active && !paused;
-}
-
-/// GL has no query for it; a second conditional rendering is refused.
-bool GlState::rendersConditionally()
-{
-    if (!gl_.BeginConditionalRender) return false;
-    if (probe_.name() == 0) {
-        probe_ = GlQuery::make(gl_);
-        gl_.BeginQuery(kSamplesPassed, probe_.name());
-        gl_.EndQuery(kSamplesPassed);
-    }
-    gl_.BeginConditionalRender(probe_.name(), kQueryNoWait);
-    const bool refused = gl_.GetError() != GL_NO_ERROR;
-    if (!refused) gl_.EndConditionalRender();
-    return refused;
 }
 
 Status GlState::checkQueries() const
@@ -58,18 +40,13 @@ Status GlState::checkQueries() const
         return busy("an occlusion query of the host is active", help);
     if (primitives && active(GL_PRIMITIVES_GENERATED))
         return busy("a query of primitives of the host is active", help);
-    for (GLenum each = kFirstStatistic; desktop_ && query_version_ >= 460 && each <= kLastStatistic;
-         ++each)
-        if (active(each)) return busy("a query of pipeline statistics of the host is active", help);
     return {};
 }
 
-Status GlState::checkHost(bool asks_errors)
+Status GlState::checkHost() const
 {
     if (depth_ > 1) return {};  // within a frame, which asked
     if (Status status = checkQueries(); !status) return status;
-    if (asks_errors && rendersConditionally())
-        return busy("the host renders conditionally", "call glEndConditionalRender first");
     if (!(gl_.PauseTransformFeedback && restore_) && feedbackRuns())
         return busy("transform feedback of the host is active, and cannot be paused",
                     "end it before the call");

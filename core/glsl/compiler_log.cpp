@@ -106,12 +106,26 @@ std::string_view quotedName(std::string_view message)
     return {};
 }
 
-/// Points at the name that the message quotes, or else where the driver does, which may count in
-/// the line as preprocessed.
+/// The column of the author's line for one that Mesa counted after each run of spaces became one.
+int authorColumn(std::string_view text, int column)
+{
+    const auto space = [&](std::size_t i) { return text[i] == ' ' || text[i] == '\t'; };
+    int counted = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (i == 0 || !space(i) || !space(i - 1)) ++counted;
+        if (counted == column && (i + 1 == text.size() || !space(i) || !space(i + 1)))
+            return int(i) + 1;
+    }
+    return column;
+}
+
+/// Points at the name that the message quotes, or else where the driver does.
 void refine(Place& place, std::string_view message)
 {
+    const std::string_view text = lineOf(place.source->text, place.line);
+    if (place.column > 0) place.column = authorColumn(text, place.column);
     const std::string_view name = quotedName(message);
-    const std::size_t at = findWord(lineOf(place.source->text, place.line), name);
+    const std::size_t at = findWord(text, name);
     if (name.empty() || at == std::string_view::npos) return;
     place.column = int(at) + 1;
     place.length = int(name.size());

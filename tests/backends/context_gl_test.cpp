@@ -58,13 +58,6 @@ void takeTurns(Room& first, Room& second)
 
 }  // namespace
 
-TEST_CASE("two contexts of one backend live side by side")
-{
-    Room first(need(makeContext(testBackend())));
-    Room second(need(makeContext(testBackend())));
-    takeTurns(first, second);
-}
-
 TEST_CASE("EGL and OSMesa live in one process")
 {
     Result<std::unique_ptr<Context>> egl = makeEglContext();
@@ -78,32 +71,6 @@ TEST_CASE("EGL and OSMesa live in one process")
     need((*osmesa)->makeCurrent());
     Room second(std::move(*osmesa));
     takeTurns(first, second);
-}
-
-TEST_CASE("a context that is destroyed leaves the others usable")
-{
-    GlFixture fixture;
-    {
-        Room gone(need(makeContext(testBackend())));
-    }
-    need(testContext().makeCurrent());
-    CHECK(fixture.texture(Format::r8));
-}
-
-TEST_CASE("a context describes itself")
-{
-    CHECK(testContext().description().find(testBackend() == "egl" ? "EGL" : "OSMesa") == 0);
-}
-
-TEST_CASE("a device cannot be made when no context is current")
-{
-    const GlLoader loader = testContext().loader();
-    need(makeContext(testBackend())).reset();  // current when it dies, so none is afterwards
-    const auto device = makeGlDevice(loader);
-    need(testContext().makeCurrent());
-    REQUIRE_FALSE(device.ok());
-    CHECK(device.diagnostics()[0].code == Code::gl_version);
-    CHECK(device.diagnostics()[0].message == "no GL context is current on this thread");
 }
 
 }  // namespace crevice

@@ -4,7 +4,6 @@
 
 #include "backends/gl/api.h"
 #include "backends/gl/formats.h"
-#include "backends/gl/objects.h"
 #include "tests/support/catch.h"
 
 #include <algorithm>
@@ -16,16 +15,8 @@ namespace crevice {
 namespace {
 
 const char* version = nullptr;
-std::vector<GLuint> deleted;
 
 const GLubyte* GL_APIENTRY getString(GLenum) { return reinterpret_cast<const GLubyte*>(version); }
-
-void GL_APIENTRY deleteTextures(GLsizei count, const GLuint* names)
-{
-    deleted.insert(deleted.end(), names, names + count);
-}
-
-void GL_APIENTRY deleteShader(GLuint name) { deleted.push_back(name); }
 
 GLenum GL_APIENTRY getError() { return GL_NO_ERROR; }
 
@@ -36,15 +27,6 @@ GlLoader loaderWithout(const std::string& missing)
         if (missing == name) return nullptr;
         if (std::string("glGetError") == name) return reinterpret_cast<void*>(getError);
         return reinterpret_cast<void*>(getString);
-    };
-}
-
-std::vector<std::string> functionNames()
-{
-    return {
-#define CREVICE_GL_NAME(name, upper, required) #name,
-        CREVICE_GL_FUNCTIONS(CREVICE_GL_NAME)
-#undef CREVICE_GL_NAME
     };
 }
 
@@ -68,13 +50,6 @@ T valueAt(const std::vector<std::uint8_t>& bytes, std::size_t index)
 
 }  // namespace
 
-TEST_CASE("the list of GL functions is in order and holds each once")
-{
-    const std::vector<std::string> names = functionNames();
-    CHECK(std::is_sorted(names.begin(), names.end()));
-    CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
-}
-
 TEST_CASE("a context that lacks a function is refused by the function's name")
 {
     const Diagnostic error = errorFor("OpenGL ES 3.0", "glTexStorage2D");
@@ -90,20 +65,6 @@ TEST_CASE("a loader that finds nothing is told that no context is current")
     CHECK(gl.diagnostics()[0].message.find("no GL context is current") != std::string::npos);
 }
 
-TEST_CASE("an empty loader is refused")
-{
-    const Result<GlApi> gl = loadGlApi({});
-    REQUIRE_FALSE(gl.ok());
-    CHECK(gl.diagnostics()[0].code == Code::gl_function);
-}
-
-TEST_CASE("functions that not every context has may be missing")
-{
-    version = "OpenGL ES 3.0";
-    for (const char* name : {"glObjectLabel", "glInvalidateFramebuffer", "glEnablei"})
-        CHECK(loadGlApi(loaderWithout(name)).ok());
-}
-
 TEST_CASE("a context that is too old, or not there, is refused")
 {
     const Diagnostic old = errorFor("OpenGL ES 2.0 of a phone");
@@ -112,47 +73,6 @@ TEST_CASE("a context that is too old, or not there, is refused")
     CHECK(errorFor("2.1 Mesa").code == Code::gl_version);
     CHECK(errorFor("").code == Code::gl_version);
     CHECK(errorFor(nullptr).code == Code::gl_version);
-}
-
-TEST_CASE("a GL object is deleted once, by its last owner")
-{
-    deleted.clear();
-    GlApi gl;
-    gl.DeleteTextures = deleteTextures;
-    gl.DeleteShader = deleteShader;
-    {
-        GlTexture first(gl, 7);
-        GlTexture second(std::move(first));
-        CHECK(first.name() == 0);  // NOLINT: moved-from is zero
-        CHECK(second.name() == 7);
-        GlTexture third(gl, 8);
-        third = std::move(second);
-        CHECK(third.name() == 7);
-        GlShader shader(gl, 9);
-        GlTexture nothing;
-    }
-    std::sort(deleted.begin(), deleted.end());
-    CHECK(deleted == std::vector<GLuint>{7, 8, 9});
-}
-
-TEST_CASE("ids count from 1 and are given out again")
-{
-    GlPool<int> pool;
-    CHECK(pool.add(10) == 1);
-    CHECK(pool.add(20) == 2);
-    pool.retire(1);
-    pool.retire(0);
-    CHECK(pool.add(30) == 1);
-    CHECK(pool.at(1) == 30);
-    CHECK(pool.at(2) == 20);
-}
-
-TEST_CASE("the GL table of formats follows the core's")
-{
-    for (const FormatInfo& info : allFormats()) {
-        INFO(info.name);
-        CHECK(glFormat(info.format).format == info.format);
-    }
 }
 
 TEST_CASE("pixels are clamped and rounded to normalised formats")

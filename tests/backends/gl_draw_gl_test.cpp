@@ -12,52 +12,12 @@ namespace {
 
 using Pixel = std::vector<float>;
 
-const char* const kFlat = "uniform vec4 value; out vec4 color; void main() { color = value; }";
-
 Pixel pixel(const Image& image, int x, int y)
 {
     Pixel values;
     for (int c = 0; c < image.channels; ++c) values.push_back(image.at(x, y, c));
     return values;
 }
-
-/// Draws squares at some depths, each in its own colour, under one state.
-class SquareFixture : public GlFixture {
-public:
-    SquareFixture()
-        : target(texture(Format::rgba32f)),
-          depth(texture(Format::depth32f)),
-          into(framebuffer({target}, depth)),
-          flat(program(kFlat, kMeshVertex)),
-          value(location(flat, "value"))
-    {
-    }
-
-    PassInfo pass() const
-    {
-        PassInfo info = wholePass(into, {4, 4});
-        info.has_depth = true;
-        info.depth_load = LoadOp::clear;
-        return info;
-    }
-
-    void drawSquare(const StateDesc& state, float z, const Pixel& color)
-    {
-        device->setProgram(flat, state);
-        device->setUniform(value, GlslType::vec4, 1, color.data());
-        device->draw(z > 0 ? far_square : near_square, 0, 6);
-    }
-
-    TextureId target, depth;
-    FramebufferId into;
-    ProgramId flat;
-    int value;
-    MeshId far_square = need(device->createMesh(square(0.5f)));
-    MeshId near_square = need(device->createMesh(square(-0.5f)));
-};
-
-const Pixel kRed = {1, 0, 0, 1};
-const Pixel kGreen = {0, 1, 0, 1};
 
 }  // namespace
 
@@ -103,24 +63,6 @@ void main()
     CHECK(pixel(read(target), 0, 0) == Pixel{1 + 2 + 1 + 5 + 9 + 4, 100 + 200 + 100 + 0.5f, 4, 13});
 }
 
-TEST_CASE_METHOD(GlFixture, "a pass writes several targets and leaves out a null attachment")
-{
-    const TextureId first = texture(Format::r8);
-    const TextureId third = texture(Format::rgba8);
-    const ProgramId three = program(R"(
-layout(location = 0) out vec4 a;
-layout(location = 1) out vec4 b;
-layout(location = 2) out vec4 c;
-void main() { a = vec4(0.2); b = vec4(0.4); c = vec4(0.6); })");
-    const FramebufferId into = framebuffer({first, {}, third});
-    drawPass(wholePass(into, {4, 4}, 3), [&] {
-        device->setProgram(three, {});
-        device->drawFullscreen();
-    });
-    CHECK(read(first).at(1, 1) == Approx(0.2f));
-    CHECK(read(third).at(1, 1, 3) == Approx(0.6f));
-}
-
 TEST_CASE_METHOD(GlFixture, "samplers filter and wrap as asked, also on full floats and depth")
 {
     const ProgramId look = program(R"(uniform highp sampler2D source; uniform vec2 at;
@@ -152,147 +94,46 @@ out vec4 color; void main() { color = texture(source, at); })");
     }
 }
 
-TEST_CASE_METHOD(SquareFixture, "the depth test keeps the nearer square, whatever the order")
+TEST_CASE_METHOD(
+    GlFixture,
+    "depth is kept without writes, the next pass clears it, and an error has its pass's name")
 {
-    StateDesc less;
-    less.depth_test = Compare::less;
-    less.depth_write = true;
-    for (bool near_first : {true, false}) {
-        drawPass(pass(), [&] {
-            drawSquare(less, near_first ? -0.5f : 0.5f, near_first ? kGreen : kRed);
-            drawSquare(less, near_first ? 0.5f : -0.5f, near_first ? kRed : kGreen);
-        });
-        CHECK(pixel(read(target), 2, 2) == kGreen);
-        CHECK(read(depth).at(2, 2) == 0.25f);
-    }
-}
-
-TEST_CASE_METHOD(SquareFixture, "a pass without depth writes leaves the depth as it was")
-{
+    const ProgramId flat =
+        program("uniform vec4 value; out vec4 color; void main() { color = value; }", kMeshVertex);
+    const TextureId target = texture(Format::rgba32f), depth = texture(Format::depth32f);
+    PassInfo pass = wholePass(framebuffer({target}, depth), {4, 4});
+    pass.has_depth = true;
+    pass.depth_load = LoadOp::clear;
+    pass.depth_store = StoreOp::store;
+    pass.clear_depth = 0.5f;
     StateDesc greater;
     greater.depth_test = Compare::greater_equal;
-    need(device->beginFrame());
-    PassInfo info = pass();
-    info.clear_depth = 0.5f;
-    device->beginPass(info);
-    drawSquare(greater, 0.5f, kGreen);
-    drawSquare(greater, -0.5f, kRed);
-    device->endPass();
-    need(device->endFrame());
-    CHECK(pixel(read(target), 0, 3) == kGreen);
-    CHECK(read(depth).at(0, 3) == 0.5f);
-}
-
-TEST_CASE_METHOD(SquareFixture, "a pass clears its depth, though the pass before wrote none")
-{
-    need(device->beginFrame());
-    device->beginPass(pass());
-    drawSquare({}, 0.5f, kRed);
-    device->endPass();
-    PassInfo second = pass();
-    second.clear_depth = 0.125f;
-    device->beginPass(second);
-    device->endPass();
-    need(device->endFrame());
-    CHECK(read(depth).at(1, 2) == 0.125f);
-}
-
-TEST_CASE_METHOD(SquareFixture, "culling drops triangles by their side")
-{
-    auto drawn = [&](Cull cull) {
-        drawPass(pass(), [&] {
-            StateDesc state;
-            state.cull = cull;
-            drawSquare(state, 0.5f, kRed);
-        });
-        return pixel(read(target), 1, 1) == kRed;
-    };
-    CHECK(drawn(Cull::none));
-    CHECK(drawn(Cull::back));
-    CHECK_FALSE(drawn(Cull::front));
-}
-
-TEST_CASE_METHOD(GlFixture, "a mesh feeds positions, normals and uvs, from any first index")
-{
-    const ProgramId show = program(
-        "in vec3 normal; in vec2 uv; out vec4 color;"
-        " void main() { color = vec4(normal.xy, uv); }",
-        kMeshVertex);
-    const MeshId mesh = need(device->createMesh(square(0)));
-    const TextureId target = texture(Format::rgba32f);
-    const FramebufferId into = framebuffer({target});
-    drawPass(wholePass(into, {4, 4}), [&] {
-        device->setProgram(show, {});
-        device->draw(mesh, 3, 3);  // the upper right half alone
+    const MeshId squares[] = {need(device->createMesh(square(0.5f))),
+                              need(device->createMesh(square(-0.5f)))};
+    const float colors[2][4] = {{0, 1, 0, 1}, {1, 0, 0, 1}};
+    drawPass(pass, [&] {
+        device->setProgram(flat, greater);
+        for (const bool nearer : {false, true}) {
+            device->setUniform(location(flat, "value"), GlslType::vec4, 1, colors[nearer]);
+            device->draw(squares[nearer], 0, 6);
+        }
     });
-    const Image image = read(target);
-    CHECK(pixel(image, 0, 0) == Pixel{0, 0, 0, 0});
-    CHECK(image.at(3, 2, 0) == Approx(0.25f));
-    CHECK(image.at(3, 2, 1) == Approx(0.5f));
-    CHECK(image.at(3, 2, 2) == Approx(0.875f));
-    CHECK(image.at(3, 2, 3) == Approx(0.625f));
-}
+    CHECK(pixel(read(target), 0, 3) == Pixel{0, 1, 0, 1});
+    CHECK(read(depth).at(0, 3) == 0.5f);
+    pass.clear_depth = 0.125f;
+    clearPass(pass);
+    CHECK(read(depth).at(1, 2) == 0.125f);
 
-TEST_CASE_METHOD(SquareFixture, "loading keeps what an earlier pass stored")
-{
     need(device->beginFrame());
-    PassInfo info = pass();
-    info.clear_color[0][1] = 0.5f;
-    info.depth_store = StoreOp::discard;
-    device->beginPass(info);
-    device->endPass();
-    info.color_load[0] = LoadOp::load;
-    info.depth_load = LoadOp::discard;
-    device->beginPass(info);
-    device->endPass();
-    need(device->endFrame());
-    CHECK(pixel(read(target), 2, 1)[1] == 0.5f);
-}
-
-TEST_CASE_METHOD(SquareFixture, "a driver's error comes out of endFrame with the pass's name")
-{
-    need(device->beginFrame());
-    device->beginPass(pass());
+    device->beginPass(pass);
     device->setProgram(flat, {});
-    device->setUniform(value, GlslType::int_, 1, kRed.data());  // it is a vec4
+    device->setUniform(location(flat, "value"), GlslType::int_, 1, colors);  // it is a vec4
     device->endPass();
     const Status status = device->endFrame();
-    REQUIRE(status.diagnostics().size() == 1);
-    CHECK(status.diagnostics()[0].code == Code::gl_error);
+    REQUIRE(onlyCode(status) == Code::gl_error);
     CHECK(status.diagnostics()[0].message == "pass 'test pass' gave GL_INVALID_OPERATION");
     need(device->beginFrame());
     need(device->endFrame());
-}
-
-TEST_CASE_METHOD(SquareFixture, "errors that the host left are not blamed on a pass, and stay")
-{
-    const auto raise = [&](GLenum error) {
-        if (error == GL_INVALID_ENUM) gl.Enable(0xFFFF);
-        if (error == GL_INVALID_VALUE) gl.Viewport(0, 0, -1, -1);
-        if (error == GL_INVALID_OPERATION) gl.UseProgram(0x7FFFFFFF), (void)gl.GetError();
-        if (error == GL_INVALID_OPERATION) gl.Uniform1i(5, 1);
-        if (error == GL_INVALID_FRAMEBUFFER_OPERATION) {
-            auto empty = GlFramebuffer::make(gl);
-            gl.BindFramebuffer(GL_FRAMEBUFFER, empty.name());
-            gl.Clear(GL_COLOR_BUFFER_BIT);
-        }
-    };
-    gl.UseProgram(0);
-    const TextureId shown = texture(Format::rgba8);
-    for (const GLenum error : {GL_INVALID_ENUM, GL_INVALID_VALUE, GL_INVALID_OPERATION,
-                               GL_INVALID_FRAMEBUFFER_OPERATION}) {
-        INFO(glErrorName(error));
-        raise(error);
-        need(device->beginFrame());
-        need(device->endFrame());
-        CHECK(gl.GetError() == error);
-        raise(error);
-        texture(Format::r8);
-        program("out vec4 color; void main() { color = vec4(1.0); }");
-        read(shown);
-        CHECK(gl.GetError() == error);
-        CHECK(gl.GetError() == GL_NO_ERROR);
-    }
 }
 
 }  // namespace crevice

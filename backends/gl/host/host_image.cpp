@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "backends/gl/host/host_image.h"
 
-#include "backends/gl/formats.h"
-
 #include <algorithm>
 
 namespace crevice {
@@ -41,90 +39,29 @@ GLint parameter(const GlApi& gl, GLenum target, GLenum point, GLenum what)
     return value;
 }
 
-/// Takes all errors, and gives the last of them.
-GLenum lastError(const GlApi& gl)
-{
-    GLenum last = GL_NO_ERROR;
-    for (GLenum error = gl.GetError(); error != GL_NO_ERROR && last != GL_CONTEXT_LOST;
-         error = gl.GetError())
-        last = error;
-    return last;
-}
-
-/// The format that holds just that; any where there is none.
-Format formatOf(const GlHeld& held)
-{
-    for (const Wanted& wanted : kWanted)
-        if (held.type == wanted.type && std::equal(held.bits, held.bits + 5, wanted.bits))
-            return wanted.format;
-    return Format::rgba8;
-}
-
-/// An image of a texture that is bound.
-struct BoundImage {
-    GLenum target;
-    GLint level;
-    GlHeld held;
-};
-
-/// What OpenGL ES 3.0, which cannot be asked for sizes, says of a write of nothing there.
-GLenum writeNothing(const GlApi& gl, const BoundImage& image, GLint x, GLint y)
-{
-    const GlFormat& format = glFormat(formatOf(image.held));
-    GLenum upload_format = format.upload_format, upload_type = format.upload_type;
-    if (image.held.stencil > 0) {
-        upload_format = GL_DEPTH_STENCIL;
-        upload_type =
-            image.held.type == GL_FLOAT ? GL_FLOAT_32_UNSIGNED_INT_24_8_REV : GL_UNSIGNED_INT_24_8;
-    }
-    const GLuint nothing[2] = {};
-    gl.TexSubImage2D(image.target, image.level, x, y, 0, 0, upload_format, upload_type, nothing);
-    return lastError(gl);
-}
-
-GlReach compare(Extent size, Extent end, bool or_later)
-{
-    const bool reaches = size.width >= end.width && size.height >= end.height;
-    return {size.width == 0 || (or_later ? reaches : size == end), size};
-}
-
-GlReach reachOf(const GlApi& gl, const BoundImage& image, Extent end, bool or_later)
-{
-    if (gl.GetTexLevelParameteriv) {
-        Extent size;
-        gl.GetTexLevelParameteriv(image.target, image.level, GL_TEXTURE_WIDTH, &size.width);
-        gl.GetTexLevelParameteriv(image.target, image.level, GL_TEXTURE_HEIGHT, &size.height);
-        return compare(size, end, or_later);
-    }
-    if (writeNothing(gl, image, 0, 0) != GL_NO_ERROR) return {};  // of layers and other formats
-    const auto reaches = [&](GLint x, GLint y) {
-        return writeNothing(gl, image, x, y) != GL_INVALID_VALUE;
-    };
-    const bool ends = or_later || (!reaches(end.width + 1, 0) && !reaches(0, end.height + 1));
-    return {ends && reaches(end.width, end.height), {}};
-}
-
 /// Finds the target of a texture by binding it, and puts each binding back.
-GlReach textureReach(const GlApi& gl, GLuint name, BoundImage image, Extent end, bool or_later)
+Extent textureSize(const GlApi& gl, GLuint name, GLint level)
 {
     constexpr GLenum kTargets[][2] = {
         {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
         {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
         {GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE},
     };
-    (void)lastError(gl);
+    Extent size;
+    if (!gl.GetTexLevelParameteriv) return size;
     for (const auto& [target, binding] : kTargets) {
-        if (target == GL_TEXTURE_2D_MULTISAMPLE && !gl.GetTexLevelParameteriv) continue;
         GLint bound = 0;
         gl.GetIntegerv(binding, &bound);
         gl.BindTexture(target, name);
-        const bool right = lastError(gl) == GL_NO_ERROR;
-        image.target = target;
-        const GlReach reach = right ? reachOf(gl, image, end, or_later) : GlReach();
+        const bool right = gl.GetError() == GL_NO_ERROR;
+        if (right) {
+            gl.GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &size.width);
+            gl.GetTexLevelParameteriv(target, level, GL_TEXTURE_HEIGHT, &size.height);
+        }
         gl.BindTexture(target, static_cast<GLuint>(bound));
-        if (right) return reach;
+        if (right) break;
     }
-    return {};
+    return size;
 }
 
 }  // namespace
@@ -186,22 +123,20 @@ std::string sizeText(Extent extent)
     return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
-GlReach askReach(const GlApi& gl, GLenum target, GLenum point, Extent end, bool or_later)
+Extent askSize(const GlApi& gl, GLenum target, GLenum point)
 {
     const GLint kind = parameter(gl, target, point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
     if (kind != GL_RENDERBUFFER && kind != GL_TEXTURE) return {};
     const auto name =
         static_cast<GLuint>(parameter(gl, target, point, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-    if (kind == GL_TEXTURE) {
-        const GLint level = parameter(gl, target, point, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
-        const BoundImage image = {GL_NONE, level, readHeld(gl, target, point)};
-        return textureReach(gl, name, image, end, or_later);
-    }
+    if (kind == GL_TEXTURE)
+        return textureSize(gl, name,
+                           parameter(gl, target, point, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL));
     Extent size;
     gl.BindRenderbuffer(GL_RENDERBUFFER, name);
     gl.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.width);
     gl.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.height);
-    return compare(size, end, or_later);
+    return size;
 }
 
 }  // namespace crevice

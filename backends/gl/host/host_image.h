@@ -2,8 +2,7 @@
 // What a framebuffer of the host's has attached: what numbers that holds, and how large it is.
 //
 // Sources
-//   OpenGL ES 3.0.6, section 6.1.13 - what a framebuffer's attachment holds;
-//   section 3.8.5 - writes that end past an image are refused, those of no pixels too.
+//   OpenGL ES 3.0.6, section 6.1.13 - what a framebuffer's attachment holds.
 #pragma once
 
 #include "backends/gl/api.h"
@@ -41,15 +40,8 @@ bool isCountable(int x, int y, Extent extent);
 /// "640x480".
 std::string sizeText(Extent extent);
 
-/// How an image's size compares with what was said.
-struct GlReach {
-    bool fits = true;
-    Extent size = {};  ///< 0x0 where GL does not tell.
-};
-
-/// Whether what is attached there ends at `end`, or with `or_later` not before. It fits where GL
-/// tells nothing: of the default framebuffer, and on OpenGL ES 3.0 of layers. Binds another
-/// renderbuffer.
-GlReach askReach(const GlApi& gl, GLenum target, GLenum point, Extent end, bool or_later);
+/// How large what is attached there is; 0x0 where GL does not tell: of the default framebuffer, and
+/// on OpenGL ES 3.0 of textures. Binds another renderbuffer.
+Extent askSize(const GlApi& gl, GLenum target, GLenum point);
 
 }  // namespace crevice

@@ -54,13 +54,11 @@ Status checkHostTarget(const GlApi& gl, const HostFramebuffer& host)
     gl.GetIntegerv(GL_DRAW_BUFFER0, &drawn);
     if (drawn == GL_NONE) return {};
     const Extent end = {host.x + host.extent.width, host.y + host.extent.height};
-    const GlReach reach = askReach(gl, GL_DRAW_FRAMEBUFFER, static_cast<GLenum>(drawn), end, true);
-    if (reach.fits) return {};
+    const Extent size = askSize(gl, GL_DRAW_FRAMEBUFFER, static_cast<GLenum>(drawn));
+    if (size.width == 0 || (size.width >= end.width && size.height >= end.height)) return {};
     return failure(Code::bad_input,
-                   nameOf(host) +
-                       (reach.size.width > 0 ? " has " + sizeText(reach.size) + " pixels"
-                                             : std::string(" is smaller")) +
-                       ", and the rectangle to draw into ends at " + sizeText(end),
+                   nameOf(host) + " has " + sizeText(size) +
+                       " pixels, and the rectangle to draw into ends at " + sizeText(end),
                    "keep the rectangle within it");
 }
 

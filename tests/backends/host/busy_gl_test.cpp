@@ -9,15 +9,12 @@ using namespace crevice;
 namespace {
 
 constexpr GLenum kSamplesPassed = 0x8914;
-constexpr GLenum kQueryWait = 0x8E13;
 constexpr GLenum kUpperLeft = 0x8CA2;
 constexpr GLenum kZeroToOne = 0x935F;
 
 struct BusyHost : GlFixture {
     BusyHost() : target(texture(Format::rgba8))
     {
-        load(begin_conditional, "glBeginConditionalRender");
-        load(end_conditional, "glEndConditionalRender");
         load(begin_query, "glBeginQuery");
         load(end_query, "glEndQuery");
         desktop = testBackend() == "osmesa";
@@ -46,8 +43,6 @@ struct BusyHost : GlFixture {
     static constexpr const char* kWhite = "out vec4 color; void main() { color = vec4(1.0); }";
     TextureId target;
     bool desktop = false;
-    PFNGLBEGINCONDITIONALRENDERNVPROC begin_conditional = nullptr;
-    PFNGLENDCONDITIONALRENDERNVPROC end_conditional = nullptr;
     PFNGLBEGINQUERYPROC begin_query = nullptr;
     PFNGLENDQUERYPROC end_query = nullptr;
 };
@@ -90,20 +85,6 @@ TEST_CASE_METHOD(BusyHost, "A query that would count what is drawn is refused, a
     CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
-TEST_CASE_METHOD(BusyHost, "Conditional rendering is refused, and goes on")
-{
-    if (!desktop) return;  // OpenGL ES has none
-    auto own = GlQuery::make(gl);
-    begin_query(kSamplesPassed, own.name());
-    end_query(kSamplesPassed);
-    CHECK(refusal().empty());
-    begin_conditional(own.name(), kQueryWait);
-    CHECK(refusal().find("conditionally") != std::string::npos);
-    end_conditional();
-    CHECK(gl.GetError() == GL_NO_ERROR);
-    CHECK(refusal().empty());
-}
-
 TEST_CASE_METHOD(BusyHost, "A current program that is marked for deletion stays current")
 {
     const GLuint program = linked(gl);
@@ -130,4 +111,14 @@ TEST_CASE_METHOD(BusyHost, "A device tells the clip control of the context")
     CHECK(device->clipControl() == ClipControl{true, true});
     clip_control(GL_LOWER_LEFT_EXT, GL_NEGATIVE_ONE_TO_ONE_EXT);
     CHECK(device->clipControl() == ClipControl());
+}
+
+TEST_CASE_METHOD(BusyHost, "An error that the host left is a warning of the next frame alone")
+{
+    gl.Enable(0xFFFF);
+    need(device->beginFrame());
+    const Status status = device->endFrame();
+    CHECK(status.ok());
+    CHECK(onlyCode(status) == Code::gl_error);
+    CHECK(refusal().empty());
 }

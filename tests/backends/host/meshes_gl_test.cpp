@@ -203,46 +203,27 @@ TEST_CASE_METHOD(HostScene, "A host's buffers draw what a copy of them draws, in
     mesh.normal = {buffer(words), VertexType::snorm10, 0, 0};
     CHECK(same(of(mesh), wanted));
     CHECK(gl.GetError() == GL_NO_ERROR);
-}
 
-TEST_CASE_METHOD(HostScene,
-                 "Where a host has no normals, a config of depth alone is right, and others warn")
-{
-    renderer = make("mobile");
-    const Image wanted = own();
-    HostMesh mesh = plain();
-    mesh.normal = {};
-    mesh.uv = {};
-    CHECK(same(of(mesh), wanted));
-
-    const MeshId bare = need(device->adoptMesh(mesh));
-    frame.draws[0].mesh = bare;
-    CHECK(renderer->render(frame).diagnostics().empty());
-    renderer = make("balanced");
-    const Status warned = renderer->render(frame);
-    REQUIRE(warned.diagnostics().size() == 1);
-    CHECK(warned.diagnostics()[0].code == Code::mesh_lacks);
-    CHECK(warned.diagnostics()[0].message.find("mesh 'host'") != std::string::npos);
-    device->destroy(bare);
+    renderer = make("mobile");  // of depth alone
+    const Image of_depth = own();
+    mesh.normal = mesh.uv = {};
+    CHECK(same(of(mesh), of_depth));
 }
 
 TEST_CASE_METHOD(HostScene, "Buffers that are none, or end too early, are refused with the reason")
 {
-    const auto reason = [this](const HostMesh& mesh) {
+    const std::string bytes = std::to_string(vertices().size() * sizeof(Vertex));
+    HostMesh longer = plain(), indexed = plain(), none = plain();
+    longer.vertex_count += 1;
+    indexed.index_buffer = buffer(std::vector<std::uint16_t>(17));
+    none.uv.buffer = 4711;
+    for (const auto& [mesh, words] : {std::pair(longer, "which has " + bytes + " bytes"),
+                                      {indexed, "its indices in buffer"},
+                                      {none, "which is none of this context"}}) {
         const auto made = device->adoptMesh(mesh);
-        return made ? std::string() : made.diagnostics()[0].message;
-    };
-    HostMesh mesh = plain();
-    CHECK(reason(mesh).empty());
-    const auto bytes = vertices().size() * sizeof(Vertex);
-    mesh.vertex_count += 1;
-    CHECK(reason(mesh).find("which has " + std::to_string(bytes) + " bytes") != std::string::npos);
-    mesh.vertex_count -= 1;
-    mesh.index_buffer = buffer(std::vector<std::uint16_t>(17));
-    CHECK(reason(mesh).find("its indices in buffer") != std::string::npos);
-    mesh.index_buffer = 0;
-    mesh.uv.buffer = 4711;
-    CHECK(reason(mesh).find("which is none of this context") != std::string::npos);
+        REQUIRE_FALSE(made.ok());
+        CHECK(made.diagnostics()[0].message.find(words) != std::string::npos);
+    }
     CHECK(gl.GetError() == GL_NO_ERROR);
 }
 
@@ -264,17 +245,4 @@ TEST_CASE_METHOD(HostScene,
     CHECK(same(drawn(), wanted));
     device->destroy(mesh);
     gl.DeleteVertexArrays(1, &host.array);
-}
-
-TEST_CASE_METHOD(HostScene, "A mesh beside its origin draws what it draws about it")
-{
-    const Image wanted = own();
-    std::vector<Vertex> moved = vertices();
-    constexpr double kAway = 1 << 20;  // where steps of floats are 1/8, and these numbers exact
-    for (Vertex& vertex : moved) vertex.position[0] += static_cast<float>(kAway);
-    const MeshId mesh = need(device->createMesh({"far", moved, indices}));
-    frame.draws[0].mesh = mesh;
-    frame.draws[0].world_from_model = glm::translate(glm::dmat4(1.0), {-kAway, 0, 0});
-    CHECK(same(drawn(), wanted));
-    device->destroy(mesh);
 }

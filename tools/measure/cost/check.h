@@ -17,8 +17,8 @@ struct ApprovedCost {
     CostOptions options;  ///< Under which it is measured again.
 };
 
-/// Reads what costJson wrote. The options become those of the text where it has them, so that nothing
-/// but the shaders can differ. Errors: CV7009 for a text that holds no costs.
+/// Reads what costJson wrote. The options become those of the text where it has them, so that
+/// nothing but the shaders can differ. Errors: CV7009 for a text that holds no costs.
 Result<ApprovedCost> readCost(const std::string& name, const std::string& text,
                               const CostOptions& options);
 

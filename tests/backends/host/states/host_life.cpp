@@ -63,11 +63,7 @@ HostLife::HostLife(Context& context, const GlDeviceOptions& options)
 
 HostLife::~HostLife() { quiet(gl); }
 
-int HostLife::kinds() const
-{
-    const auto of_one_sample = static_cast<int>((std::size(kKinds) - 1) * depths_.size());
-    return of_one_sample + (info_.version >= 310 ? 1 : 0);
-}
+int HostLife::kinds() const { return kConfigs * places() + (info_.version >= 310 ? 1 : 0); }
 
 void HostLife::watch(RandomHost& host) const
 {
@@ -195,8 +191,8 @@ struct HostLife::Run {
 
 std::vector<Image> HostLife::live(int kind, const std::function<void(const char*)>& after)
 {
-    constexpr int kConfigs = static_cast<int>(std::size(kKinds)) - 1;
-    const bool sampled = kind == kConfigs * static_cast<int>(depths_.size());
+    static_assert(std::size(kKinds) == kConfigs + 1);
+    const bool sampled = kind == kConfigs * places();
     Run run{*this, kKinds[sampled ? kConfigs : kind % kConfigs],
             sampled ? depths_.back() : depths_[kind / kConfigs], after};
     if (sampled) run.depth.part = false;

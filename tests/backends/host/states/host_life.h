@@ -22,7 +22,10 @@ public:
     explicit HostLife(Context& context, const GlDeviceOptions& options = {});
     ~HostLife();
 
+    /// Kind 0 to kConfigs - 1 have their depth in the first place, and so on.
+    static constexpr int kConfigs = 4;
     int kinds() const;
+    int places() const { return static_cast<int>(depths_.size()); }
 
     /// Has the objects' own state read too.
     void watch(RandomHost& host) const;

@@ -119,11 +119,6 @@ Image HostLife::readShown(int target) const
     for (const GLenum name : {0x0D00, 0x0D02, 0x0D03, 0x0D04, 0x8758, 0x93A4})
         gl.PixelStorei(name, 0);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (const GLenum scale : {0x0D14, 0x0D18, 0x0D1A, 0x0D1C}) {
-        calls_("glPixelTransferf", scale, 1.0f);
-        calls_("glPixelTransferf", scale + 1, 0.0f);
-    }
-    calls_("glPixelTransferi", GLenum(0x0D10), GLint(0));
     gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_into_[target]);
     std::vector<GLubyte> bytes(4 * kHostSize.width * kHostSize.height);

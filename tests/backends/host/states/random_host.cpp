@@ -143,7 +143,6 @@ void RandomHost::randomize(std::uint32_t seed)
     randomizeImages(random);
     randomizeFeedback(random);
     quiet(gl_);
-    raise(random.pick<GLenum>({GL_NO_ERROR, GL_NO_ERROR, GL_INVALID_ENUM, GL_INVALID_VALUE}));
 }
 
 void RandomHost::randomizeTextures(Random& random)
@@ -251,20 +250,6 @@ void RandomHost::randomizeFeedback(Random& random)
     gl_.UseProgram(random.coin() ? program_.name() : 0);
 }
 
-Snapshot RandomHost::snapshot()
-{
-    const GLenum found = quiet(gl_);
-    Snapshot values = reader_->read(watched_);
-    values.push_back({"glGetError", 0, 0, static_cast<GLint>(found)});
-    raise(found);
-    return values;
-}
-
-/// Leaves an error pending.
-void RandomHost::raise(GLenum error) const
-{
-    if (error == GL_INVALID_ENUM) gl_.Enable(0xFFFF);
-    if (error == GL_INVALID_VALUE) gl_.Viewport(0, 0, -1, -1);
-}
+Snapshot RandomHost::snapshot() { return reader_->read(watched_); }
 
 }  // namespace crevice

@@ -19,7 +19,7 @@ public:
     /// Sets all state. The same seed sets the same.
     void randomize(std::uint32_t seed);
 
-    /// All state, pending errors too; they stay pending.
+    /// All state.
     Snapshot snapshot();
 
     /// Has an object's own state read as well.
@@ -38,7 +38,6 @@ private:
     void randomizeArrays(Random& random);
     void randomizeFeedback(Random& random);
     void endFeedback();
-    void raise(GLenum error) const;
 
     const GlApi& gl_;
     GlCalls calls_;

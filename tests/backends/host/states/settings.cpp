@@ -109,18 +109,8 @@ void setGeometry(const GlCalls& gl, Random& r)
     gl("glShadeModel", GLenum(0x1D00 + r.below(2)));
 }
 
-/// What a compatibility profile does to pixels on their way, and to colours.
-void setTransfers(const GlCalls& gl, Random& r)
+void setStipples(const GlCalls& gl, Random& r)
 {
-    for (const GLenum target : {0x891A, 0x891B, 0x891C})  // vertices, fragments, pixels read
-        gl("glClampColor", target, r.pick<GLenum>({GL_TRUE, GL_FALSE, 0x891D}));
-    constexpr GLenum kScales[] = {0x0D14, 0x0D18, 0x0D1A, 0x0D1C, 0x0D1E};
-    for (const GLenum scale : kScales) {
-        gl("glPixelTransferf", scale, 0.25f + r.unit());
-        gl("glPixelTransferf", scale + 1, r.unit());  // its bias
-    }
-    gl("glPixelTransferi", GLenum(0x0D10), GLint(r.below(2)));  // GL_MAP_COLOR
-    gl("glPixelZoom", 0.5f + r.unit(), 0.5f + r.unit());
     gl("glLineStipple", GLint(1 + r.below(9)), GLushort(r.bits()));
     GLubyte stipple[256];  // in rows of up to 8 bytes
     for (GLubyte& each : stipple) each = static_cast<GLubyte>(r.bits());
@@ -145,7 +135,7 @@ void Settings::randomize(Random& random) const
         calls_("glHint", name, random.pick<GLenum>({GL_DONT_CARE, GL_FASTEST, GL_NICEST}));
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);  // the polygon stipple comes from memory
     for (const GLenum name : pixel_stores_) gl_.PixelStorei(name, 0);
-    setTransfers(calls_, random);
+    setStipples(calls_, random);
     for (const GLenum name : pixel_stores_)
         gl_.PixelStorei(name, random.below(2) << random.below(4));
     setBlending(calls_, random);
