@@ -7,7 +7,6 @@
 #include "tools/render/device/open_device.h"
 #include "tools/render/image/image_file.h"
 #include "tools/render/scene/options.h"
-#include "tools/show/report/stress_report.h"
 
 #include "core/base/text.h"
 
@@ -160,7 +159,7 @@ void printJson(const std::vector<StressSeries>& all, const std::string& device,
     printAsJson(json);
 }
 
-/// The table and the page. Returns how the command ends.
+/// Returns how the command ends.
 int showAll(const StressCommand& command, const std::vector<StressRecord>& before,
             const std::vector<StressRecord>& records, const std::string& device)
 {
@@ -174,9 +173,6 @@ int showAll(const StressCommand& command, const std::vector<StressRecord>& befor
         for (const std::string& each : differences) print("  %s\n", each.c_str());
         print("%zu steps differ from %s\n", differences.size(), command.against.c_str());
     }
-    const Status page = writeFile(command.out + "/stress.html", stressHtml(records, command.out));
-    report(page.diagnostics(), false);
-    if (!page) return kExitOutput;
     const bool differs = command.against.empty() ? totalsOf(all).failing > 0 : !differences.empty();
     return differs ? kExitDiffers : kExitOk;
 }
@@ -237,9 +233,7 @@ void addStressCommand(CLI::App& app, int& exit_code)
                      "Folder of a run before: exit code 5 where a step differs from it, and not "
                      "where cases fail")
         ->type_name("FOLDER");
-    command
-        ->add_option("--out", options->out,
-                     "Folder for stress.jsonl, stress.html and pictures of failures")
+    command->add_option("--out", options->out, "Folder for stress.jsonl and pictures of failures")
         ->type_name("FOLDER")
         ->capture_default_str();
     addConfigOptions(*command, options->config);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages, put together at build from tools/show/report/bench.html, tools/show/report/stress.html and
-// what those name.
+// The page of bench results, put together at build from tools/show/report/bench.html and what it
+// names.
 #pragma once
 
 #include <string_view>
@@ -11,6 +11,5 @@ namespace crevice {
 constexpr std::string_view kReportDataMark = "/*report.json*/";
 
 std::string_view benchPage();
-std::string_view stressPage();
 
 }  // namespace crevice
