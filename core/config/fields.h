@@ -266,7 +266,7 @@ void workSaving(V& v, PassDesc& p)
             "Draws only within the bounds of the draw list on the screen; elsewhere outputs keep "
             "the value of `clear`. The pass must cover the view, without a guard band.");
     v.field("cull_below_pixel", p.cull_below_pixel,
-            "A param in scene units: the scissor leaves out draws so far away that it is less than "
+            "A param in scene units: the scissor culls draws so far away that it is less than "
             "a pixel.");
     if (p.type == PassType::draw)
         v.refuse("scissor", Code::bad_enum, "a draw pass draws geometry alone");
@@ -324,7 +324,7 @@ void fields(V& v, Description& d)
     v.field("interfaces", d.interfaces, "GLSL that one module provides and others include.");
     v.field("passes", d.passes, "The passes; their order follows from what they read and write.");
     v.field("outputs", d.outputs,
-            "Exported targets by name; passes that none of them needs are left out.");
+            "Exported targets by name; passes that none of them needs are culled.");
     v.field("views", d.views, "Debug views of targets.");
 }
 

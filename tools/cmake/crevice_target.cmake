@@ -18,7 +18,7 @@ endif()
 
 # crevice_library(NAME SOURCES... ) makes crevice_NAME, exported as crevice::NAME. Host applications
 # link it, so it neither throws nor uses run-time types. Public headers are
-# <crevice/file.h>, in NAME/include; the others are the library's own, "NAME/room/file.h".
+# <crevice/file.h>, in NAME/include; the others are the library's own, "NAME/layer/file.h".
 function(crevice_library name)
   add_library(crevice_${name} STATIC ${ARGN})
   add_library(crevice::${name} ALIAS crevice_${name})
