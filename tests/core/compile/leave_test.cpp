@@ -7,8 +7,6 @@ using namespace crevice;
 namespace {
 
 const char* const kSoft = R"("features": {"soft": {"type": "bool", "default": false}})";
-const char* const kHalf = R"({"format": ["r16f"]})";
-const char* const kIntensity = R"("params": {"intensity": {"default": 0}})";
 
 // ssao -> filter -> light, with a filter that can be switched off.
 Sketch filtered(const std::string& filter_keys, const std::string& extra = kSoft)
