@@ -10,8 +10,6 @@ namespace {
 
 Sketch oneTarget(const std::string& json) { return {{"a: -> x"}, {{"out", "x"}}, {{"x", json}}}; }
 
-const char* const kLarge = R"({"format": ["r8"], "size": {"scale": 4}})";
-
 }  // namespace
 
 TEST_CASE("Sizes are rounded up and never vanish, and a border is whole pixels on either side")
