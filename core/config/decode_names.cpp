@@ -6,6 +6,8 @@
 #include "core/sampling/generators.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace crevice::table {
 
@@ -114,19 +116,28 @@ void checkTakers(const Node& document, const Description& description, Report& r
     }
 }
 
-// Follows `size.of` from each target for as many steps as there are targets.
+// Follows `size.of` from each target that no walk has come by, until one is met again.
 void checkSizeCycles(const Description& description, Report& report)
 {
+    std::map<std::string, const TargetDesc*> named;
+    for (const TargetDesc& each : description.targets) named.emplace(each.name, &each);
+    std::set<const TargetDesc*> met;
     for (const TargetDesc& start : description.targets) {
-        const TargetDesc* at = findNamed(description.targets, start.size.of.name);
-        for (std::size_t i = 0; at && at != &start && i < description.targets.size(); ++i)
-            at = findNamed(description.targets, at->size.of.name);
-        if (at != &start) continue;
-        report.at(start.size.of, Code::cycle,
-                  "target '" + start.name + "' follows the size of '" + start.size.of.name +
-                      "', which leads round in a circle",
-                  "let one of them follow the output: leave out its 'of'");
-        report.sameMistake("sizes in a circle");
+        std::vector<const TargetDesc*> chain;
+        const TargetDesc* at = &start;
+        while (at && met.insert(at).second) {
+            chain.push_back(at);
+            const auto next = named.find(at->size.of.name);
+            at = next == named.end() ? nullptr : next->second;
+        }
+        for (auto each = std::find(chain.begin(), chain.end(), at); each != chain.end(); ++each) {
+            const TargetDesc& target = **each;
+            report.at(target.size.of, Code::cycle,
+                      "target '" + target.name + "' follows the size of '" + target.size.of.name +
+                          "', which leads round in a circle",
+                      "let one of them follow the output: leave out its 'of'");
+            report.sameMistake("sizes in a circle");
+        }
     }
 }
 
