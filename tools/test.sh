@@ -17,20 +17,20 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 stages='
 contributor |   60 | packages         | Packages (tools/scripts/packages.txt)
 contributor |  330 | build            | Building, with warnings as errors
-contributor |  200 | tests            | Tests
-all         |  120 | full_packages    | Packages for the stages below
-all         |   90 | full_tests       | Tests on OSMesa, of stress, and of pages in a browser
-all         |   70 | guard            | Errors against docs/bench
-all         |   30 | pictures         | Pictures in the documentation
-all         |   90 | shader_faults    | Faults planted in shaders, which stress must find
-all         |  400 | sanitized_tests  | Tests of what owns memory, by clang, under sanitizers
+contributor |  180 | tests            | Tests
+all         |  100 | full_packages    | Packages for the stages below
+all         |  100 | full_tests       | Tests on OSMesa, of stress, and of pages in a browser
+all         |   60 | guard            | Errors against docs/bench
+all         |   20 | pictures         | Pictures in the documentation
+all         |  100 | shader_faults    | Faults planted in shaders, which stress must find
+all         |  380 | sanitized_tests  | Tests of what owns memory, by clang, under sanitizers
 all         |   50 | fuzzers          | Fuzzers, 20 seconds each
-all         |   90 | threads          | Threads under the thread sanitizer
-all         |  100 | lone_files       | Each file compiles alone, by clang
-all         |   30 | debian_packages  | Debian packages
-all         |  180 | web              | WebGL 2 in a browser
-all         |  150 | page             | The page in a browser
-all         |  130 | arm              | arm64 and armv7, under qemu
+all         |  115 | threads          | Threads under the thread sanitizer
+all         |  125 | lone_files       | Each file compiles alone, by clang
+all         |   20 | debian_packages  | Debian packages
+all         |  110 | web              | WebGL 2 in a browser
+all         |   90 | page             | The page in a browser
+all         |  165 | arm              | arm64 and armv7, under qemu
 nightly     | 1800 | phones           | Costs on phones against docs/cost
 nightly     | 1800 | code_faults      | Faults planted in C++, which tests must find
 nightly     |  600 | bare_debian      | The packages on a bare Debian

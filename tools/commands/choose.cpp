@@ -70,9 +70,8 @@ Result<Answer> answerFor(ChooseOptions options)
 std::string renderCommand(const BenchSample& sample)
 {
     std::string command = "crevice render " + sample.config;
-    for (const std::string& value : sample.overrides)
-        if (value.rfind("radius=", 0) != 0) command += " --set " + value;
-    return command + " --scene " + sample.scene;
+    for (const std::string& value : sample.overrides) command += " --set " + value;
+    return command + " --scene " + sample.scene + " --size " + extentName(sample.extent);
 }
 
 /// From the one of that place on.

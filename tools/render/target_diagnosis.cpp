@@ -132,7 +132,15 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
     return found;
 }
 
-// The first pass on the way to `target` of which all inputs vary and the target does not.
+// Whether a constant target can be so because it reads the other: that one is constant, or its first
+// channel has the same value everywhere, as where it holds occlusion with depth behind it.
+bool explains(const TargetHealth& other, const TargetHealth& target)
+{
+    return other.constant ||
+           (other.minimum[0] == other.maximum[0] && other.minimum[0] == target.minimum[0]);
+}
+
+// The first pass on the way to `target` none of whose inputs explains why that is constant.
 const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& health,
                            const TargetHealth& target)
 {
@@ -142,7 +150,8 @@ const TargetHealth& rootOf(const Plan& plan, const std::vector<TargetHealth>& he
         const TargetHealth* from = healthOf(health, plan.targets[input.index].name);
         const bool drawn =
             input.sampler.empty() && from && from->minimum[0] > 0;  // a mask that lets all through
-        if (from && from->constant && from != &target && !drawn) return rootOf(plan, health, *from);
+        if (from && from != &target && !drawn && explains(*from, target))
+            return rootOf(plan, health, *from);
     }
     return target;
 }

@@ -163,6 +163,20 @@ TEST_CASE("An output that is the same everywhere is traced to the pass where tha
     CHECK(said.pointer == "/passes/second");
 }
 
+TEST_CASE("Occlusion that is the same everywhere is found beside the depth that a texel has too")
+{
+    Image packed(kSize, 2, 1.0f);
+    for (std::size_t i = 1; i < packed.pixels.size(); i += 2) packed.pixels[i] = 0.01f * float(i);
+    const Image white(kSize, 1, 1.0f);
+    CHECK(saidOf({healthy("x", "first"), examined(packed, "y", "second"),
+                  examined(white, "z", "third")})
+              .pointer == "/passes/second");
+    const Image grey(kSize, 1, 0.5f);  // which does not come of the 1
+    CHECK(saidOf({healthy("x", "first"), examined(packed, "y", "second"),
+                  examined(grey, "z", "third")})
+              .pointer == "/passes/third");
+}
+
 TEST_CASE("Nothing is said of a healthy frame")
 {
     CHECK(diagnose(chain(), planOf(chain()),
