@@ -6,7 +6,6 @@
 #include "core/json/merge.h"
 
 #include <algorithm>
-#include <map>
 
 namespace crevice {
 
@@ -22,7 +21,7 @@ constexpr struct {
                  {"passes", "shader"},  {"views", "target"},       {"outputs", ""},
                  {"interfaces", ""},    {"generated", "generator"}};
 
-using Names = std::map<std::string, std::set<std::string>>;  // by section
+using Names = decltype(Removal::names);
 
 bool declares(const std::string& section, const Node& entry)
 {
@@ -37,7 +36,7 @@ void collect(const Node& body, bool all, Names& names)
 {
     for (const Member& section : body.members)
         for (const Member& entry : section.value.members)
-            if (all || declares(section.key, entry.value)) names[section.key].insert(entry.key);
+            if (all || declares(section.key, entry.value)) names.emplace(section.key, entry.key);
 }
 
 bool shares(const std::vector<std::string>& some, const std::vector<std::string>& others)
@@ -57,27 +56,17 @@ const LoadedFile* replacing(const LoadedFile& file, const std::vector<LoadedFile
     return last;
 }
 
-void eraseNames(Node& object, const std::set<std::string>& names)
-{
-    std::vector<Member>& members = object.members;
-    members.erase(std::remove_if(members.begin(), members.end(),
-                                 [&](const Member& each) { return names.count(each.key) > 0; }),
-                  members.end());
-}
-
 // What a body or a variant says of these names, levels of features included.
 void prune(Node& body, const Names& gone)
 {
-    for (const auto& [section, names] : gone)
-        if (Node* entries = body.find(section)) eraseNames(*entries, names);
-    Node* features = body.find("features");
-    if (!features) return;
-    for (Member& feature : features->members)
-        if (Node* sets = feature.value.find("sets"))
-            for (Member& word : sets->members)
-                for (const char* section : {"params", "features"})
-                    if (const auto names = gone.find(section); names != gone.end())
-                        eraseNames(word.value, names->second);
+    for (const auto& [section, name] : gone) {
+        if (Node* entries = body.find(section)) takeMember(*entries, name);
+        Node* features = body.find("features");
+        if (!features || (section != "params" && section != "features")) continue;
+        for (Member& feature : features->members)
+            if (Node* sets = feature.value.find("sets"))
+                for (Member& word : sets->members) takeMember(word.value, name);
+    }
 }
 
 // "geometry/back_faces" of a module; of a file on disk, its path as it was given.
@@ -90,16 +79,10 @@ std::string nameOf(const LoadedFile& file)
 
 Member reasonOf(const LoadedFile& file, const LoadedFile& by)
 {
-    return {nameOf(file), by.asked.place,
+    return {nameOf(file), by.place,
             textNode("it needs '" + joined(file.needs, "', '") + "', which '" + nameOf(by) +
                          "' takes the place of",
-                     by.asked.place)};
-}
-
-void subtract(Names& names, const Names& kept)
-{
-    for (const auto& [section, all] : kept)
-        for (const std::string& name : all) names[section].erase(name);
+                     by.place)};
 }
 
 // What files declare that are not left out. Before `last`, what a file says of a name of a left out
@@ -115,46 +98,48 @@ Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<b
         for (std::size_t base = 0; i < last && base < files.size(); ++base)
             if (out[base] && files[i].extended.count(files[base].identity) > 0)
                 collect(files[base].body, false, changed);
-        subtract(declared, changed);
-        for (const auto& [section, names] : declared)
-            kept[section].insert(names.begin(), names.end());
+        for (const auto& each : changed) declared.erase(each);
+        kept.insert(declared.begin(), declared.end());
     }
     return kept;
 }
 
 }  // namespace
 
-Node leaveOutReplaced(std::vector<LoadedFile>& files)
+std::optional<Node> takeMember(Node& object, std::string_view key)
 {
-    Node notes;
-    notes.kind = Node::Kind::object;
+    std::vector<Member>& members = object.members;
+    const auto at = std::find_if(members.begin(), members.end(),
+                                 [&](const Member& member) { return member.key == key; });
+    if (at == members.end()) return std::nullopt;
+    Node value = std::move(at->value);
+    members.erase(at);
+    return value;
+}
+
+Removal leaveOutReplaced(std::vector<LoadedFile>& files)
+{
+    Removal left_out;
     std::vector<bool> out(files.size());
     std::size_t last = 0;  // of those that replace
-    Names gone;
     for (std::size_t i = 0; i < files.size(); ++i) {
         const LoadedFile* by = replacing(files[i], files);
         out[i] = by != nullptr;
         if (!by) continue;
-        collect(files[i].body, true, gone);
-        notes.members.push_back(reasonOf(files[i], *by));
+        collect(files[i].body, true, left_out.names);
+        left_out.files.push_back(reasonOf(files[i], *by));
         last = std::max(last, static_cast<std::size_t>(by - files.data()));
     }
-    if (notes.members.empty()) return notes;
-    subtract(gone, declaredByOthers(files, out, last));
+    if (left_out.files.empty()) return left_out;
+    for (const auto& each : declaredByOthers(files, out, last)) left_out.names.erase(each);
+    left_out.place = files[last].place;
     for (std::size_t i = 0; i < last; ++i) {
-        prune(files[i].body, gone);
-        for (Member& variant : files[i].variants) prune(variant.value, gone);
-    }
-    for (const auto& [section, names] : gone) {
-        Node deleted = objectOf("", files[last].asked.place, {});
-        deleted.members.clear();
-        for (const std::string& name : names)
-            deleted.members.push_back({name, files[last].asked.place, {}});
-        notes.members.push_back({section, files[last].asked.place, std::move(deleted)});
+        prune(files[i].body, left_out.names);
+        for (Member& variant : files[i].variants) prune(variant.value, left_out.names);
     }
     for (std::size_t i = files.size(); i-- > 0;)
         if (out[i]) files.erase(files.begin() + static_cast<std::ptrdiff_t>(i));
-    return notes;
+    return left_out;
 }
 
 }  // namespace crevice

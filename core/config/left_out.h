@@ -4,23 +4,18 @@
 
 #include <crevice/document.h>
 
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crevice {
 
-/// Where a file was asked for: nowhere for the config itself.
-struct Asked {
-    Place place = {};
-    std::string pointer = {};
-};
-
-/// A file of a config as it was read, what is not merged taken out of its body.
-struct LoadedFile {
-    std::string identity;  ///< What distinguishes two files, by whatever path they were reached.
-    std::string name;
-    Asked asked = {};
+/// A file of a config as it was read, what is not merged taken out of its body. Its place is where
+/// it was asked for: nowhere for the config itself.
+struct LoadedFile : Named {
+    std::string identity = {};  ///< The same by whatever path the file was reached.
     Node body = {};
     std::vector<Member> variants = {};
     std::vector<std::string> needs = {};
@@ -29,13 +24,20 @@ struct LoadedFile {
     int named = 0;                        ///< When it was named last; what is named later has more.
 };
 
+/// What was left out of a config.
+struct Removal {
+    std::vector<Member> files = {};  ///< Names of files, and strings that say why.
+    /// Sections, each with the name of something that no file declares any more.
+    std::set<std::pair<std::string, std::string>> names = {};
+    Place place = {};  ///< Where the last file was asked for that replaced another.
+};
+
 /// Takes out of `files`, which are in the order of merging, each that needs what another replaces
 /// which is named later and which it does not extend. Of the files before that one it takes what
 /// they say of params, passes and so on that only left out files declare.
-///
-/// What comes back is for the notes and reasons of the merged document: at the top a member by the
-/// name of each left out file, whose text is the reason; below a section a null for each name that
-/// is declared no longer. Keys have the place where the file was asked for that replaces theirs.
-Node leaveOutReplaced(std::vector<LoadedFile>& files);
+Removal leaveOutReplaced(std::vector<LoadedFile>& files);
+
+/// Takes the member out of the object, where it has one.
+std::optional<Node> takeMember(Node& object, std::string_view key);
 
 }  // namespace crevice

@@ -4,14 +4,12 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/config/joined_name.h"
 #include "core/config/left_out.h"
 #include "core/json/merge.h"
 #include "core/json/override.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -25,13 +23,14 @@ namespace {
 constexpr std::string_view kSuffix = ".json";
 constexpr std::string_view kConfigs = "configs/";
 
-// The names that `extends` may use: modules by path, configs by name.
-std::vector<std::string> extendsNames(const SourceSet& sources)
+// Configs by name, and modules by path where asked for.
+std::vector<std::string> namesIn(const SourceSet& sources, bool modules)
 {
     std::vector<std::string> names;
     for (const std::string& path : sources.list()) {
-        if (!endsWith(path, kSuffix)) continue;
-        const std::size_t begin = startsWith(path, kConfigs) ? kConfigs.size() : 0;
+        const bool config = startsWith(path, kConfigs);
+        if (!endsWith(path, kSuffix) || (!config && !modules)) continue;
+        const std::size_t begin = config ? kConfigs.size() : 0;
         names.push_back(path.substr(begin, path.size() - kSuffix.size() - begin));
     }
     return names;
@@ -62,15 +61,6 @@ LoadRequest spreadOut(LoadRequest request)
     return request;
 }
 
-// A module is none by itself, and the way to it is short.
-std::string configHelp(const SourceSet& sources, const std::string& config)
-{
-    if (sources.find(config + std::string(kSuffix)))
-        return "'" + config + "' is a module: lay it over a config, as in 'mobile+" + config + "'";
-    return suggestName(config, configNames(sources), "shipped configs") +
-           "; the name of a file of your own ends in .json";
-}
-
 Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& request)
 {
     const std::string& config = request.config;
@@ -81,23 +71,15 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     if (SourceRef source = file ? readFile(config, roots) : nullptr) return source;
     const std::string shipped = std::string(kConfigs) + config + std::string(kSuffix);
     if (SourceRef source = sources.find(file ? config : shipped)) return source;
-    return Diagnostic{Code::module_missing,
-                      file ? "the file '" + config + "' " + absenceOf(config)
-                           : "there is no config '" + config + "'",
-                      file ? suggestName(config, configNames(sources), "shipped configs")
-                           : configHelp(sources, config)};
-}
-
-// Takes the member out of the object.
-std::optional<Node> takeMember(Node& object, std::string_view key)
-{
-    std::vector<Member>& members = object.members;
-    const auto at = std::find_if(members.begin(), members.end(),
-                                 [&](const Member& member) { return member.key == key; });
-    if (at == members.end()) return std::nullopt;
-    Node value = std::move(at->value);
-    members.erase(at);
-    return value;
+    Diagnostic missing{Code::module_missing,
+                       file ? "the file '" + config + "' " + absenceOf(config)
+                            : "there is no config '" + config + "'",
+                       suggestName(config, configNames(sources), "shipped configs")};
+    if (!file) missing.help += "; the name of a file of your own ends in .json";
+    if (!file && sources.find(config + std::string(kSuffix)))
+        missing.help =
+            "'" + config + "' is a module: lay it over a config, as in 'mobile+" + config + "'";
+    return missing;
 }
 
 Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
@@ -137,8 +119,9 @@ public:
         readSwaps();
     }
 
-    void load(const SourceRef& found, const Asked& asked);
+    void load(const SourceRef& found, const Place& asked, const std::string& pointer);
     void loadAdded();
+    LoadedFile* find(const std::string& identity);
     void checkClashes();
     void checkSwaps();
 
@@ -149,12 +132,10 @@ private:
     void readSwaps();
     const Node& swapped(const Node& entry);
     bool mayOpen(const LoadedFile& file);
-    bool isDone(const std::string& identity);
     Result<SourceRef> findExtended(const Node& entry, const std::string& pointer) const;
-    void loadExtended(const Node& list);
     void loadEntry(const Node& entry, const std::string& pointer);
     void checkFormat(const Node& document);
-    std::vector<std::string> takeWords(Node& document, const char* key);
+    std::vector<Node> takeNames(Node& document, const char* key);
     std::vector<Member> takeVariants(Node& document);
 
     const SourceSet& sources_;
@@ -162,13 +143,11 @@ private:
     std::vector<LoadedFile> open_;  // from the config to the file being read
     int named_ = 0;                 // so many files, the same ones again included
     std::vector<Override> swaps_;
-    std::vector<std::string> extends_;                       // all that configs name
-    std::map<std::string, std::set<std::string>> extended_;  // by a file, by whatever way
+    std::vector<std::string> extends_;  // all that configs name
 };
 
 // What distinguishes two files, by whatever path they were reached. A catalog path never begins
-// with
-// '/', a canonical path on disk always does.
+// with '/', a canonical path on disk always does.
 std::string identityOf(const SourceText& source)
 {
     if (!source.path.empty()) return source.path;
@@ -177,43 +156,39 @@ std::string identityOf(const SourceText& source)
     return error ? source.name : canonical.string();
 }
 
-SourceRef copyFor(const SourceText& found, const Place& asked)
+// The file if it was read, else null.
+LoadedFile* FileLoader::find(const std::string& identity)
 {
-    SourceText text = found;
-    text.asked = std::make_shared<const Place>(asked);
-    return std::make_shared<const SourceText>(std::move(text));
+    for (LoadedFile& file : files)
+        if (file.identity == identity) return &file;
+    return nullptr;
 }
 
-// Whether it was read before; then it was named once more.
-bool FileLoader::isDone(const std::string& identity)
+void FileLoader::load(const SourceRef& found, const Place& asked, const std::string& pointer)
 {
-    for (LoadedFile& file : files) {
-        if (file.identity != identity) continue;
-        file.named = named_++;
-        return true;
-    }
-    return false;
-}
-
-void FileLoader::load(const SourceRef& found, const Asked& asked)
-{
-    LoadedFile file{identityOf(*found), found->name, asked};
-    if (isDone(file.identity) || !mayOpen(file)) return;
+    LoadedFile file{{found->name, asked, pointer}, identityOf(*found)};
+    LoadedFile* const done = find(file.identity);
+    if (done) done->named = named_++;
+    if (done || !mayOpen(file)) return;
     file.named = named_++;
-    const SourceRef source = asked.place.source ? copyFor(*found, asked.place) : found;
-    Result<Node> document = parseDocument(source);
+    SourceText text = *found;
+    if (asked.source) text.asked = std::make_shared<const Place>(asked);
+    Result<Node> document = parseDocument(std::make_shared<const SourceText>(std::move(text)));
     append(errors, document.diagnostics());
     if (document) {
         checkFormat(*document);
         takeMember(*document, "$schema");  // by which editors find what checks the file
-        const std::optional<Node> extends = takeMember(*document, "extends");
-        file.needs = takeWords(*document, "needs");
-        file.replaces = takeWords(*document, "replaces");
+        const std::vector<Node> extends = takeNames(*document, "extends");
+        for (const Node& each : takeNames(*document, "needs")) file.needs.push_back(each.text);
+        for (const Node& each : takeNames(*document, "replaces"))
+            file.replaces.push_back(each.text);
         file.variants = takeVariants(*document);
-        open_.push_back(file);
-        if (extends) loadExtended(*extends);
+        open_.push_back(std::move(file));
+        for (std::size_t i = 0; i < extends.size(); ++i)
+            if (extends[i].kind == Node::Kind::string)
+                loadEntry(swapped(extends[i]), "/extends/" + std::to_string(i));
+        file = std::move(open_.back());
         open_.pop_back();
-        file.extended = extended_[file.identity];
         file.body = std::move(*document);
     }
     files.push_back(std::move(file));
@@ -238,10 +213,11 @@ void FileLoader::readSwaps()
     for (const std::string& text : request_.overrides) {
         if (!swaps(text)) continue;
         Result<Override> read = readOverride(text, rootsOf(request_));
-        if (read)
+        append(errors, read.diagnostics());
+        if (read && read->value.kind != Node::Kind::string)
+            errors.push_back(wrongType(read->value, "a name", "", "write the name of a module"));
+        else if (read)
             swaps_.push_back(std::move(*read));
-        else
-            append(errors, read.diagnostics());
     }
 }
 
@@ -304,28 +280,27 @@ void FileLoader::checkClashes()
                  "'" + files[later].name + "' and '" + files[first].name + "' both make " + *made +
                      ", and neither extends the other",
                  "keep one of the two in 'extends'; one that replaces the other is named last",
-                 files[later].asked.place,
-                 files[later].asked.pointer,
-                 {{files[first].asked.place, "the other one was asked for here"}}});
+                 files[later].place,
+                 files[later].pointer,
+                 {{files[first].place, "the other one was asked for here"}}});
             return;
         }
 }
 
 bool FileLoader::mayOpen(const LoadedFile& file)
 {
-    const Asked& asked = file.asked;
     std::string chain;
     for (const LoadedFile& opened : open_)
         if (!chain.empty() || opened.identity == file.identity) chain += opened.name + " -> ";
     if (!chain.empty())
         errors.push_back({Code::module_cycle,
                           "'extends' leads back to itself: " + chain + file.name,
-                          "take this entry out of 'extends'", asked.place, asked.pointer});
+                          "take this entry out of 'extends'", file.place, file.pointer});
     else if (open_.size() > kMaxExtendsDepth)
         errors.push_back({Code::module_depth,
                           "found 'extends' more than " + std::to_string(kMaxExtendsDepth) + " deep",
-                          "let the config name what it needs in one list", asked.place,
-                          asked.pointer});
+                          "let the config name what it needs in one list", file.place,
+                          file.pointer});
     else
         return true;
     return false;
@@ -341,7 +316,7 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
         const std::string path = name + std::string(kSuffix);
         if (SourceRef source = sources_.find(path)) return source;
         if (SourceRef source = sources_.find(std::string(kConfigs) + path)) return source;
-        missing.help = suggestName(name, extendsNames(sources_), "modules and configs");
+        missing.help = suggestName(name, namesIn(sources_, true), "modules and configs");
         if (endsWith(name, kSuffix)) missing.help += "; a path to a file begins with './'";
         return missing;
     }
@@ -365,90 +340,60 @@ Result<SourceRef> FileLoader::findExtended(const Node& entry, const std::string&
     return missing;
 }
 
-void FileLoader::loadExtended(const Node& list)
-{
-    if (list.kind != Node::Kind::array) {
-        errors.push_back(wrongType(list, "a list of names", "/extends",
-                                   "write it in brackets: [\"folder/module\", ...]"));
-        return;
-    }
-    for (const Node& written : list.items) {
-        const std::string pointer = "/extends/" + std::to_string(&written - list.items.data());
-        const Node& entry = written.kind == Node::Kind::string ? swapped(written) : written;
-        if (entry.kind != Node::Kind::string) {
-            errors.push_back(wrongType(entry, "a name", pointer,
-                                       "write the name of a module or config in double quotes"));
-            continue;
-        }
-        loadEntry(entry, pointer);
-    }
-}
-
 void FileLoader::loadEntry(const Node& entry, const std::string& pointer)
 {
     const Result<SourceRef> found = findExtended(entry, pointer);
-    if (!found) {
-        append(errors, found.diagnostics());
-        return;
-    }
-    load(*found, {entry.place, pointer});
-    if (open_.empty()) return;
-    std::set<std::string>& mine = extended_[open_.back().identity];
-    const std::string theirs = identityOf(**found);
-    mine.insert(theirs);
-    mine.insert(extended_[theirs].begin(), extended_[theirs].end());
+    if (!found) return append(errors, found.diagnostics());
+    load(*found, entry.place, pointer);
+    const LoadedFile* theirs = find(identityOf(**found));
+    if (!theirs || open_.empty()) return;
+    std::set<std::string>& mine = open_.back().extended;
+    mine.insert(theirs->identity);
+    mine.insert(theirs->extended.begin(), theirs->extended.end());
 }
 
 void FileLoader::checkFormat(const Node& document)
 {
     const Node* format = document.find("format");
-    if (!format)
-        errors.push_back({Code::format_version, "found no 'format', where 1 was wanted",
-                          "begin the file with \"format\": 1", document.place, "/format"});
-    else if (!format->integer() || format->number != 1)
-        errors.push_back({Code::format_version,
-                          "found format " + brief(*format) + " where 1 was wanted",
-                          "write \"format\": 1, or update crevice to read a later one",
-                          format->place, "/format"});
+    if (format && format->integer() && format->number == 1) return;
+    errors.push_back(
+        {Code::format_version,
+         "found " + (format ? "format " + brief(*format) : "no 'format'") + " where 1 was wanted",
+         format ? "write \"format\": 1, or update crevice to read a later one"
+                : "begin the file with \"format\": 1",
+         format ? format->place : document.place, "/format"});
 }
 
-// A list of words of a file, `needs` or `replaces`.
-std::vector<std::string> FileLoader::takeWords(Node& document, const char* key)
+// The strings of a list: `extends`, `needs` or `replaces`.
+std::vector<Node> FileLoader::takeNames(Node& document, const char* key)
 {
     const std::optional<Node> taken = takeMember(document, key);
     if (!taken) return {};
     const std::string pointer = memberPointer("", key);
     if (taken->kind != Node::Kind::array)
         errors.push_back(
-            wrongType(*taken, "a list of words", pointer, "write it in brackets: [\"scene\"]"));
-    std::vector<std::string> words;
-    for (const Node& item : taken->items) {
-        const std::string at = pointer + "/" + std::to_string(words.size());
-        if (item.kind != Node::Kind::string)
-            errors.push_back(wrongType(item, "a word", at, "write a word in double quotes"));
-        words.push_back(item.text);
-    }
-    return words;
+            wrongType(*taken, "a list of names", pointer, "write it in brackets: [\"name\", ...]"));
+    for (std::size_t i = 0; i < taken->items.size(); ++i)
+        if (taken->items[i].kind != Node::Kind::string)
+            errors.push_back(wrongType(taken->items[i], "a name", pointer + "/" + std::to_string(i),
+                                       "write a name in double quotes"));
+    return taken->items;
 }
 
 std::vector<Member> FileLoader::takeVariants(Node& document)
 {
-    std::vector<Member> variants;
     std::optional<Node> taken = takeMember(document, "variants");
-    if (!taken) return variants;
+    if (!taken) return {};
     if (taken->kind != Node::Kind::object)
         errors.push_back(wrongType(*taken, "an object of variants", "/variants",
                                    "write {\"name\": {what to change}, ...}"));
-    for (Member& variant : taken->members) {
-        if (variant.value.kind == Node::Kind::object)
-            variants.push_back(std::move(variant));
-        else
+    for (const Member& variant : taken->members)
+        if (variant.value.kind != Node::Kind::object)
             errors.push_back(wrongType(variant.value, "an object",
                                        memberPointer("/variants", variant.key),
                                        "write what to change, as in the config itself: "
                                        "{\"params\": ...}"));
-    }
-    return variants;
+    return std::move(taken->members);
 }
 
 std::vector<std::string> variantsOf(const std::vector<LoadedFile>& files)
@@ -474,24 +419,13 @@ void applyVariant(Node& document, const std::vector<LoadedFile>& files, const Lo
                       "/variants"});
 }
 
-// The config's own, which others may follow.
-const Node& bodyOf(const SourceText& config, const std::vector<LoadedFile>& files)
-{
-    const std::string identity = identityOf(config);
-    return std::find_if(files.begin(), files.end(),
-                        [&](const LoadedFile& file) { return file.identity == identity; })
-        ->body;
-}
-
 // Lets the document remember it as it does what patches deleted.
-void noteLeftOut(Node& document, const Node& left_out)
+void noteLeftOut(Node& document, const Removal& left_out)
 {
-    for (const Member& each : left_out.members) {
-        if (each.value.kind == Node::Kind::string) document.deleted.push_back(each);
-        Node* section = document.find(each.key);
-        if (!section) continue;
-        for (const Member& name : each.value.members) section->deleted.push_back(name);
-    }
+    for (const Member& each : left_out.files) document.deleted.push_back(each);
+    for (const auto& [section, name] : left_out.names)
+        if (Node* entries = document.find(section))
+            entries->deleted.push_back({name, left_out.place, {}});
 }
 
 // An override's module has a name, too, which is not the config's.
@@ -510,10 +444,11 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
     const Result<SourceRef> config = findConfig(sources, request);
     if (!config) return config.diagnostics();
     FileLoader loader(sources, request);
-    loader.load(*config, {});
+    loader.load(*config, {}, "");
     loader.loadAdded();
     if (loader.errors.empty()) loader.checkSwaps();
-    const Node left_out = loader.errors.empty() ? leaveOutReplaced(loader.files) : Node();
+    Removal left_out;
+    if (loader.errors.empty()) left_out = leaveOutReplaced(loader.files);
     if (loader.errors.empty()) loader.checkClashes();
     if (!loader.errors.empty())
         return loader.errors;  // merging what is not whole adds false errors
@@ -523,7 +458,7 @@ Result<Node> loadConfig(const SourceSet& sources, const LoadRequest& asked)
     Diagnostics errors;
     for (const LoadedFile& file : loader.files) mergePatch(document, file.body, errors);
     noteLeftOut(document, left_out);
-    const Node& own = bodyOf(**config, loader.files);
+    const Node& own = loader.find(identityOf(**config))->body;
     document.place = own.place;
     keepOwnName(document, own);
     const auto changes_structure = [](const std::string& text) {
@@ -547,18 +482,22 @@ std::vector<std::string> variantNames(const SourceSet& sources, const LoadReques
     const Result<SourceRef> source = findConfig(sources, request);
     if (!source) return {};
     FileLoader loader(sources, request);
-    loader.load(*source, {});
+    loader.load(*source, {}, "");
     return variantsOf(loader.files);
 }
 
-std::vector<std::string> configNames(const SourceSet& sources)
+std::vector<std::string> configNames(const SourceSet& sources) { return namesIn(sources, false); }
+
+std::vector<std::string> splitName(const std::string& name)
 {
-    std::vector<std::string> names;
-    for (const std::string& path : sources.list())
-        if (startsWith(path, kConfigs) && endsWith(path, kSuffix))
-            names.push_back(
-                path.substr(kConfigs.size(), path.size() - kConfigs.size() - kSuffix.size()));
-    return names;
+    if (endsWith(name, kSuffix) || isText(name)) return {name};
+    const std::size_t file = name.rfind(std::string(kSuffix) + "+");
+    const std::size_t plus = name.find('+', file == std::string::npos ? 0 : file);
+    std::vector<std::string> parts = {name.substr(0, plus)};
+    if (plus == std::string::npos) return parts;
+    for (std::string_view part : split(std::string_view(name).substr(plus + 1), '+'))
+        parts.emplace_back(part);
+    return parts;
 }
 
 }  // namespace crevice

@@ -290,4 +290,7 @@ std::vector<std::string> variantNames(const SourceSet& sources, const LoadReques
 /// The names of the configs in `sources`, sorted.
 std::vector<std::string> configNames(const SourceSet& sources);
 
+/// LoadRequest::config, taken apart: {"mobile", "geometry/host_depth"}.
+std::vector<std::string> splitName(const std::string& name);
+
 }  // namespace crevice

@@ -5,7 +5,6 @@
 #include <crevice/config.h>
 
 #include "core/base/text.h"
-#include "core/config/joined_name.h"
 #include "tools/commands/cli/output_request.h"
 #include "tools/commands/cli/patch_text.h"
 #include "tools/render/image/image_file.h"

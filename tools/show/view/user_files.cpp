@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tools/show/view/user_files.h"
 
+#include <crevice/config.h>
+
 #include "core/base/content_hash.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/config/joined_name.h"
 #include "tools/render/image/image_file.h"
 
 #include <algorithm>
