@@ -2,6 +2,7 @@
 // From a merged document to a description.
 #include <crevice/config.h>
 
+#include "core/base/text.h"
 #include "core/config/decode_reader.h"
 #include "core/config/decode_steps.h"
 #include "core/config/fields.h"
@@ -19,6 +20,22 @@ bool hasMisspeltSection(const Node& document, const table::Report& report)
     return std::any_of(document.members.begin(), document.members.end(), [&](const Member& each) {
         return each.value.kind == Node::Kind::object && report.errorAt("/" + each.key);
     });
+}
+
+void noteDeleted(const Node& document, Description& description)
+{
+    for (const Member& each : document.deleted) {
+        if (each.value.kind == Node::Kind::string)
+            description.left_out.push_back({each.key, each.value.text});
+        else
+            description.deleted.push_back({each.key, each.key_place, memberPointer("", each.key)});
+    }
+    for (const Member& section : document.members) {
+        const std::string pointer = memberPointer("", section.key);
+        for (const Member& each : section.value.deleted)
+            description.deleted.push_back(
+                {each.key, each.key_place, memberPointer(pointer, each.key)});
+    }
 }
 
 }  // namespace
@@ -40,23 +57,21 @@ Result<Description> decode(const Node& document, const SourceSet& sources)
 {
     Description description;
     description.place = document.place;
+    noteDeleted(document, description);
     table::Report report(!document.origins.empty());
     table::read(report, table::Cursor{document, "", document.place}, description, {});
-    table::checkNames(document, description, report);
+    table::checkNames(description, report);
     table::readLevels(document, description, report);
+    std::set<std::string> referred;
     if (!hasMisspeltSection(document, report)) {
-        table::checkReferences(document, sources, description, report);
+        referred = table::checkReferences(document, sources, description, report);
         table::readShaderFiles(sources, description, report);
     }
-    description.deleted = table::deletedNames(document);
-    for (const Member& each : document.deleted)
-        if (each.value.kind == Node::Kind::string)
-            description.left_out.push_back({each.key, each.value.text});
     Diagnostics diagnostics = report.take(document);
     if (hasErrors(diagnostics)) return diagnostics;
     for (const FeatureDesc& each : description.features) applyLevel(description, each.name);
     description.unused = std::move(diagnostics);  // of what is left out
-    append(description.unused, table::unusedNames(document, description));
+    append(description.unused, table::unusedNames(document, description, std::move(referred)));
     return description;
 }
 

@@ -52,14 +52,10 @@ std::string suggestFile(const SourceSet& sources, const std::string& name,
            suggestName(name, std::move(paths), "files");
 }
 
-class FileReader {
-public:
-    FileReader(const SourceSet& sources, Description& description, Report& report)
-        : sources_(sources),
-          description_(description),
-          report_(report)
-    {
-    }
+struct FileReader {
+    const SourceSet& sources;
+    Description& description;
+    Report& report;
 
     // Reads the file behind `reference` and all that it includes.
     void readFrom(Reference& reference, const std::string& who, const std::string& ending)
@@ -67,14 +63,15 @@ public:
         if (reference.pointer.empty()) return;  // it was not written, or not a name
         const SourceText nowhere{"./", {}};
         const SourceText& writer = reference.place.source ? *reference.place.source : nowhere;
-        const Result<Found> found = findFile(sources_, writer, locationOf(writer), reference.name);
+        const Result<Found> found = findFile(sources, writer, locationOf(writer), reference.name);
         if (!found) return refuse(found.diagnostics().front(), reference);
         const Found& file = *found;
         if (!file.source) {
-            report_.at(reference, Code::file_missing,
-                       who + " names file '" + reference.name + "', which " + absence(file),
-                       suggestFile(sources_, reference.name, ending));
-            report_.sameMistake("file " + file.key);
+            Reported& error =
+                report.at(reference, Code::file_missing,
+                          who + " names file '" + reference.name + "', which " + absence(file),
+                          suggestFile(sources, reference.name, ending));
+            error.mistake = "file " + file.key;
             return;
         }
         reference.name = file.key;
@@ -82,82 +79,69 @@ public:
         while (!waiting.empty()) {
             const Found next = waiting.back();
             waiting.pop_back();
-            if (description_.files.emplace(next.key, next.source).second)
+            if (description.files.emplace(next.key, next.source).second)
                 follow(next, reference.pointer, waiting);
         }
     }
 
-private:
     // Adds what `file` includes to `waiting`. An interface's file is read by its own reference.
     void follow(const Found& file, const std::string& pointer, std::vector<Found>& waiting)
     {
         for (const GlslInclude& include : findIncludes(file.source)) {
+            const Reference at{include.name, include.place, pointer};
             if (include.interface) {
-                if (!findNamed(description_.interfaces, include.name) &&
-                    !takeDefault(include.name, waiting))
-                    expectInterface(include, pointer);
+                if (!findNamed(description.interfaces, at.name) && !takeDefault(at.name, waiting))
+                    expectInterface(at);
                 continue;
             }
-            const Result<Found> found = findFile(sources_, *file.source, file.key, include.name);
+            const Result<Found> found = findFile(sources, *file.source, file.key, at.name);
             if (!found)
-                refuse(found.diagnostics().front(), {"", include.place, pointer});
+                refuse(found.diagnostics().front(), at);
             else if (found->source)
                 waiting.push_back(*found);
             else
-                missing(include, pointer, "file '" + include.name + "', which " + absence(*found),
-                        suggestFile(sources_, include.name, ".glsl"));
+                missing(at, "file '" + at.name + "', which " + absence(*found),
+                        suggestFile(sources, at.name, ".glsl"));
         }
     }
 
     // A file that is there, or may be, and is not read.
     void refuse(const Diagnostic& why, const Reference& reference)
     {
-        report_.at(reference, why.code, why.message, why.help);
-        report_.sameMistake(why.message);
+        report.at(reference, why.code, why.message, why.help).mistake = why.message;
     }
 
     // An interface that no module gives is the file of its name under common/, where there is one.
     bool takeDefault(const std::string& name, std::vector<Found>& waiting)
     {
-        const Result<Found> found = findFile(sources_, {"", {}}, "", "common/" + name + ".glsl");
+        const Result<Found> found = findFile(sources, {"", {}}, "", "common/" + name + ".glsl");
         if (!found || !found->source) return false;
-        InterfaceDesc given;
-        given.name = name;
-        given.file.name = found->key;
-        description_.interfaces.push_back(std::move(given));
+        description.interfaces.push_back({{name}, {found->key}});
         waiting.push_back(*found);
         return true;
     }
 
-    void expectInterface(const GlslInclude& include, const std::string& pointer)
+    void expectInterface(const Reference& at)
     {
-        const std::vector<std::string> names = namesOf(description_.interfaces);
-        if (report_.errorAt("/interfaces")) return;
-        const std::string modules = modulesThatDeclare(sources_, "interfaces", include.name);
-        missing(include, pointer, "interface <" + include.name + ">, which does not exist",
+        if (report.errorAt("/interfaces")) return;
+        const std::string modules = modulesThatDeclare(sources, "interfaces", at.name);
+        missing(at, "interface <" + at.name + ">, which does not exist",
                 "add a module that provides it to extends" +
                     (modules.empty() ? "" : ": " + modules) + "; " +
-                    suggestName(include.name, names, "interfaces"));
+                    suggestName(at.name, namesOf(description.interfaces), "interfaces"));
     }
 
-    void missing(const GlslInclude& include, const std::string& pointer, const std::string& what,
-                 std::string help)
+    void missing(const Reference& at, const std::string& what, const std::string& help)
     {
-        report_.at({"", include.place, pointer}, Code::include_missing,
-                   "found an #include of " + what, std::move(help));
-        report_.sameMistake(what);
+        report.at(at, Code::include_missing, "found an #include of " + what, help).mistake = what;
     }
-
-    const SourceSet& sources_;
-    Description& description_;
-    Report& report_;
 };
 
 }  // namespace
 
 void readShaderFiles(const SourceSet& sources, Description& description, Report& report)
 {
-    FileReader reader(sources, description, report);
+    FileReader reader{sources, description, report};
     for (ShaderDesc& each : description.shaders) {
         reader.readFrom(each.vertex, "shader '" + each.name + "'", ".vert");
         reader.readFrom(each.fragment, "shader '" + each.name + "'", ".frag");

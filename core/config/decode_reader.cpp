@@ -3,7 +3,6 @@
 #include "core/config/decode_reader.h"
 
 #include "core/base/text.h"
-#include "core/config/decode_steps.h"
 
 #include <algorithm>
 
@@ -32,12 +31,6 @@ Place lastPlace(const Node& object)
     return place;
 }
 
-Place placeOf(const Cursor& object, std::string_view member)
-{
-    const Node* value = object.node.find(member);
-    return value ? value->place : object.key_place;
-}
-
 void checkName(Report& report, const Cursor& cursor)
 {
     if (isName(cursor.key)) return;
@@ -51,7 +44,7 @@ void reportUndeclared(Report& report, const Cursor& section, const Cursor& entry
 {
     const bool plural = section.key.back() == 's';
     const std::string what = plural ? section.key.substr(0, section.key.size() - 1) : section.key;
-    Diagnostic& error =
+    Reported& error =
         report.atKey(entry, Code::unknown_param,
                      what + " '" + entry.key + "' is set here, and no file declares it");
     if (report.leavesOut(entry.key_place)) return Report::leaveOut(error);
@@ -90,7 +83,7 @@ bool Reader::finish()
     if (!has_keys_) return true;
     if (!expectObject(report_, cursor_, keys_)) return false;
     if (!reportUnknown())  // else the key that is missing was surely meant
-        for (const Missing& missing : missing_) reportMissing(missing);
+        for (const auto& [key, doc] : missing_) reportMissing(key, doc);
     return missing_.empty();
 }
 
@@ -113,18 +106,17 @@ bool Reader::reportUnknown()
 }
 
 // At the null of the patch that took it away, where there is one.
-void Reader::reportMissing(const Missing& missing)
+void Reader::reportMissing(const std::string& key, const std::string& doc)
 {
     const std::string where = cursor_.key.empty() ? "the config" : "'" + cursor_.key + "'";
-    const std::string message = where + " has no '" + missing.key + "', which must be there";
-    const std::string help = std::string("add \"") + missing.key + "\": " + missing.doc;
-    for (const Member& deleted : cursor_.node.deleted) {
-        if (deleted.key != missing.key) continue;
-        report_.atKey(cursor_.child(deleted), Code::missing_key, message,
-                      "give it a value instead of null, or leave it as it was");
-        return;
-    }
-    report_.atKey(cursor_, Code::missing_key, message, help);
+    const std::string message = where + " has no '" + key + "', which must be there";
+    for (const Member& deleted : cursor_.node.deleted)
+        if (deleted.key == key) {
+            report_.atKey(cursor_.child(deleted), Code::missing_key, message,
+                          "give it a value instead of null, or leave it as it was");
+            return;
+        }
+    report_.atKey(cursor_, Code::missing_key, message, "add \"" + key + "\": " + doc);
 }
 
 const Member* Reader::find(std::string_view key) const
@@ -132,13 +124,6 @@ const Member* Reader::find(std::string_view key) const
     for (const Member& member : cursor_.node.members)
         if (member.key == key) return &member;
     return nullptr;
-}
-
-Cursor Reader::child(const Member& member, const char* doc) const
-{
-    Cursor cursor = cursor_.child(member);
-    cursor.doc = doc;
-    return cursor;
 }
 
 }  // namespace crevice::table

@@ -11,10 +11,6 @@
 namespace crevice::table {
 
 bool read(Report& report, const Cursor& cursor, bool& out, const Rule& rule);
-bool read(Report& report, const Cursor& cursor, int& out, const Rule& rule);
-bool read(Report& report, const Cursor& cursor, unsigned& out, const Rule& rule);
-bool read(Report& report, const Cursor& cursor, float& out, const Rule& rule);
-bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, std::string& out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Reference& out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, std::vector<Reference>& out, const Rule& rule);
@@ -22,14 +18,18 @@ bool read(Report& report, const Cursor& cursor, std::vector<Format>& out, const 
 bool read(Report& report, const Cursor& cursor, std::map<std::string, std::string>& out,
           const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule);
-bool read(Report& report, const Cursor& cursor, ClearColor out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Words out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Choice out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, OneOf out, const Rule& rule);
 bool read(Report& report, const Cursor& cursor, Scalars out, const Rule& rule);
 inline bool read(Report&, const Cursor&, Later, const Rule&) { return true; }
 
-/// The index of the string among `words`, which are called `what` in messages.
+/// Whether the value is a number, a whole one where asked for, inside the rule's range and the one
+/// given.
+bool isNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, double least,
+              double most);
+
+/// The index of the string among `words`.
 bool readWord(Report& report, const Cursor& cursor, const std::vector<std::string>& words,
               std::size_t& index);
 
@@ -41,9 +41,6 @@ bool isName(std::string_view name);
 
 /// Where an object was changed: its place, or that of a member that another file set.
 Place lastPlace(const Node& object);
-
-/// Of the member's value; of the object's own key where it has no such member.
-Place placeOf(const Cursor& object, std::string_view member);
 
 /// CV3004 unless the cursor's key is a name that JSON, GLSL and C++ can share.
 void checkName(Report& report, const Cursor& cursor);
@@ -75,8 +72,11 @@ public:
     bool field(const char* key, T&& out, const char* doc, const Rule& rule = {})
     {
         keys_.push_back(key);
-        const Member* member = find(key);
-        if (member) return read(report_, child(*member, doc), out, rule);
+        if (const Member* member = find(key)) {
+            Cursor value = cursor_.child(*member);
+            value.doc = doc;
+            return read(report_, value, out, rule);
+        }
         if (rule.required) missing_.push_back({key, doc});
         return !rule.required;
     }
@@ -104,20 +104,14 @@ public:
     bool finish();
 
 private:
-    struct Missing {
-        const char* key;
-        const char* doc;
-    };
-
     const Member* find(std::string_view key) const;
-    Cursor child(const Member& member, const char* doc) const;
     bool reportUnknown();
-    void reportMissing(const Missing& missing);
+    void reportMissing(const std::string& key, const std::string& doc);
 
     Report& report_;
     Cursor cursor_;
     std::vector<std::string> keys_ = {};
-    std::vector<Missing> missing_ = {};  // required keys that are not there
+    std::vector<std::pair<std::string, std::string>> missing_ = {};  // required keys and their docs
     bool has_keys_ = true;  // false when the value is not written as an object with keys
 };
 
@@ -130,7 +124,7 @@ void setKey(Report& report, const Cursor& cursor, T& entry)
         entry.pointer = cursor.pointer;
         checkName(report, cursor);
     } else {
-        keyOf(entry) = cursor.keyReference();
+        keyOf(entry) = {cursor.key, cursor.key_place, cursor.pointer};
     }
 }
 
@@ -162,11 +156,17 @@ bool read(Report& report, const Cursor& cursor, std::vector<T>& out, const Rule&
     return true;
 }
 
-// An enum, or a struct of the table.
+// A number, an enum, or a struct of the table.
 template <class T>
-bool read(Report& report, const Cursor& cursor, T& out, const Rule&)
+bool read(Report& report, const Cursor& cursor, T& out, const Rule& rule)
 {
-    if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_arithmetic_v<T>) {
+        using Limits = std::numeric_limits<T>;
+        const bool whole = Limits::is_integer;
+        if (!isNumber(report, cursor, whole, rule, Limits::lowest(), Limits::max())) return false;
+        out = static_cast<T>(cursor.node.number);
+        return true;
+    } else if constexpr (std::is_enum_v<T>) {
         std::size_t index = 0;
         if (!readWord(report, cursor, spellings(out), index)) return false;
         out = static_cast<T>(index);
@@ -175,7 +175,9 @@ bool read(Report& report, const Cursor& cursor, T& out, const Rule&)
         Reader reader(report, cursor);
         fields(reader, out);
         if constexpr (std::is_same_v<T, SizeDesc>) out.place = lastPlace(cursor.node);
-        if constexpr (std::is_same_v<T, TargetDesc>) out.formats_place = placeOf(cursor, "format");
+        if constexpr (std::is_same_v<T, TargetDesc>)
+            if (const Node* formats = cursor.node.find("format"))
+                out.formats_place = formats->place;
         return reader.finish();
     }
 }

@@ -3,6 +3,7 @@
 #include "core/config/decode_steps.h"
 
 #include "core/base/text.h"
+#include "core/config/field_types.h"
 #include "core/frame/frame_values.h"
 #include "core/sampling/generators.h"
 
@@ -30,11 +31,13 @@ class Checker {
 public:
     Checker(const Node& document, const SourceSet& sources, const Description& description,
             Report& report);
-    void run();
+    std::set<std::string> run();
 
 private:
     bool known(const Reference& reference, const Names& names) const;
     void expect(const Reference& reference, const std::string& who, const Names& names);
+    void expectNumber(const Reference& name, const std::string& who, const std::string& number,
+                      ParamType type, const Rule& limits);
 
     void checkPass(const PassDesc& pass);
     void checkWrites(const PassDesc& pass);
@@ -47,7 +50,9 @@ private:
     const SourceSet& sources_;
     const Description& description_;
     Report& report_;
+    std::set<std::string> named_ = {};
     Names targets_ = {"target", "targets", Code::target_missing, {"targets"}};
+    Names sized_ = {"target", "targets", Code::target_missing, {"targets", "imports"}};
     Names inputs_ = {
         "target", "targets", Code::target_missing, {"targets", "generated", "imports"}};
     Names shaders_ = {"shader", "shaders", Code::shader_missing, {"shaders"}};
@@ -62,14 +67,15 @@ Checker::Checker(const Node& document, const SourceSet& sources, const Descripti
       description_(description),
       report_(report)
 {
-    targets_.all = inputs_.all = namesOf(description.targets);
+    targets_.all = sized_.all = inputs_.all = namesOf(description.targets);
     for (const TargetDesc& each : description.targets)
         if (each.history) inputs_.all.push_back(historyName(each));
     for (const GeneratedDesc& each : description.generated)
         if (each.generator.empty() || generatesTexture(each.generator))
             inputs_.all.push_back(each.name);
     for (const ImportDesc& each : description.imports)
-        if (each.type == ImportType::texture) inputs_.all.push_back(each.name);
+        if (each.type == ImportType::texture)
+            for (Names* names : {&sized_, &inputs_}) names->all.push_back(each.name);
     if (inputs_.all.size() > targets_.all.size()) inputs_.listed = "targets and textures";
     shaders_.all = namesOf(description.shaders);
     params_.all = namesOf(description.params);
@@ -77,24 +83,25 @@ Checker::Checker(const Node& document, const SourceSet& sources, const Descripti
     for (const TraitInfo& trait : kTraits) subjects_.all.push_back(trait.name);
 }
 
-void Checker::run()
+std::set<std::string> Checker::run()
 {
     for (const GeneratedDesc& each : description_.generated)
-        expect(each.count_param, "generated '" + each.name + "' takes its count from", params_);
+        expectNumber(each.count_param, "generated '" + each.name + "'", "count", ParamType::int_,
+                     range(1, mostCount(each.generator)));
     for (const TargetDesc& each : description_.targets) {
-        const std::string who = "target '" + each.name + "' ";
-        const ImportDesc* import = findNamed(description_.imports, each.size.of.name);
-        if (!import || import->type != ImportType::texture)
-            expect(each.size.of, who + "follows the size of", targets_);
-        if (!each.size.optional)
-            expect(each.size.scale_param, who + "takes its scale from", params_);
-        expect(each.samples_param, who + "takes its samples from", params_);
+        const std::string who = "target '" + each.name + "'";
+        expect(each.size.of, who + " follows the size of", sized_);
+        if (!each.size.optional || contains(params_.all, each.size.scale_param.name))
+            expectNumber(each.size.scale_param, who, "scale", ParamType::float_,
+                         range(smallestScale(each.size), kLargestScale));
+        expectNumber(each.samples_param, who, "samples", ParamType::int_, range(1, kMaxSamples));
     }
     for (const PassDesc& each : description_.passes) checkPass(each);
     for (const OutputDesc& each : description_.outputs)
         expect(each.target, "output '" + each.name + "' exports", targets_);
     for (const ViewDesc& each : description_.views)
         expect(each.target, "view '" + each.name + "' shows", targets_);
+    return std::move(named_);
 }
 
 // True too when the reference was not written, or is explained by an error already reported.
@@ -107,27 +114,50 @@ bool Checker::known(const Reference& reference, const Names& names) const
 
 void Checker::expect(const Reference& reference, const std::string& who, const Names& names)
 {
+    named_.insert(reference.name);
     if (known(reference, names)) return;
     const bool target = names.code == Code::target_missing;
     const std::string makers =
         target ? modulesThatDeclare(sources_, "targets", reference.name) : "";
-    Diagnostic& error =
+    Reported& error =
         report_.at(reference, names.code,
                    who + " " + names.what + " '" + reference.name + "', which does not exist",
                    makers.empty() ? suggestName(reference.name, names.all, names.listed)
                                   : "add a module that makes it to 'extends': " + makers);
-    Place cause = ownPlace(reference.place);
-    for (const Named& each : deletedNames(document_)) {
+    error.mistake = names.what + " " + reference.name;
+    if (isModule(reference.place)) error.cause = ownPlace(reference.place);
+    for (const Named& each : description_.deleted) {
         for (const std::string& section : names.sections) {
             const std::string pointer = memberPointer("", section);
             if (each.pointer != pointer && each.pointer != memberPointer(pointer, reference.name))
                 continue;
             error.notes.push_back({each.place, "it was deleted here"});
-            cause = each.place;
+            if (isModule(reference.place)) error.cause = each.place;
         }
     }
-    if (isModule(reference.place)) report_.causedBy(cause);
-    report_.sameMistake(names.what + " " + reference.name);
+}
+
+// A number that is taken from a param: that must fit, and start inside the limits.
+void Checker::expectNumber(const Reference& name, const std::string& who, const std::string& number,
+                           ParamType type, const Rule& limits)
+{
+    const std::string takes = who + " takes its " + number + " from";
+    expect(name, takes, params_);
+    const ParamDesc* param = findNamed(description_.params, name.name);
+    if (!param || report_.errorWithin(param->pointer)) return;
+    if (param->type != ParamType::int_ && param->type != type) {
+        report_.at(name, Code::reference_missing,
+                   takes + " param '" + name.name + "', which has another type",
+                   "give '" + name.name + "' the type \"" + word(type) + "\"");
+    } else if (!(param->value[0] >= limits.min && param->value[0] <= limits.max)) {
+        const Reference value = referenceAt(document_, param->pointer + "/default");
+        Reported& error = report_.at(
+            value, Code::out_of_range,
+            param->name + " default " + value.name + " is outside [" + numberText(limits.min) +
+                ", " + numberText(limits.max) + "], the " + number + "s that " + who + " may have",
+            "stay inside the range, and let '" + param->name + "' have it as min and max");
+        error.notes.push_back({name.place, "the " + number + " is taken from it here"});
+    }
 }
 
 void Checker::checkPass(const PassDesc& pass)
@@ -157,17 +187,15 @@ void Checker::checkPass(const PassDesc& pass)
 
 void Checker::checkWrites(const PassDesc& pass)
 {
-    std::vector<Reference> written = pass.color;
-    written.push_back(pass.depth);
-    for (std::size_t i = 0; i < written.size(); ++i) {
-        const Reference& target = written[i];
+    std::vector<Reference> targets = pass.color;
+    targets.push_back(pass.depth);
+    std::set<std::string> written;
+    for (const Reference& target : targets) {
         expect(target, "pass '" + pass.name + "' writes", targets_);
-        const auto same = [&](const Reference& each) { return each.name == target.name; };
-        if (!target.pointer.empty() &&
-            std::any_of(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(i), same))
-            report_.at(target, Code::two_writers,
-                       "pass '" + pass.name + "' writes target '" + target.name + "' twice",
-                       "give each output of the shader a target of its own");
+        if (target.pointer.empty() || written.insert(target.name).second) continue;
+        report_.at(target, Code::two_writers,
+                   "pass '" + pass.name + "' writes target '" + target.name + "' twice",
+                   "give each output of the shader a target of its own");
     }
 }
 
@@ -175,8 +203,7 @@ void Checker::checkWrites(const PassDesc& pass)
 void Checker::checkAttached(const PassDesc& pass, const Reference& target, const std::string& verb)
 {
     const std::string who = "pass '" + pass.name + "' " + verb;
-    std::vector<std::string> written;
-    for (const Reference& each : pass.color) written.push_back(each.name);
+    std::vector<std::string> written = namesOf(pass.color);
     if (!pass.depth.pointer.empty()) written.push_back(pass.depth.name);
     if (!known(target, targets_)) return expect(target, who, targets_);
     const bool reported = report_.errorWithin(pass.pointer + "/color") ||
@@ -204,12 +231,13 @@ void Checker::checkUndrawn(const PassDesc& pass)
     for (const Reference& target : written) {
         const auto clears = [&](const ClearDesc& each) { return each.target.name == target.name; };
         if (std::any_of(pass.clear.begin(), pass.clear.end(), clears)) continue;
-        report_.at(target, Code::missing_key,
-                   who + "is not drawn everywhere, and its `clear` does not say what '" +
-                       target.name + "' is elsewhere",
-                   "add to the pass: \"clear\": {\"" + target.name +
-                       "\": 1}, or what its shader writes where nothing is seen");
-        if (isModule(target.place)) report_.causedBy(ownPlace(target.place));
+        Reported& error =
+            report_.at(target, Code::missing_key,
+                       who + "is not drawn everywhere, and its `clear` does not say what '" +
+                           target.name + "' is elsewhere",
+                       "add to the pass: \"clear\": {\"" + target.name +
+                           "\": 1}, or what its shader writes where nothing is seen");
+        if (isModule(target.place)) error.cause = ownPlace(target.place);
     }
 }
 
@@ -246,11 +274,12 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
     if (broken) return;
     if (findMaterialMap(source.name) >= 0 && !contains(inputs_.all, source.name)) {
         if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
-        report_.at(source, Code::target_missing,
-                   "pass '" + pass.name + "' reads the material's '" + source.name +
-                       "', which a draw pass alone has",
-                   "let the pass be of type \"draw\", or take this input away");
-        return report_.sameMistake("material maps of " + pass.pointer);
+        Reported& error = report_.at(source, Code::target_missing,
+                                     "pass '" + pass.name + "' reads the material's '" +
+                                         source.name + "', which a draw pass alone has",
+                                     "let the pass be of type \"draw\", or take this input away");
+        error.mistake = "material maps of " + pass.pointer;
+        return;
     }
     expect(source, "pass '" + pass.name + "' reads", inputs_);
 }
@@ -264,7 +293,7 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
     std::string modules;
     for (const std::string& path : sources.list()) {
         if (!endsWith(path, kSuffix) || startsWith(path, "configs/")) continue;
-        if (path.find("/bench/") != std::string::npos || startsWith(path, "bench/"))
+        if (("/" + path).find("/bench/") != std::string::npos)
             continue;  // laid over configs, and not to be extended
         const SourceRef source = sources.find(path);
         if (!source || source->text.find('"' + name + '"') == std::string::npos) continue;
@@ -277,24 +306,10 @@ std::string modulesThatDeclare(const SourceSet& sources, std::string_view sectio
     return modules;
 }
 
-void checkReferences(const Node& document, const SourceSet& sources, const Description& description,
-                     Report& report)
+std::set<std::string> checkReferences(const Node& document, const SourceSet& sources,
+                                      const Description& description, Report& report)
 {
-    Checker(document, sources, description, report).run();
-}
-
-std::vector<Named> deletedNames(const Node& document)
-{
-    std::vector<Named> names;
-    for (const Member& section : document.deleted)
-        if (section.value.kind == Node::Kind::null)
-            names.push_back({section.key, section.key_place, memberPointer("", section.key)});
-    for (const Member& section : document.members) {
-        const std::string pointer = memberPointer("", section.key);
-        for (const Member& each : section.value.deleted)
-            names.push_back({each.key, each.key_place, memberPointer(pointer, each.key)});
-    }
-    return names;
+    return Checker(document, sources, description, report).run();
 }
 
 }  // namespace crevice::table

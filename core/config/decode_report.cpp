@@ -52,13 +52,6 @@ Cursor Cursor::item(std::size_t index) const
     return {node.items[index], pointer + "/" + std::to_string(index), key_place, key, label, doc};
 }
 
-Reference Cursor::reference(std::string name) const
-{
-    return {std::move(name), node.place, pointer, node.origins};
-}
-
-Reference Cursor::keyReference() const { return {key, key_place, pointer, {}}; }
-
 bool Report::leavesOut(const Place& key) const
 {
     return patched_ && !(key.source && key.source->path == kOverridePath);
@@ -70,73 +63,64 @@ void Report::leaveOut(Diagnostic& error)
     error.help = "it is left out: what declares it is not part of this config";
 }
 
-Diagnostic& Report::atValue(const Cursor& cursor, Code code, std::string message, std::string help)
+Reported& Report::atValue(const Cursor& cursor, Code code, std::string message, std::string help)
 {
     return add({code, std::move(message), help.empty() ? cursor.doc : std::move(help),
                 cursor.node.place, cursor.pointer, notesOf(cursor.node.origins)});
 }
 
-Diagnostic& Report::atKey(const Cursor& cursor, Code code, std::string message, std::string help)
+Reported& Report::atKey(const Cursor& cursor, Code code, std::string message, std::string help)
 {
     return add({code, std::move(message), help.empty() ? cursor.doc : std::move(help),
                 cursor.key_place, cursor.pointer});
 }
 
-Diagnostic& Report::at(const Reference& reference, Code code, std::string message, std::string help)
+Reported& Report::at(const Reference& reference, Code code, std::string message, std::string help)
 {
     return add({code, std::move(message), std::move(help), reference.place, reference.pointer,
                 notesOf(reference.origins)});
 }
 
-Diagnostic& Report::add(Diagnostic diagnostic)
+Reported& Report::add(Diagnostic diagnostic)
 {
-    if (entries_.size() == kMaxErrors) entries_.pop_back();
-    entries_.push_back({std::move(diagnostic)});
-    return entries_.back().diagnostic;
+    if (errors_.size() == kMaxErrors) errors_.pop_back();
+    errors_.push_back({std::move(diagnostic)});
+    return errors_.back();
 }
-
-void Report::sameMistake(std::string mistake) { entries_.back().mistake = std::move(mistake); }
-
-void Report::causedBy(const Place& place) { entries_.back().cause = place; }
 
 bool Report::errorAt(std::string_view pointer) const
 {
-    return std::any_of(entries_.begin(), entries_.end(),
-                       [&](const Entry& entry) { return entry.diagnostic.pointer == pointer; });
+    return std::any_of(errors_.begin(), errors_.end(),
+                       [&](const Reported& each) { return each.pointer == pointer; });
 }
 
 bool Report::errorWithin(std::string_view pointer) const
 {
-    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-        return isWithin(entry.diagnostic.pointer, pointer);
-    });
+    return std::any_of(errors_.begin(), errors_.end(),
+                       [&](const Reported& each) { return isWithin(each.pointer, pointer); });
 }
 
 Diagnostics Report::take(const Node& document)
 {
-    using Ordered = std::pair<std::vector<std::size_t>, Entry>;
+    using Ordered = std::pair<std::vector<std::size_t>, Reported>;
     std::vector<Ordered> ordered;
-    for (Entry& entry : entries_)
-        ordered.emplace_back(locate(document, entry.diagnostic.pointer).path, std::move(entry));
-    entries_.clear();
+    for (Reported& each : errors_)
+        ordered.emplace_back(locate(document, each.pointer).path, std::move(each));
+    errors_.clear();
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const Ordered& a, const Ordered& b) { return a.first < b.first; });
 
     Diagnostics diagnostics;
-    std::vector<Place> causes;
     std::map<std::string, std::size_t> reported;  // mistakes, and their diagnostics
-    for (Ordered& each : ordered) {
-        Entry& entry = each.second;
-        const auto [first, fresh] = reported.emplace(entry.mistake, diagnostics.size());
-        if (fresh || entry.mistake.empty()) {
-            diagnostics.push_back(std::move(entry.diagnostic));
-            causes.push_back(std::move(entry.cause));
-        } else {
-            diagnostics[first->second].notes.push_back({entry.diagnostic.place, "and here"});
+    for (auto& [path, error] : ordered) {
+        const auto [first, fresh] = reported.emplace(error.mistake, diagnostics.size());
+        if (!fresh && !error.mistake.empty()) {
+            diagnostics[first->second].notes.push_back({error.place, "and here"});
+            continue;
         }
+        if (error.cause.source) blame(error, error.cause, "it is named here");
+        diagnostics.push_back(std::move(error));
     }
-    for (std::size_t i = 0; i < causes.size(); ++i)
-        if (causes[i].source) blame(diagnostics[i], causes[i], "it is named here");
     return diagnostics;
 }
 

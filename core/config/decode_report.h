@@ -17,13 +17,19 @@ struct Cursor {
 
     Cursor child(const Member& member) const;
     Cursor item(std::size_t index) const;
-    Reference reference(std::string name) const;  ///< To what the value names.
-    Reference keyReference() const;               ///< To what the key names.
 };
 
 /// Most errors reported for one document; nobody reads more, and each is searched for what it
 /// explains.
 constexpr std::size_t kMaxErrors = 1000;
+
+/// An error, and what it has to do with others.
+struct Reported : Diagnostic {
+    /// Of those with the same mistake the first in the document is reported, and the others become
+    /// its notes.
+    std::string mistake = {};
+    Place cause = {};  ///< What it comes of: where it is reported then.
+};
 
 /// Errors in any order, to be put into that of the document. Of those past kMaxErrors the last
 /// stays.
@@ -42,21 +48,15 @@ public:
 
     /// An error about a value, or about its key. Without a help of its own it has the table's
     /// sentence. What comes back is valid until the next call.
-    Diagnostic& atValue(const Cursor& cursor, Code code, std::string message,
-                        std::string help = {});
-    Diagnostic& atKey(const Cursor& cursor, Code code, std::string message, std::string help = {});
+    Reported& atValue(const Cursor& cursor, Code code, std::string message, std::string help = {});
+    Reported& atKey(const Cursor& cursor, Code code, std::string message, std::string help = {});
 
     /// An error about a name that was decoded before, with a note for each place that it replaced.
-    Diagnostic& at(const Reference& reference, Code code, std::string message,
-                   std::string help = {});
-    Diagnostic& add(Diagnostic diagnostic);
+    Reported& at(const Reference& reference, Code code, std::string message, std::string help = {});
+    Reported& add(Diagnostic diagnostic);
 
-    /// Says that the last error is about the same mistake as all others of that `mistake`: the
-    /// first one in the document is reported, and the others become its notes.
-    void sameMistake(std::string mistake);
-
-    /// Says that the last error comes of what stands at `place`, which is its place then.
-    void causedBy(const Place& place);
+    /// The last error. Requires one.
+    Reported& last() { return errors_.back(); }
 
     /// Whether an error was reported at the pointer, or at it or below.
     bool errorAt(std::string_view pointer) const;
@@ -66,14 +66,8 @@ public:
     Diagnostics take(const Node& document);
 
 private:
-    struct Entry {
-        Diagnostic diagnostic;
-        std::string mistake = {};
-        Place cause = {};
-    };
-
     bool patched_;
-    std::vector<Entry> entries_;
+    std::vector<Reported> errors_;
 };
 
 /// The node behind an RFC 6901 pointer, and the position of each of its ancestors and itself among

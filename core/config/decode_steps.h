@@ -6,16 +6,18 @@
 
 #include "core/config/decode_report.h"
 
+#include <set>
+
 namespace crevice::table {
 
-/// Reports names that collide (CV2107), counts and scales that do not fit (CV2102, CV4001) and
-/// targets that follow each other's size (CV2204).
-void checkNames(const Node& document, const Description& description, Report& report);
+/// Reports names that collide (CV2107) and targets that follow each other's size (CV2204).
+void checkNames(const Description& description, Report& report);
 
 /// Reports what refers to nothing or stands where it may not: CV2101 to CV2106, CV2201, CV3006 and
-/// CV4001. `sources` are looked through for modules that would make what is missing.
-void checkReferences(const Node& document, const SourceSet& sources, const Description& description,
-                     Report& report);
+/// CV4001. `sources` are looked through for modules that would make what is missing. Returns all
+/// names that something refers to.
+std::set<std::string> checkReferences(const Node& document, const SourceSet& sources,
+                                      const Description& description, Report& report);
 
 /// Reads the values under `sets` of features, of which CV2105, CV2106, CV2107, CV2204, CV4004 and
 /// those of values are reported, and gives each word what any of them sets.
@@ -26,12 +28,10 @@ void readLevels(const Node& document, Description& description, Report& report);
 void readShaderFiles(const SourceSet& sources, Description& description, Report& report);
 
 /// Errors CV2108 about params, targets and the like that the config's own file declares and nothing
-/// uses; warnings where a variant or a pointer's override was laid over the file. Requires the GLSL
-/// files.
-Diagnostics unusedNames(const Node& document, const Description& description);
-
-/// What patches deleted: whole sections, and the entries of those that are there.
-std::vector<Named> deletedNames(const Node& document);
+/// uses, neither a reference nor GLSL; warnings where a variant or a pointer's override was laid
+/// over the file. Requires the GLSL files.
+Diagnostics unusedNames(const Node& document, const Description& description,
+                        std::set<std::string> referred);
 
 /// The modules of `sources` that declare a name in a section themselves, a target with its format:
 /// "filter/box, filter/none" for the target "ao_filtered". Empty where none does.

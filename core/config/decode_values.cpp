@@ -5,9 +5,6 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cfloat>
-#include <climits>
-#include <cmath>
 
 namespace crevice::table {
 
@@ -50,48 +47,6 @@ bool wrongLength(Report& report, const Cursor& cursor, const std::string& wanted
     return false;
 }
 
-bool checkRange(Report& report, const Cursor& cursor, const Rule& rule)
-{
-    if (cursor.node.number >= rule.min && cursor.node.number <= rule.max) return true;
-    const bool plain = rule.unit.empty() || rule.unit == "1";
-    report.atValue(cursor, Code::out_of_range,
-                   cursor.label + " " + cursor.node.text + " is outside [" + numberText(rule.min) +
-                       ", " + numberText(rule.max) + "]" +
-                       (plain ? "" : " " + std::string(rule.unit)),
-                   "the nearest that is allowed is " +
-                       numberText(std::min(std::max(cursor.node.number, rule.min), rule.max)));
-    return false;
-}
-
-// A number inside the rule's range and the one given, which is the C++ type's.
-bool readNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, double least,
-                double most)
-{
-    const Node& node = cursor.node;
-    const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
-    if (node.kind != Node::Kind::number || fraction) {
-        const std::string wanted = whole ? "a whole number" : "a number";
-        std::string help;  // of other kinds the table's sentence
-        if (node.kind == Node::Kind::string)
-            help = wanted + ", such as " + (whole ? "16" : "0.8") + ", has no quotes";
-        else if (fraction)
-            help = wanted + " has no point: 16";
-        return wrongType(report, cursor, wanted, std::move(help));
-    }
-    rule.min = std::max(rule.min, least);
-    rule.max = std::min(rule.max, most);
-    return checkRange(report, cursor, rule);
-}
-
-template <class T>
-bool readWhole(Report& report, const Cursor& cursor, T& out, const Rule& rule, double least,
-               double most)
-{
-    if (!readNumber(report, cursor, true, rule, least, most)) return false;
-    out = static_cast<T>(cursor.node.number);
-    return true;
-}
-
 // Calls `each` with the value, or with each item when it is a list.
 template <class F>
 bool forEachItem(Report& report, const Cursor& cursor, F each)
@@ -111,6 +66,32 @@ bool isMacroName(std::string_view name)
 }
 
 }  // namespace
+
+bool isNumber(Report& report, const Cursor& cursor, bool whole, Rule rule, double least,
+              double most)
+{
+    const Node& node = cursor.node;
+    const bool fraction = whole && node.text.find_first_of(".eE") != std::string::npos;
+    if (node.kind != Node::Kind::number || fraction) {
+        const std::string wanted = whole ? "a whole number" : "a number";
+        std::string help;  // of other kinds the table's sentence
+        if (node.kind == Node::Kind::string)
+            help = wanted + ", such as " + (whole ? "16" : "0.8") + ", has no quotes";
+        else if (fraction)
+            help = wanted + " has no point: 16";
+        return wrongType(report, cursor, wanted, std::move(help));
+    }
+    rule.min = std::max(rule.min, least);
+    rule.max = std::min(rule.max, most);
+    if (cursor.node.number >= rule.min && cursor.node.number <= rule.max) return true;
+    const bool plain = rule.unit.empty() || rule.unit == "1";
+    report.atValue(cursor, Code::out_of_range,
+                   cursor.label + " " + node.text + " is outside [" + numberText(rule.min) + ", " +
+                       numberText(rule.max) + "]" + (plain ? "" : " " + std::string(rule.unit)),
+                   "the nearest that is allowed is " +
+                       numberText(std::min(std::max(node.number, rule.min), rule.max)));
+    return false;
+}
 
 bool expectObject(Report& report, const Cursor& cursor, const std::vector<std::string>& keys)
 {
@@ -144,30 +125,6 @@ bool read(Report& report, const Cursor& cursor, bool& out, const Rule&)
     return true;
 }
 
-bool read(Report& report, const Cursor& cursor, int& out, const Rule& rule)
-{
-    return readWhole(report, cursor, out, rule, INT_MIN, INT_MAX);
-}
-
-bool read(Report& report, const Cursor& cursor, unsigned& out, const Rule& rule)
-{
-    return readWhole(report, cursor, out, rule, 0, UINT_MAX);
-}
-
-bool read(Report& report, const Cursor& cursor, float& out, const Rule& rule)
-{
-    if (!readNumber(report, cursor, false, rule, -FLT_MAX, FLT_MAX)) return false;
-    out = static_cast<float>(cursor.node.number);
-    return true;
-}
-
-bool read(Report& report, const Cursor& cursor, double& out, const Rule& rule)
-{
-    if (!readNumber(report, cursor, false, rule, rule.min, rule.max)) return false;
-    out = cursor.node.number;
-    return true;
-}
-
 bool read(Report& report, const Cursor& cursor, std::string& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::string)
@@ -180,7 +137,7 @@ bool read(Report& report, const Cursor& cursor, Reference& out, const Rule&)
 {
     if (cursor.node.kind != Node::Kind::string)
         return wrongType(report, cursor, "a name", "write one name, in double quotes");
-    out = cursor.reference(cursor.node.text);
+    out = {cursor.node.text, cursor.node.place, cursor.pointer, cursor.node.origins};
     return true;
 }
 
@@ -225,12 +182,17 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
 {
     const double most = out.whole ? kMaxWholeParam : kMaxParam;
     const auto one = [&](const Cursor& item, float& value) {
-        if (!readNumber(report, item, out.whole, rule, -most, most)) return false;
+        if (!isNumber(report, item, out.whole, rule, -most, most)) return false;
         value = static_cast<float>(item.node.number);
         return true;
     };
     if (out.count == 0) return true;  // its type is broken, which has been said
     if (out.count == 1) return one(cursor, out.values[0]);
+    if (out.fills && cursor.node.kind != Node::Kind::array) {
+        const bool good = one(cursor, out.values[0]);
+        out.values.fill(out.values[0]);
+        return good;
+    }
     const std::string wanted = std::to_string(out.count) + " numbers";
     if (cursor.node.kind != Node::Kind::array)
         return wrongType(report, cursor, "a list of " + wanted);
@@ -239,20 +201,10 @@ bool read(Report& report, const Cursor& cursor, Numbers out, const Rule& rule)
     bool good = true;
     for (std::size_t i = 0; i < cursor.node.items.size(); ++i) {
         if (one(cursor.item(i), out.values[i])) continue;
-        report.sameMistake("numbers of " + cursor.pointer);
+        report.last().mistake = "numbers of " + cursor.pointer;
         good = false;
     }
     return good;
-}
-
-bool read(Report& report, const Cursor& cursor, ClearColor out, const Rule& rule)
-{
-    const bool list = cursor.node.kind == Node::Kind::array;
-    if (list) return read(report, cursor, Numbers{out.values, 4, false}, rule);
-    float value = 0.0f;
-    if (!read(report, cursor, value, rule)) return false;
-    out.values.fill(value);
-    return true;
 }
 
 bool read(Report& report, const Cursor& cursor, Words out, const Rule&)

@@ -31,15 +31,11 @@ constexpr Rule range(double min, double max, std::string_view unit = {})
     return {false, min, max, unit};
 }
 
-/// Of a feature; kept in FeatureDesc::boolean.
-enum class FeatureType { bool_, enum_ };
-
 /// The JSON spellings of an enum, in the order of its values.
 using Spellings = std::vector<std::string>;
 inline Spellings spellings(ParamType) { return {"float", "int", "vec2", "vec3", "vec4"}; }
 inline Spellings spellings(Bind) { return {"uniform", "define"}; }
 inline Spellings spellings(ParamSemantic) { return {"other", "length", "margin"}; }
-inline Spellings spellings(FeatureType) { return {"bool", "enum"}; }
 inline Spellings spellings(ImportType) { return {"camera", "draw_list", "lights", "texture"}; }
 inline Spellings spellings(Semantic) { return {"other", "view_position", "view_depth", "mask"}; }
 inline Spellings spellings(PassType) { return {"draw", "fullscreen"}; }
@@ -63,11 +59,7 @@ struct Numbers {
     std::array<float, 4>& values;
     int count;
     bool whole;
-};
-
-/// A number, which fills all four channels, or a list of four.
-struct ClearColor {
-    std::array<float, 4>& values;
+    bool fills = false;  ///< A number may stand for a list in which all are it.
 };
 
 /// A list of at least two different names.

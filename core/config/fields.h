@@ -68,10 +68,10 @@ void fields(V& v, FeatureDesc::Level& l)
 template <class V>
 void fields(V& v, FeatureDesc& f)
 {
-    FeatureType type = FeatureType::bool_;
-    const bool known =
-        v.field("type", type, "`bool` for a switch, `enum` for one of several words.");
-    f.boolean = known && type == FeatureType::bool_;
+    std::string type = "bool";
+    const bool known = v.field("type", OneOf{type, {"bool", "enum"}},
+                               "`bool` for a switch, `enum` for one of several words.");
+    f.boolean = known && type == "bool";
     const bool torn = f.boolean && v.has("values");  // its default then goes with one of the two
     v.field("values", Words{f.values}, "The words of an enum, at least two.",
             known && !f.boolean ? required() : Rule{});
@@ -177,7 +177,7 @@ void fields(V& v, InterfaceDesc& i)
 template <class V>
 void fields(V& v, ClearDesc& c)
 {
-    v.itself(ClearColor{c.value},
+    v.itself(Numbers{c.value, 4, false, true},
              "One number for all channels or for depth, or a list of four numbers.");
 }
 
@@ -252,7 +252,7 @@ void workSaving(V& v, PassDesc& p)
         "The view that a draw pass shows, as a multiple of the camera's, or a param: draws whose "
         "bounds are outside are culled. 0 culls nothing: where the shader moves vertices.",
         range(0, kLargestScale));
-    if (p.type != PassType::draw && v.has("frustum_scale"))
+    if (p.type != PassType::draw)
         v.refuse("frustum_scale", Code::bad_enum, "a fullscreen pass has no geometry");
     v.field("mask", p.mask,
             "A target in a depth format: where it is 0 the pass does not draw, and outputs keep "
@@ -270,7 +270,7 @@ void workSaving(V& v, PassDesc& p)
             "a pixel.");
     if (p.type == PassType::draw)
         v.refuse("scissor", Code::bad_enum, "a draw pass draws geometry alone");
-    if (!p.scissor && !v.has("scissor"))
+    if (!v.has("scissor"))
         v.refuse("cull_below_pixel", Code::bad_enum, "the pass has no 'scissor'");
 }
 

@@ -126,16 +126,10 @@ Json formOf(Numbers member, const Rule& rule, const Path&)
 {
     const Json one = numberForm(member.whole ? "integer" : "number", 0, rule);
     if (member.whole) return one;
-    if (member.count > 1) return listForm(one, member.count, member.count);
-    return anyForm({one, listForm(one, 2, 4)});
-}
-
-Json formOf(ClearColor member, const Rule& rule, const Path&)
-{
-    const Json one = numberForm("number", double{member.values[0]}, rule);
-    Json four = listForm(one, 4, 4);
-    four["items"].erase("default");
-    return anyForm({one, four});
+    const bool any = member.count == 1;
+    Json list = listForm(one, any ? 2 : member.count, any ? 4 : member.count);
+    list["items"].erase("default");
+    return any || member.fills ? anyForm({one, std::move(list)}) : list;
 }
 
 Json formOf(Words, const Rule&, const Path&)

@@ -35,7 +35,6 @@ Json formOf(std::vector<Reference>& member, const Rule& rule, const Path& path);
 Json formOf(std::vector<Format>& member, const Rule& rule, const Path& path);
 Json formOf(std::map<std::string, std::string>& member, const Rule& rule, const Path& path);
 Json formOf(Numbers member, const Rule& rule, const Path& path);
-Json formOf(ClearColor member, const Rule& rule, const Path& path);
 Json formOf(Words member, const Rule& rule, const Path& path);
 Json formOf(Choice member, const Rule& rule, const Path& path);
 Json formOf(OneOf member, const Rule& rule, const Path& path);
