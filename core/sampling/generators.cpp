@@ -11,9 +11,10 @@
 #include "core/sampling/random.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace crevice {
 
@@ -21,12 +22,6 @@ namespace {
 
 /// In (-1, 1): odd multiples of 2^-24, so that a float holds it exactly and none is 0.
 double signedNumber(Stream& stream) { return 2.0 * stream.number() - 1.0 + 0x1p-24; }
-
-glm::dvec3 inCube(Stream& stream)
-{
-    const double x = signedNumber(stream), y = signedNumber(stream), z = signedNumber(stream);
-    return {x, y, z};
-}
 
 /// Points that fill the cube (-1, 1)^3 evenly however many are taken, from a start of the seed's:
 /// R3 of Roberts 2018. Integers step round, so that every platform has the same.
@@ -62,34 +57,29 @@ glm::dvec3 inBall(EvenPoints& points)
     return point;
 }
 
-enum class Shape { ball, cube, rays };
-enum class Lengths { even, linear, quadratic };
-
 /// Share of its random length that the first offset keeps [Chapman 2013].
 constexpr double kInnermost = 0.1;
 
 /// What the length of offset `index` of `count` is multiplied by.
-double lengthScale(Lengths lengths, int index, int count)
+double lengthScale(std::string_view lengths, int index, int count)
 {
-    if (lengths == Lengths::even) return 1.0;
+    if (lengths == "even") return 1.0;
     const double t = double(index) / count;
-    return kInnermost + (1.0 - kInnermost) * (lengths == Lengths::linear ? t : t * t);
+    return kInnermost + (1.0 - kInnermost) * (lengths == "linear" ? t : t * t);
 }
 
 /// A point of the whole cube or on one of its rays, times `scale`.
-glm::dvec3 randomOffset(Stream& stream, Shape shape, double scale)
+glm::dvec3 randomOffset(Stream& stream, bool on_ray, double scale)
 {
-    const glm::dvec3 point = inCube(stream);
-    if (shape == Shape::rays) scale *= stream.number() / std::sqrt(glm::dot(point, point));
+    glm::dvec3 point;
+    for (int i = 0; i < 3; ++i) point[i] = signedNumber(stream);
+    if (on_ray) scale *= stream.number() / std::sqrt(glm::dot(point, point));
     return point * scale;
 }
 
-/// The place of `name` among `names`.
-Result<int> indexAmong(const std::vector<std::string>& names, const std::string& name,
-                       const char* what)
+Status checkName(const std::string& name, const std::vector<std::string>& names, const char* what)
 {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<int>(found - names.begin());
+    if (contains(names, name)) return {};
     return Diagnostic{Code::bad_enum, "'" + name + "' is none of the " + what + " of a kernel",
                       suggestName(name, names, what)};
 }
@@ -102,7 +92,7 @@ Diagnostic rangeError(const char* what, int value, int most)
 
 /// (cos, sin) of an angle in turns, [-0.5, 0.5]: their Taylor series, nested. 16 terms leave an
 /// error of about 1e-15, far below what a float shows.
-void direction(double turns, double& x, double& y)
+glm::dvec2 direction(double turns)
 {
     constexpr int kTerms = 16;
     constexpr double kTwoPi = 6.283185307179586;
@@ -113,8 +103,18 @@ void direction(double turns, double& x, double& y)
         cosine = 1.0 - square / (i * (i - 1.0)) * cosine;
         sine = 1.0 - square / (i * (i + 1.0)) * sine;
     }
-    x = cosine;
-    y = sine * angle;
+    return {cosine, sine * angle};
+}
+
+/// The numbers from 0 to count - 1, shuffled while they are filled in.
+std::vector<int> permutation(Stream& stream, int count)
+{
+    std::vector<int> numbers;
+    for (int i = 0; i < count; ++i) {
+        numbers.push_back(i);
+        std::swap(numbers.back(), numbers[std::size_t(stream.integer(i + 1))]);
+    }
+    return numbers;
 }
 
 }  // namespace
@@ -133,10 +133,9 @@ const std::vector<std::string>& lengthsNames()
 
 Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
 {
-    const Result<int> shape = indexAmong(shapeNames(), desc.shape, "shapes");
-    if (!shape) return shape.diagnostics();
-    const Result<int> lengths = indexAmong(lengthsNames(), desc.lengths, "lengths");
-    if (!lengths) return lengths.diagnostics();
+    Status status = checkName(desc.shape, shapeNames(), "shapes");
+    if (status) status = checkName(desc.lengths, lengthsNames(), "lengths");
+    if (!status) return status.diagnostics();
     if (desc.count < 1 || desc.count > kMaxKernelSize)
         return rangeError("count", desc.count, kMaxKernelSize);
 
@@ -144,10 +143,10 @@ Result<std::vector<glm::vec3>> makeKernel(const KernelDesc& desc)
     EvenPoints points(desc.seed);
     std::vector<glm::vec3> kernel;
     for (int i = 0; i < desc.count; ++i) {
-        const double scale = lengthScale(Lengths(*lengths), i, desc.count);
-        const glm::dvec3 offset = Shape(*shape) == Shape::ball
+        const double scale = lengthScale(desc.lengths, i, desc.count);
+        const glm::dvec3 offset = desc.shape == "ball"
                                       ? inBall(points) * scale
-                                      : randomOffset(stream, Shape(*shape), scale);
+                                      : randomOffset(stream, desc.shape == "rays", scale);
         kernel.emplace_back(offset.x, offset.y, desc.hemisphere ? std::abs(offset.z) : offset.z);
     }
     return kernel;
@@ -158,14 +157,13 @@ Result<Image> makeRotationNoise(int size, unsigned seed)
     if (size < 1 || size > kMaxNoiseSize) return rangeError("size", size, kMaxNoiseSize);
     const int count = size * size;
     Stream stream(seed);
-    const std::vector<int> strata = stream.permutation(count);
+    const std::vector<int> strata = permutation(stream, count);
     Image noise({size, size}, 4);
     for (int i = 0; i < count; ++i) {
         const double turns = (strata[std::size_t(i)] + stream.number()) / count - 0.5;
-        double x, y;
-        direction(turns, x, y);
-        noise.pixels[std::size_t(i) * 4] = float(x);
-        noise.pixels[std::size_t(i) * 4 + 1] = float(y);
+        const glm::dvec2 at = direction(turns);
+        noise.pixels[std::size_t(i) * 4] = float(at.x);
+        noise.pixels[std::size_t(i) * 4 + 1] = float(at.y);
     }
     return noise;
 }

@@ -6,15 +6,25 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 namespace crevice {
 
+/// A PCG output function over one step of its generator [Jarzynski, Olano 2020].
+inline std::uint32_t pcg(std::uint32_t value)
+{
+    const std::uint32_t state = value * 747796405u + 2891336453u;
+    const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
 /// 32 random bits for (seed, index).
-std::uint32_t randomBits(unsigned seed, unsigned index);
+inline std::uint32_t randomBits(unsigned seed, unsigned index) { return pcg(index + pcg(seed)); }
 
 /// A uniform number in [0, 1) for (seed, index).
-float randomFloat(unsigned seed, unsigned index);
+inline float randomFloat(unsigned seed, unsigned index)
+{
+    return float(randomBits(seed, index) >> 8) * 0x1p-24f;
+}
 
 /// The numbers of one seed, one after the other.
 class Stream {
@@ -26,9 +36,6 @@ public:
 
     /// In [0, count).
     int integer(int count) { return int(randomBits(seed_, index_++) % unsigned(count)); }
-
-    /// The numbers from 0 to count - 1, shuffled.
-    std::vector<int> permutation(int count);
 
 private:
     unsigned seed_;
