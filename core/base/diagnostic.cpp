@@ -14,65 +14,41 @@ namespace {
 constexpr std::size_t kMaxExcerpt = 160;  // bytes of a source line; more wraps in any terminal
 constexpr std::size_t kExcerptLead = 50;  // bytes kept in front of the place when a line is cut
 
-// A line ready to be shown, and where in it the underlined bytes are.
-struct Excerpt {
-    std::string_view line;
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    bool cut_before = false;
-    bool cut_after = false;
-};
-
-Excerpt cutExcerpt(const Place& place)
-{
-    Excerpt cut;
-    cut.line = lineOf(place.source->text, place.line);
-    cut.begin = std::min<std::size_t>(std::max(place.column - 1, 0), cut.line.size());
-    if (cut.line.size() > kMaxExcerpt) {
-        std::size_t skipped = cut.begin > kExcerptLead ? cut.begin - kExcerptLead : 0;
-        skipped = utf8Prefix(cut.line, skipped).size();
-        cut.line.remove_prefix(skipped);
-        cut.begin -= skipped;
-        cut.cut_before = skipped > 0;
-        cut.cut_after = cut.line.size() > kMaxExcerpt;
-        cut.line = utf8Prefix(cut.line, kMaxExcerpt);
-    }
-    cut.end =
-        std::min(cut.begin + static_cast<std::size_t>(std::max(place.length, 1)), cut.line.size());
-    return cut;
-}
-
 // The source line with a line below that marks the place: one column for each character, so that
 // the marks stay below it, and tabs as tabs. Bytes that would upset a terminal become '?'.
 void appendExcerpt(std::string& out, const Place& place)
 {
-    const Excerpt cut = cutExcerpt(place);
-    std::string shown = cut.cut_before ? "..." : "";
+    std::string_view line = lineOf(place.source->text, place.line);
+    std::size_t begin = std::min<std::size_t>(std::max(place.column - 1, 0), line.size());
+    const bool cut = line.size() > kMaxExcerpt && begin > kExcerptLead;
+    const std::size_t skipped = cut ? utf8Prefix(line, begin - kExcerptLead).size() : 0;
+    line.remove_prefix(skipped);
+    begin -= skipped;
+    const std::size_t end = begin + static_cast<std::size_t>(std::max(place.length, 1));
+    const std::size_t size = utf8Prefix(line, kMaxExcerpt).size();
+    std::string shown = skipped > 0 ? "..." : "";
     std::string marks(shown.size(), ' ');
     bool marked = false;
-    for (std::size_t at = 0; at < cut.line.size();) {
-        const std::size_t length = utf8Length(cut.line, at);
-        const bool tab = cut.line[at] == '\t';
-        const bool shows = length > 0 && (tab || !isControl(cut.line, at));
-        shown += shows ? cut.line.substr(at, length) : "?";
-        if (at < cut.begin)
+    for (std::size_t at = 0; at < size;) {
+        const std::size_t length = utf8Length(line, at);
+        const bool tab = line[at] == '\t';
+        const bool shows = length > 0 && (tab || !isControl(line, at));
+        shown += shows ? line.substr(at, length) : "?";
+        if (at < begin)
             marks += tab ? '\t' : ' ';
-        else if (at < cut.end)
+        else if (at < end)
             marks += marked ? '~' : '^';
-        marked = at >= cut.begin;
+        marked = at >= begin;
         at += std::max<std::size_t>(length, 1);
     }
     if (!marked) marks += '^';  // the place is the end of the line
-    if (cut.cut_after) shown += "...";
+    if (size < line.size()) shown += "...";
 
     char margin[24];
     const int width = std::snprintf(margin, sizeof(margin), "%5d", place.line);
     out += margin + (" | " + shown) + '\n';
     if (place.column > 0) out += std::string(width, ' ') + " | " + marks + '\n';
 }
-
-// A name between quotes in a help line.
-std::string quoted(std::string_view name) { return '\'' + std::string(name) + '\''; }
 
 // Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b` (the
 // optimal string alignment distance).
@@ -94,34 +70,22 @@ std::size_t editDistance(std::string_view a, std::string_view b)
     return row[b.size()];
 }
 
-// The last part of a path; the whole of what is none.
-std::string_view lastPart(std::string_view path)
-{
-    return path.substr(path.rfind('/') + 1);  // npos + 1 is 0
-}
-
-// True when one of the two begins with the other.
-bool beginsAlike(std::string_view a, std::string_view b)
-{
-    const std::size_t shorter = std::min(a.size(), b.size());
-    return shorter > 1 && a.substr(0, shorter) == b.substr(0, shorter);
-}
-
-// How far `candidate` is from what was written; above `limit` is not near. The beginning of a name
-// and a name with more behind it ("r8unorm" for "r8") or before it ("gl_r8") count as just near
-// enough, the last part of a path ("hemisphere" for "ssao/hemisphere") as one letter off.
+// How far `candidate` is from what was written; above `limit` is not near. Less of a name and a
+// name with more behind it ("r8unorm" for "r8") or before it ("gl_r8") count as just near enough,
+// the last part of a path ("hemisphere" for "ssao/hemisphere") as one letter off.
 std::size_t nameDistance(const std::string& written, const std::string& candidate,
                          std::size_t limit)
 {
-    const bool ending =
-        candidate.size() > 1 && written.size() > candidate.size() &&
-        written.compare(written.size() - candidate.size(), candidate.size(), candidate) == 0;
-    const bool path = candidate.find('/') != std::string::npos;
-    if (path && lastPart(candidate) == lastPart(written)) return std::min<std::size_t>(limit, 1);
-    const std::size_t far = beginsAlike(written, candidate) || ending ? limit : limit + 1;
-    const std::size_t longer = std::max(written.size(), candidate.size());
-    const std::size_t shorter = std::min(written.size(), candidate.size());
-    if (longer - shorter > limit || longer > 64) return far;
+    const std::size_t slash = candidate.rfind('/');
+    if (slash != std::string::npos &&
+        candidate.substr(slash + 1) == written.substr(written.rfind('/') + 1))  // npos + 1 is 0
+        return std::min<std::size_t>(limit, 1);
+    const bool more = written.size() > candidate.size();
+    const std::string &longer = more ? written : candidate, &shorter = more ? candidate : written;
+    const bool part =
+        shorter.size() > 1 && (startsWith(longer, shorter) || endsWith(longer, shorter));
+    const std::size_t far = part ? limit : limit + 1;
+    if (longer.size() - shorter.size() > limit || longer.size() > 64) return far;
     return std::min(far, editDistance(written, candidate));
 }
 
@@ -244,11 +208,10 @@ std::string suggestName(std::string_view name, std::vector<std::string> names,
     if (names.empty()) return "there are no " + std::string(what);
     std::sort(names.begin(), names.end());
     const std::string* nearest = nearestName(name, names);
-    std::string help = nearest ? "did you mean " + quoted(*nearest) + "? " : "";
-    help += std::string(what) + ": ";
-    for (std::size_t i = 0; i < std::min(names.size(), kMaxListed); ++i)
-        help += (i > 0 ? ", " : "") + names[i];
-    return names.size() > kMaxListed ? help + ", ..." : help;
+    std::string help = nearest ? "did you mean '" + *nearest + "'? " : "";
+    const bool more = names.size() > kMaxListed;
+    if (more) names.resize(kMaxListed);
+    return help + std::string(what) + ": " + joined(names) + (more ? ", ..." : "");
 }
 
 }  // namespace crevice

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <system_error>
 
 namespace crevice {
@@ -34,15 +35,13 @@ std::string folderOf(const SourceText& by)
 
 Diagnostic outside(const std::string& path, const std::vector<std::string>& folders)
 {
-    std::vector<std::string> shown;
-    for (const std::string& folder : folders)
-        shown.push_back("'" + resolved(folder).string() + "'");
-    std::sort(shown.begin(), shown.end());
-    shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
-    return {Code::module_escape,
-            "the file '" + path + "' lies outside of " + joined(shown, " and "),
-            "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots "
-            "in a program, allows another folder"};
+    std::set<std::string> shown;
+    for (const std::string& folder : folders) shown.insert("'" + resolved(folder).string() + "'");
+    return {
+        Code::module_escape,
+        "the file '" + path + "' lies outside of " + joined({shown.begin(), shown.end()}, " and "),
+        "a config reads files below its own folder alone; --root FOLDER, or LoadRequest::roots "
+        "in a program, allows another folder"};
 }
 
 }  // namespace

@@ -66,27 +66,6 @@ std::string shortestOf(T value)
     return plain.size() <= scientific.size() ? plain : scientific;
 }
 
-std::size_t digitsAt(std::string_view text, std::size_t at)
-{
-    const std::string_view rest = text.substr(std::min(at, text.size()));
-    return static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), isDigit) -
-                                    rest.begin());
-}
-
-// Bytes of the number without a sign that `text` begins with; 0 where there is none.
-std::size_t numberLength(std::string_view text)
-{
-    std::size_t end = digitsAt(text, 0);
-    const std::size_t decimals = text.substr(end, 1) == "." ? digitsAt(text, end + 1) : 0;
-    if (end + decimals == 0) return 0;
-    if (text.substr(end, 1) == ".") end += 1 + decimals;
-    const bool exponent = text.substr(end, 1) == "e" || text.substr(end, 1) == "E";
-    const std::string_view sign = exponent ? text.substr(end + 1, 1) : "";
-    const std::size_t digits = end + (sign == "-" || sign == "+" ? 2 : 1);
-    const std::size_t count = exponent ? digitsAt(text, digits) : 0;
-    return count > 0 ? digits + count : end;
-}
-
 // Cuts "infinity", "inf" or "nan" off, in letters of any size.
 std::optional<double> takeWord(std::string_view& text)
 {
@@ -102,12 +81,17 @@ std::optional<double> takeWord(std::string_view& text)
 
 std::optional<double> takeUnsigned(std::string_view& text)
 {
-    const std::size_t length = numberLength(text);
-    if (length == 0) return takeWord(text);
-    std::string number(text.substr(0, length));
-    replacePoint(number, ".", localPoint());
-    text.remove_prefix(length);
-    return std::strtod(number.c_str(), nullptr);
+    if (text.empty() || !(isDigit(text[0]) || text[0] == '.')) return takeWord(text);
+    const std::string point = localPoint();
+    std::string number(text.substr(0, text.find_first_not_of("0123456789.eE+-")));  // no 0x1p4
+    replacePoint(number, ".", point);
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    number.resize(static_cast<std::size_t>(end - number.c_str()));
+    if (number.empty()) return std::nullopt;
+    replacePoint(number, point, ".");
+    text.remove_prefix(number.size());
+    return value;
 }
 
 }  // namespace

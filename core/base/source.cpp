@@ -5,9 +5,8 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
+#include <set>
 
 namespace crevice {
 
@@ -41,14 +40,10 @@ SourceRef LayeredSources::find(std::string_view path) const
 
 std::vector<std::string> LayeredSources::list() const
 {
-    std::vector<std::string> paths;
-    for (const SourceSet* layer : layers_) {
-        std::vector<std::string> more = layer->list();
-        std::move(more.begin(), more.end(), std::back_inserter(paths));
-    }
-    std::sort(paths.begin(), paths.end());
-    paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
-    return paths;
+    std::set<std::string> paths;
+    for (const SourceSet* layer : layers_)
+        for (std::string& path : layer->list()) paths.insert(std::move(path));
+    return {paths.begin(), paths.end()};
 }
 
 bool isModule(const Place& place)

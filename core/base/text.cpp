@@ -52,19 +52,20 @@ void appendEscaped(std::string& out, std::uint32_t code)
     for (int shift = 12; shift >= 0; shift -= 4) out += kDigits[code >> shift & 15];
 }
 
-void appendPrintable(std::string& out, std::string_view text, bool lines)
+std::string printableBut(std::string_view kept, std::string_view text)
 {
+    std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = utf8Length(text, at);
-        const bool kept = lines && (text[at] == '\n' || text[at] == '\t');
         if (length == 0)
             out += "\xEF\xBF\xBD";
-        else if (isControl(text, at) && !kept)
+        else if (isControl(text, at) && kept.find(text[at]) == kept.npos)
             appendEscaped(out, characterAt(text, at).code);
         else
             out += text.substr(at, length);
         at += std::max<std::size_t>(length, 1);
     }
+    return out;
 }
 
 // What follows the backslash.
@@ -111,26 +112,16 @@ bool isControl(std::string_view text, std::size_t at)
                        [code](const auto& range) { return code >= range[0] && code <= range[1]; });
 }
 
-std::string printable(std::string_view text)
-{
-    std::string out;
-    appendPrintable(out, text, true);
-    return out;
-}
+std::string printable(std::string_view text) { return printableBut("\n\t", text); }
 
-std::string printableLine(std::string_view text)
-{
-    std::string out;
-    appendPrintable(out, text, false);
-    return out;
-}
+std::string printableLine(std::string_view text) { return printableBut("", text); }
 
 std::string jsonString(std::string_view text)
 {
     std::string out = "\"";
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\"\\\n\r\t", begin), text.size());
-        appendPrintable(out, text.substr(begin, end - begin), false);
+        out += printableLine(text.substr(begin, end - begin));
         if (end < text.size()) out += {'\\', shortEscape(text[end])};
         begin = end + 1;
     }
@@ -195,14 +186,11 @@ std::string memberPointer(std::string_view parent, std::string_view key)
 {
     std::string pointer(parent);
     pointer += '/';
-    for (const char c : key) {
-        if (c == '~')
-            pointer += "~0";
-        else if (c == '/')
-            pointer += "~1";
+    for (const char c : key)
+        if (c == '~' || c == '/')
+            pointer += c == '~' ? "~0" : "~1";
         else
             pointer += c;
-    }
     return pointer;
 }
 
