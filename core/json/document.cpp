@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/json/merge.h"
 #include "core/json/syntax.h"
 
 // Core is built without exceptions, while a program that links it may use nlohmann-json with them.
@@ -42,9 +43,9 @@ public:
     // The names of these thirteen are the parser's.
     bool null() { return add(Node::Kind::null, 4); }
     bool boolean(bool value);
-    bool number_integer(std::int64_t) { return number(); }
-    bool number_unsigned(std::uint64_t) { return number(); }
-    bool number_float(double, const std::string&) { return number(); }
+    bool number_integer(std::int64_t value);
+    bool number_unsigned(std::uint64_t value) { return number(std::to_string(value).size()); }
+    bool number_float(double, const std::string& text) { return number(text.size()); }
     bool string(std::string& value);
     bool binary(Json::binary_t&) { return false; }  // JSON text has none
     bool start_object(std::size_t) { return open(Node::Kind::object); }
@@ -60,7 +61,7 @@ public:
 private:
     Place take(std::size_t length);
     Node* add(Node::Kind kind, std::size_t length);
-    bool number();
+    bool number(std::size_t length);
     bool open(Node::Kind kind);
     bool close();
     std::string pointer() const;
@@ -112,11 +113,17 @@ bool TreeBuilder::boolean(bool value)
     return true;
 }
 
-// Read by our own function, which the host's locale does not change.
-bool TreeBuilder::number()
+// A negative one, or -0.
+bool TreeBuilder::number_integer(std::int64_t value)
 {
-    const std::string_view written = text_.substr(at_, numberLength(text_, at_));
-    Node* node = add(Node::Kind::number, written.size());
+    return number(value == 0 ? 2 : std::to_string(value).size());
+}
+
+// Read by our own function, which the host's locale does not change.
+bool TreeBuilder::number(std::size_t length)
+{
+    const std::string_view written = text_.substr(at_, length);
+    Node* node = add(Node::Kind::number, length);
     node->text = written;
     node->number = *parseNumber(written);
     return true;
@@ -196,7 +203,7 @@ bool TreeBuilder::parse_error(std::size_t read, const std::string&, const Json::
     const Node* container = open_.empty() ? nullptr : open_.back();
     const bool in_string = std::strstr(cause.what(), "invalid string");
     Diagnostic error =
-        explainSyntax(source_, {text_, end_, after_, container, in_string ? read - 1 : 0});
+        explainSyntax({source_, text_, end_, after_, container, in_string ? read - 1 : 0});
     error.pointer = pointer();
     const Member* last = after_ == SyntaxStop::After::key ? &container->members.back() : nullptr;
     if (last && (error.place.line != last->key_place.line ||
@@ -211,7 +218,7 @@ Result<Node> TreeBuilder::finish(bool whole)
 {
     // The parser takes a zero byte for the end of the text.
     if (whole && at_ < text_.size())
-        errors_.push_back(explainSyntax(source_, {text_, end_, after_, nullptr}));
+        errors_.push_back(explainSyntax({source_, text_, end_, after_, nullptr}));
     if (errors_.empty()) return std::move(root_);
     std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -318,11 +325,7 @@ Result<Node> parseValue(const SourceRef& source)
     if (word.empty() || looksLikeJson(word)) return parseText(source);
     const Status status = checkText(source);
     if (!status) return status.diagnostics();
-    Node node;
-    node.kind = Node::Kind::string;
-    node.text = word;
-    node.place = placeAt(source, begin, word.size());
-    return node;
+    return textNode(std::string(word), placeAt(source, begin, word.size()));
 }
 
 }  // namespace crevice

@@ -92,9 +92,7 @@ Node fresh(const Node& patch, const std::string& pointer, Diagnostics& errors)
     Node object;
     object.kind = patch.kind;
     object.place = patch.place;
-    std::size_t none = 0;
-    for (const Member& member : patch.members)
-        mergeMember(object, member, memberPointer(pointer, member.key), none, errors);
+    merge(object, patch, pointer, errors);
     return object;
 }
 

@@ -15,7 +15,6 @@ constexpr std::size_t kBriefBytes = 40;
 // As JSON, until there are more than that many bytes.
 void append(std::string& out, const Node& node, std::size_t bytes)
 {
-    const auto full = [&] { return out.size() > bytes; };
     switch (node.kind) {
     case Node::Kind::null: out += "null"; return;
     case Node::Kind::boolean: out += node.boolean ? "true" : "false"; return;
@@ -23,7 +22,7 @@ void append(std::string& out, const Node& node, std::size_t bytes)
     case Node::Kind::string: out += jsonString(utf8Prefix(node.text, 2 * bytes)); return;
     case Node::Kind::array:
         out += '[';
-        for (std::size_t i = 0; i < node.items.size() && !full(); ++i) {
+        for (std::size_t i = 0; i < node.items.size() && out.size() <= bytes; ++i) {
             if (i > 0) out += ", ";
             append(out, node.items[i], bytes);
         }
@@ -31,7 +30,7 @@ void append(std::string& out, const Node& node, std::size_t bytes)
         return;
     case Node::Kind::object:
         out += '{';
-        for (std::size_t i = 0; i < node.members.size() && !full(); ++i) {
+        for (std::size_t i = 0; i < node.members.size() && out.size() <= bytes; ++i) {
             out += (i > 0 ? ", " : "") + jsonString(node.members[i].key) + ": ";
             append(out, node.members[i].value, bytes);
         }

@@ -33,12 +33,9 @@ Result<std::vector<std::string>> overrideKeys(const Node& document, const std::s
 std::shared_ptr<SourceText> sourceOf(const std::string& text, std::vector<std::string> roots)
 {
     roots.push_back(".");  // where its files stand
-    return std::make_shared<SourceText>(
-        SourceText{"--set " + text,
-                   text,
-                   kOverridePath,
-                   {},
-                   std::make_shared<const std::vector<std::string>>(std::move(roots))});
+    auto source = std::make_shared<SourceText>(SourceText{"--set " + text, text, kOverridePath});
+    source->roots = std::make_shared<const std::vector<std::string>>(std::move(roots));
+    return source;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace crevice {
 struct SyntaxStop {
     enum class After { nothing, opening, key, value };
 
+    SourceRef source;
     std::string_view text;            ///< Of the source, with blanks for comments and last commas.
     std::size_t offset = 0;           ///< Behind the last token that made sense.
     After after = After::nothing;     ///< What that token ended. A closing bracket ends a value.
@@ -20,7 +21,7 @@ struct SyntaxStop {
 
 /// What was found behind the stop and what was wanted there: CV1001, or CV1003 for a number that is
 /// well formed but out of range.
-Diagnostic explainSyntax(const SourceRef& source, const SyntaxStop& stop);
+Diagnostic explainSyntax(const SyntaxStop& stop);
 
 /// The place of `length` bytes at `offset`.
 Place placeAt(const SourceRef& source, std::size_t offset, std::size_t length = 1);
@@ -30,8 +31,5 @@ std::size_t spaceLength(std::string_view text, std::size_t offset);
 
 /// Bytes of the string at `offset` with its quotes; one that is not closed ends with its line.
 std::size_t stringLength(std::string_view text, std::size_t offset);
-
-/// Bytes of the longest JSON number that begins at `offset`; 0 when none does.
-std::size_t numberLength(std::string_view text, std::size_t offset);
 
 }  // namespace crevice
