@@ -14,7 +14,7 @@ const char* boolText(bool value) { return value ? "true" : "false"; }
 // What a subject is now, as a condition would write it.
 std::string valueOf(const State& state, const std::string& subject)
 {
-    if (const TraitInfo* trait = findTrait(subject)) {
+    if (const TraitInfo* trait = findNamed(kTraits, subject)) {
         const int value = trait->value(state.traits);
         return trait->count ? std::to_string(value) : boolText(value != 0);
     }
@@ -25,7 +25,7 @@ std::string valueOf(const State& state, const std::string& subject)
 bool termHolds(const State& state, const Condition::Term& term)
 {
     const std::string value = valueOf(state, term.subject.name);
-    const TraitInfo* trait = findTrait(term.subject.name);
+    const TraitInfo* trait = findNamed(kTraits, term.subject.name);
     for (const std::string& wanted : term.values) {
         if (wanted == value) return true;
         if (trait && trait->count && wanted == boolText(value != "0")) return true;

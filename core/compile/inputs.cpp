@@ -34,7 +34,7 @@ std::optional<Source> sourceNamed(const State& state, const PassDesc& pass, std:
     if (const int i = indexOf(description.imports, name); i >= 0)
         if (description.imports[i].type == ImportType::texture)
             return Source{InputKind::imported, i};
-    if (const int i = findMaterialMap(name); i >= 0 && pass.type == PassType::draw)
+    if (const int i = indexOf(kMaterialMaps, name); i >= 0 && pass.type == PassType::draw)
         return Source{InputKind::material, i};
     return std::nullopt;
 }

@@ -44,7 +44,7 @@ std::optional<Supply> supplyOf(const Description& description, const PassDesc& p
         return texture("target", *target);
     const ImportDesc* import = findNamed(description.imports, name);
     if (import && import->type == ImportType::texture) return texture("texture import", *import);
-    const FrameValueInfo* value = findFrameValue(name);
+    const FrameValueInfo* value = findNamed(kFrameValues, name);
     const bool of_draw = value && value->import == ImportType::draw_list;
     if (!value || (of_draw && pass.type != PassType::draw)) return std::nullopt;
     return Supply{"value of the frame", value->type, value->count > 1 ? value->count : 0,
@@ -114,7 +114,7 @@ bool anyUniform(const Pass& pass, Test&& test)
 
 void reportUnsupplied(State& state, const Pass& pass, const GlslUniform& uniform)
 {
-    const bool draws_only = findFrameValue(uniform.name) != nullptr;
+    const bool draws_only = findNamed(kFrameValues, uniform.name) != nullptr;
     reportUnbound(state,
                   quoted(pass) + ": uniform '" + uniform.name + "' " +
                       (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),

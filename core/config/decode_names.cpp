@@ -53,7 +53,7 @@ void checkCollisions(const Description& description, Report& report)
     settable.add(description.features, "a feature");
 
     for (const ParamDesc& each : description.params)
-        if (findFrameValue(each.name))
+        if (findNamed(kFrameValues, each.name))
             report.at(referenceTo(each), Code::name_collision,
                       "param '" + each.name + "' has the name of a uniform that each frame feeds",
                       "rename the param");

@@ -246,7 +246,7 @@ void Checker::checkTerm(const PassDesc& pass, const Condition::Term& term)
     expect(term.subject, "pass '" + pass.name + "' depends on", subjects_);
     const std::string& subject = term.subject.name;
     const FeatureDesc* feature = findNamed(description_.features, subject);
-    const TraitInfo* trait = findTrait(subject);
+    const TraitInfo* trait = findNamed(kTraits, subject);
     if (!feature && !trait) return;
     if (report_.errorWithin(term.subject.pointer)) return;
     if (feature && report_.errorWithin(feature->pointer)) return;
@@ -272,7 +272,7 @@ void Checker::checkInput(const PassDesc& pass, const InputDesc& input)
     const bool broken =
         report_.errorAt(input.sampler.pointer) || report_.errorAt(input.sampler.pointer + "/from");
     if (broken) return;
-    if (findMaterialMap(source.name) >= 0 && !contains(inputs_.all, source.name)) {
+    if (indexOf(kMaterialMaps, source.name) >= 0 && !contains(inputs_.all, source.name)) {
         if (pass.type == PassType::draw || report_.errorAt(pass.pointer + "/type")) return;
         Reported& error = report_.at(source, Code::target_missing,
                                      "pass '" + pass.name + "' reads the material's '" +

@@ -3,6 +3,7 @@
 #include <crevice/frame.h>
 
 #include "core/frame/frame_math.h"
+#include "core/frame/frame_values.h"
 
 #include <glm/vector_relational.hpp>
 
@@ -56,12 +57,8 @@ const Camera& cameraOf(const Frame& frame, std::size_t view)
 
 bool SceneTraits::operator==(const SceneTraits& other) const
 {
-    return lights == other.lights && alpha_tested == other.alpha_tested &&
-           specular == other.specular && textured == other.textured &&
-           orthographic == other.orthographic && turned == other.turned &&
-           reversed_depth == other.reversed_depth && normal_mapped == other.normal_mapped &&
-           baked_occlusion == other.baked_occlusion && material_ambient == other.material_ambient &&
-           sheets == other.sheets && views == other.views && camera == other.camera;
+    const auto same = [&](const TraitInfo& t) { return t.value(*this) == t.value(other); };
+    return camera == other.camera && std::all_of(std::begin(kTraits), std::end(kTraits), same);
 }
 
 bool CameraRange::operator==(const CameraRange& other) const
@@ -97,14 +94,13 @@ SceneTraits steadyTraitsOf(const Frame& frame)
         if (draw.material < 0 || draw.material >= static_cast<int>(frame.materials.size()))
             continue;
         const Material& material = frame.materials[draw.material];
-        traits.alpha_tested = traits.alpha_tested || material.alpha_cutoff > 0.0f;
-        traits.sheets = traits.sheets || isSheet(draw, material);
-        traits.specular =
-            traits.specular || glm::any(glm::greaterThan(material.specular, glm::vec3(0.0f)));
-        traits.textured = traits.textured || material.base_color_map;
-        traits.normal_mapped = traits.normal_mapped || material.normal_map;
-        traits.baked_occlusion = traits.baked_occlusion || material.occlusion_map;
-        traits.material_ambient = traits.material_ambient || material.ambient < 1.0f;
+        traits.alpha_tested |= material.alpha_cutoff > 0.0f;
+        traits.sheets |= isSheet(draw, material);
+        traits.specular |= glm::any(glm::greaterThan(material.specular, glm::vec3(0.0f)));
+        traits.textured |= bool(material.base_color_map);
+        traits.normal_mapped |= bool(material.normal_map);
+        traits.baked_occlusion |= bool(material.occlusion_map);
+        traits.material_ambient |= material.ambient < 1.0f;
     }
     return traits;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/frame/frame_values.h"
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
 
 namespace crevice {
@@ -65,26 +63,5 @@ const MaterialMapInfo kMaterialMaps[3] = {
     {"normal_map", &Material::normal_map},
     {"occlusion_map", &Material::occlusion_map},
 };
-
-const FrameValueInfo* findFrameValue(std::string_view name)
-{
-    for (const FrameValueInfo& value : kFrameValues)
-        if (name == value.name) return &value;
-    return nullptr;
-}
-
-const TraitInfo* findTrait(std::string_view name)
-{
-    for (const TraitInfo& trait : kTraits)
-        if (name == trait.name) return &trait;
-    return nullptr;
-}
-
-int findMaterialMap(std::string_view name)
-{
-    for (int i = 0; i < static_cast<int>(std::size(kMaterialMaps)); ++i)
-        if (name == kMaterialMaps[i].name) return i;
-    return -1;
-}
 
 }  // namespace crevice

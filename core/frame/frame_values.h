@@ -3,14 +3,13 @@
 // traits.
 //
 // Private to core, and the one list of each: decode knows the names by it, compile the types and
-// defines, the value table the layout.
+// defines, the value table the layout. findNamed looks them up.
 #pragma once
 
 #include <crevice/frame.h>
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
 
 namespace crevice {
 
@@ -56,9 +55,6 @@ struct FrameValueInfo {
 
 extern const FrameValueInfo kFrameValues[frame_value_count];
 
-/// The value of that name, or null.
-const FrameValueInfo* findFrameValue(std::string_view name);
-
 /// A fact about the scene that conditions and shaders may depend on: a flag, or a count of at most
 /// `most`, of which true means at least one.
 struct TraitInfo {
@@ -83,9 +79,6 @@ struct TraitInfo {
 
 extern const TraitInfo kTraits[12];
 
-/// The trait of that name, or null.
-const TraitInfo* findTrait(std::string_view name);
-
 /// A texture that a material may have.
 struct MaterialMapInfo {
     const char* name;  ///< Of the sampler in GLSL.
@@ -93,8 +86,5 @@ struct MaterialMapInfo {
 };
 
 extern const MaterialMapInfo kMaterialMaps[3];
-
-/// Index of the map of that name, or -1.
-int findMaterialMap(std::string_view name);
 
 }  // namespace crevice

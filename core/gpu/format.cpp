@@ -31,11 +31,7 @@ const std::vector<FormatInfo>& allFormats()
 
 const std::vector<std::string>& formatNames()
 {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const FormatInfo& info : allFormats()) all.push_back(info.name);
-        return all;
-    }();
+    static const std::vector<std::string> names = namesOf(allFormats());
     return names;
 }
 
@@ -50,9 +46,8 @@ const FormatInfo& formatInfo(Format format)
 
 Format formatFromName(std::string_view name)
 {
-    for (const FormatInfo& info : allFormats())
-        if (name == info.name) return info.format;
-    return Format::none;
+    const FormatInfo* found = findNamed(allFormats(), name);
+    return found ? found->format : Format::none;
 }
 
 }  // namespace crevice

@@ -30,7 +30,7 @@ void DrawWarnings::add(const Plan& plan, const PlanPass& pass,
     };
     for (const UniformInfo& uniform : active) {
         if (uniform.name == kFrameValues[view_normal_from_model].name) note(normals_);
-        if (const int map = findMaterialMap(uniform.name); map >= 0) note(maps_[map]);
+        if (const int map = indexOf(kMaterialMaps, uniform.name); map >= 0) note(maps_[map]);
     }
     if (blockOf(plan.programs[pass.program])) note(blocks_);
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -112,21 +113,21 @@ struct Named {
     std::string pointer = {};
 };
 
-/// The element of that name, or null.
-template <class T>
-const T* findNamed(const std::vector<T>& list, std::string_view name)
+/// The element of that name in a vector or array, or null.
+template <class List>
+auto findNamed(const List& list, std::string_view name) -> decltype(std::data(list))
 {
-    for (const T& element : list)
+    for (const auto& element : list)
         if (element.name == name) return &element;
     return nullptr;
 }
 
-/// The index of that name in a list, or -1.
-template <class T>
-int indexOf(const std::vector<T>& list, std::string_view name)
+/// The index of that name in a vector or array, or -1.
+template <class List>
+int indexOf(const List& list, std::string_view name)
 {
-    const T* element = findNamed(list, name);
-    return element ? static_cast<int>(element - list.data()) : -1;
+    const auto* element = findNamed(list, name);
+    return element ? static_cast<int>(element - std::data(list)) : -1;
 }
 
 /// All names of a list.
