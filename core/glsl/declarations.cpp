@@ -54,7 +54,6 @@ private:
     Qualifiers readQualifiers();
     void readLayout(Qualifiers& qualifiers);
     void readDeclaration(const Qualifiers& qualifiers);
-    void declare(const Qualifiers& qualifiers, GlslUniform variable);
     void readArray(GlslUniform& variable);
     const GlslToken* closing(std::string_view open, std::string_view close) const;
     void skipStatement();
@@ -98,7 +97,7 @@ void Scanner::readLayout(Qualifiers& qualifiers)
         const GlslToken* value = at_ + 2;
         const GlslToken* last = value;
         while (last != close && !last->is(",")) ++last;
-        const auto location = evaluate(value, last, false);
+        const auto location = evaluate(value, last);
         const bool known = location && *location >= 0 && *location < kMaxArray;
         if (known)
             qualifiers.location = int(*location);
@@ -126,20 +125,15 @@ void Scanner::readDeclaration(const Qualifiers& qualifiers)
         variable.name = at_->text;
         variable.place = placeOf(*at_++, unit_.files);
         readArray(variable);
-        declare(qualifiers, std::move(variable));
+        const int next = int(stage_.outputs.size());
+        const int location = qualifiers.location < 0 ? next : qualifiers.location;
+        if (qualifiers.uniform)
+            stage_.uniforms.push_back(std::move(variable));
+        else
+            stage_.outputs.push_back({std::move(variable.name), location, variable.place});
         if (!here(",")) return;
         ++at_;
     }
-}
-
-void Scanner::declare(const Qualifiers& qualifiers, GlslUniform variable)
-{
-    if (qualifiers.uniform) {
-        stage_.uniforms.push_back(std::move(variable));
-        return;
-    }
-    const int location = qualifiers.location < 0 ? int(stage_.outputs.size()) : qualifiers.location;
-    stage_.outputs.push_back({std::move(variable.name), location, std::move(variable.place)});
 }
 
 void Scanner::readArray(GlslUniform& variable)
@@ -147,7 +141,7 @@ void Scanner::readArray(GlslUniform& variable)
     if (!here("[")) return;
     const GlslToken& open = *at_;
     const GlslToken* close = closing("[", "]");
-    const auto count = evaluate(at_ + 1, close, false);
+    const auto count = evaluate(at_ + 1, close);
     variable.array = true;
     if (count && *count > 0 && *count <= kMaxArray)
         variable.count = int(*count);
@@ -179,23 +173,15 @@ void Scanner::skipStatement()
     if (at_ != end_) ++at_;
 }
 
-// A line of GLSL that is `layout(...) out type name;` and no more: where its qualifiers begin and
-// the type does, and the precision among them.
-struct OutputLine {
-    std::size_t begin = 0;
-    std::size_t type = 0;
-    std::string_view precision;
-};
-
-std::optional<OutputLine> outputLine(std::string_view line, std::string_view name)
+// What a line of GLSL that is `layout(...) out type name;` and no more is as a plain variable;
+// nothing of any other.
+std::optional<std::string> plainVariable(std::string_view line, const std::string& name)
 {
     GlslTokens tokens;
     tokenize(line, 0, 1, tokens);
     const std::size_t count = tokens.size();
     if (count < 4 || !tokens[count - 1].is(";") || !tokens[count - 2].is(name)) return std::nullopt;
-    OutputLine found;
-    found.type = tokens[count - 3].text.data() - line.data();
-    found.begin = tokens[0].text.data() - line.data();
+    std::string plain(line.substr(0, std::size_t(tokens[0].column) - 1));  // as it is indented
     bool output = false;
     std::size_t i = 0;
     if (tokens[0].is("layout"))
@@ -203,11 +189,12 @@ std::optional<OutputLine> outputLine(std::string_view line, std::string_view nam
         }
     for (; i + 3 < count; ++i) {
         if (!isQualifier(tokens[i].text)) return std::nullopt;
-        const bool precision = tokens[i].text.back() == 'p';  // highp, mediump, lowp
-        if (precision) found.precision = tokens[i].text;
+        if (tokens[i].text.back() == 'p')  // highp, mediump, lowp
+            plain += std::string(tokens[i].text) + " ";
         output = output || tokens[i].is("out");
     }
-    return output ? std::optional(found) : std::nullopt;
+    if (!output) return std::nullopt;
+    return plain + std::string(tokens[count - 3].text) + " " + name + ";";
 }
 
 }  // namespace
@@ -218,11 +205,9 @@ bool dropOutput(GlslStage& stage, const std::string& name)
     for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
         end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = std::string_view(text).substr(begin, end - begin);
-        const std::optional<OutputLine> found = outputLine(line, name);
-        if (!found) continue;
-        const std::string precision =
-            found->precision.empty() ? "" : std::string(found->precision) + " ";
-        text.replace(begin + found->begin, found->type - found->begin, precision);
+        const std::optional<std::string> plain = plainVariable(line, name);
+        if (!plain) continue;
+        text.replace(begin, line.size(), *plain);
         const auto same = [&](const GlslOutput& output) { return output.name == name; };
         stage.outputs.erase(std::remove_if(stage.outputs.begin(), stage.outputs.end(), same),
                             stage.outputs.end());

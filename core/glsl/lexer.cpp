@@ -25,7 +25,7 @@ std::size_t lineEnd(std::string_view text, std::size_t begin, bool continued)
     return text.size();
 }
 
-/// The offset behind the comment or quoted text that begins at `begin`; `begin` when none does.
+/// The offset behind the comment that begins at `begin`; `begin` when none does.
 std::size_t commentEnd(std::string_view text, std::size_t begin, bool& open)
 {
     if (text[begin] != '/') return begin;  // as nearly always
@@ -43,13 +43,6 @@ std::size_t quotedEnd(std::string_view text, std::size_t begin)
     return text[end] == '"' ? end + 1 : end;
 }
 
-std::size_t numberEnd(std::string_view text, std::size_t begin)
-{
-    std::size_t end = begin + 1;
-    while (end < text.size() && (isWord(text[end]) || text[end] == '.')) ++end;
-    return end;
-}
-
 std::size_t symbolEnd(std::string_view text, std::size_t begin)
 {
     static constexpr std::string_view kPairs[] = {"||", "&&", "==", "!=", "<=", ">=", "<<", ">>"};
@@ -62,13 +55,11 @@ std::size_t symbolEnd(std::string_view text, std::size_t begin)
 /// Sets the kind and the text of the token that begins at `begin`.
 void readToken(std::string_view text, std::size_t begin, GlslToken& token)
 {
+    const bool number = isDigit(text[begin]);
     std::size_t end = begin;
-    if (isWordStart(text[begin])) {
-        token.kind = GlslToken::Kind::identifier;
-        while (end < text.size() && isWord(text[end])) ++end;
-    } else if (isDigit(text[begin])) {
-        token.kind = GlslToken::Kind::number;
-        end = numberEnd(text, begin);
+    if (isWord(text[begin])) {
+        token.kind = number ? GlslToken::Kind::number : GlslToken::Kind::identifier;
+        while (end < text.size() && (isWord(text[end]) || (number && text[end] == '.'))) ++end;
     } else if (text[begin] == '"') {
         token.kind = GlslToken::Kind::quoted;
         end = quotedEnd(text, begin);
@@ -126,20 +117,21 @@ void tokenize(std::string_view text, int file, int line, GlslTokens& tokens)
     }
 }
 
-bool GlslLines::next(GlslLine& line)
+std::vector<GlslLine> glslLines(std::string_view text, int file)
 {
-    line = {};
-    line.line = line_;
-    if (text_.empty()) return false;
-    for (bool continued = true; continued && !text_.empty(); ++line_, ++line.count) {
-        const std::size_t end = lineEnd(text_, 0, false);
-        const std::string_view part = trimEnd(text_.substr(0, end));
+    std::vector<GlslLine> lines;
+    bool continued = false;
+    for (int number = 1; !text.empty(); ++number) {
+        if (!continued) lines.emplace_back().line = number;
+        const std::size_t end = lineEnd(text, 0, false);
+        const std::string_view part = trimEnd(text.substr(0, end));
         continued = !part.empty() && part.back() == '\\';
-        tokenize(part, file_, line_, line.tokens);
-        line.text.append(part).push_back('\n');
-        text_.remove_prefix(std::min(end + 1, text_.size()));
+        tokenize(part, file, number, lines.back().tokens);
+        lines.back().text.append(part).push_back('\n');
+        ++lines.back().count;
+        text.remove_prefix(std::min(end + 1, text.size()));
     }
-    return true;
+    return lines;
 }
 
 }  // namespace crevice

@@ -46,19 +46,8 @@ struct GlslLine {
     std::string_view directive() const { return tokens.size() > 1 ? tokens[1].text : ""; }
 };
 
-/// Reads a blanked text line by line.
-class GlslLines {
-public:
-    GlslLines(std::string_view text, int file) : text_(text), file_(file) {}
-
-    /// False at the end of the text.
-    bool next(GlslLine& line);
-
-private:
-    std::string_view text_;
-    int file_;
-    int line_ = 1;
-};
+/// The lines of a blanked text, which must outlive their tokens.
+std::vector<GlslLine> glslLines(std::string_view text, int file);
 
 /// Appends the tokens of one line, whose first byte is in column 1.
 void tokenize(std::string_view text, int file, int line, GlslTokens& tokens);

@@ -139,12 +139,7 @@ Value combined(const Operator& by, Value left, Value right)
 /// Reads by precedence climbing.
 class Evaluator {
 public:
-    Evaluator(const GlslToken* begin, const GlslToken* end, bool unknown_is_zero)
-        : at_(begin),
-          end_(end),
-          unknown_is_zero_(unknown_is_zero)
-    {
-    }
+    Evaluator(const GlslToken* begin, const GlslToken* end) : at_(begin), end_(end) {}
 
     Value run()
     {
@@ -170,7 +165,7 @@ private:
         if (at_ == end_ || bad_ || nesting_ == kMaxNesting) return fail();
         const GlslToken& token = *at_++;
         if (token.kind == GlslToken::Kind::number) return number(token);
-        if (token.kind == GlslToken::Kind::identifier) return unknown_is_zero_ ? Value(0) : Value();
+        if (token.kind == GlslToken::Kind::identifier) return {};
         ++nesting_;
         const Value value = token.is("(") ? parentheses() : prefixed(token.text);
         --nesting_;
@@ -211,17 +206,15 @@ private:
 
     const GlslToken* at_;
     const GlslToken* end_;
-    bool unknown_is_zero_;
     bool bad_ = false;
     int nesting_ = 0;
 };
 
 }  // namespace
 
-std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end,
-                                     bool unknown_is_zero)
+std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end)
 {
-    return Evaluator(begin, end, unknown_is_zero).run();
+    return Evaluator(begin, end).run();
 }
 
 }  // namespace crevice

@@ -50,9 +50,7 @@ private:
 };
 
 /// The value of an integer expression of ! ~ * / % + - << >> < <= > >= == != & ^ | && || and
-/// parentheses. With `unknown_is_zero`, a name counts as 0, as in #if. Empty when it cannot be
-/// read, has a name that does not count, or divides by zero where that matters.
-std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end,
-                                     bool unknown_is_zero);
+/// parentheses. Empty when it cannot be read, or has a name or divides by zero where that matters.
+std::optional<std::int64_t> evaluate(const GlslToken* begin, const GlslToken* end);
 
 }  // namespace crevice

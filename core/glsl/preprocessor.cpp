@@ -50,14 +50,13 @@ private:
     void openBranch(const GlslLine& line);
     void turnBranch(const GlslLine& line);
     void readDefine(const GlslLine& line);
-    void readUndef(const GlslLine& line);
     void readIncludeLine(const GlslLine& line);
     void writeLine(int line);
     bool resolve(const GlslInclude& include, std::string& path);
     bool inRing(const GlslInclude& include, const std::string& path);
     bool condition(const GlslLine& line);
-    bool undefinedName(const GlslTokens& condition);
-    bool isDefined(const GlslLine& line);
+    void blameCondition(const GlslLine& line, const GlslTokens& condition);
+    const GlslToken* onlyName(const GlslLine& line);
     void spentSteps(const GlslToken& token);
 
     void mention(const GlslToken& token)
@@ -66,7 +65,7 @@ private:
     }
 
     bool active() const { return branches_.empty() || branches_.back().active; }
-    int file() const { return open_numbers_.back(); }
+    int file() const { return open_.back(); }
 
     void fail(Code code, std::string message, const Place& place, std::string help)
     {
@@ -82,9 +81,8 @@ private:
     const std::map<std::string, std::string>& interfaces_;
     GlslUnit& unit_;
     std::vector<Branch> branches_;
-    std::vector<std::string> open_paths_;  ///< The files being read, from the root on.
-    std::vector<int> open_numbers_;        ///< Their source-string numbers.
-    std::set<std::string> seen_;
+    std::vector<std::string> paths_;  ///< By source-string number.
+    std::vector<int> open_;           ///< The files being read, from the root on.
     std::set<std::string, std::less<>> undefined_;
     bool stopped_ = false;  ///< Nothing more can be said about this text.
 };
@@ -92,28 +90,25 @@ private:
 void Preprocessor::readFile(const std::string& path)
 {
     const SourceRef& source = files_.at(path);
-    const int number = int(unit_.files.size());
     const std::size_t outer_branches = branches_.size();
+    open_.push_back(int(paths_.size()));
+    paths_.push_back(path);
     unit_.files.push_back(source);
-    open_paths_.push_back(path);
-    open_numbers_.push_back(number);
-    if (number > 0) writeLine(1);
-    seen_.insert(path);
+    if (file() > 0) writeLine(1);
 
     BlankedText blanked = blankComments(source->text);
     if (blanked.open_line > 0)
         fail(Code::preprocessor, "a comment begins here and does not end",
              {source, blanked.open_line, 1, 1}, "add '*/'");
     unit_.blanked.push_back(std::move(blanked.text));
-    GlslLines lines(unit_.blanked.back(), number);
-    for (GlslLine line; !stopped_ && lines.next(line);) readLine(line);
+    for (const GlslLine& line : glslLines(unit_.blanked.back(), file()))
+        if (!stopped_) readLine(line);
 
     for (; branches_.size() > outer_branches; branches_.pop_back())
         if (!stopped_)
             fail("this #" + std::string(branches_.back().opened.text) + " has no #endif",
                  branches_.back().opened, "add '#endif' where what depends on it ends");
-    open_paths_.pop_back();
-    open_numbers_.pop_back();
+    open_.pop_back();
 }
 
 void Preprocessor::readLine(const GlslLine& line)
@@ -155,7 +150,8 @@ void Preprocessor::readDirective(const GlslLine& line)
     for (const GlslToken& token : line.tokens) mention(token);
     if (readBranch(line) || !active()) return;
     if (line.directive() == "define") readDefine(line);
-    if (line.directive() == "undef") readUndef(line);
+    if (line.directive() != "undef") return;
+    if (const GlslToken* name = onlyName(line)) unit_.macros.undefine(name->text);
 }
 
 /// True when the line is one of the directives of an #if.
@@ -181,9 +177,10 @@ void Preprocessor::openBranch(const GlslLine& line)
     Branch branch;
     branch.opened = line.tokens[1];
     branch.outer = active();
-    if (branch.outer)
-        branch.active = line.directive() == "if" ? condition(line)
-                                                 : isDefined(line) == (line.directive() == "ifdef");
+    if (branch.outer && line.directive() == "if")
+        branch.active = condition(line);
+    else if (const GlslToken* name = branch.outer ? onlyName(line) : nullptr)
+        branch.active = unit_.macros.defined(name->text) == (line.directive() == "ifdef");
     branch.taken = branch.active;
     branches_.push_back(branch);
 }
@@ -207,36 +204,34 @@ bool Preprocessor::condition(const GlslLine& line)
         spentSteps(line.tokens[1]);
         return false;
     }
-    const auto value = evaluate(expanded.data(), expanded.data() + expanded.size(), false);
-    if (!value && !undefinedName(expanded))
-        fail("the condition of #" + std::string(line.directive()) + " cannot be read",
-             line.tokens[line.tokens.size() > 2 ? 2 : 1], kConditionHelp);
+    const auto value = evaluate(expanded.data(), expanded.data() + expanded.size());
+    if (!value) blameCondition(line, expanded);
     return value.value_or(0) != 0;
 }
 
-/// Says so when all that is wrong with a condition is a name without a #define, which C takes for 0
-/// and GLSL ES refuses.
-bool Preprocessor::undefinedName(const GlslTokens& condition)
+/// Says what is wrong with a condition: a name without a #define, which C takes for 0 and GLSL ES
+/// refuses, is reported once for the whole stage.
+void Preprocessor::blameCondition(const GlslLine& line, const GlslTokens& condition)
 {
-    if (!evaluate(condition.data(), condition.data() + condition.size(), true)) return false;
     for (const GlslToken& token : condition) {
-        if (token.kind != GlslToken::Kind::identifier) continue;
-        if (!undefined_.emplace(token.text).second)
-            return true;  // reported once for the whole stage
-        fail("a condition has '" + std::string(token.text) + "', which is not defined", token,
-             suggestName(token.text, unit_.macros.names(), "defined") +
-                 "; features, traits and params with bind 'define' are, in upper case");
-        return true;
+        if (token.kind != GlslToken::Kind::identifier || unit_.macros.defined(token.text)) continue;
+        if (undefined_.emplace(token.text).second)
+            fail("a condition has '" + std::string(token.text) + "', which is not defined", token,
+                 suggestName(token.text, unit_.macros.names(), "defined") +
+                     "; features, traits and params with bind 'define' are, in upper case");
+        return;
     }
-    return false;
+    fail("the condition of #" + std::string(line.directive()) + " cannot be read",
+         line.tokens[line.tokens.size() > 2 ? 2 : 1], kConditionHelp);
 }
 
-bool Preprocessor::isDefined(const GlslLine& line)
+/// The name after #ifdef, #ifndef or #undef; null, with an error, where there is not just one.
+const GlslToken* Preprocessor::onlyName(const GlslLine& line)
 {
     if (line.tokens.size() == 3 && line.tokens[2].kind == GlslToken::Kind::identifier)
-        return unit_.macros.defined(line.tokens[2].text);
+        return &line.tokens[2];
     fail("#" + std::string(line.directive()) + " wants one name", line.tokens[1]);
-    return false;
+    return nullptr;
 }
 
 void Preprocessor::readDefine(const GlslLine& line)
@@ -250,13 +245,6 @@ void Preprocessor::readDefine(const GlslLine& line)
     unit_.macros.define(name.text, {tokens.begin() + 3, tokens.end()}, arguments);
 }
 
-void Preprocessor::readUndef(const GlslLine& line)
-{
-    if (line.tokens.size() != 3 || line.tokens[2].kind != GlslToken::Kind::identifier)
-        return fail("#undef wants one name", line.tokens[1]);
-    unit_.macros.undefine(line.tokens[2].text);
-}
-
 /// The line itself never reaches the driver: blank lines, or the file, stand in for it.
 void Preprocessor::readIncludeLine(const GlslLine& line)
 {
@@ -265,7 +253,8 @@ void Preprocessor::readIncludeLine(const GlslLine& line)
     const bool wanted = active();
     const bool read = readInclude(line, unit_.files[std::size_t(file())], include);
     if (wanted && !read) fail("this #include cannot be read", line.tokens[1], kIncludeHelp);
-    if (!wanted || !read || !resolve(include, path) || inRing(include, path) || seen_.count(path)) {
+    if (!wanted || !read || !resolve(include, path) || inRing(include, path) ||
+        contains(paths_, path)) {
         unit_.text.append(std::size_t(line.count), '\n');
         return;
     }
@@ -285,7 +274,7 @@ bool Preprocessor::resolve(const GlslInclude& include, std::string& path)
 {
     const auto interface = interfaces_.find(include.name);
     if (!include.interface)
-        path = resolvePath(open_paths_.back(), include.name);
+        path = resolvePath(paths_[std::size_t(file())], include.name);
     else if (interface != interfaces_.end())
         path = interface->second;
     if (files_.count(path)) return true;
@@ -305,10 +294,12 @@ bool Preprocessor::resolve(const GlslInclude& include, std::string& path)
 /// True, with an error, when the file is being read already.
 bool Preprocessor::inRing(const GlslInclude& include, const std::string& path)
 {
-    const auto first = std::find(open_paths_.begin(), open_paths_.end(), path);
-    if (first == open_paths_.end()) return false;
+    const auto first = std::find_if(open_.begin(), open_.end(), [&](int number) {
+        return paths_[std::size_t(number)] == path;
+    });
+    if (first == open_.end()) return false;
     std::string chain;
-    for (auto at = first; at != open_paths_.end(); ++at) chain += *at + " -> ";
+    for (auto at = first; at != open_.end(); ++at) chain += paths_[std::size_t(*at)] + " -> ";
     fail(Code::include_cycle, "an #include leads back to itself: " + chain + path, include.place,
          "move what both need into a third file");
     return true;

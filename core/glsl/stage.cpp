@@ -56,14 +56,6 @@ std::vector<std::string> usedDefines(const GlslDefines& defines, const GlslUnit&
     return {used.begin(), used.end()};
 }
 
-std::string stageText(const GlslUnit& unit, const GlslDefines& defines,
-                      const std::vector<std::string>& used)
-{
-    std::string text = "#version " + unit.version + "\n";
-    for (const std::string& name : used) text += "#define " + name + " " + defines.at(name) + "\n";
-    return text + unit.text;
-}
-
 }  // namespace
 
 const char* glslName(GlslType type)
@@ -75,9 +67,8 @@ const char* glslName(GlslType type)
 
 GlslType glslTypeFromName(std::string_view name)
 {
-    for (const auto& known : kTypes)
-        if (known.name == name) return known.type;
-    return GlslType::other;
+    const auto* known = findNamed(kTypes, name);
+    return known ? known->type : GlslType::other;
 }
 
 bool isSampler(GlslType type)
@@ -89,8 +80,7 @@ std::vector<GlslInclude> findIncludes(const SourceRef& source)
 {
     std::vector<GlslInclude> includes;
     const BlankedText blanked = blankComments(source->text);
-    GlslLines lines(blanked.text, 0);
-    for (GlslLine line; lines.next(line);) {
+    for (const GlslLine& line : glslLines(blanked.text, 0)) {
         GlslInclude include;
         const bool found = line.isDirective() && line.directive() == "include";
         if (found && readInclude(line, source, include)) includes.push_back(std::move(include));
@@ -109,7 +99,10 @@ Result<GlslStage> assembleStage(const std::map<std::string, SourceRef>& files,
     if (unit.errors.empty()) scanDeclarations(unit, stage);
     if (!unit.errors.empty()) return std::move(unit.errors);
     stage.defines_used = usedDefines(clean, unit);
-    stage.text = stageText(unit, clean, stage.defines_used);
+    stage.text = "#version " + unit.version + "\n";
+    for (const std::string& name : stage.defines_used)
+        stage.text += "#define " + name + " " + clean.at(name) + "\n";
+    stage.text += unit.text;
     stage.files = std::move(unit.files);
     return stage;
 }
