@@ -27,12 +27,6 @@ bool finite(const T* values, int count)
     });
 }
 
-template <typename T>
-bool finite(const glm::vec<3, T>& vector)
-{
-    return finite(&vector[0], 3);
-}
-
 glm::dvec3 towardsLight(const Light& light, const glm::dmat4& view_from_world)
 {
     const glm::dvec3 towards = -(glm::dmat3(view_from_world) * glm::dvec3(light.direction));
@@ -93,7 +87,7 @@ std::optional<Diagnostic> faultOf(const Frame& frame, const DrawItem& item, cons
 {
     if (std::optional<Diagnostic> fault = meshFault(item, device)) return fault;
     if (!isFinite(item.world_from_model)) return elided("its matrix is not finite", kNotFiniteHelp);
-    if (!finite(item.bounds_center) || !std::isfinite(item.bounds_radius))
+    if (!isFinite(item.bounds_center) || !std::isfinite(item.bounds_radius))
         return elided("its bounds are not finite", "a radius below 0 means that none are known");
     return materialFault(frame, item, device);
 }
@@ -154,22 +148,20 @@ Status checkFrame(const Frame& frame)
     return {};
 }
 
-bool isFinite(const glm::mat4& matrix) { return finite(&matrix[0][0], 16); }
 bool isFinite(const glm::dmat4& matrix) { return finite(&matrix[0][0], 16); }
-bool isFinite(const glm::vec3& vector) { return finite(vector); }
-bool isFinite(const glm::dvec3& vector) { return finite(vector); }
+bool isFinite(const glm::dvec3& vector) { return finite(&vector[0], 3); }
 
 bool isFinite(const Material& material)
 {
     const float numbers[] = {material.shininess, material.ambient, material.alpha_cutoff,
                              material.normal_scale, material.occlusion_strength};
-    return finite(&material.base_color[0], 4) && finite(material.specular) && finite(numbers, 5);
+    return finite(&material.base_color[0], 4) && isFinite(material.specular) && finite(numbers, 5);
 }
 
 bool isFinite(const Light& light)
 {
-    return finite(light.position) && finite(light.direction) && finite(light.color) &&
-           finite(light.attenuation) && std::isfinite(light.inner_angle_rad) &&
+    return isFinite(light.position) && isFinite(light.direction) && isFinite(light.color) &&
+           isFinite(light.attenuation) && std::isfinite(light.inner_angle_rad) &&
            std::isfinite(light.outer_angle_rad);
 }
 

@@ -112,9 +112,8 @@ Status checkCamera(const Camera& camera, std::size_t view);
 /// of which not all are orthographic or reversed. Errors: CV6011.
 Status checkFrame(const Frame& frame);
 
-bool isFinite(const glm::mat4& matrix);
+/// As floats, which is what shaders get.
 bool isFinite(const glm::dmat4& matrix);
-bool isFinite(const glm::vec3& vector);
 bool isFinite(const glm::dvec3& vector);
 bool isFinite(const Material& material);
 bool isFinite(const Light& light);

@@ -2,6 +2,10 @@
 // What every device can do, and what none can.
 #include <crevice/device.h>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,22 +90,17 @@ Status checkMesh(const HostMesh& mesh)
 MeshOrigin originOf(const MeshDesc& mesh)
 {
     if (mesh.vertices.empty()) return {};
-    double low[3], high[3];
-    for (int i = 0; i < 3; ++i) low[i] = high[i] = mesh.vertices.front().position[i];
+    const float* const first = mesh.vertices.front().position;
+    glm::dvec3 low(first[0], first[1], first[2]), high = low;
     for (const Vertex& vertex : mesh.vertices) {
-        for (int i = 0; i < 3; ++i) {
-            if (!std::isfinite(vertex.position[i])) return {};
-            low[i] = std::min<double>(low[i], vertex.position[i]);
-            high[i] = std::max<double>(high[i], vertex.position[i]);
-        }
+        const glm::dvec3 at(vertex.position[0], vertex.position[1], vertex.position[2]);
+        if (!std::isfinite(at.x + at.y + at.z)) return {};
+        low = glm::min(low, at);
+        high = glm::max(high, at);
     }
-    double away = 0, size = 0;
-    for (int i = 0; i < 3; ++i) {
-        away += std::pow((low[i] + high[i]) / 2, 2);
-        size += std::pow(high[i] - low[i], 2);
-    }
-    if (away <= size) return {};
-    return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
+    const glm::dvec3 middle = (low + high) / 2.0, size = high - low;
+    if (glm::dot(middle, middle) <= glm::dot(size, size)) return {};
+    return {middle.x, middle.y, middle.z};
 }
 
 Status checkMesh(const MeshDesc& mesh)
