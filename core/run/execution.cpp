@@ -109,16 +109,46 @@ void Execution::setParam(std::string_view name, const float* values)
 Status Execution::run(const Frame& frame)
 {
     timers_.collect(device_);
+    return draw(frame, timers_, false);
+}
+
+Result<FrameTimes> Execution::runTimed(const Frame& frame)
+{
+    const FrameClock clock(device_.caps().software);
+    PassTimers timers;
+    timers.start(runCount(), plan_.passes.size(), &clock);
+    timers_.forget();
+    device_.finish();
+    const double start = clock.now();
+    const Status status = draw(frame, timers, true);
+    if (!status) return status.diagnostics();
+    device_.finish();
+    const double total_ms = clock.now() - start;
+    FrameTimes times = timers.wait(device_);
+    if (times.method != TimingMethod::gpu_timer) times.total_ms = total_ms;
+    return {std::move(times), status.diagnostics()};
+}
+
+bool Execution::setTiming(bool on)
+{
+    const bool able = device_.caps().timers && runCount() <= kMaxFrameTimers;
+    timers_.start(on && able ? runCount() : 0, plan_.passes.size());
+    return able;
+}
+
+/// Draws a frame, all passes of it or those that must run.
+Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
+{
     if (Status status = device_.beginFrame(); !status) return status;
-    const std::vector<char>& runs = begin(frame);
+    const std::vector<char>& runs = begin(frame, all);
     clearNewHistories();
-    timers_.beginFrame();
+    timers.beginFrame();
     std::size_t run = 0;
     for (const PreparedView& view : views_) {
         setView(frame, view);
         for (const PreparedPass& pass : view.passes) {
             if (runs[run]) {
-                const PassTimers::Scope timed(timers_, device_, run);
+                const PassTimers::Scope timed(timers, device_, run);
                 runPass(pass, view.camera);
             }
             ++run;
@@ -128,7 +158,7 @@ Status Execution::run(const Frame& frame)
 }
 
 /// Takes the frame's values, and says which passes must run: by view and pass.
-const std::vector<char>& Execution::begin(const Frame& frame)
+const std::vector<char>& Execution::begin(const Frame& frame, bool all)
 {
     swapHistories();
     const bool draws_changed = updateDraws(frame);
@@ -142,7 +172,7 @@ const std::vector<char>& Execution::begin(const Frame& frame)
                 pass.plan->type == PassType::draw && (draws_changed || camera_changed);
             const bool uniforms_changed = takeUniforms(pass);
             changed_[run++] =
-                plan_.reruns || geometry_changed || uniforms_changed || pass.imports_changed;
+                all || plan_.reruns || geometry_changed || uniforms_changed || pass.imports_changed;
             pass.imports_changed = false;
         }
     }

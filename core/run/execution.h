@@ -19,8 +19,6 @@
 
 namespace crevice {
 
-class FrameClock;
-
 /// Programs that are kept though the plan does not need them, so that a pass or feature that was
 /// switched off comes back at once; beyond, the oldest go.
 constexpr std::size_t kMaxIdlePrograms = 32;
@@ -146,14 +144,10 @@ private:
     TextureId targetTexture(int target, int view, bool swapped) const;
     TextureId texture(int index, int view) const;
 
-    // execution_timed.cpp
-    TimingMethod timePass(const PreparedPass& pass, int slot, const CameraMatrices& camera,
-                          const FrameClock& clock, double& clock_ms);
-    int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
-    void readTimers(FrameTimes& times);
-
     // execution.cpp
-    const std::vector<char>& begin(const Frame& frame);
+    int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
+    Status draw(const Frame& frame, PassTimers& timers, bool all);
+    const std::vector<char>& begin(const Frame& frame, bool all);
     bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
     void clearNewHistories();
     void setView(const Frame& frame, const PreparedView& view);

@@ -2,15 +2,48 @@
 #include "core/run/pass_timers.h"
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <optional>
 
 namespace crevice {
+namespace {
 
-void PassTimers::start(int runs, std::size_t passes)
+std::optional<double> processTime()
+{
+#ifdef CLOCK_PROCESS_CPUTIME_ID
+    timespec time = {};
+    if (clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time) == 0)
+        return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+#endif
+    return std::nullopt;
+}
+
+double wallTime()
+{
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(since).count();
+}
+
+}  // namespace
+
+FrameClock::FrameClock(bool software)
+    : method_(software && processTime() ? TimingMethod::processor_time : TimingMethod::wall_clock)
+{
+}
+
+double FrameClock::now() const
+{
+    return method_ == TimingMethod::processor_time ? processTime().value_or(0.0) : wallTime();
+}
+
+void PassTimers::start(int runs, std::size_t passes, const FrameClock* clock)
 {
     runs_ = runs;
+    clock_ = clock;
     forget();
     any_ = false;
-    latest_.pass_ms.assign(passes, 0.0);
+    latest_ = {clock ? clock->method() : TimingMethod::gpu_timer, std::vector<double>(passes), 0};
     for (TimedFrame& frame : frames_) frame.ran.assign(runs, 0);
 }
 
@@ -46,6 +79,12 @@ void PassTimers::read(Device& device, std::size_t frame)
     frames_[frame].in_flight = false;
 }
 
+const FrameTimes& PassTimers::wait(Device& device)
+{
+    if (latest_.method == TimingMethod::gpu_timer) read(device, last());
+    return latest_;
+}
+
 void PassTimers::collect(Device& device)
 {
     measures_ = false;
@@ -68,18 +107,27 @@ void PassTimers::beginFrame()
 }
 
 PassTimers::Scope::Scope(PassTimers& timers, Device& device, std::size_t run)
-    : device_(device),
-      running_(false)
+    : timers_(timers),
+      device_(device),
+      run_(run)
 {
     if (!timers.measures_) return;
-    const std::size_t frame = (timers.next_ + kTimedFrames - 1) % kTimedFrames;
-    running_ = device.beginTimer(timers.slotOf(frame, run));
+    const std::size_t frame = timers.last();
+    running_ = timers.runs_ <= kMaxTimers && device.beginTimer(timers.slotOf(frame, run));
     timers.frames_[frame].ran[run] = running_;
+    if (running_)
+        timers.latest_.method = TimingMethod::gpu_timer;
+    else if (timers.clock_)
+        begin_ms_ = timers.clock_->now();
 }
 
 PassTimers::Scope::~Scope()
 {
     if (running_) device_.endTimer();
+    if (running_ || !timers_.measures_ || !timers_.clock_) return;
+    device_.finish();
+    std::vector<double>& pass_ms = timers_.latest_.pass_ms;
+    pass_ms[run_ % pass_ms.size()] += timers_.clock_->now() - begin_ms_;
 }
 
 }  // namespace crevice

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the clock of a software renderer counts, and what it does not.
-#include "core/run/frame_clock.h"
+#include "core/run/pass_timers.h"
 
 #include "tests/support/catch.h"
 
