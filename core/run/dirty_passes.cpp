@@ -4,11 +4,6 @@
 #include <algorithm>
 
 namespace crevice {
-namespace {
-
-constexpr int kNothing = -1;
-
-}  // namespace
 
 PassCache::PassCache(const Plan& plan)
     : plan_(plan),
@@ -32,8 +27,6 @@ PassCache::PassCache(const Plan& plan)
         node.remembers =
             node.remembers || std::any_of(node.writes.begin(), node.writes.end(), remembered);
     }
-    for (const PlanOutput& output : plan.outputs)
-        if (output.target >= 0) outputs_.push_back(output.target);
 }
 
 void PassCache::clear() { std::fill(slots_.begin(), slots_.end(), kNothing); }
@@ -44,9 +37,9 @@ int PassCache::slotOf(int view, int target) const
     return texture * plan_.views + (plan_.textures[texture].copies > 1 ? view : 0);
 }
 
-int PassCache::contentOf(int view, int target) const
+int PassCache::writerOf(int view, int target) const
 {
-    return view * static_cast<int>(plan_.targets.size()) + target;
+    return runOf(view, plan_.targets[target].first_pass);
 }
 
 const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
@@ -54,9 +47,7 @@ const std::vector<char>& PassCache::choose(const std::vector<char>& changed)
     for (int view = 0; view < plan_.views; ++view)
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             const PassNode& pass = passes_[i];
-            const auto redrawn = [&](int target) {
-                return runs_[runOf(view, plan_.targets[target].first_pass)] != 0;
-            };
+            const auto redrawn = [&](int target) { return runs_[writerOf(view, target)] != 0; };
             const int run = runOf(view, static_cast<int>(i));
             runs_[run] = changed[run] || pass.remembers ||
                          std::any_of(pass.reads.begin(), pass.reads.end(), redrawn);
@@ -77,20 +68,20 @@ bool PassCache::findOverwritten()
             if (!runs_[runOf(view, static_cast<int>(i))]) continue;
             for (const int target : passes_[i].reads) found = requireTarget(view, target) || found;
             for (const int target : passes_[i].writes)
-                next_slots_[slotOf(view, target)] = contentOf(view, target);
+                next_slots_[slotOf(view, target)] = writerOf(view, target);
         }
     for (int view = 0; view < plan_.views; ++view)
-        for (const int target : outputs_) found = requireTarget(view, target) || found;
+        for (const PlanOutput& output : plan_.outputs)
+            found = (output.target >= 0 && requireTarget(view, output.target)) || found;
     return found;
 }
 
 bool PassCache::requireTarget(int view, int target)
 {
-    if (next_slots_[slotOf(view, target)] == contentOf(view, target)) return false;
-    char& writer = runs_[runOf(view, plan_.targets[target].first_pass)];
-    if (writer)
-        return false;  // it runs, and what it wrote was overwritten before: the plan's business
-    writer = 1;
+    const int writer = writerOf(view, target);
+    // Where it runs, and what it wrote was overwritten before, that is the plan's business.
+    if (next_slots_[slotOf(view, target)] == writer || runs_[writer]) return false;
+    runs_[writer] = 1;
     return true;
 }
 

@@ -24,6 +24,8 @@ public:
     const std::vector<char>& choose(const std::vector<char>& changed);
 
 private:
+    static constexpr int kNothing = -1;
+
     struct PassNode {
         std::vector<int> reads;   // targets
         std::vector<int> writes;  // targets that are kept
@@ -32,14 +34,13 @@ private:
 
     int runOf(int view, int pass) const { return view * static_cast<int>(passes_.size()) + pass; }
     int slotOf(int view, int target) const;
-    int contentOf(int view, int target) const;
+    int writerOf(int view, int target) const;
     bool findOverwritten();
     bool requireTarget(int view, int target);
 
     const Plan& plan_;
     std::vector<PassNode> passes_;
-    std::vector<int> outputs_;     // targets
-    std::vector<int> slots_;       // what each texture holds: a content, or kNothing
+    std::vector<int> slots_;       // whose picture each texture holds: a run, or kNothing
     std::vector<int> next_slots_;  // ... while a frame is gone through
     std::vector<char> runs_;
 };

@@ -16,9 +16,11 @@ namespace crevice {
 
 class DrawWarnings {
 public:
-    /// Takes note of what a pass of the plan reads: `active` is what its program really has. The
-    /// plan must outlive this.
-    void add(const Plan& plan, const PlanPass& pass, const std::vector<UniformInfo>& active);
+    /// The plan must outlive it.
+    explicit DrawWarnings(const Plan& plan) : plan_(plan) {}
+
+    /// Takes note of what a pass of the plan reads: `active` is what its program really has.
+    void add(const PlanPass& pass, const std::vector<UniformInfo>& active);
 
     /// Looks at what is drawn, with its mesh. Allocates only where there is something to say.
     void look(const DrawItem& item, const ObjectInfo& mesh, const Material& material);
@@ -27,15 +29,15 @@ public:
     Diagnostics take() { return std::exchange(found_, {}); }
 
 private:
-    struct Reader {
-        const Plan* plan = nullptr;  ///< Null where no pass reads it, or that was told.
-        const PlanPass* pass = nullptr;
-    };
+    using Reader = const PlanPass*;
 
-    void warn(Reader& reader, const ObjectInfo& mesh, const char* lacks, const char* help);
+    void warnOfLack(Reader& reader, const ObjectInfo& mesh, const char* lacks, const char* help);
     void warnOfBlock(const ObjectInfo& mesh);
+    Diagnostic& warn(Reader& reader, Code code, std::string message, const char* help);
 
-    Reader normals_, maps_[std::size(kMaterialMaps)], blocks_;
+    const Plan& plan_;
+    // The first pass that reads each; null where none does, or that was told.
+    Reader normals_ = nullptr, maps_[std::size(kMaterialMaps)] = {}, blocks_ = nullptr;
     Diagnostics found_;
 };
 

@@ -175,7 +175,7 @@ private:
     std::vector<char> changed_;  // by run, for cache_
     DrawnList drawn_;            // what draw passes drew last
     ViewDraws view_draws_{drawn_};
-    DrawWarnings warnings_;
+    DrawWarnings warnings_{plan_};
     bool swapped_ = false;    // whether histories and their targets have changed places
     bool remembers_ = false;  // whether histories hold anything
     std::vector<std::string> compiled_;

@@ -214,7 +214,7 @@ Status Execution::createPasses(int view)
         if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
             bindUniform(pass, uniform, view, prepared, errors);
-        warnings_.add(plan_, pass, device_.uniforms(prepared.program));
+        warnings_.add(pass, device_.uniforms(prepared.program));
     }
     return errors;
 }

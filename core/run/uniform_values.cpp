@@ -32,20 +32,18 @@ glm::dmat3 rayFromUv(const glm::dmat4& clip_from_view)
 
 std::size_t wordsOf(GlslType type, int count)
 {
-    const auto words = [type] {
-        switch (type) {
-        case GlslType::vec2:
-        case GlslType::ivec2: return 2;
-        case GlslType::vec3:
-        case GlslType::ivec3: return 3;
-        case GlslType::vec4:
-        case GlslType::ivec4: return 4;
-        case GlslType::mat3: return 9;
-        case GlslType::mat4: return 16;
-        default: return 1;
-        }
-    };
-    return static_cast<std::size_t>(words()) * count;
+    const std::size_t elements = count;
+    switch (type) {
+    case GlslType::vec2:
+    case GlslType::ivec2: return 2 * elements;
+    case GlslType::vec3:
+    case GlslType::ivec3: return 3 * elements;
+    case GlslType::vec4:
+    case GlslType::ivec4: return 4 * elements;
+    case GlslType::mat3: return 9 * elements;
+    case GlslType::mat4: return 16 * elements;
+    default: return elements;
+    }
 }
 
 ValueTable::ValueTable(const Plan& plan) : plan_(plan)

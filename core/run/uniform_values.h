@@ -63,8 +63,7 @@ private:
 
     const Plan& plan_;
     glm::dmat3 ray_from_uv_ = glm::dmat3(1.0);
-    std::vector<std::size_t>
-        offsets_;  // of the frame's values as in FrameValue, of params, of generated
+    std::vector<std::size_t> offsets_;  // of the frame's values, params and generated
     std::vector<std::uint32_t> words_;
     std::size_t draw_words_;
 };

@@ -14,13 +14,7 @@ void ViewDraws::begin(const CameraMatrices& camera)
 
 const std::vector<PlacedDraw>& ViewDraws::placed()
 {
-    if (!is_placed_) place();
-    is_placed_ = true;
-    return placed_;
-}
-
-void ViewDraws::place()
-{
+    if (std::exchange(is_placed_, true)) return placed_;
     const std::size_t count = drawn_.draws.size();
     placed_.resize(count);
     areas_.clear();
@@ -36,6 +30,7 @@ void ViewDraws::place()
         placed.mirrored = mirrors(item.world_from_model) != view_mirrors;
         placed.valued = false;
     }
+    return placed_;
 }
 
 const std::uint32_t* ViewDraws::values(std::size_t draw, ValueTable& table)
@@ -57,9 +52,9 @@ const std::uint32_t* ViewDraws::values(std::size_t draw, ValueTable& table)
 ViewArea ViewDraws::area(const Extent& extent, double length)
 {
     const double reach = pixelReach(camera_->clip_from_view, extent, length);
-    for (const ReachedArea& known : reached_)
-        if (known.reach == reach) return known.area;
-    return reached_.emplace_back(ReachedArea{reach, areaWithin(reach)}).area;
+    for (const auto& [known, area] : reached_)
+        if (known == reach) return area;
+    return reached_.emplace_back(reach, areaWithin(reach)).second;
 }
 
 ViewArea ViewDraws::areaWithin(double reach)

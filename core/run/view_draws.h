@@ -7,6 +7,7 @@
 
 #include "core/run/uniform_values.h"
 
+#include <utility>
 #include <vector>
 
 namespace crevice {
@@ -53,12 +54,6 @@ public:
     ViewArea area(const Extent& extent, double length);
 
 private:
-    struct ReachedArea {
-        double reach;
-        ViewArea area;
-    };
-
-    void place();
     ViewArea areaWithin(double reach);
     const ViewArea& areaOfDraw(std::size_t draw);
 
@@ -68,7 +63,7 @@ private:
     bool is_placed_ = false;
     ViewVolume volume_ = {};
     std::vector<PlacedDraw> placed_;
-    std::vector<ReachedArea> reached_;   // what `area` has answered
+    std::vector<std::pair<double, ViewArea>> reached_;  // what `area` has answered, by reach
     std::vector<ViewArea> areas_;        // of the first draws, as far as anyone asked
     std::vector<std::uint32_t> values_;  // of all draws, one after the other
 };
