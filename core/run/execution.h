@@ -125,14 +125,13 @@ private:
     Status createTextures();
     Status createGenerated();
     Status createPrograms(const Execution* previous);
-    Result<SharedProgram> createProgram(const PlanProgram& program);
+    Status createProgram(const PlanProgram& program);
     Status createPasses(int view);
     Status createFilled(const std::string& label, Format format, const Image& image,
                         Owned<TextureId>& texture);
     Status createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared);
     Status createFramebuffer(const PlanPass& pass, int view, bool swapped,
                              Owned<FramebufferId>& framebuffer);
-    void keepIdlePrograms(const Execution& previous);
     SharedProgram programOf(const std::string& key) const;
     void bindUniform(const PlanPass& pass, const UniformInfo& active, int view,
                      PreparedPass& prepared, Diagnostics& errors);
@@ -186,8 +185,8 @@ private:
     std::vector<Owned<TextureId>> generated_;  // null where it is a kernel
     Owned<TextureId> white_;                   // for materials without a map
     Owned<TextureId> black_;                   // for optional imports that are absent
-    std::vector<SharedProgram> programs_;
-    std::vector<std::pair<std::string, SharedProgram>> idle_programs_;  // by key, the latest first
+    // By key: the plan's, then the idle ones, the latest first.
+    std::vector<std::pair<std::string, SharedProgram>> programs_;
     std::vector<PreparedView> views_;
 };
 

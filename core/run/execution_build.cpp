@@ -139,21 +139,28 @@ Status Execution::createGenerated()
 Status Execution::createPrograms(const Execution* previous)
 {
     for (const PlanProgram& program : plan_.programs) {
-        programs_.push_back(previous ? previous->programOf(program.key) : nullptr);
-        if (programs_.back()) continue;
-        Result<SharedProgram> made = createProgram(program);
-        if (!made) return made.diagnostics();
-        programs_.back() = std::move(*made);
-        compiled_.push_back(program.label);
+        if (SharedProgram shared = previous ? previous->programOf(program.key) : nullptr)
+            programs_.emplace_back(program.key, std::move(shared));
+        else if (Status status = createProgram(program); !status)
+            return status;
+        else
+            compiled_.push_back(program.label);
     }
-    if (previous) keepIdlePrograms(*previous);
+    if (!previous) return {};
+    for (const auto& [key, program] : previous->programs_)
+        if (!programOf(key)) programs_.emplace_back(key, program);
+    const std::size_t most = plan_.programs.size() + kMaxIdlePrograms;
+    if (programs_.size() > most) programs_.resize(most);
     return {};
 }
 
-auto Execution::createProgram(const PlanProgram& program) -> Result<SharedProgram>
+Status Execution::createProgram(const PlanProgram& program)
 {
     Result<ProgramId> id = device_.createProgram({program.label, program.vertex, program.fragment});
-    if (id) return std::make_shared<Owned<ProgramId>>(device_, *id);
+    if (id) {
+        programs_.emplace_back(program.key, std::make_shared<Owned<ProgramId>>(device_, *id));
+        return {};
+    }
     Diagnostics errors = id.diagnostics();
     for (Diagnostic& error : errors) {
         error.pointer = program.pointer;
@@ -164,35 +171,16 @@ auto Execution::createProgram(const PlanProgram& program) -> Result<SharedProgra
 
 Status Execution::prepare(const Plan& other)
 {
-    for (const PlanProgram& program : other.programs) {
-        if (programOf(program.key)) continue;
-        Result<SharedProgram> made = createProgram(program);
-        if (!made) return made.diagnostics();
-        idle_programs_.emplace_back(program.key, std::move(*made));
-    }
-    return {};
-}
-
-void Execution::keepIdlePrograms(const Execution& previous)
-{
-    for (std::size_t i = 0; i < previous.plan_.programs.size(); ++i)
-        idle_programs_.emplace_back(previous.plan_.programs[i].key, previous.programs_[i]);
-    idle_programs_.insert(idle_programs_.end(), previous.idle_programs_.begin(),
-                          previous.idle_programs_.end());
-    const auto needed = [this](const auto& idle) {
-        return std::find(programs_.begin(), programs_.end(), idle.second) != programs_.end();
-    };
-    idle_programs_.erase(std::remove_if(idle_programs_.begin(), idle_programs_.end(), needed),
-                         idle_programs_.end());
-    if (idle_programs_.size() > kMaxIdlePrograms) idle_programs_.resize(kMaxIdlePrograms);
+    Status status;
+    for (const PlanProgram& program : other.programs)
+        if (status && !programOf(program.key)) status = createProgram(program);
+    return status;
 }
 
 Execution::SharedProgram Execution::programOf(const std::string& key) const
 {
-    for (std::size_t i = 0; i < plan_.programs.size(); ++i)
-        if (plan_.programs[i].key == key) return programs_[i];
-    for (const auto& [idle, program] : idle_programs_)
-        if (idle == key) return program;
+    for (const auto& [known, program] : programs_)
+        if (known == key) return program;
     return nullptr;
 }
 
@@ -205,7 +193,7 @@ Status Execution::createPasses(int view)
         PreparedPass& prepared = passes.emplace_back();
         prepared.plan = &pass;
         prepared.info = passInfo(pass);
-        prepared.program = programs_[pass.program]->id();
+        prepared.program = programs_[pass.program].second->id();
         prepared.state = pass.state;
         if (isMasked(pass)) {
             prepared.info.at_depth = 0.0f;
