@@ -57,23 +57,21 @@ Status Execution::checkImports(const Frame& frame) const
             return refused(import, Code::missing_import,
                            " has no texture for import '" + import.name + "'",
                            "hand one over by Effect::setTexture, or in Frame::textures");
-    for (std::size_t view = 0; view < views_.size(); ++view) {
-        for (const PreparedPass& pass : views_[view].passes) {
-            for (const TextureBinding& binding : pass.textures) {
-                if (binding.import < 0) continue;
-                const ImportDesc& import = plan_.imports[binding.import];
-                const ImportedTexture* found = findTexture(frame, view, import.name);
-                const ObjectInfo info = device_.info(found ? found->texture : black_.id());
-                if (!info.exists)
-                    return refused(import, Code::bad_input,
-                                   "'s texture '" + import.name + "' is texture " +
-                                       std::to_string(found->texture.value) +
-                                       ", which is none of this device",
-                                   "take an id that adoptTexture or createTexture gave and that "
-                                   "is not destroyed yet");
-                if (binding.multisampled != (info.samples > 1))
-                    return otherSamples(import, pass.info.label, info.samples);
-            }
+    for (const PreparedPass& pass : runs_) {
+        for (const TextureBinding& binding : pass.textures) {
+            if (binding.import < 0) continue;
+            const ImportDesc& import = plan_.imports[binding.import];
+            const ImportedTexture* found = findTexture(frame, pass.view, import.name);
+            const ObjectInfo info = device_.info(found ? found->texture : black_.id());
+            if (!info.exists)
+                return refused(import, Code::bad_input,
+                               "'s texture '" + import.name + "' is texture " +
+                                   std::to_string(found->texture.value) +
+                                   ", which is none of this device",
+                               "take an id that adoptTexture or createTexture gave and that is "
+                               "not destroyed yet");
+            if (binding.multisampled != (info.samples > 1))
+                return otherSamples(import, pass.info.label, info.samples);
         }
     }
     return {};
@@ -82,20 +80,18 @@ Status Execution::checkImports(const Frame& frame) const
 Status Execution::setImports(const Frame& frame)
 {
     if (Status status = checkImports(frame); !status) return status;
-    for (std::size_t view = 0; view < views_.size(); ++view) {
-        for (PreparedPass& pass : views_[view].passes) {
-            for (TextureBinding& binding : pass.textures) {
-                if (binding.import < 0) continue;
-                const ImportedTexture* found =
-                    findTexture(frame, view, plan_.imports[binding.import].name);
-                const TextureId texture = found ? found->texture : black_.id();
-                const std::uint64_t revision = found ? found->revision : kNeverChanges;
-                pass.imports_changed = pass.imports_changed || revision == 0 ||
-                                       revision != binding.revision ||
-                                       texture.value != binding.texture.value;
-                binding.texture = texture;
-                binding.revision = revision;
-            }
+    for (PreparedPass& pass : runs_) {
+        for (TextureBinding& binding : pass.textures) {
+            if (binding.import < 0) continue;
+            const std::string& name = plan_.imports[binding.import].name;
+            const ImportedTexture* found = findTexture(frame, pass.view, name);
+            const TextureId texture = found ? found->texture : black_.id();
+            const std::uint64_t revision = found ? found->revision : kNeverChanges;
+            pass.imports_changed = pass.imports_changed || revision == 0 ||
+                                   revision != binding.revision ||
+                                   texture.value != binding.texture.value;
+            binding.texture = texture;
+            binding.revision = revision;
         }
     }
     return {};
@@ -140,19 +136,15 @@ bool Execution::setTiming(bool on)
 Status Execution::draw(const Frame& frame, PassTimers& timers, bool all)
 {
     if (Status status = device_.beginFrame(); !status) return status;
-    const std::vector<char>& runs = begin(frame, all);
+    const std::vector<char>& chosen = begin(frame, all);
     clearNewHistories();
     timers.beginFrame();
-    std::size_t run = 0;
-    for (const PreparedView& view : views_) {
-        setView(frame, view);
-        for (const PreparedPass& pass : view.passes) {
-            if (runs[run]) {
-                const PassTimers::Scope timed(timers, device_, run);
-                runPass(pass, view.camera);
-            }
-            ++run;
-        }
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        const PreparedView& view = views_[runs_[run].view];
+        if (beginsView(run)) setView(frame, view);
+        if (!chosen[run]) continue;
+        const PassTimers::Scope timed(timers, device_, run);
+        runPass(runs_[run], view.camera);
     }
     return end(frame);
 }
@@ -162,19 +154,18 @@ const std::vector<char>& Execution::begin(const Frame& frame, bool all)
 {
     swapHistories();
     const bool draws_changed = updateDraws(frame);
-    std::size_t run = 0;
-    for (std::size_t i = 0; i < views_.size(); ++i) {
-        PreparedView& view = views_[i];
-        const bool camera_changed = beginView(frame, view, cameraOf(frame, i));
-        for (PreparedPass& pass : view.passes) {
-            values_.setViewport(pass.info.extent);
-            const bool geometry_changed =
-                pass.plan->type == PassType::draw && (draws_changed || camera_changed);
-            const bool uniforms_changed = takeUniforms(pass);
-            changed_[run++] =
-                all || plan_.reruns || geometry_changed || uniforms_changed || pass.imports_changed;
-            pass.imports_changed = false;
-        }
+    bool camera_changed = false;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        PreparedPass& pass = runs_[run];
+        if (beginsView(run))
+            camera_changed = beginView(frame, views_[pass.view], cameraOf(frame, pass.view));
+        values_.setViewport(pass.info.extent);
+        const bool geometry_changed =
+            pass.plan->type == PassType::draw && (draws_changed || camera_changed);
+        const bool uniforms_changed = takeUniforms(pass);
+        changed_[run] =
+            all || plan_.reruns || geometry_changed || uniforms_changed || pass.imports_changed;
+        pass.imports_changed = false;
     }
     return cache_.choose(changed_);
 }
@@ -183,9 +174,8 @@ const std::vector<char>& Execution::begin(const Frame& frame, bool all)
 // by `history_valid` could read that, for it may be no number.
 void Execution::clearNewHistories()
 {
-    for (const PreparedView& view : views_)
-        for (const PreparedPass& pass : view.passes)
-            if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
+    for (const PreparedPass& pass : runs_)
+        if (!remembers_ && pass.odd_frame.id()) clearHistory(pass);
     remembers_ = true;
 }
 
@@ -249,13 +239,11 @@ Status Execution::end(const Frame& frame)
 void Execution::swapHistories()
 {
     swapped_ = !swapped_;
-    for (PreparedView& view : views_) {
-        for (PreparedPass& pass : view.passes) {
-            for (TextureBinding& binding : pass.textures)
-                if (binding.odd_frame) std::swap(binding.texture, binding.odd_frame);
-            if (pass.odd_frame.id())
-                pass.info.framebuffer = (swapped_ ? pass.odd_frame : pass.framebuffer).id();
-        }
+    for (PreparedPass& pass : runs_) {
+        for (TextureBinding& binding : pass.textures)
+            if (binding.odd_frame) std::swap(binding.texture, binding.odd_frame);
+        if (pass.odd_frame.id())
+            pass.info.framebuffer = (swapped_ ? pass.odd_frame : pass.framebuffer).id();
     }
 }
 

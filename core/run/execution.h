@@ -91,6 +91,7 @@ private:
 
     struct PreparedPass {
         const PlanPass* plan;
+        int view;
         PassInfo info;
         ProgramId program;
         StateDesc state;
@@ -101,8 +102,7 @@ private:
         std::vector<std::uint32_t> sent;            // what `uniforms` were when it ran last
         bool imports_changed = true;                // since then
         Owned<FramebufferId> framebuffer;
-        Owned<FramebufferId>
-            odd_frame;  // that takes its place in every second frame; null likewise
+        Owned<FramebufferId> odd_frame;  // in every second frame; null likewise
     };
 
     // What a pass has sent of the draw before, so that it sends of the next what differs.
@@ -115,7 +115,6 @@ private:
         FrameHistory history;  // for the next frame
         FrameHistory before;   // for this one
         CameraMatrices camera = {};
-        std::vector<PreparedPass> passes;  // the plan's
     };
 
     Execution(Device& device, Plan plan);
@@ -129,22 +128,19 @@ private:
     Status createPasses(int view);
     Status createFilled(const std::string& label, Format format, const Image& image,
                         Owned<TextureId>& texture);
-    Status createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared);
-    Status createFramebuffer(const PlanPass& pass, int view, bool swapped,
-                             Owned<FramebufferId>& framebuffer);
+    Status createFramebuffer(PreparedPass& prepared, bool swapped);
     SharedProgram programOf(const std::string& key) const;
-    void bindUniform(const PlanPass& pass, const UniformInfo& active, int view,
-                     PreparedPass& prepared, Diagnostics& errors);
+    void bindUniform(const UniformInfo& active, PreparedPass& prepared, Diagnostics& errors);
     Diagnostic unbound(const PlanPass& pass, const UniformInfo& active,
                        const PlanUniform* uniform) const;
-    void bindTexture(const PlanPass& pass, const PlanInput& input, const UniformInfo& uniform,
-                     int view, PreparedPass& prepared);
+    void bindTexture(const PlanInput& input, const UniformInfo& uniform, PreparedPass& prepared);
     TextureId textureOf(const PlanInput& input, int view, bool swapped) const;
     TextureId targetTexture(int target, int view, bool swapped) const;
     TextureId texture(int index, int view) const;
 
     // execution.cpp
-    int runCount() const { return static_cast<int>(plan_.passes.size() * views_.size()); }
+    int runCount() const { return static_cast<int>(runs_.size()); }
+    bool beginsView(std::size_t run) const { return run % plan_.passes.size() == 0; }
     Status draw(const Frame& frame, PassTimers& timers, bool all);
     const std::vector<char>& begin(const Frame& frame, bool all);
     bool beginView(const Frame& frame, PreparedView& view, const Camera& camera);
@@ -187,6 +183,7 @@ private:
     Owned<TextureId> black_;                   // for optional imports that are absent
     // By key: the plan's, then the idle ones, the latest first.
     std::vector<std::pair<std::string, SharedProgram>> programs_;
+    std::vector<PreparedPass> runs_;  // the plan's passes for each view in turn
     std::vector<PreparedView> views_;
 };
 

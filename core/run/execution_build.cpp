@@ -9,8 +9,6 @@
 namespace crevice {
 namespace {
 
-Image pixel(float value) { return Image({1, 1}, 4, value); }
-
 bool uses(const Plan& plan, InputKind kind)
 {
     for (const PlanPass& pass : plan.passes)
@@ -87,18 +85,14 @@ Status Execution::createTextures()
             textures_.back().emplace_back(device_, *id);
         }
     }
-    for (const PlanConstant& constant : plan_.constants) {
-        constants_.emplace_back();
-        if (Status status =
-                createFilled("constant", Format::rgba8, pixel(constant.value), constants_.back());
-            !status)
-            return status;
-    }
     Status status;
-    if (uses(plan_, InputKind::material))
-        status = createFilled("white", Format::rgba8, pixel(1.0f), white_);
-    if (status && uses(plan_, InputKind::imported))
-        status = createFilled("black", Format::rgba8, pixel(0.0f), black_);
+    const auto create = [&](const char* label, float value, Owned<TextureId>& texture) {
+        if (status) status = createFilled(label, Format::rgba8, Image({1, 1}, 4, value), texture);
+    };
+    for (const PlanConstant& constant : plan_.constants)
+        create("constant", constant.value, constants_.emplace_back());
+    if (uses(plan_, InputKind::material)) create("white", 1.0f, white_);
+    if (uses(plan_, InputKind::imported)) create("black", 0.0f, black_);
     return status;
 }
 
@@ -187,11 +181,10 @@ Execution::SharedProgram Execution::programOf(const std::string& key) const
 Status Execution::createPasses(int view)
 {
     Diagnostics errors;
-    std::vector<PreparedPass>& passes = views_[view].passes;
-    passes.reserve(plan_.passes.size());
     for (const PlanPass& pass : plan_.passes) {
-        PreparedPass& prepared = passes.emplace_back();
+        PreparedPass& prepared = runs_.emplace_back();
         prepared.plan = &pass;
+        prepared.view = view;
         prepared.info = passInfo(pass);
         prepared.program = programs_[pass.program].second->id();
         prepared.state = pass.state;
@@ -199,47 +192,38 @@ Status Execution::createPasses(int view)
             prepared.info.at_depth = 0.0f;
             prepared.state.depth_test = Compare::less;
         }
-        if (Status status = createFramebuffers(pass, view, prepared); !status) return status;
+        for (const bool swapped : {false, true})
+            if (Status status = createFramebuffer(prepared, swapped); !status) return status;
+        prepared.info.framebuffer = prepared.framebuffer.id();
         for (const UniformInfo& uniform : device_.uniforms(prepared.program))
-            bindUniform(pass, uniform, view, prepared, errors);
+            bindUniform(uniform, prepared, errors);
         warnings_.add(pass, device_.uniforms(prepared.program));
     }
     return errors;
 }
 
-/// One, or two where the pass writes a target whose history someone reads.
-Status Execution::createFramebuffers(const PlanPass& pass, int view, PreparedPass& prepared)
+/// `swapped`, only for a pass that writes a target whose history someone reads.
+Status Execution::createFramebuffer(PreparedPass& prepared, bool swapped)
 {
-    if (Status status = createFramebuffer(pass, view, false, prepared.framebuffer); !status)
-        return status;
-    prepared.info.framebuffer = prepared.framebuffer.id();
-    const auto remembered = [this](const PlanAttachment& attachment) {
-        return attachment.target >= 0 && plan_.targets[attachment.target].history_texture >= 0;
-    };
-    if (std::none_of(pass.color.begin(), pass.color.end(), remembered) &&
-        !(pass.has_depth && remembered(pass.depth)))
-        return {};
-    return createFramebuffer(pass, view, true, prepared.odd_frame);
-}
-
-Status Execution::createFramebuffer(const PlanPass& pass, int view, bool swapped,
-                                    Owned<FramebufferId>& framebuffer)
-{
+    const PlanPass& pass = *prepared.plan;
     FramebufferDesc desc;
     desc.label = pass.name;
+    bool remembered = false;
     const auto attach = [&](const PlanAttachment& attachment, TextureId& drawn, TextureId& read) {
-        drawn = targetTexture(attachment.target, view, swapped);
+        drawn = targetTexture(attachment.target, prepared.view, swapped);
         if (attachment.target < 0) return;
         const PlanTarget& target = plan_.targets[attachment.target];
+        remembered = remembered || target.history_texture >= 0;
         if (target.drawn_texture == target.texture) return;
-        read = std::exchange(drawn, texture(target.drawn_texture, view));
+        read = std::exchange(drawn, texture(target.drawn_texture, prepared.view));
     };
     for (const PlanAttachment& color : pass.color)
         attach(color, desc.color.emplace_back(), desc.resolve_color.emplace_back());
     if (pass.has_depth) attach(pass.depth, desc.depth, desc.resolve_depth);
+    if (swapped && !remembered) return {};
     Result<FramebufferId> id = device_.createFramebuffer(desc);
     if (!id) return id.diagnostics();
-    framebuffer = Owned<FramebufferId>(device_, *id);
+    (swapped ? prepared.odd_frame : prepared.framebuffer) = Owned<FramebufferId>(device_, *id);
     return {};
 }
 
@@ -273,15 +257,11 @@ TextureId Execution::textureOf(const PlanInput& input, int view, bool swapped) c
 
 /// Gives an active uniform what the plan has bound to it. The plan was made from a scan of the
 /// text; where the driver sees more than the scan did, the uniform would silently stay 0.
-void Execution::bindUniform(const PlanPass& pass, const UniformInfo& active, int view,
-                            PreparedPass& prepared, Diagnostics& errors)
+void Execution::bindUniform(const UniformInfo& active, PreparedPass& prepared, Diagnostics& errors)
 {
-    if (isSampler(active.type)) {
-        const PlanInput* input = inputOf(pass, active.name);
-        if (input) return bindTexture(pass, *input, active, view, prepared);
-        errors.push_back(unbound(pass, active, nullptr));
-        return;
-    }
+    const PlanPass& pass = *prepared.plan;
+    const PlanInput* input = isSampler(active.type) ? inputOf(pass, active.name) : nullptr;
+    if (input) return bindTexture(*input, active, prepared);
     const PlanUniform* uniform = findNamed(pass.uniforms, active.name);
     if (!uniform || uniform->type != active.type) {
         errors.push_back(unbound(pass, active, uniform));
@@ -289,8 +269,7 @@ void Execution::bindUniform(const PlanPass& pass, const UniformInfo& active, int
     }
     const int count = std::min(active.count, uniform->count);
     const bool per_draw = uniform->source == UniformSource::draw;
-    if (uniform->source == UniformSource::draw && uniform->index == view_normal_from_model)
-        view_draws_.readNormals();
+    if (per_draw && uniform->index == view_normal_from_model) view_draws_.readNormals();
     auto& uniforms = per_draw ? prepared.draw_uniforms : prepared.uniforms;
     uniforms.push_back({active.location, active.type, count, values_.offsetOf(*uniform)});
     if (!per_draw) prepared.sent.resize(prepared.sent.size() + wordsOf(active.type, count));
@@ -310,15 +289,15 @@ Diagnostic Execution::unbound(const PlanPass& pass, const UniformInfo& active,
             "declare it on a line of its own, without macros", program.place, program.pointer};
 }
 
-void Execution::bindTexture(const PlanPass& pass, const PlanInput& input,
-                            const UniformInfo& uniform, int view, PreparedPass& prepared)
+void Execution::bindTexture(const PlanInput& input, const UniformInfo& uniform,
+                            PreparedPass& prepared)
 {
     TextureBinding binding;
     binding.location = uniform.location;
     binding.multisampled = uniform.type == GlslType::sampler2d_ms;
-    binding.unit = static_cast<int>(&input - pass.inputs.data());
-    binding.texture = textureOf(input, view, false);
-    const TextureId other = textureOf(input, view, true);
+    binding.unit = static_cast<int>(&input - prepared.plan->inputs.data());
+    binding.texture = textureOf(input, prepared.view, false);
+    const TextureId other = textureOf(input, prepared.view, true);
     if (other.value != binding.texture.value) binding.odd_frame = other;
     binding.sampling = input.sampling;
     if (input.kind == InputKind::imported) binding.import = input.index;
