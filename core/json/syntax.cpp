@@ -25,7 +25,7 @@ char charAt(std::string_view text, std::size_t offset)
     return offset < text.size() ? text[offset] : '\0';
 }
 
-std::string quoted(std::string_view token)
+std::string quotedToken(std::string_view token)
 {
     std::string out = "'";
     out += utf8Prefix(token, kMaxShown);
@@ -84,7 +84,7 @@ Diagnostic stringFault(const SyntaxStop& stop, std::size_t begin)
     const std::size_t escape = text[bad - 1] == '\\' ? bad - 1 : bad;
     const std::size_t length = bad + 1 - escape;
     return {Code::syntax,
-            "found " + quoted(printableLine(text.substr(escape, length))) + " in a string",
+            "found " + quotedToken(printableLine(text.substr(escape, length))) + " in a string",
             "a backslash is written \\\\, a quote \\\", a tab \\t, a line break \\n",
             placeAt(stop.source, escape, length)};
 }
@@ -109,10 +109,10 @@ Diagnostic faultAt(const SyntaxStop& stop, const Wanted& wanted)
     const Place place = placeAt(stop.source, begin, token.size());
     const bool value = stop.after == SyntaxStop::After::nothing || wanted.help == kValue;
     if (value && isDigit(token.back()) && std::isinf(parseNumber(token).value_or(0)))
-        return {Code::number_range, "the number " + quoted(token) + " is too large",
+        return {Code::number_range, "the number " + quotedToken(token) + " is too large",
                 "the largest number is about 1.8e308", place};
     return {Code::syntax,
-            "found " + quoted(printableLine(token)) + " where " + wanted.what + " was wanted",
+            "found " + quotedToken(printableLine(token)) + " where " + wanted.what + " was wanted",
             wanted.help, place};
 }
 
