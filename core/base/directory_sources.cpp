@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A folder as a set of texts.
-#include <crevice/directory_sources.h>
+#include <crevice/source.h>
 
 #include "core/base/files.h"
 #include "core/base/text.h"

@@ -43,7 +43,7 @@ void checkExtent(State& state)
 
 void checkRules(State& state)
 {
-    std::vector<std::string> names = optimizationNames();
+    std::vector<std::string> names = namesOf(kOptimizations);
     names.push_back("all");
     for (const std::string& optimization : state.options.disable) {
         if (std::find(names.begin(), names.end(), optimization) != names.end()) continue;

@@ -15,13 +15,6 @@ const Optimization kOptimizations[7] = {
     {"cached", "per frame, passes whose inputs have not changed"},
 };
 
-std::vector<std::string> optimizationNames()
-{
-    std::vector<std::string> names;
-    for (const Optimization& optimization : kOptimizations) names.push_back(optimization.name);
-    return names;
-}
-
 bool isMasked(const PlanPass& pass) { return pass.has_depth && pass.depth.load == LoadOp::load; }
 
 double textureBytes(const PlanTexture& texture)

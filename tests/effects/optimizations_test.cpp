@@ -73,7 +73,7 @@ bool fires(const std::string& optimization, const std::string& config)
 
 TEST_CASE("Every optimization fires in at least three shipped configs")
 {
-    for (const std::string& optimization : optimizationNames()) {
+    for (const std::string& optimization : namesOf(kOptimizations)) {
         int configs = 0;
         for (const std::string& config : configNames(shippedSources()))
             if (configs < 3 && fires(optimization, config)) ++configs;

@@ -23,8 +23,6 @@ struct Optimization {
 /// Those that may be switched off.
 extern const Optimization kOptimizations[7];
 
-std::vector<std::string> optimizationNames();
-
 /// A texture that the renderer creates. Targets whose lifetimes do not meet share one.
 struct PlanTexture {
     Format format = Format::none;

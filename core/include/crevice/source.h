@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace crevice {
@@ -76,6 +77,25 @@ private:
     std::map<std::string, SourceRef, std::less<>> texts_;  // by path
 };
 
+/// Files below a folder, read again at each `find`: what --effects reads. A link that leads out of
+/// the folder and of `roots` is no text.
+class DirectorySources : public SourceSet {
+public:
+    explicit DirectorySources(std::string root, std::vector<std::string> roots = {})
+        : root_(std::move(root)),
+          roots_(std::move(roots))
+    {
+        roots_.push_back(root_);
+    }
+
+    SourceRef find(std::string_view path) const override;
+    std::vector<std::string> list() const override;
+
+private:
+    std::string root_;
+    std::vector<std::string> roots_;  // with root_
+};
+
 /// Several sets seen as one; an earlier set hides a later one. The sets must outlive this.
 class LayeredSources : public SourceSet {
 public:
@@ -131,11 +151,11 @@ int indexOf(const List& list, std::string_view name)
 }
 
 /// All names of a list.
-template <class T>
-std::vector<std::string> namesOf(const std::vector<T>& list)
+template <class List>
+std::vector<std::string> namesOf(const List& list)
 {
     std::vector<std::string> names;
-    for (const T& element : list) names.push_back(element.name);
+    for (const auto& element : list) names.push_back(element.name);
     return names;
 }
 

@@ -2,7 +2,6 @@
 // The shipped modules and configs, embedded in the library at build time.
 #pragma once
 
-#include <crevice/directory_sources.h>
 #include <crevice/source.h>
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A folder as a set of texts: what it gives, lists and refuses.
-#include <crevice/directory_sources.h>
+#include <crevice/source.h>
 
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
