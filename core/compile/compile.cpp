@@ -46,7 +46,7 @@ void checkRules(State& state)
     std::vector<std::string> names = namesOf(kOptimizations);
     names.push_back("all");
     for (const std::string& optimization : state.options.disable) {
-        if (std::find(names.begin(), names.end(), optimization) != names.end()) continue;
+        if (contains(names, optimization)) continue;
         report(state, Code::bad_enum,
                "'" + optimization + "' is no optimization that can be switched off", Named{},
                suggestName(optimization, names, "optimizations"));
@@ -61,7 +61,7 @@ void chooseOutputs(State& state)
         report(state, Code::no_outputs, "the config exports no output, so nothing would run",
                state.description, "add: \"outputs\": {\"ao\": \"name of a target\"}");
     for (std::size_t i = 0; i < outputs.size(); ++i)
-        if (wanted.empty() || std::count(wanted.begin(), wanted.end(), outputs[i].name))
+        if (wanted.empty() || contains(wanted, outputs[i].name))
             state.outputs.push_back(static_cast<int>(i));
     for (const std::string& name : wanted) {
         if (outputs.empty() || findNamed(outputs, name)) continue;
@@ -96,9 +96,7 @@ void dropRepeats(State& state)
 
 bool State::applies(std::string_view optimization) const
 {
-    return std::none_of(
-        options.disable.begin(), options.disable.end(),
-        [&](const std::string& kept) { return kept == optimization || kept == "all"; });
+    return !contains(options.disable, optimization) && !contains(options.disable, "all");
 }
 
 Diagnostic& report(State& state, Code code, std::string message, const Named& at, std::string help)
@@ -132,6 +130,17 @@ const std::string& nameOf(const State& state, int target)
     return state.description.targets[target].name;
 }
 
+SamplerDesc samplingOf(const Read& read)
+{
+    const bool material = read.named.kind == InputKind::material;
+    const bool tiled = material || read.named.kind == InputKind::generated;
+    SamplerDesc sampling = {material ? Filter::linear : Filter::nearest,
+                            tiled ? Wrap::repeat : Wrap::clamp};
+    if (read.input && read.input->has_filter) sampling.filter = read.input->filter;
+    if (read.input && read.input->has_wrap) sampling.wrap = read.input->wrap;
+    return sampling;
+}
+
 std::vector<int> writtenBy(const Pass& pass)
 {
     std::vector<int> targets = pass.color;
@@ -142,9 +151,8 @@ std::vector<int> writtenBy(const Pass& pass)
 
 const Reference& referenceTo(const Pass& pass, const std::string& target)
 {
-    for (const Reference& color : pass.desc->color)
-        if (color.name == target) return color;
-    return pass.desc->depth;
+    const Reference* color = findNamed(pass.desc->color, target);
+    return color ? *color : pass.desc->depth;
 }
 
 }  // namespace compiler
@@ -172,7 +180,7 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
     chooseExtents(state);
     checkFormats(state);
     chooseSamples(state);
-    lint(state);
+    lintDeadPasses(state);
     lintPrecision(state);
     dropRepeats(state);
     if (!hasErrors(state.diagnostics)) append(state.diagnostics, description.unused);

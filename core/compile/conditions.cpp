@@ -26,11 +26,8 @@ bool termHolds(const State& state, const Condition::Term& term)
 {
     const std::string value = valueOf(state, term.subject.name);
     const TraitInfo* trait = findNamed(kTraits, term.subject.name);
-    for (const std::string& wanted : term.values) {
-        if (wanted == value) return true;
-        if (trait && trait->count && wanted == boolText(value != "0")) return true;
-    }
-    return false;
+    return contains(term.values, value) ||
+           (trait && trait->count && contains(term.values, boolText(value != "0")));
 }
 
 // "it needs scene.lights true, and scene.lights is 0".

@@ -18,9 +18,8 @@ Source targetNamed(const State& state, const std::string& name)
 // What the pass reads by that sampler; nothing where its shader, as it is now, has none.
 std::optional<Source> readBy(const Pass& pass, const std::string& sampler)
 {
-    for (const Read& read : pass.reads)
-        if (read.sampler == sampler) return read.named;
-    return std::nullopt;
+    const Read* read = findNamed(pass.reads, sampler);
+    return read ? std::optional<Source>(read->named) : std::nullopt;
 }
 
 // What the pass says its output is while it does not run: by `bypass` when inactive, by `no_op` or
@@ -104,47 +103,31 @@ void chooseConstant(State& state)
     }
 }
 
-// Marks the target behind `source` and its writer. False when that writer has been replaced by what
-// does not give this target; the caller must then take that back.
-bool need(State& state, const Source& source, std::vector<int>& work, int& conflict)
-{
-    const std::optional<Source> behind = resolve(state, source);
-    if (!behind || !behind->isTarget()) return true;
-    Target& target = state.targets[behind->index];
-    Pass& writer = state.passes[target.writer];
-    if (writer.replaced()) {
-        conflict = target.writer;
-        return false;
-    }
-    target.textured = true;
-    target.remembered = target.remembered || behind->kind == InputKind::history;
-    if (!writer.live) work.push_back(target.writer);
-    writer.live = true;
-    return true;
-}
-
 // Finds what the outputs need. Returns -1, or a pass whose stand-in lacks an output that is needed.
 int markNeeded(State& state)
 {
     for (Pass& pass : state.passes) pass.live = false;
     for (Target& target : state.targets) target.textured = target.remembered = false;
-    std::vector<int> work;
-    int conflict = -1;
-    for (const int index : state.outputs) {
-        const std::string& name = state.description.outputs[index].target.name;
-        if (!need(state, targetNamed(state, name), work, conflict)) return conflict;
-    }
-    for (const int index : state.order) {
-        Pass& pass = state.passes[index];
-        if (state.applies("dead_pass") || pass.live || pass.replaced()) continue;
+    std::vector<Source> work;
+    const auto need = [&work](Pass& pass) {
+        if (pass.live) return;
         pass.live = true;
-        work.push_back(index);
-    }
+        for (const Read& read : pass.reads) work.push_back(read.named);
+    };
+    for (const int index : state.order)
+        if (Pass& pass = state.passes[index]; !state.applies("dead_pass") && !pass.replaced())
+            need(pass);
+    for (const int index : state.outputs)
+        work.push_back(targetNamed(state, state.description.outputs[index].target.name));
     while (!work.empty()) {
-        const int index = work.back();
+        const std::optional<Source> behind = resolve(state, work.back());
         work.pop_back();
-        for (const Read& read : state.passes[index].reads)
-            if (!need(state, read.named, work, conflict)) return conflict;
+        if (!behind || !behind->isTarget()) continue;
+        Target& target = state.targets[behind->index];
+        if (state.passes[target.writer].replaced()) return target.writer;
+        target.textured = true;
+        target.remembered = target.remembered || behind->kind == InputKind::history;
+        need(state.passes[target.writer]);
     }
     return -1;
 }
@@ -204,6 +187,20 @@ void chooseLive(State& state)
             target.textured = true;
     for (const Pass& pass : state.passes)
         if (pass.live && pass.depth >= 0) state.targets[pass.depth].textured = true;
+}
+
+void lintDeadPasses(State& state)
+{
+    // Where something was asked for, or something stands in, that is what leaves passes out.
+    const bool reduced = std::any_of(state.passes.begin(), state.passes.end(),
+                                     [](const Pass& pass) { return pass.replaced(); });
+    if (reduced || !state.options.outputs.empty() || hasErrors(state.diagnostics)) return;
+    for (const Pass& pass : state.passes)
+        if (pass.active && !pass.live)
+            report(state, Code::dead_pass,
+                   quoted(pass) + " does not run: no output needs what it writes", *pass.desc,
+                   "read what it writes, export it under `outputs`, or leave out the module")
+                .severity = Severity::warning;
 }
 
 }  // namespace crevice::compiler

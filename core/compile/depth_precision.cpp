@@ -104,14 +104,6 @@ PrecisionNeed precisionNeed(const Description& description, const SceneTraits& t
     return radius ? precisionNeed(traits, double{radius->value[0]}, height) : PrecisionNeed{};
 }
 
-PrecisionNeed needOfDraws(const SceneTraits& traits, const PrecisionNeed& need, double radius,
-                          double share)
-{
-    const double distance = traits.draws.distance;
-    if (!(distance > 0) || need.distance <= 0) return need;
-    return {radius * share, std::min(need.distance, distance)};
-}
-
 double formatStep(Format format, double value)
 {
     const FormatInfo& info = formatInfo(format);
@@ -152,8 +144,9 @@ double resolvedDistance(const SceneTraits& traits, const StoredSurface& stored,
 }
 
 Format chooseFormat(const Description& description, const TargetDesc& target,
-                    const SceneTraits& traits, const DeviceCaps& caps, const PrecisionNeed& need)
+                    const SceneTraits& traits, const DeviceCaps& caps, int height)
 {
+    const PrecisionNeed need = precisionNeed(description, traits, height);
     const auto reach = [&](Format format) {
         return resolvedDistance(traits, storedSurface(description, target, format), need);
     };

@@ -41,9 +41,6 @@ constexpr double kUnseenAround = 0.0027;
 /// occluded changes by 0.16 * 0.02 / 2.
 constexpr double kUnseenHidden = 0.02;
 
-/// Of the floats of vertices: a point and what occludes it round as both ends of a kernel do.
-constexpr double kUnseenVertex = kUnseenProbed;
-
 /// Where a radius covers fewer pixels, estimators fade: nothing is asked of a format there.
 constexpr double kLeastRadiusPixels = 2.0;
 
@@ -88,11 +85,6 @@ const ParamDesc* resolvedLength(const Description& description);
 /// The need of a config at the present value of that; none where there is none.
 PrecisionNeed precisionNeed(const Description& description, const SceneTraits& traits, int height);
 
-/// What a warning goes by: where draws are known to lie, steps there of at most a `share` of the
-/// radius; else `need`, of that radius.
-PrecisionNeed needOfDraws(const SceneTraits& traits, const PrecisionNeed& need, double radius,
-                          double share);
-
 /// Distance between neighbours of the format at `value` >= 0; infinite above the largest it holds.
 double formatStep(Format format, double value);
 
@@ -105,10 +97,10 @@ double viewStep(const SceneTraits& traits, const StoredSurface& stored, double d
 double resolvedDistance(const SceneTraits& traits, const StoredSurface& stored,
                         const PrecisionNeed& need);
 
-/// Of the target's preference list and the device: the first format that meets the need, else the
-/// one that meets it farthest; never one that does not filter for a target that is read so. The
-/// list's first where the device renders to none.
+/// Of the target's preference list and the device: the first format that meets the config's need,
+/// else the one that meets it farthest; never one that does not filter for a target that is read
+/// so. The list's first where the device renders to none.
 Format chooseFormat(const Description& description, const TargetDesc& target,
-                    const SceneTraits& traits, const DeviceCaps& caps, const PrecisionNeed& need);
+                    const SceneTraits& traits, const DeviceCaps& caps, int height);
 
 }  // namespace crevice

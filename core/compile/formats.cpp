@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formats by how finely they store what surfaces are found by, and a warning where none serves.
+// Formats by how finely they store what surfaces are found by, with a warning where none serves;
+// and whether the device and the passes can do with them.
 #include "core/compile/steps.h"
 
 #include "core/base/numbers.h"
@@ -91,29 +92,17 @@ double unseenShare(const State& state, const std::string& name, const Pass* read
     return target >= 0 && hidesWhatIsRead(state, target) ? kUnseenHidden : 0;
 }
 
-// What may be found wrong of a radius, and what it depends on.
-struct Lint {
-    State& state;
-    const ParamDesc& radius;
-    bool marched = false;  // A pass marches over the screen, as far as the radius reaches.
-    bool probed = false;   // A pass compares the offsets of a kernel.
-
-    // Of a texture, with the place at which its format is named.
-    void checkTexture(StoredSurface surface, const Reference& at);
-    void checkVertices() const;
-};
-
-void Lint::checkTexture(StoredSurface surface, const Reference& at)
+// Of a texture, with the place at which its format is named. Whether a pass looks about in it.
+bool checkTexture(State& state, const ParamDesc& radius, PrecisionNeed need, StoredSurface surface,
+                  const Reference& at)
 {
     const Pass* const reader = readerOf(state, at.name);
-    if (reader) (kernelOf(*reader) ? probed : marched) = true;
     surface.hidden = !reader;
     const double share = unseenShare(state, at.name, reader);
-    const PrecisionNeed need = needOfDraws(
-        state.traits, precisionNeed(state.description, state.traits, state.options.extent.height),
-        radius.value[0], share);
+    if (const double distance = state.traits.draws.distance; distance > 0)
+        need = {radius.value[0] * share, std::min(need.distance, distance)};
     const double reach = resolvedDistance(state.traits, surface, need);
-    if (!(share > 0) || reach >= need.distance) return;
+    if (!(share > 0) || reach >= need.distance) return reader != nullptr;
     const double step = viewStep(state.traits, surface, need.distance);
     report(state, Code::too_coarse,
            std::string(formatInfo(surface.format).name) + " of '" + at.name +
@@ -123,13 +112,15 @@ void Lint::checkTexture(StoredSurface surface, const Reference& at)
                (reach > 0 ? ", as it has up to " + figure(reach) : ""),
            at, kPrecisionHelp)
         .severity = Severity::warning;
+    return reader != nullptr;
 }
 
-void Lint::checkVertices() const
+void checkVertices(State& state, const ParamDesc& radius)
 {
     const double step = state.traits.draws.vertex_step;
-    const double unseen = radius.value[0] * kUnseenVertex;
-    if ((!marched && !probed) || step <= unseen) return;
+    // A point and what occludes it round as both ends of a kernel do.
+    const double unseen = radius.value[0] * kUnseenProbed;
+    if (step <= unseen) return;
     report(state, Code::too_coarse,
            "vertices are rounded to " + figure(step) + " at their largest coordinates, and " +
                valueOf(radius) + " wants " + figure(unseen),
@@ -138,36 +129,132 @@ void Lint::checkVertices() const
         .severity = Severity::warning;
 }
 
+void checkKind(State& state, const Reference& at, bool depth)
+{
+    const TargetDesc* target = findNamed(state.description.targets, at.name);
+    if (!target) return;
+    for (const Format format : target->formats) {
+        const FormatInfo& info = formatInfo(format);
+        if ((info.format_class == FormatClass::depth) == depth) continue;
+        report(state, Code::attachment_kind,
+               "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
+                   (depth ? "depth" : "colour") + " attachment",
+               at, depth ? "use depth16, depth24 or depth32f" : "use a colour format");
+        return;
+    }
+}
+
+void checkAttachments(State& state, const Pass& pass)
+{
+    for (const Reference& color : pass.desc->color) checkKind(state, color, false);
+    if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
+    if (!pass.desc->mask.empty()) checkKind(state, pass.desc->mask, true);
+    const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
+    const int count = static_cast<int>(pass.color.size());
+    if (count <= limit) return;
+    report(state, Code::too_many,
+           quoted(pass) + " writes " + std::to_string(count) +
+               " colour targets, and the device takes " + std::to_string(limit),
+           *pass.desc, "pack them into fewer targets, or split the pass");
+}
+
+void checkSampling(State& state, const Pass& pass)
+{
+    for (const Read& read : pass.reads) {
+        if (samplingOf(read).filter != Filter::linear) continue;
+        const std::optional<Source> source = resolve(state, read.named);
+        if (!source || !source->isTarget()) continue;
+        const FormatInfo& format = formatInfo(state.targets[source->index].format);
+        if (format.filterable) continue;
+        report(state, Code::cannot_filter,
+               quoted(pass) + " reads '" + read.name + "' with the filter linear, and " +
+                   format.name + " of target '" + nameOf(state, source->index) +
+                   "' cannot be filtered: it would read as black",
+               read.input->sampler,
+               "read it with the filter nearest, or give the target a format that filters: r8, "
+               "r16f, rgba8, rgba16f");
+    }
+}
+
+void checkSubstitute(State& state, const Reference& output, const Reference& input)
+{
+    const TargetDesc* replaced = findNamed(state.description.targets, output.name);
+    const TargetDesc* by = findNamed(state.description.targets, input.name);
+    if (!replaced || !by) return;
+    const FormatInfo& wanted = formatInfo(replaced->formats.front());
+    const FormatInfo& given = formatInfo(by->formats.front());
+    if ((wanted.format_class == FormatClass::depth) == (given.format_class == FormatClass::depth))
+        return;
+    report(state, Code::bypass_class,
+           "'" + input.name + "' (" + given.name + ") cannot stand in for '" + output.name + "' (" +
+               wanted.name + "): one holds depth and the other colour",
+           input, "give both targets formats of one kind");
+}
+
+void checkFormat(State& state, const TargetDesc& desc, Format chosen)
+{
+    if (state.caps.canRender(desc.formats.front())) return;
+    if (!state.caps.canRender(chosen)) {
+        std::vector<std::string> names;
+        for (const Format format : desc.formats) names.push_back(formatInfo(format).name);
+        report(state, Code::no_format,
+               "the device can render to no format of target '" + desc.name + "': " + joined(names),
+               desc, "add a format that every device has, such as rgba8 or depth16");
+        return;
+    }
+    report(state, Code::no_format,
+           "target '" + desc.name + "' falls back from " + formatInfo(desc.formats.front()).name +
+               " to " + formatInfo(chosen).name +
+               ": the device does not render to the first choice",
+           desc)
+        .severity = Severity::warning;
+}
+
 }  // namespace
 
 void chooseFormats(State& state)
 {
-    const PrecisionNeed need =
-        precisionNeed(state.description, state.traits, state.options.extent.height);
     for (std::size_t i = 0; i < state.targets.size(); ++i)
-        state.targets[i].format = chooseFormat(state.description, state.description.targets[i],
-                                               state.traits, state.caps, need);
+        state.targets[i].format =
+            chooseFormat(state.description, state.description.targets[i], state.traits, state.caps,
+                         state.options.extent.height);
+}
+
+void checkFormats(State& state)
+{
+    for (const Pass& pass : state.passes) {
+        if (pass.active) checkAttachments(state, pass);
+        if (pass.live) checkSampling(state, pass);
+        for (const BypassDesc& bypass : pass.desc->bypass)
+            checkSubstitute(state, bypass.output, bypass.input);
+    }
+    for (std::size_t i = 0; i < state.targets.size(); ++i) {
+        const Target& target = state.targets[i];
+        if (target.textured) checkFormat(state, state.description.targets[i], target.format);
+    }
 }
 
 void lintPrecision(State& state)
 {
     const Description& description = state.description;
     const ParamDesc* const radius = resolvedLength(description);
-    if (hasErrors(state.diagnostics) || !radius ||
-        precisionNeed(description, state.traits, state.options.extent.height).distance <= 0)
-        return;
-    Lint lint{state, *radius};
+    const PrecisionNeed need =
+        precisionNeed(description, state.traits, state.options.extent.height);
+    if (hasErrors(state.diagnostics) || need.distance <= 0) return;
+    bool read = false;
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         const TargetDesc& desc = description.targets[i];
         if (state.targets[i].textured)
-            lint.checkTexture(storedSurface(description, desc, state.targets[i].format),
-                              {desc.name, desc.formats_place, desc.pointer + "/format"});
+            read |= checkTexture(state, *radius, need,
+                                 storedSurface(description, desc, state.targets[i].format),
+                                 {desc.name, desc.formats_place, desc.pointer + "/format"});
     }
     for (const ImportDesc& desc : description.imports)
         if (desc.type == ImportType::texture)
-            lint.checkTexture({Semantic::other, formatFromName(desc.format), false, false},
-                              {desc.name, desc.place, desc.pointer});
-    lint.checkVertices();
+            read |= checkTexture(state, *radius, need,
+                                 {Semantic::other, formatFromName(desc.format), false, false},
+                                 {desc.name, desc.place, desc.pointer});
+    if (read) checkVertices(state, *radius);
 }
 
 }  // namespace crevice::compiler

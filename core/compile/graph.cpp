@@ -20,6 +20,7 @@ using Edges = std::vector<std::vector<Edge>>;  // into each pass
 void reportNeverWritten(State& state, const std::string& reader, int target, const Reference& at)
 {
     const std::string& name = nameOf(state, target);
+    if (!state.unwritten.insert(name).second) return;
     Diagnostic& error = report(state, Code::never_written,
                                reader + " reads target '" + name + "', which no pass writes", at,
                                "name it under `color` or `depth` of the pass that makes it");
@@ -54,8 +55,8 @@ void reportNeverWritten(State& state, const std::string& reader, int target, con
 // Where the config makes the pass read through this sampler.
 Reference placeOf(const Pass& pass, const Read& read)
 {
-    if (read.sampler.empty()) return pass.desc->mask;
-    if (!read.input) return {read.sampler, pass.desc->place, pass.desc->pointer};
+    if (read.name.empty()) return pass.desc->mask;
+    if (!read.input) return {read.name, pass.desc->place, pass.desc->pointer};
     return read.input->from.empty() ? read.input->sampler : read.input->from;
 }
 
@@ -91,23 +92,11 @@ std::vector<int> reportCycle(State& state, const Edges& edges, const std::vector
 
 // ---- edges
 
-// What passes wait for, as it grows.
-struct Waiting {
-    Edges edges;
-    std::vector<bool> reported;  // targets that no pass writes, each once however many read it
-};
-
-void addEdge(State& state, int index, const Source& source, const Reference& at, Waiting& waiting)
+void addEdge(State& state, int index, const Source& source, const Reference& at, Edges& edges)
 {
     const Pass& pass = state.passes[index];
     const std::optional<Source> behind = resolve(state, source);
-    if (!behind) {
-        if (!waiting.reported[source.index] &&
-            state.unplaced.count(nameOf(state, source.index)) == 0)
-            reportNeverWritten(state, quoted(pass), source.index, at);
-        waiting.reported[source.index] = true;
-        return;
-    }
+    if (!behind) return reportNeverWritten(state, quoted(pass), source.index, at);
     if (behind->kind != InputKind::target) return;
     const int writer = state.targets[behind->index].writer;
     if (writer == index)
@@ -115,34 +104,45 @@ void addEdge(State& state, int index, const Source& source, const Reference& at,
                quoted(pass) + " reads target '" + nameOf(state, behind->index) + "' and writes it",
                at, "write to another target, or read another one");
     else
-        waiting.edges[index].push_back({writer, behind->index});
+        edges[index].push_back({writer, behind->index});
 }
 
 // What a no-op gives is waited for as what a sampler reads is, whether the no-op holds or
 // not: so leaving the pass out can only make the graph smaller.
-void addEdges(State& state, int index, Waiting& waiting)
+void addEdges(State& state, int index, Edges& edges)
 {
     const Pass& pass = state.passes[index];
     for (const Read& read : pass.reads)
-        addEdge(state, index, read.named, placeOf(pass, read), waiting);
+        addEdge(state, index, read.named, placeOf(pass, read), edges);
     for (const NoOpDesc& no_op : pass.desc->no_op) {
         for (const NoOpDesc::Gives& gives : no_op.gives) {
             if (gives.constant) continue;
             const int target = indexOf(state.description.targets, gives.input.name);
-            addEdge(state, index, {InputKind::target, target}, gives.input, waiting);
+            addEdge(state, index, {InputKind::target, target}, gives.input, edges);
         }
     }
 }
 
-void checkOutputs(State& state, std::vector<bool>& reported)
+void checkOutputs(State& state)
 {
     for (const int index : state.outputs) {
         const OutputDesc& output = state.description.outputs[index];
         const int target = indexOf(state.description.targets, output.target.name);
-        if (reported[target] || resolveTarget(state, target)) continue;
-        reportNeverWritten(state, "output '" + output.name + "'", target, output.target);
-        reported[target] = true;
+        if (!resolveTarget(state, target))
+            reportNeverWritten(state, "output '" + output.name + "'", target, output.target);
     }
+}
+
+void reportTwoWriters(State& state, const Pass& pass, const std::string& does, const Reference& at,
+                      const Pass& writer)
+{
+    Diagnostic& error = report(
+        state, Code::two_writers,
+        quoted(pass) + " " + does + " '" + at.name + "', which " + quoted(writer) + " writes", at,
+        "write to a target of its own, or give the passes conditions that exclude each "
+        "other");
+    error.notes.push_back({referenceTo(writer, at.name).place, "the first writer"});
+    blame(error, ownPlace(error.place), "the second writer");
 }
 
 // A target that one pass writes and another one, which is off, passes on: two chains with one end.
@@ -152,15 +152,10 @@ void checkBypasses(State& state)
         if (pass.active) continue;
         for (const BypassDesc& bypass : pass.desc->bypass) {
             const int target = indexOf(state.description.targets, bypass.output.name);
-            if (target < 0 || state.targets[target].writer < 0) continue;
-            const Pass& writer = state.passes[state.targets[target].writer];
-            Diagnostic& error = report(
-                state, Code::two_writers,
-                quoted(pass) + " passes on '" + bypass.output.name + "' while it is off, which " +
-                    quoted(writer) + " writes",
-                bypass.output, "take one of the two out, or let one write a target of its own");
-            error.notes.push_back({referenceTo(writer, bypass.output.name).place, "the writer"});
-            blame(error, ownPlace(error.place), "it is passed on here");
+            const int writer = target < 0 ? -1 : state.targets[target].writer;
+            if (writer >= 0)
+                reportTwoWriters(state, pass, "passes on, while it is off,", bypass.output,
+                                 state.passes[writer]);
         }
     }
 }
@@ -174,21 +169,12 @@ void findWriters(State& state)
         if (!pass.active) continue;
         for (const int index : writtenBy(pass)) {
             Target& target = state.targets[index];
-            if (target.writer < 0) {
+            if (target.writer < 0)
                 target.writer = static_cast<int>(i);
-                continue;
-            }
-            const std::string& name = nameOf(state, index);
-            const Pass& first = state.passes[target.writer];
-            Diagnostic& error = report(
-                state, Code::two_writers,
-                quoted(pass) + " writes target '" + name + "', which " + quoted(first) +
-                    " writes too",
-                referenceTo(pass, name),
-                "write to a target of its own, or give the passes conditions that exclude each "
-                "other");
-            error.notes.push_back({referenceTo(first, name).place, "the first writer"});
-            blame(error, ownPlace(error.place), "the second writer");
+            else
+                reportTwoWriters(state, pass, "writes target",
+                                 referenceTo(pass, nameOf(state, index)),
+                                 state.passes[target.writer]);
         }
     }
     checkBypasses(state);
@@ -196,23 +182,19 @@ void findWriters(State& state)
 
 void orderPasses(State& state)
 {
-    Waiting waiting{Edges(state.passes.size()), std::vector<bool>(state.targets.size())};
-    const Edges& edges = waiting.edges;
+    Edges edges(state.passes.size());
     std::vector<bool> done(state.passes.size());
-    int left = 0;
     for (std::size_t i = 0; i < state.passes.size(); ++i) {
         done[i] = !state.passes[i].active;
-        if (done[i]) continue;
-        ++left;
-        addEdges(state, static_cast<int>(i), waiting);
+        if (!done[i]) addEdges(state, static_cast<int>(i), edges);
     }
-    checkOutputs(state, waiting.reported);
+    checkOutputs(state);
 
     const auto ready = [&](std::size_t i) {
         return !done[i] && std::all_of(edges[i].begin(), edges[i].end(),
                                        [&](const Edge& edge) { return done[edge.from]; });
     };
-    while (left > 0) {
+    while (std::count(done.begin(), done.end(), false) > 0) {
         std::size_t next = 0;
         while (next < done.size() && !ready(next)) ++next;
         std::vector<int> taken = {static_cast<int>(next)};
@@ -220,7 +202,6 @@ void orderPasses(State& state)
         for (const int index : taken) {
             done[index] = true;
             state.order.push_back(index);
-            --left;
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/text.h"
+#include "core/frame/frame_values.h"
 
 #include <algorithm>
 
@@ -54,19 +55,35 @@ int addParam(const ParamDesc& desc, Plan& plan)
     return static_cast<int>(plan.params.size()) - 1;
 }
 
+// Those that some pass uses.
 void addGeneratedAndImports(const State& state, Plan& plan)
 {
-    const auto is_used = [&state](const auto& desc) {
-        return std::any_of(state.passes.begin(), state.passes.end(),
-                           [&](const Pass& pass) { return pass.live && uses(state, pass, desc); });
-    };
+    std::set<std::string> used;                    // generated, textures
+    std::set<std::optional<ImportType>> supplied;  // imports that give values
+    for (const Pass& pass : state.passes) {
+        if (!pass.live) continue;
+        for (const Read& read : pass.reads) {
+            const std::optional<Source> source = resolve(state, read.named);
+            if (source->kind == InputKind::generated)
+                used.insert(state.description.generated[source->index].name);
+            if (source->kind == InputKind::imported)
+                used.insert(state.description.imports[source->index].name);
+        }
+        for (const PlanUniform& each : pass.uniforms) {
+            if (each.source == UniformSource::kernel) used.insert(each.name);
+            if (each.source == UniformSource::frame || each.source == UniformSource::draw)
+                supplied.insert(kFrameValues[each.index].import);
+        }
+        if (pass.desc->type == PassType::draw) supplied.insert(ImportType::draw_list);
+    }
     for (const GeneratedDesc& desc : state.description.generated) {
-        if (!is_used(desc)) continue;
+        if (used.count(desc.name) == 0) continue;
         plan.generated.push_back(desc);
         plan.generated.back().count = generatedCount(state.description, desc);
     }
     for (const ImportDesc& desc : state.description.imports)
-        if (is_used(desc)) plan.imports.push_back(desc);
+        if (used.count(desc.name) > 0 || supplied.count(desc.type) > 0)
+            plan.imports.push_back(desc);
 }
 
 // The same depth test for reversed depth, where nearer surfaces have the larger depth.
@@ -131,7 +148,7 @@ void addInputs(const State& state, const Pass& pass, PlanPass& into, Plan& plan)
     const Description& description = state.description;
     for (const Read& read : pass.reads) {
         const Source source = *resolve(state, read.named);
-        PlanInput input{read.sampler, source.kind, source.index, samplingOf(read)};
+        PlanInput input{read.name, source.kind, source.index, samplingOf(read)};
         if (source.isTarget())
             input.index = indexOf(plan.targets, nameOf(state, source.index));
         else if (source.kind == InputKind::generated)

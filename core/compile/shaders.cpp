@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shaders: their defines, their stages and their outputs.
+// Shaders: their defines, their stages and their outputs, and renames of what none of them has.
 #include "core/compile/steps.h"
 
 #include "core/base/numbers.h"
@@ -66,13 +66,6 @@ GlslDefines definesFor(const State& state, const ShaderDesc& shader)
     return defines;
 }
 
-std::map<std::string, std::string> interfaceFiles(const Description& description)
-{
-    std::map<std::string, std::string> files;
-    for (const InterfaceDesc& each : description.interfaces) files[each.name] = each.file.name;
-    return files;
-}
-
 // Assembles a shader once, however many passes use it, so that its errors come once.
 const Shader& assembled(State& state, int index)
 {
@@ -81,7 +74,9 @@ const Shader& assembled(State& state, int index)
     shader.assembled = true;
     const ShaderDesc& desc = state.description.shaders[index];
     const GlslDefines defines = definesFor(state, desc);
-    const auto interfaces = interfaceFiles(state.description);
+    std::map<std::string, std::string> interfaces;
+    for (const InterfaceDesc& each : state.description.interfaces)
+        interfaces[each.name] = each.file.name;
     auto stage = [&](const Reference& path, GlslStage& into) {
         Result<GlslStage> result =
             assembleStage(state.description.files, interfaces, path.name, defines);
@@ -122,7 +117,7 @@ void checkOutputs(State& state, const Pass& reader, const GlslStage& fragment)
     const std::string who = quoted(reader) + ": ";
     for (const GlslOutput& output : fragment.outputs) {
         if (output.location >= 0 && output.location < count) continue;
-        state.unplaced.insert(output.name);
+        state.unwritten.insert(output.name);
         Diagnostic& error = reportGlsl(
             state, Code::output_mismatch,
             who + "the shader writes '" + output.name + "' at location " +
@@ -156,6 +151,44 @@ void refuseBlocks(State& state, const ShaderDesc& shader, const Reference& path,
              {{path.place, "shader '" + shader.name + "' names the file here"}}});
 }
 
+// Whether any GLSL has the word, also where an #if hides it.
+bool isMentioned(const State& state, std::string_view word)
+{
+    const auto& files = state.description.files;
+    return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+        return findWord(file.second->text, word) != std::string::npos;
+    });
+}
+
+// Checks a name of the shader's by which the pass says `what`, and that `from` is not meant.
+void checkMentioned(State& state, const Pass& pass, const Reference& name, const Reference& from,
+                    const char* what)
+{
+    const ShaderDesc& shader = state.description.shaders[pass.shader];
+    if (isMentioned(state, name.name)) return;
+    std::vector<std::string> names;
+    for (const GlslStage* stage :
+         {&state.shaders[pass.shader].vertex, &state.shaders[pass.shader].fragment})
+        for (const GlslUniform& uniform : stage->uniforms) names.push_back(uniform.name);
+    std::string help = suggestName(name.name, names, "the shader declares");
+    const bool same = std::count(names.begin(), names.end(), from.name) > 0;
+    if (same && help.find("did you mean") == std::string::npos)
+        help = "did you mean '" + from.name + "'? " + help;
+    report(state, Code::input_unused,
+           quoted(pass) + " " + what + " '" + name.name + "', which shader '" + shader.name +
+               "' does not have",
+           name, help);
+}
+
+void checkInputs(State& state, const Pass& pass)
+{
+    for (const InputDesc& input : pass.desc->inputs)
+        checkMentioned(state, pass, input.sampler, input.from, "renames input");
+    for (const PreservesConstantDesc& each : pass.desc->preserves_constant)
+        checkMentioned(state, pass, each.sampler, each.sampler,
+                       "preserves the constant of sampler");
+}
+
 void readPass(State& state, Pass& pass)
 {
     const Shader& shader = assembled(state, pass.shader);
@@ -165,14 +198,8 @@ void readPass(State& state, Pass& pass)
         refuseBlocks(state, desc, desc.vertex, shader.vertex);
         refuseBlocks(state, desc, desc.fragment, shader.fragment);
     }
-    for (const GlslStage* stage : {&shader.vertex, &shader.fragment}) {
-        for (const GlslUniform& uniform : stage->uniforms) {
-            if (isSampler(uniform.type))
-                readSampler(state, pass, uniform);
-            else
-                bindUniform(state, pass, uniform);
-        }
-    }
+    for (const GlslStage* stage : {&shader.vertex, &shader.fragment})
+        for (const GlslUniform& uniform : stage->uniforms) bindUniform(state, pass, uniform);
     checkInputs(state, pass);
     dropUnwritten(pass, shader.fragment);
     checkOutputs(state, pass, shader.fragment);

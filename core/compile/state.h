@@ -27,7 +27,7 @@ struct Source {
 
 /// A sampler of a pass.
 struct Read {
-    std::string sampler;               ///< Empty for what `mask` names.
+    std::string name;                  ///< Of the sampler; empty for what `mask` names.
     const InputDesc* input = nullptr;  ///< What the config says of it, if it does.
     Source named = {};                 ///< What the name stands for before passes are left out.
 };
@@ -77,10 +77,10 @@ struct State {
     std::vector<Shader> shaders = {};  ///< The description's.
     std::vector<Pass> passes = {};
     std::vector<Target> targets = {};
-    std::vector<int> order = {};          ///< Active passes by data flow.
-    std::vector<int> outputs = {};        ///< Those asked for.
-    std::set<std::string> unplaced = {};  ///< Shader outputs that no target of their pass takes.
-    std::vector<Elided> elided = {};      ///< Before there were passes.
+    std::vector<int> order = {};           ///< Active passes by data flow.
+    std::vector<int> outputs = {};         ///< Those asked for.
+    std::set<std::string> unwritten = {};  ///< Targets that an error is about which no pass writes.
+    std::vector<Elided> elided = {};       ///< Before there were passes.
     Diagnostics diagnostics = {};
 
     /// False when the options switch the optimization off.
@@ -101,6 +101,12 @@ Diagnostic& reportGlsl(State& state, Code code, std::string message, const Pass&
 /// "pass 'ssao'", as messages name it.
 std::string quoted(const Pass& pass);
 const std::string& nameOf(const State& state, int target);
+
+/// As the config says, or as is usual for what the name stands for.
+SamplerDesc samplingOf(const Read& read);
+
+/// Whether a mask of its own says where the pass is drawn.
+inline bool readsMask(const Pass& pass) { return findNamed(pass.reads, "") != nullptr; }
 
 /// Targets that a pass writes: colour, then depth.
 std::vector<int> writtenBy(const Pass& pass);

@@ -2,18 +2,15 @@
 // The steps of the compiler, private to core/compile. They fill its state in this order:
 //
 //   conditions    which passes run, once borders fit (target_sizes)
-//   formats       formats, which shaders allow for; at the end a warning of those too coarse
-//   shaders       defines, stages, outputs; with inputs for samplers, uniforms for all others
+//   formats       formats, which shaders allow for; at the end whether they fit and are fine enough
+//   shaders       defines, stages, outputs; with uniforms for what they declare
 //   graph         writers and order
 //   dead_passes   what is needed, and what stands in for what is not
-//   target_sizes  sizes, and whether formats fit; with samples for multisampling
-//   lint          what would draw nothing good
+//   target_sizes  sizes and samples
 //   passes        the plan itself; with texture_aliasing, and elided for what is left out
 #pragma once
 
 #include "core/compile/state.h"
-
-#include <functional>
 
 namespace crevice::compiler {
 
@@ -22,6 +19,7 @@ void decideConditions(State& state);
 
 // formats.cpp
 void chooseFormats(State& state);
+void checkFormats(State& state);
 /// The warning CV6015.
 void lintPrecision(State& state);
 
@@ -30,26 +28,12 @@ void lintPrecision(State& state);
 std::string stepDefine(const std::string& texture);
 void readShaders(State& state);
 
-// inputs.cpp
-void readSampler(State& state, Pass& pass, const GlslUniform& uniform);
-void checkInputs(State& state, const Pass& pass);
-/// CV5003: nothing is called `name`, which the uniform wants.
-void reportUnbound(State& state, std::string message, const Pass& pass, const GlslUniform& uniform,
-                   const std::string& name, std::string help);
-/// As the config says, or as is usual for what the name stands for.
-SamplerDesc samplingOf(const Read& read);
-/// Whether a mask of its own says where the pass is drawn.
-bool readsMask(const Pass& pass);
-
 // uniforms.cpp
 /// Finds what feeds the uniform, and adds that to the pass.
 void bindUniform(State& state, Pass& pass, const GlslUniform& uniform);
 void checkLimits(State& state, const Pass& pass, const Shader& shader);
 /// Offsets or pixels, from the param where one is named.
 int generatedCount(const Description& description, const GeneratedDesc& generated);
-/// Whether the pass, as it will run, uses this.
-bool uses(const State& state, const Pass& pass, const GeneratedDesc& generated);
-bool uses(const State& state, const Pass& pass, const ImportDesc& import);
 
 // graph.cpp
 void findWriters(State& state);
@@ -57,6 +41,8 @@ void orderPasses(State& state);
 
 // dead_passes.cpp
 void chooseLive(State& state);
+/// The warning CV2212.
+void lintDeadPasses(State& state);
 
 /// What a reader gets, with inactive passes and those that a no-op replaces looked through;
 /// nothing when no active pass is behind it.
@@ -74,20 +60,9 @@ Extent sizeOf(const State& state, int target);
 /// is more; 0 without a border.
 float viewsOf(const State& state, int target);
 void chooseExtents(State& state);
-void checkFormats(State& state);
-/// Whether `fact` is the same of all that the pass writes. Otherwise it reports the first that
-/// differs, with the target's key that makes it do so.
-bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
-                      const std::function<std::string(int)>& fact);
-
-// samples.cpp
 /// Samples of a pixel that the config asks for.
 int askedSamples(const State& state, int target);
 void chooseSamples(State& state);
-
-// lint.cpp
-/// CV2211 and the warning CV2212.
-void lint(State& state);
 
 // texture_aliasing.cpp
 /// Fills the plan's texture list and each plan target's slot. Requires views, passes and lifetimes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sizes of targets, and whether the device and the passes can do with their formats.
+// Sizes and samples of targets. All that a pass writes has the same.
 #include "core/compile/steps.h"
 
 #include "core/base/numbers.h"
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace crevice::compiler {
 
@@ -75,66 +76,66 @@ float fittingScale(const State& state, const ParamDesc& param)
     return scale;
 }
 
-void checkKind(State& state, const Reference& at, bool depth)
+// Whether `fact` is the same of all that the pass writes. Otherwise it reports the first that
+// differs, with the target's key that makes it do so.
+bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
+                      const std::function<std::string(int)>& fact)
 {
-    const TargetDesc* target = findNamed(state.description.targets, at.name);
-    if (!target) return;
-    for (const Format format : target->formats) {
-        const FormatInfo& info = formatInfo(format);
-        if ((info.format_class == FormatClass::depth) == depth) continue;
-        report(state, Code::attachment_kind,
-               "target '" + at.name + "' has format " + info.name + ", which cannot be a " +
-                   (depth ? "depth" : "colour") + " attachment",
-               at, depth ? "use depth16, depth24 or depth32f" : "use a colour format");
-        return;
+    const std::vector<int> written = writtenBy(pass);
+    for (const int index : written) {
+        const int first = written.front();
+        if (fact(index) == fact(first)) continue;
+        Diagnostic& error = report(
+            state, code,
+            quoted(pass) + " writes targets that differ in " + key + ": '" + nameOf(state, first) +
+                "' " + fact(first) + ", '" + nameOf(state, index) + "' " + fact(index),
+            referenceTo(pass, nameOf(state, index)), "give them the same `" + key + "`");
+        for (const int each : {first, index}) {
+            const TargetDesc& desc = state.description.targets[each];
+            const bool sized = key == "size" && desc.size.place.source;
+            error.notes.push_back(
+                {sized ? desc.size.place : desc.place, "'" + desc.name + "' is here"});
+        }
+        return false;
     }
+    return true;
 }
 
-void checkAttachments(State& state, const Pass& pass)
+std::string text(int samples)
 {
-    for (const Reference& color : pass.desc->color) checkKind(state, color, false);
-    if (!pass.desc->depth.empty()) checkKind(state, pass.desc->depth, true);
-    if (!pass.desc->mask.empty()) checkKind(state, pass.desc->mask, true);
-    const int limit = std::min(state.caps.max_color_attachments, kMaxColorAttachments);
-    const int count = static_cast<int>(pass.color.size());
-    if (count <= limit) return;
-    report(state, Code::too_many,
-           quoted(pass) + " writes " + std::to_string(count) +
-               " colour targets, and the device takes " + std::to_string(limit),
-           *pass.desc, "pack them into fewer targets, or split the pass");
+    return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
 }
 
-void checkSubstitute(State& state, const Reference& output, const Reference& input)
+// The least count that is no less than was asked for, or else the most.
+int nearestCount(std::uint32_t counts, int asked)
 {
-    const TargetDesc* replaced = findNamed(state.description.targets, output.name);
-    const TargetDesc* by = findNamed(state.description.targets, input.name);
-    if (!replaced || !by) return;
-    const FormatInfo& wanted = formatInfo(replaced->formats.front());
-    const FormatInfo& given = formatInfo(by->formats.front());
-    if ((wanted.format_class == FormatClass::depth) == (given.format_class == FormatClass::depth))
-        return;
-    report(state, Code::bypass_class,
-           "'" + input.name + "' (" + given.name + ") cannot stand in for '" + output.name + "' (" +
-               wanted.name + "): one holds depth and the other colour",
-           input, "give both targets formats of one kind");
+    const auto has = [counts](int samples) { return (counts >> (samples - 1) & 1u) != 0; };
+    for (int samples = asked; samples <= kMaxSamples; ++samples)
+        if (has(samples)) return samples;
+    for (int samples = asked - 1; samples > 1; --samples)
+        if (has(samples)) return samples;
+    return 1;
 }
 
-void checkFormat(State& state, const TargetDesc& desc, Format chosen)
+void choose(State& state, const Pass& pass, const std::vector<int>& written)
 {
-    if (state.caps.canRender(desc.formats.front())) return;
-    if (!state.caps.canRender(chosen)) {
-        std::vector<std::string> names;
-        for (const Format format : desc.formats) names.push_back(formatInfo(format).name);
-        report(state, Code::no_format,
-               "the device can render to no format of target '" + desc.name + "': " + joined(names),
-               desc, "add a format that every device has, such as rgba8 or depth16");
-        return;
+    const int asked = askedSamples(state, written.front());
+    if (asked == 1) return;
+    std::uint32_t counts = ~0u;
+    std::vector<std::string> formats;
+    for (const int index : written) {
+        const Target& target = state.targets[index];
+        if (!target.textured) continue;
+        counts &= state.caps.sample_counts[static_cast<int>(target.format)];
+        formats.push_back(formatInfo(target.format).name);
     }
-    report(state, Code::no_format,
-           "target '" + desc.name + "' falls back from " + formatInfo(desc.formats.front()).name +
-               " to " + formatInfo(chosen).name +
-               ": the device does not render to the first choice",
-           desc)
+    const int count = nearestCount(counts, asked);
+    for (const int index : written) state.targets[index].samples = count;
+    if (count >= asked || !pass.live) return;
+    report(state, Code::no_samples,
+           quoted(pass) + " falls back from " + text(asked) + " a pixel to " +
+               std::to_string(count) + ": the device draws no more into " + joined(formats),
+           *pass.desc)
         .severity = Severity::warning;
 }
 
@@ -205,39 +206,23 @@ void chooseExtents(State& state)
         if (pass.active) attachmentsAgree(state, pass, Code::attachment_size, "size", size);
 }
 
-bool attachmentsAgree(State& state, const Pass& pass, Code code, const std::string& key,
-                      const std::function<std::string(int)>& fact)
+int askedSamples(const State& state, int target)
 {
-    const std::vector<int> written = writtenBy(pass);
-    for (const int index : written) {
-        const int first = written.front();
-        if (fact(index) == fact(first)) continue;
-        Diagnostic& error = report(
-            state, code,
-            quoted(pass) + " writes targets that differ in " + key + ": '" + nameOf(state, first) +
-                "' " + fact(first) + ", '" + nameOf(state, index) + "' " + fact(index),
-            referenceTo(pass, nameOf(state, index)), "give them the same `" + key + "`");
-        for (const int each : {first, index}) {
-            const TargetDesc& desc = state.description.targets[each];
-            const bool sized = key == "size" && desc.size.place.source;
-            error.notes.push_back(
-                {sized ? desc.size.place : desc.place, "'" + desc.name + "' is here"});
-        }
-        return false;
-    }
-    return true;
+    const TargetDesc& desc = state.description.targets[target];
+    const ParamDesc* param = findNamed(state.description.params, desc.samples_param.name);
+    return param ? static_cast<int>(param->value[0]) : desc.samples;
 }
 
-void checkFormats(State& state)
+void chooseSamples(State& state)
 {
     for (const Pass& pass : state.passes) {
-        if (pass.active) checkAttachments(state, pass);
-        for (const BypassDesc& bypass : pass.desc->bypass)
-            checkSubstitute(state, bypass.output, bypass.input);
-    }
-    for (std::size_t i = 0; i < state.targets.size(); ++i) {
-        const Target& target = state.targets[i];
-        if (target.textured) checkFormat(state, state.description.targets[i], target.format);
+        const std::vector<int> written = writtenBy(pass);
+        if (!pass.active || written.empty()) continue;
+        const auto asked = [&](int target) {
+            return "has " + text(askedSamples(state, target)) + " a pixel";
+        };
+        if (attachmentsAgree(state, pass, Code::attachment_samples, "samples", asked))
+            choose(state, pass, written);
     }
 }
 

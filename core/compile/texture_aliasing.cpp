@@ -15,16 +15,8 @@ class Slots {
 public:
     Slots(std::vector<PlanTexture>& textures, bool share) : textures_(textures), share_(share) {}
 
-    // A texture for no one else.
-    int add(const PlanTexture& wanted, int last_pass)
-    {
-        textures_.push_back(wanted);
-        busy_until_.push_back(last_pass);
-        return static_cast<int>(textures_.size()) - 1;
-    }
-
-    // One that is free by `first_pass`, or a new one. For what no pass reads, a part of a larger
-    // one will do as well, on devices that take it.
+    // One that is free by `first_pass`, or a new one: before pass 0 none is free. For what no pass
+    // reads, a part of a larger one will do as well, on devices that take it.
     int take(const PlanTexture& wanted, int first_pass, int last_pass, bool part)
     {
         for (std::size_t i = 0; share_ && i < textures_.size(); ++i) {
@@ -39,7 +31,9 @@ public:
             busy_until_[i] = last_pass;
             return static_cast<int>(i);
         }
-        return add(wanted, last_pass);
+        textures_.push_back(wanted);
+        busy_until_.push_back(last_pass);
+        return static_cast<int>(textures_.size()) - 1;
     }
 
 private:
@@ -59,9 +53,9 @@ void shareTextures(const State& state, Plan& plan)
         const Target& found = state.targets[index];
         PlanTexture texture{found.format, found.extent, found.samples, {target.name}};
         if (found.remembered) {
-            target.texture = target.drawn_texture = slots.add(texture, kForever);
+            target.texture = target.drawn_texture = slots.take(texture, -1, kForever, false);
             texture.targets = {historyName(desc)};
-            target.history_texture = slots.add(texture, kForever);
+            target.history_texture = slots.take(texture, -1, kForever, false);
             continue;
         }
         const bool depth = formatInfo(found.format).format_class == FormatClass::depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uniforms: the param, kernel or frame value behind each, and how many the device holds.
+// Uniforms: the texture, param, kernel or frame value behind each, and how many the device holds.
 #include "core/compile/steps.h"
 
 #include "core/frame/frame_values.h"
@@ -11,45 +11,56 @@ namespace crevice::compiler {
 
 namespace {
 
-// What may feed a uniform, and what that has to look like.
+// What a name in GLSL stands for, and what a uniform of that name has to look like.
 struct Supply {
     const char* what;
     GlslType type;
-    int count;  // 0: no array
-    UniformSource source;
-    int index;
+    int count;         // 0: no array
+    int index;         // into its list in the description, or kFrameValues
     Place place = {};  // in the config
+    UniformSource source = UniformSource::param;
+    InputKind kind = InputKind::target;  // of a texture
 };
-
-// It feeds a sampler alone.
-Supply texture(const char* what, const Named& named)
-{
-    return {what, GlslType::sampler2d, 0, UniformSource::param, -1, named.place};
-}
 
 std::optional<Supply> supplyOf(const Description& description, const PassDesc& pass,
                                std::string_view name)
 {
+    const auto texture = [](const char* what, InputKind kind, int index, const Place& place = {}) {
+        return Supply{what, GlslType::sampler2d, 0, index, place, UniformSource::param, kind};
+    };
     if (const int i = indexOf(description.params, name); i >= 0) {
         const ParamDesc& param = description.params[i];
-        return Supply{"param", glslTypeOf(param.type), 0, UniformSource::param, i, param.place};
+        return Supply{"param", glslTypeOf(param.type), 0, i, param.place};
     }
     if (const int i = indexOf(description.generated, name); i >= 0) {
-        const GeneratedDesc& kernel = description.generated[i];
-        if (generatesTexture(kernel.generator)) return texture("generated texture", kernel);
-        const int count = generatedCount(description, kernel);
-        return Supply{"kernel", GlslType::vec3, count, UniformSource::kernel, i, kernel.place};
+        const GeneratedDesc& each = description.generated[i];
+        if (generatesTexture(each.generator))
+            return texture("generated texture", InputKind::generated, i, each.place);
+        const int count = generatedCount(description, each);
+        return Supply{"kernel", GlslType::vec3, count, i, each.place, UniformSource::kernel};
     }
-    if (const TargetDesc* target = findNamed(description.targets, name))
-        return texture("target", *target);
-    const ImportDesc* import = findNamed(description.imports, name);
-    if (import && import->type == ImportType::texture) return texture("texture import", *import);
+    for (std::size_t i = 0; i < description.targets.size(); ++i) {
+        const TargetDesc& each = description.targets[i];
+        const int index = static_cast<int>(i);
+        if (each.name == name) return texture("target", InputKind::target, index, each.place);
+        if (each.history && historyName(each) == name)
+            return texture("history", InputKind::history, index, each.place);
+    }
+    if (const int i = indexOf(description.imports, name); i >= 0)
+        if (const ImportDesc& each = description.imports[i]; each.type == ImportType::texture)
+            return texture("texture import", InputKind::imported, i, each.place);
+    const bool draws = pass.type == PassType::draw;
+    if (const int i = indexOf(kMaterialMaps, name); i >= 0 && draws)
+        return texture("material's map", InputKind::material, i);
     const FrameValueInfo* value = findNamed(kFrameValues, name);
     const bool of_draw = value && value->import == ImportType::draw_list;
-    if (!value || (of_draw && pass.type != PassType::draw)) return std::nullopt;
-    return Supply{"value of the frame", value->type, value->count > 1 ? value->count : 0,
-                  of_draw ? UniformSource::draw : UniformSource::frame,
-                  static_cast<int>(value - kFrameValues)};
+    if (!value || (of_draw && !draws)) return std::nullopt;
+    return Supply{"value of the frame",
+                  value->type,
+                  value->count > 1 ? value->count : 0,
+                  static_cast<int>(value - kFrameValues),
+                  {},
+                  of_draw ? UniformSource::draw : UniformSource::frame};
 }
 
 std::string spell(GlslType type, std::string_view name, int count)
@@ -58,14 +69,21 @@ std::string spell(GlslType type, std::string_view name, int count)
     return count > 0 ? text + "[" + std::to_string(count) + "]" : text;
 }
 
-std::vector<std::string> valueNames(const Description& description, const PassDesc& pass)
+// What a sampler may be called, or another uniform.
+std::vector<std::string> namesFor(const Description& description, const PassDesc& pass,
+                                  bool textures)
 {
-    std::vector<std::string> names = namesOf(description.params);
-    for (const GeneratedDesc& each : description.generated)
-        if (!generatesTexture(each.generator)) names.push_back(each.name);
-    for (const FrameValueInfo& value : kFrameValues)
-        if (value.import != ImportType::draw_list || pass.type == PassType::draw)
-            names.push_back(value.name);
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        const std::optional<Supply> supply = supplyOf(description, pass, name);
+        if (supply && isSampler(supply->type) == textures) names.push_back(name);
+    };
+    for (const ParamDesc& each : description.params) add(each.name);
+    for (const GeneratedDesc& each : description.generated) add(each.name);
+    for (const TargetDesc& each : description.targets) add(each.name);
+    for (const TargetDesc& each : description.targets) add(historyName(each));
+    for (const ImportDesc& each : description.imports) add(each.name);
+    for (const FrameValueInfo& each : kFrameValues) add(each.name);
     return names;
 }
 
@@ -106,22 +124,33 @@ void checkVectors(State& state, const Pass& pass, const GlslStage& stage, const 
     }
 }
 
-template <class Test>
-bool anyUniform(const Pass& pass, Test&& test)
+// Nothing is called `name`, which the uniform wants.
+void reportUnbound(State& state, const Pass& pass, const GlslUniform& uniform,
+                   const std::string& name)
 {
-    return std::any_of(pass.uniforms.begin(), pass.uniforms.end(), test);
+    const bool texture = isSampler(uniform.type);
+    const bool draws_only = !texture && findNamed(kFrameValues, name) != nullptr;
+    const std::string what = texture ? "sampler '" + uniform.name + "' reads '" + name +
+                                           "', which is no target, generated texture or import"
+                                     : "uniform '" + name +
+                                           (draws_only ? "' has a value in draw passes only"
+                                                       : "' is supplied by nothing");
+    const std::string help =
+        draws_only ? "make the pass a draw, or drop the uniform"
+                   : suggestName(name, namesFor(state.description, *pass.desc, texture),
+                                 texture ? "textures" : "values");
+    Diagnostic& error = reportGlsl(state, Code::uniform_unbound, quoted(pass) + ": " + what, pass,
+                                   uniform.place, help);
+    for (const Named& each : state.description.deleted)
+        if (each.name == name) error.notes.push_back({each.place, "it was deleted here"});
 }
 
-void reportUnsupplied(State& state, const Pass& pass, const GlslUniform& uniform)
+// What the pass says of a sampler, if it does.
+const InputDesc* inputFor(const PassDesc& pass, std::string_view sampler)
 {
-    const bool draws_only = findNamed(kFrameValues, uniform.name) != nullptr;
-    reportUnbound(state,
-                  quoted(pass) + ": uniform '" + uniform.name + "' " +
-                      (draws_only ? "has a value in draw passes only" : "is supplied by nothing"),
-                  pass, uniform, uniform.name,
-                  draws_only ? "make the pass a draw, or drop the uniform"
-                             : suggestName(uniform.name, valueNames(state.description, *pass.desc),
-                                           "values"));
+    for (const InputDesc& input : pass.inputs)
+        if (input.sampler.name == sampler) return &input;
+    return nullptr;
 }
 
 void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, const Supply& supply)
@@ -136,12 +165,34 @@ void reportShape(State& state, const Pass& pass, const GlslUniform& uniform, con
     if (supply.place.source) error.notes.push_back({supply.place, "the config declares it here"});
 }
 
-bool reads(const State& state, const Pass& pass, InputKind kind, int index)
+// Samples come from the host alone: targets are resolved before anyone reads them.
+void checkMultisampled(State& state, const Pass& pass, const GlslUniform& uniform,
+                       const Source& source)
 {
-    return std::any_of(pass.reads.begin(), pass.reads.end(), [&](const Read& read) {
-        const std::optional<Source> source = resolve(state, read.named);
-        return source && source->kind == kind && source->index == index;
-    });
+    if (uniform.type != GlslType::sampler2d_ms) return;
+    const std::string who = quoted(pass) + ": sampler '" + uniform.name + "' ";
+    const bool imported = source.kind == InputKind::imported;
+    if (state.caps.version < 310) {
+        reportGlsl(
+            state, Code::sampler_version,
+            who +
+                "reads samples one by one, which needs OpenGL ES 3.1, and the device has "
+                "3.0",
+            pass, uniform.place,
+            "let the host resolve its texture (glBlitFramebuffer takes one sample of depth) and "
+            "take a module for one sample a pixel: geometry/host_depth");
+    } else if (!imported) {
+        reportGlsl(state, Code::uniform_type,
+                   who + "is a sampler2DMS, and what it reads has one sample a pixel", pass,
+                   uniform.place,
+                   "declare it as sampler2D: what has several is resolved before it is read");
+    } else if (const ImportDesc& import = state.description.imports[source.index];
+               import.optional) {
+        report(state, Code::uniform_type,
+               who + "is a sampler2DMS, and nothing can stand in for import '" + import.name +
+                   "' when it is absent",
+               import, "leave out its 'optional'");
+    }
 }
 
 }  // namespace
@@ -152,37 +203,24 @@ int generatedCount(const Description& description, const GeneratedDesc& generate
     return param ? static_cast<int>(param->value[0]) : generated.count;
 }
 
-bool uses(const State& state, const Pass& pass, const GeneratedDesc& generated)
-{
-    const int index = indexOf(state.description.generated, generated.name);
-    return reads(state, pass, InputKind::generated, index) ||
-           anyUniform(pass, [index](const PlanUniform& uniform) {
-               return uniform.source == UniformSource::kernel && uniform.index == index;
-           });
-}
-
-bool uses(const State& state, const Pass& pass, const ImportDesc& import)
-{
-    const int index = indexOf(state.description.imports, import.name);
-    if (import.type == ImportType::texture) return reads(state, pass, InputKind::imported, index);
-    if (import.type == ImportType::draw_list && pass.desc->type == PassType::draw) return true;
-    return anyUniform(pass, [&import](const PlanUniform& uniform) {
-        const bool of_frame =
-            uniform.source == UniformSource::frame || uniform.source == UniformSource::draw;
-        return of_frame && kFrameValues[uniform.index].import == import.type;
-    });
-}
-
 void bindUniform(State& state, Pass& pass, const GlslUniform& uniform)
 {
-    const std::optional<Supply> supply = supplyOf(state.description, *pass.desc, uniform.name);
-    if (!supply) return reportUnsupplied(state, pass, uniform);
-    const int count = uniform.array ? uniform.count : 0;
-    if (supply->type != uniform.type || supply->count != count)
+    const bool texture = isSampler(uniform.type);
+    const InputDesc* input = texture ? inputFor(*pass.desc, uniform.name) : nullptr;
+    const std::string& name = input && !input->from.empty() ? input->from.name : uniform.name;
+    const std::optional<Supply> supply = supplyOf(state.description, *pass.desc, name);
+    if (!supply) return reportUnbound(state, pass, uniform, name);
+    const bool fits = texture ? isSampler(supply->type) : supply->type == uniform.type;
+    if (!fits || supply->count != (uniform.array ? uniform.count : 0))
         return reportShape(state, pass, uniform, *supply);
-    if (!findNamed(pass.uniforms, uniform.name))  // else declared in both stages
-        pass.uniforms.push_back(
+    if (findNamed(pass.reads, uniform.name) || findNamed(pass.uniforms, uniform.name))
+        return;  // declared in both stages
+    if (!texture)
+        return pass.uniforms.push_back(
             {uniform.name, uniform.type, uniform.count, supply->source, supply->index});
+    const Source source{supply->kind, supply->index};
+    checkMultisampled(state, pass, uniform, source);
+    pass.reads.push_back({uniform.name, input, source});
 }
 
 void checkLimits(State& state, const Pass& pass, const Shader& shader)

@@ -131,11 +131,10 @@ Diagnostics Renderer::State::prepareLevels()
 
 bool Renderer::State::formatsHold(const SceneTraits& scene) const
 {
-    const PrecisionNeed need = precisionNeed(description, scene, options.extent.height);
     const Plan& plan = execution->plan();
     return std::all_of(plan.targets.begin(), plan.targets.end(), [&](const PlanTarget& target) {
         const TargetDesc& desc = *findNamed(description.targets, target.name);
-        return chooseFormat(description, desc, scene, device.caps(), need) ==
+        return chooseFormat(description, desc, scene, device.caps(), options.extent.height) ==
                plan.textures[target.texture].format;
     });
 }
