@@ -60,17 +60,17 @@ Status withCompiled(const Status& status, const Execution& execution, const std:
 }  // namespace
 
 struct Renderer::State {
-    Device& device;
-    Description description;
-    CompileOptions options;
-    SceneTraits traits;
+    Device* device;
+    Values loaded = {};  ///< Those that the config gave.
+    Description description = {};
+    CompileOptions options = {};
+    SceneTraits traits = {};
     std::unique_ptr<Execution> execution = nullptr;
     bool timing = false;
 
-    /// Plans and makes the objects. `previous` may be null; it is left as it is.
-    static Result<std::unique_ptr<State>> make(Device& device, Description description,
-                                               const CompileOptions& options,
-                                               const SceneTraits& traits, const State* previous);
+    /// The state of another plan and its objects, made beside those of this one.
+    Result<State> with(Description other, const CompileOptions& options,
+                       const SceneTraits& scene) const;
 
     /// Compiles the programs that the words of features which set values would need, so that
     /// setting them compiles none. Warns of what fails there.
@@ -80,31 +80,24 @@ struct Renderer::State {
     /// nothing.
     bool formatsHold(const SceneTraits& scene) const;
 
-    /// Makes `state` fit the frame's traits and textures, or leaves it where that fails. The
-    /// warnings of a new plan come back.
-    static Status prepare(std::unique_ptr<State>& state, const Frame& frame);
+    /// Makes this fit the frame's traits and textures, or leaves it where that fails. The warnings
+    /// of a new plan come back.
+    Status prepare(const Frame& frame);
 
-    /// Puts a new state in the place of `state`, or leaves it where that fails.
-    static Status replan(std::unique_ptr<State>& state, Description description,
-                         const CompileOptions& options);
+    /// Becomes `with` its arguments, or stays where that fails.
+    Status replan(Description other, const CompileOptions& options);
 };
 
-auto Renderer::State::make(Device& device, Description description, const CompileOptions& options,
-                           const SceneTraits& traits, const State* previous)
-    -> Result<std::unique_ptr<State>>
+auto Renderer::State::with(Description other, const CompileOptions& with_options,
+                           const SceneTraits& scene) const -> Result<State>
 {
-    Result<Plan> plan = compile(description, traits, device.caps(), options);
+    Result<Plan> plan = compile(other, scene, device->caps(), with_options);
     if (!plan) return plan.diagnostics();
-    auto execution =
-        Execution::create(device, std::move(*plan), previous ? previous->execution.get() : nullptr);
-    if (!execution) return execution.diagnostics();
-    std::unique_ptr<State> state(
-        new State{device, std::move(description), options, traits, std::move(*execution)});
-    if (previous && previous->timing) {
-        state->timing = true;
-        (void)state->execution->setTiming(true);
-    }
-    return {std::move(state), plan.diagnostics()};
+    auto made = Execution::create(*device, std::move(*plan), execution.get());
+    if (!made) return made.diagnostics();
+    if (timing) (void)(*made)->setTiming(true);
+    return {State{device, loaded, std::move(other), with_options, scene, std::move(*made), timing},
+            plan.diagnostics()};
 }
 
 Diagnostics Renderer::State::prepareLevels()
@@ -117,7 +110,7 @@ Diagnostics Renderer::State::prepareLevels()
             Description level = description;
             level.features[i].value = static_cast<int>(word);
             applyLevel(level, feature.name);
-            const Result<Plan> plan = compile(level, traits, device.caps(), options);
+            const Result<Plan> plan = compile(level, traits, device->caps(), options);
             const Status ready = plan ? execution->prepare(*plan) : plan.diagnostics();
             for (Diagnostic each : ready ? Diagnostics() : ready.diagnostics()) {
                 each.message = feature.name + " '" + feature.values[word] + "': " + each.message;
@@ -134,55 +127,49 @@ bool Renderer::State::formatsHold(const SceneTraits& scene) const
     const Plan& plan = execution->plan();
     return std::all_of(plan.targets.begin(), plan.targets.end(), [&](const PlanTarget& target) {
         const TargetDesc& desc = *findNamed(description.targets, target.name);
-        return chooseFormat(description, desc, scene, device.caps(), options.extent.height) ==
+        return chooseFormat(description, desc, scene, device->caps(), options.extent.height) ==
                plan.textures[target.texture].format;
     });
 }
 
-Status Renderer::State::prepare(std::unique_ptr<State>& state, const Frame& frame)
+Status Renderer::State::prepare(const Frame& frame)
 {
     if (Status status = checkFrame(frame); !status) return status;
-    if (state->options.strict) {
-        Diagnostics errors = warnElided(frame, state->device);
+    if (options.strict) {
+        Diagnostics errors = warnElided(frame, *device);
         for (Diagnostic& error : errors) {
             error.severity = Severity::error;
             error.message = "the frame cannot be drawn whole: " + error.message;
         }
         if (!errors.empty()) return errors;
     }
-    SceneTraits traits = steadyTraitsOf(frame);
-    if (traits == state->traits) return state->execution->setImports(frame);
-    traits.draws = rangeOf(frame.draws, frame.camera);
-    SceneTraits moved = state->traits;
-    moved.camera = traits.camera;
-    if (moved == traits && state->formatsHold(traits)) {  // histories go on
-        if (Status status = state->execution->setImports(frame); !status) return status;
-        state->traits = traits;
-        return compile(state->description, traits, state->device.caps(), state->options)
-            .diagnostics();
+    SceneTraits scene = steadyTraitsOf(frame);
+    if (scene == traits) return execution->setImports(frame);
+    scene.draws = rangeOf(frame.draws, frame.camera);
+    SceneTraits moved = traits;
+    moved.camera = scene.camera;
+    if (moved == scene && formatsHold(scene)) {  // histories go on
+        if (Status status = execution->setImports(frame); !status) return status;
+        traits = scene;
+        return compile(description, traits, device->caps(), options).diagnostics();
     }
-    auto next = make(state->device, state->description, state->options, traits, state.get());
+    Result<State> next = with(description, options, scene);
     if (!next) return next.diagnostics();
-    if (Status status = (*next)->execution->setImports(frame); !status) return status;
-    state = std::move(*next);
+    if (Status status = next->execution->setImports(frame); !status) return status;
+    *this = std::move(*next);
     Diagnostics all = next.diagnostics();
-    append(all, state->prepareLevels());
+    append(all, prepareLevels());
     return all;
 }
 
-Status Renderer::State::replan(std::unique_ptr<State>& state, Description description,
-                               const CompileOptions& options)
+Status Renderer::State::replan(Description other, const CompileOptions& with_options)
 {
-    auto next = make(state->device, std::move(description), options, state->traits, state.get());
-    if (next) state = std::move(*next);
+    Result<State> next = with(std::move(other), with_options, traits);
+    if (next) *this = std::move(*next);
     return next.diagnostics();
 }
 
-Renderer::Renderer(std::unique_ptr<State> state)
-    : state_(std::move(state)),
-      loaded_(std::make_unique<Values>(valuesOf(state_->description)))
-{
-}
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Renderer::~Renderer() = default;
 
@@ -190,16 +177,18 @@ Result<std::unique_ptr<Renderer>> Renderer::create(Device& device, Description d
                                                    const CompileOptions& options,
                                                    const SceneTraits& traits)
 {
-    auto state = State::make(device, std::move(description), options, traits, nullptr);
+    auto state =
+        State{&device, valuesOf(description)}.with(std::move(description), options, traits);
     if (!state) return state.diagnostics();
     Diagnostics all = state.diagnostics();
-    append(all, (*state)->prepareLevels());
-    return {std::unique_ptr<Renderer>(new Renderer(std::move(*state))), std::move(all)};
+    append(all, state->prepareLevels());
+    auto made = std::make_unique<State>(std::move(*state));
+    return {std::unique_ptr<Renderer>(new Renderer(std::move(made))), std::move(all)};
 }
 
 const Frame& Renderer::withClipControl(const Frame& frame)
 {
-    const ClipControl host = state_->device.clipControl();
+    const ClipControl host = state_->device->clipControl();
     if (host == ClipControl()) return frame;
     clipped_ = frame;
     if (!clipped_.camera.clip_control) clipped_.camera.clip_control = host;
@@ -211,7 +200,7 @@ const Frame& Renderer::withClipControl(const Frame& frame)
 Status Renderer::render(const Frame& given)
 {
     const Frame& frame = withClipControl(given);
-    const Status prepared = State::prepare(state_, frame);
+    const Status prepared = state_->prepare(frame);
     if (!prepared) return prepared;
     Diagnostics all = prepared.diagnostics();
     append(all, state_->execution->run(frame).diagnostics());
@@ -221,7 +210,7 @@ Status Renderer::render(const Frame& given)
 Result<FrameTimes> Renderer::renderTimed(const Frame& given)
 {
     const Frame& frame = withClipControl(given);
-    const Status prepared = State::prepare(state_, frame);
+    const Status prepared = state_->prepare(frame);
     if (!prepared) return prepared.diagnostics();
     auto timed = state_->execution->runTimed(frame);
     Diagnostics all = prepared.diagnostics();
@@ -234,7 +223,7 @@ Status Renderer::setTiming(bool on)
 {
     state_->timing = on;
     if (state_->execution->setTiming(on) || !on) return {};
-    const DeviceCaps& caps = state_->device.caps();
+    const DeviceCaps& caps = state_->device->caps();
     Diagnostic warning{Code::no_timers,
                        caps.timers ? "the plan's views have more than " +
                                          std::to_string(kMaxFrameTimers) + " passes together"
@@ -273,7 +262,7 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
                               : reformats ? "param '" + param->name + "' wants other formats"
                                           : "param '" + param->name + "' brought passes back";
     const Reference at{param->name, param->place, param->pointer};
-    const Status status = State::replan(state_, std::move(description), state_->options);
+    const Status status = state_->replan(std::move(description), state_->options);
     return withCompiled(status, *state_->execution, cause, at);
 }
 
@@ -287,7 +276,7 @@ Status Renderer::setImportFormat(std::string_view name, Format format)
     ImportDesc& import = description.imports[index];
     if (import.format == formatInfo(format).name) return {};
     import.format = formatInfo(format).name;
-    return State::replan(state_, std::move(description), state_->options);
+    return state_->replan(std::move(description), state_->options);
 }
 
 Status Renderer::setFeature(std::string_view name, std::string_view value)
@@ -306,17 +295,17 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
     description.features[feature - features.data()].value = index;
     applyLevel(description, feature->name);
     const Reference at{feature->name, feature->place, feature->pointer};
-    const Status status = State::replan(state_, std::move(description), state_->options);
+    const Status status = state_->replan(std::move(description), state_->options);
     return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
 }
 
 Status Renderer::reload(Description description, const CompileOptions& options)
 {
     const Values loaded = valuesOf(description);
-    Diagnostics all = carryOver(*loaded_, state_->description, description);
-    const Status status = State::replan(state_, std::move(description), options);
+    Diagnostics all = carryOver(state_->loaded, state_->description, description);
+    const Status status = state_->replan(std::move(description), options);
     if (!status) return status;
-    *loaded_ = loaded;
+    state_->loaded = loaded;
     append(all, status.diagnostics());
     append(all, state_->prepareLevels());
     return all;
@@ -327,7 +316,7 @@ Status Renderer::resize(Extent extent)
     if (extent == state_->options.extent) return {};
     CompileOptions options = state_->options;
     options.extent = extent;
-    return State::replan(state_, state_->description, options);
+    return state_->replan(state_->description, options);
 }
 
 TextureId Renderer::output(std::string_view name, int view) const

@@ -19,8 +19,6 @@
 
 namespace crevice {
 
-struct Values;
-
 class Renderer {
 public:
     /// Compiles the plan and creates every object that it needs. The device must outlive it.
@@ -131,8 +129,7 @@ private:
     const Frame& withClipControl(const Frame& frame);
 
     std::unique_ptr<State> state_;
-    Frame clipped_;                   // the last frame that had to take it
-    std::unique_ptr<Values> loaded_;  // those that the config gave
+    Frame clipped_;  // the last frame that had to take it
 };
 
 }  // namespace crevice
