@@ -131,7 +131,7 @@ void Execution::drawByHost(const PreparedPass& pass, const DrawItem& item)
     } call{pass.info.label, item, values_};
     const auto draw = [](std::uint32_t program, void* data) {
         const Call& made = *static_cast<Call*>(data);
-        made.item.callback(DrawCall(made.pass, program, made.values), made.item.host);
+        made.item.callback({made.pass, program, made.values}, made.item.host);
     };
     device_.drawByHost(draw, &call);
 }

@@ -162,7 +162,7 @@ const float* DrawCall::matrix(std::string_view name) const
 {
     const FrameValueInfo* value = findNamed(kFrameValues, name);
     if (!value || (value->type != GlslType::mat4 && value->type != GlslType::mat3)) return nullptr;
-    return static_cast<const float*>(values_.frameValue(value - kFrameValues));
+    return static_cast<const float*>(values.frameValue(value - kFrameValues));
 }
 
 }  // namespace crevice

@@ -129,24 +129,14 @@ class ValueTable;
 /// depth test, culling, and the pass's program with all of its uniforms and textures. What is left
 /// to do is to bind vertices and draw: position, normal and uv are at locations 0 to 2. Another
 /// program may be used that writes the same outputs. No state need be put back.
-class DrawCall {
-public:
-    DrawCall(const char* in_pass, std::uint32_t of_program, const ValueTable& values)
-        : pass(in_pass),
-          program(of_program),
-          values_(values)
-    {
-    }
-
-    const char* const pass;       ///< Its name in the config.
-    const std::uint32_t program;  ///< The API's own name (GLuint) of the pass's program.
+struct DrawCall {
+    const char* pass;          ///< Its name in the config.
+    std::uint32_t program;     ///< The API's own name (GLuint) of the pass's program.
+    const ValueTable& values;  ///< For `matrix` alone.
 
     /// A matrix of the camera or the draw by its name in GLSL, such as "clip_from_model", as
     /// glUniformMatrix4fv or glUniformMatrix3fv takes it; null for a name that is none.
     const float* matrix(std::string_view name) const;
-
-private:
-    const ValueTable& values_;
 };
 
 /// `host` is DrawItem::host.
