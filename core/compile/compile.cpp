@@ -31,16 +31,6 @@ State begin(const Description& description, const SceneTraits& traits, const Dev
     return state;
 }
 
-void checkExtent(State& state)
-{
-    const Extent& extent = state.options.extent;
-    if (extent.width > 0 && extent.height > 0) return;
-    report(state, Code::bad_size,
-           "a size of " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
-               " was asked for, and both sides must be at least 1",
-           Named{}, "ask for a size such as 1920x1080");
-}
-
 void checkRules(State& state)
 {
     std::vector<std::string> names = namesOf(kOptimizations);
@@ -168,7 +158,6 @@ Result<Plan> compile(const Description& description, const SceneTraits& traits,
         fitBorders({description, traits, caps, options}, elided);
     State state = begin(fitted ? *fitted : description, traits, caps, options);
     state.elided = std::move(elided);
-    checkExtent(state);
     checkRules(state);
     chooseOutputs(state);
     decideConditions(state);

@@ -182,11 +182,10 @@ void chooseLive(State& state)
         else
             pass.indispensable = true;
     }
-    for (Target& target : state.targets)
-        if (!state.applies("dead_pass") && target.writer >= 0 && state.passes[target.writer].live)
-            target.textured = true;
     for (const Pass& pass : state.passes)
-        if (pass.live && pass.depth >= 0) state.targets[pass.depth].textured = true;
+        for (const int target : writtenBy(pass))
+            if (pass.live && (target == pass.depth || !state.applies("dead_pass")))
+                state.targets[target].textured = true;
 }
 
 void lintDeadPasses(State& state)

@@ -79,7 +79,7 @@ struct State {
     std::vector<Target> targets = {};
     std::vector<int> order = {};           ///< Active passes by data flow.
     std::vector<int> outputs = {};         ///< Those asked for.
-    std::set<std::string> unwritten = {};  ///< Targets that an error is about which no pass writes.
+    std::set<std::string> unwritten = {};  ///< Targets that no pass writes, as an error says.
     std::vector<Elided> elided = {};       ///< Before there were passes.
     Diagnostics diagnostics = {};
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The steps of the compiler, private to core/compile. They fill its state in this order:
 //
-//   conditions    which passes run, once borders fit (target_sizes)
+//   elided        which passes run, once borders fit (target_sizes)
 //   formats       formats, which shaders allow for; at the end whether they fit and are fine enough
 //   shaders       defines, stages, outputs; with uniforms for what they declare
 //   graph         writers and order
@@ -13,9 +13,6 @@
 #include "core/compile/state.h"
 
 namespace crevice::compiler {
-
-// conditions.cpp
-void decideConditions(State& state);
 
 // formats.cpp
 void chooseFormats(State& state);
@@ -69,6 +66,7 @@ void chooseSamples(State& state);
 void shareTextures(const State& state, Plan& plan);
 
 // elided.cpp
+void decideConditions(State& state);
 std::vector<Elided> elided(const State& state);
 
 // passes.cpp

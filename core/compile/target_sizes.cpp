@@ -18,6 +18,12 @@ std::string text(const Extent& extent)
     return std::to_string(extent.width) + "x" + std::to_string(extent.height);
 }
 
+std::string endsAt(const State& state)
+{
+    const int limit = state.caps.max_texture_size;
+    return "the device's textures end at " + text(Extent{limit, limit});
+}
+
 constexpr double kLargest = 1e9;  // fits an int; far over what any device takes
 
 // Rounded up, but for what the rounding of `scale` to a float adds: 1.2f is a little above 1.2, and
@@ -151,10 +157,9 @@ std::optional<Description> fitBorders(const State& state, std::vector<Elided>& e
         if (scale >= param.value[0] || scale < param.min) continue;
         if (!fitted) fitted = state.description;
         fitted->params[i].value[0] = scale;
-        const std::string limit = std::to_string(state.caps.max_texture_size);
         elided.push_back({"part of " + param.name, "device",
-                          "the device's textures end at " + limit + "x" + limit + ", so it is " +
-                              shortest(scale) + " instead of " + shortest(param.value[0])});
+                          endsAt(state) + ", so it is " + shortest(scale) + " instead of " +
+                              shortest(param.value[0])});
     }
     return fitted;
 }
@@ -179,13 +184,16 @@ float viewsOf(const State& state, int target)
 void chooseExtents(State& state)
 {
     const int limit = state.caps.max_texture_size;
-    const bool fits = within(state.options.extent, limit);
+    const Extent& asked = state.options.extent;
+    if (asked.width < 1 || asked.height < 1)
+        report(state, Code::bad_size,
+               "a size of " + text(asked) + " was asked for, and both sides must be at least 1",
+               Named{}, "ask for a size such as 1920x1080");
+    const bool fits = within(asked, limit);
     if (!fits)
         report(state, Code::too_big_for_device,
-               "a picture of " + text(state.options.extent) +
-                   " is wanted, and the device's textures end at " + std::to_string(limit) + "x" +
-                   std::to_string(limit),
-               Named{}, "ask for a smaller size");
+               "a picture of " + text(asked) + " is wanted, and " + endsAt(state), Named{},
+               "ask for a smaller size");
     for (std::size_t i = 0; i < state.targets.size(); ++i) {
         Target& target = state.targets[i];
         const TargetDesc& desc = state.description.targets[i];
@@ -195,11 +203,10 @@ void chooseExtents(State& state)
         const bool reported = followed >= 0 && state.targets[followed].textured &&
                               !within(sizeOf(state, followed), limit);
         if (reported) continue;
-        report(state, Code::too_big_for_device,
-               "target '" + desc.name + "' would be " + text(target.extent) +
-                   ", and the device's textures end at " + std::to_string(limit) + "x" +
-                   std::to_string(limit),
-               desc, "use a smaller `scale`, or ask for a smaller size");
+        report(
+            state, Code::too_big_for_device,
+            "target '" + desc.name + "' would be " + text(target.extent) + ", and " + endsAt(state),
+            desc, "use a smaller `scale`, or ask for a smaller size");
     }
     const auto size = [&](int target) { return "is " + text(state.targets[target].extent); };
     for (const Pass& pass : state.passes)

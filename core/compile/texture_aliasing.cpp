@@ -2,13 +2,9 @@
 // Aliasing: targets whose lifetimes do not meet share a texture.
 #include "core/compile/steps.h"
 
-#include <limits>
-
 namespace crevice::compiler {
 
 namespace {
-
-constexpr int kForever = std::numeric_limits<int>::max();
 
 // The plan's textures, and until which pass each is busy.
 class Slots {
@@ -53,9 +49,11 @@ void shareTextures(const State& state, Plan& plan)
         const Target& found = state.targets[index];
         PlanTexture texture{found.format, found.extent, found.samples, {target.name}};
         if (found.remembered) {
-            target.texture = target.drawn_texture = slots.take(texture, -1, kForever, false);
+            texture.copies = plan.views;
+            target.texture = target.drawn_texture =
+                slots.take(texture, -1, target.last_pass, false);
             texture.targets = {historyName(desc)};
-            target.history_texture = slots.take(texture, -1, kForever, false);
+            target.history_texture = slots.take(texture, -1, target.last_pass, false);
             continue;
         }
         const bool depth = formatInfo(found.format).format_class == FormatClass::depth;
@@ -65,14 +63,12 @@ void shareTextures(const State& state, Plan& plan)
         const int last_drawn = resolved ? target.first_pass : target.last_pass;
         target.texture = target.drawn_texture =
             slots.take(texture, target.first_pass, last_drawn, part);
-        if (!resolved) continue;
-        texture.samples = 1;
-        target.texture = slots.take(texture, target.first_pass, target.last_pass, false);
-    }
-    for (const PlanTarget& target : plan.targets) {
-        if (target.last_pass < static_cast<int>(plan.passes.size())) continue;
-        plan.textures[target.texture].copies = plan.views;
-        if (target.history_texture >= 0) plan.textures[target.history_texture].copies = plan.views;
+        if (resolved) {
+            texture.samples = 1;
+            target.texture = slots.take(texture, target.first_pass, target.last_pass, false);
+        }
+        if (target.last_pass == static_cast<int>(plan.passes.size()))
+            plan.textures[target.texture].copies = plan.views;
     }
 }
 

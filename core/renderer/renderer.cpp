@@ -43,7 +43,7 @@ Diagnostic unknown(Code code, const char* what, std::string_view name,
 
 /// The status of a new plan, with a warning where shaders had to compile for it.
 Status withCompiled(const Status& status, const Execution& execution, const std::string& cause,
-                    const Reference& at)
+                    const Named& at)
 {
     if (!status || execution.compiled().empty()) return status;
     const std::string shaders = "'" + joined(execution.compiled(), "', '") + "'";
@@ -261,7 +261,7 @@ Status Renderer::setParam(std::string_view name, const float* values, int count)
                                   ? "param '" + param->name + "' is bound as a define"
                               : reformats ? "param '" + param->name + "' wants other formats"
                                           : "param '" + param->name + "' brought passes back";
-    const Reference at{param->name, param->place, param->pointer};
+    const Named at = *param;
     const Status status = state_->replan(std::move(description), state_->options);
     return withCompiled(status, *state_->execution, cause, at);
 }
@@ -294,7 +294,7 @@ Status Renderer::setFeature(std::string_view name, std::string_view value)
     Description description = state_->description;
     description.features[feature - features.data()].value = index;
     applyLevel(description, feature->name);
-    const Reference at{feature->name, feature->place, feature->pointer};
+    const Named at = *feature;
     const Status status = state_->replan(std::move(description), state_->options);
     return withCompiled(status, *state_->execution, "feature '" + at.name + "' is a define", at);
 }

@@ -67,8 +67,7 @@ enum class Code : int {
     out_of_range = 4001,  ///< A value outside its range.
     bad_range = 4002,     ///< min above max, or a default outside them.
     not_finite = 4003,    ///< NaN or infinity.
-    unknown_param =
-        4004,         ///< A value for a param, feature or kernel that the config does not have.
+    unknown_param = 4004,  ///< A value for a param, feature or kernel that is not there.
     bad_size = 4005,  ///< A size that is not positive or that the device cannot hold.
     value_dropped = 4006,  ///< A value set at run time that a reloaded config has no place for.
 
@@ -99,8 +98,7 @@ enum class Code : int {
     no_backend = 6012,          ///< A backend that does not exist or was not built.
     no_samples = 6013,          ///< More samples than the device draws.
     sampler_version = 6014,     ///< A sampler that the device's version of OpenGL ES does not have.
-    too_coarse =
-        6015,  ///< Formats that do not resolve the radius as far as it is seen (a warning).
+    too_coarse = 6015,  ///< Formats that do not resolve the radius where it is seen (a warning).
     context_lost = 6016,    ///< The context is gone, and all that was made in it.
     host_busy = 6017,       ///< The host is amid what drawing would spoil, such as a query.
     no_timers = 6018,       ///< The GPU's time cannot be measured (a warning).
