@@ -132,8 +132,8 @@ Diagnostics firstBad(const Description& description, const Plan& plan,
     return found;
 }
 
-// Whether a constant target can be so because it reads the other: that one is constant, or its first
-// channel has the same value everywhere, as where it holds occlusion with depth behind it.
+// Whether a constant target can be so because it reads the other: that one is constant, or its
+// first channel has the same value everywhere, as where it holds occlusion with depth behind it.
 bool explains(const TargetHealth& other, const TargetHealth& target)
 {
     return other.constant ||

@@ -64,11 +64,11 @@ enum class Code : int {
     bad_length = 3006,   ///< A list with too few or too many entries.
 
     // values
-    out_of_range = 4001,  ///< A value outside its range.
-    bad_range = 4002,     ///< min above max, or a default outside them.
-    not_finite = 4003,    ///< NaN or infinity.
+    out_of_range = 4001,   ///< A value outside its range.
+    bad_range = 4002,      ///< min above max, or a default outside them.
+    not_finite = 4003,     ///< NaN or infinity.
     unknown_param = 4004,  ///< A value for a param, feature or kernel that is not there.
-    bad_size = 4005,  ///< A size that is not positive or that the device cannot hold.
+    bad_size = 4005,       ///< A size that is not positive or that the device cannot hold.
     value_dropped = 4006,  ///< A value set at run time that a reloaded config has no place for.
 
     // shaders
@@ -98,11 +98,11 @@ enum class Code : int {
     no_backend = 6012,          ///< A backend that does not exist or was not built.
     no_samples = 6013,          ///< More samples than the device draws.
     sampler_version = 6014,     ///< A sampler that the device's version of OpenGL ES does not have.
-    too_coarse = 6015,  ///< Formats that do not resolve the radius where it is seen (a warning).
-    context_lost = 6016,    ///< The context is gone, and all that was made in it.
-    host_busy = 6017,       ///< The host is amid what drawing would spoil, such as a query.
-    no_timers = 6018,       ///< The GPU's time cannot be measured (a warning).
-    mesh_lacks = 6019,      ///< A pass reads normals or uv that a mesh does not have (a warning).
+    too_coarse = 6015,    ///< Formats that do not resolve the radius where it is seen (a warning).
+    context_lost = 6016,  ///< The context is gone, and all that was made in it.
+    host_busy = 6017,     ///< The host is amid what drawing would spoil, such as a query.
+    no_timers = 6018,     ///< The GPU's time cannot be measured (a warning).
+    mesh_lacks = 6019,    ///< A pass reads normals or uv that a mesh does not have (a warning).
     unfilled_block = 6020,  ///< A uniform block that nobody fills (a warning).
     no_compilers = 6021,    ///< The compilers of phones' GPUs are not there, or do not work.
     cannot_serve = 6022,    ///< No port to serve on, or no random number for its address.
