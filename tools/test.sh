@@ -23,7 +23,7 @@ all         |  100 | full_tests       | Tests on OSMesa, of stress, and of pages
 all         |   60 | guard            | Errors against docs/bench
 all         |   20 | pictures         | Pictures in the documentation
 all         |  100 | shader_faults    | Faults planted in shaders, which stress must find
-all         |  380 | sanitized_tests  | Tests of what owns memory, by clang, under sanitizers
+all         |  460 | sanitized_tests  | Tests of what owns memory, by clang, under sanitizers
 all         |   50 | fuzzers          | Fuzzers, 20 seconds each
 all         |  115 | threads          | Threads under the thread sanitizer
 all         |  125 | lone_files       | Each file compiles alone, by clang
