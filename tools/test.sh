@@ -32,7 +32,7 @@ all         |  110 | web              | WebGL 2 in a browser
 all         |   90 | page             | The page in a browser
 all         |  165 | arm              | arm64 and armv7, under qemu
 nightly     | 1800 | phones           | Costs on phones against docs/cost
-nightly     | 1800 | code_faults      | Faults planted in C++, which tests must find
+nightly     | 1200 | code_faults      | Faults planted in C++, which tests must find
 nightly     |  600 | bare_debian      | The packages on a bare Debian
 '
 

@@ -128,6 +128,7 @@ expect 1 'CV4001' reference --scene corner --rays 0 --out never.pfm
 expect 4 'CV7007' reference --scene corner --out nowhere/ground_truth.pfm
 expect 0 'rmse +0\.0+$' compare ground_truth.pfm ground_truth.pfm --max-rmse 0 --max-abs 0
 expect 0 'wrote' reference --scene corner --size 32x24 --radius 5 --rays 16 --out far.pfm
+expect 0 'psnr +[0-9.]+ dB' compare far.pfm ground_truth.pfm
 expect 5 'over the limit' compare far.pfm ground_truth.pfm --max-rmse 0.001
 expect 5 'over the limit' compare far.pfm ground_truth.pfm --max-abs 1/255
 expect 0 '"rmse"' compare far.pfm ground_truth.pfm --json --diff diff.png

@@ -59,7 +59,7 @@ std::string textured(const std::string& materials,
 
 const char* const kColored = R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})";
 
-// The square, and lights on a line at the given heights above its middle.
+// The square, and lights on a line at the given heights above its middle, turned to shine along +y.
 std::string lit(const std::string& lights, const std::vector<std::string>& heights)
 {
     std::string children, nodes;
@@ -67,7 +67,8 @@ std::string lit(const std::string& lights, const std::vector<std::string>& heigh
         const std::string index = std::to_string(k);
         children += (k == 0 ? "" : ", ") + std::to_string(k + 1);
         nodes += R"(, {"extensions": {"KHR_lights_punctual": {"light": )" + index +
-                 R"(}}, "translation": [0.5, 0.5, )" + heights[k] + "]}";
+                 R"(}}, "rotation": [0.70710678, 0, 0, 0.70710678], "translation": [0.5, 0.5, )" +
+                 heights[k] + "]}";
     }
     return gltf(R"({"mesh": 0, "children": [)" + children + "]}" + nodes,
                 R"("extensions": {"KHR_lights_punctual": {"lights": [)" + lights + "]}}, ");
@@ -167,7 +168,7 @@ TEST_CASE("the brightest light brings 1 to the centre of the scene, in any unit"
     CHECK(atCenter(scene.lights[1].light, 1) == Approx(1));
     CHECK(scene.lights[0].light.color.g == Approx(0.5));
     CHECK(scene.lights[2].light.directional);
-    CHECK(scene.lights[2].light.direction.z == Approx(-1));
+    CHECK(scene.lights[2].light.direction.y == Approx(1));
     CHECK(scene.lights[2].light.color.r == Approx(3.0 / 540));
 }
 
