@@ -73,17 +73,17 @@ std::string spell(GlslType type, std::string_view name, int count)
 std::vector<std::string> namesFor(const Description& description, const PassDesc& pass,
                                   bool textures)
 {
-    std::vector<std::string> names;
-    const auto add = [&](const std::string& name) {
-        const std::optional<Supply> supply = supplyOf(description, pass, name);
-        if (supply && isSampler(supply->type) == textures) names.push_back(name);
-    };
-    for (const ParamDesc& each : description.params) add(each.name);
-    for (const GeneratedDesc& each : description.generated) add(each.name);
-    for (const TargetDesc& each : description.targets) add(each.name);
-    for (const TargetDesc& each : description.targets) add(historyName(each));
-    for (const ImportDesc& each : description.imports) add(each.name);
-    for (const FrameValueInfo& each : kFrameValues) add(each.name);
+    std::vector<std::string> names = namesOf(description.params);
+    if (textures) names = namesOf(description.targets);
+    for (const GeneratedDesc& each : description.generated)
+        if (generatesTexture(each.generator) == textures) names.push_back(each.name);
+    for (const TargetDesc& each : description.targets)
+        if (textures && each.history) names.push_back(historyName(each));
+    for (const ImportDesc& each : description.imports)
+        if (textures && each.type == ImportType::texture) names.push_back(each.name);
+    for (const FrameValueInfo& each : kFrameValues)
+        if (!textures && (each.import != ImportType::draw_list || pass.type == PassType::draw))
+            names.push_back(each.name);
     return names;
 }
 
