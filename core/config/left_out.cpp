@@ -56,17 +56,24 @@ const LoadedFile* replacing(const LoadedFile& file, const std::vector<LoadedFile
     return last;
 }
 
+void eraseNames(Node& object, const std::string& section, const Names& gone)
+{
+    const auto is_gone = [&](const Member& each) { return gone.count({section, each.key}) > 0; };
+    std::vector<Member>& members = object.members;
+    members.erase(std::remove_if(members.begin(), members.end(), is_gone), members.end());
+}
+
 // What a body or a variant says of these names, levels of features included.
 void prune(Node& body, const Names& gone)
 {
-    for (const auto& [section, name] : gone) {
-        if (Node* entries = body.find(section)) takeMember(*entries, name);
-        Node* features = body.find("features");
-        if (!features || (section != "params" && section != "features")) continue;
-        for (Member& feature : features->members)
-            if (Node* sets = feature.value.find("sets"))
-                for (Member& word : sets->members) takeMember(word.value, name);
-    }
+    for (Member& section : body.members) eraseNames(section.value, section.key, gone);
+    Node* features = body.find("features");
+    if (!features) return;
+    for (Member& feature : features->members)
+        if (Node* sets = feature.value.find("sets"))
+            for (Member& word : sets->members)
+                for (const char* section : {"params", "features"})
+                    eraseNames(word.value, section, gone);
 }
 
 // "geometry/back_faces" of a module; of a file on disk, its path as it was given.
@@ -105,17 +112,6 @@ Names declaredByOthers(const std::vector<LoadedFile>& files, const std::vector<b
 }
 
 }  // namespace
-
-std::optional<Node> takeMember(Node& object, std::string_view key)
-{
-    std::vector<Member>& members = object.members;
-    const auto at = std::find_if(members.begin(), members.end(),
-                                 [&](const Member& member) { return member.key == key; });
-    if (at == members.end()) return std::nullopt;
-    Node value = std::move(at->value);
-    members.erase(at);
-    return value;
-}
 
 Removal leaveOutReplaced(std::vector<LoadedFile>& files)
 {

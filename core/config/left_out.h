@@ -4,7 +4,6 @@
 
 #include <crevice/document.h>
 
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -36,8 +35,5 @@ struct Removal {
 /// which is named later and which it does not extend. Of the files before that one it takes what
 /// they say of params, passes and so on that only left out files declare.
 Removal leaveOutReplaced(std::vector<LoadedFile>& files);
-
-/// Takes the member out of the object, where it has one.
-std::optional<Node> takeMember(Node& object, std::string_view key);
 
 }  // namespace crevice

@@ -82,6 +82,18 @@ Result<SourceRef> findConfig(const SourceSet& sources, const LoadRequest& reques
     return missing;
 }
 
+// Takes the member out of the object, where it has one.
+std::optional<Node> takeMember(Node& object, std::string_view key)
+{
+    std::vector<Member>& members = object.members;
+    const auto at = std::find_if(members.begin(), members.end(),
+                                 [&](const Member& member) { return member.key == key; });
+    if (at == members.end()) return std::nullopt;
+    Node value = std::move(at->value);
+    members.erase(at);
+    return value;
+}
+
 Diagnostic wrongType(const Node& found, const char* wanted, std::string pointer, std::string help)
 {
     return {Code::wrong_type, "found " + brief(found) + " where " + wanted + " was wanted",

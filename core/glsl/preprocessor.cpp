@@ -83,6 +83,7 @@ private:
     std::vector<Branch> branches_;
     std::vector<std::string> paths_;  ///< By source-string number.
     std::vector<int> open_;           ///< The files being read, from the root on.
+    std::set<std::string> seen_;      ///< All files that were read.
     std::set<std::string, std::less<>> undefined_;
     bool stopped_ = false;  ///< Nothing more can be said about this text.
 };
@@ -93,6 +94,7 @@ void Preprocessor::readFile(const std::string& path)
     const std::size_t outer_branches = branches_.size();
     open_.push_back(int(paths_.size()));
     paths_.push_back(path);
+    seen_.insert(path);
     unit_.files.push_back(source);
     if (file() > 0) writeLine(1);
 
@@ -253,8 +255,7 @@ void Preprocessor::readIncludeLine(const GlslLine& line)
     const bool wanted = active();
     const bool read = readInclude(line, unit_.files[std::size_t(file())], include);
     if (wanted && !read) fail("this #include cannot be read", line.tokens[1], kIncludeHelp);
-    if (!wanted || !read || !resolve(include, path) || inRing(include, path) ||
-        contains(paths_, path)) {
+    if (!wanted || !read || !resolve(include, path) || inRing(include, path) || seen_.count(path)) {
         unit_.text.append(std::size_t(line.count), '\n');
         return;
     }
