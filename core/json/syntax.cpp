@@ -108,7 +108,8 @@ Diagnostic faultAt(const SyntaxStop& stop, const Wanted& wanted)
     const std::string_view token = text.substr(begin, end - begin);
     const Place place = placeAt(stop.source, begin, token.size());
     const bool value = stop.after == SyntaxStop::After::nothing || wanted.help == kValue;
-    if (value && isDigit(token.back()) && std::isinf(parseNumber(token).value_or(0)))
+    const bool number = isDigit(charAt(token, token[0] == '-')) && isDigit(token.back());
+    if (value && number && std::isinf(parseNumber(token).value_or(0)))
         return {Code::number_range, "the number " + quotedToken(token) + " is too large",
                 "the largest number is about 1.8e308", place};
     return {Code::syntax,
