@@ -21,7 +21,7 @@ bool invertible(const glm::dmat4& columns)
     double lengths = 1.0;
     for (int i = 0; i < 4; ++i) lengths *= glm::length(columns[i]);
     return std::abs(glm::determinant(columns)) > kLeastVolume * lengths &&
-           isFinite(glm::mat4(glm::inverse(columns)));
+           isFinite(glm::inverse(columns));
 }
 
 // `clip_from_view` as it would be under OpenGL's own clip control, with w the distance or 1, as
